@@ -77,6 +77,9 @@ class MainWindow : public QMainWindow {
   void make_menus();
   QWidget* make_centre();
   void connect_parts();
+  void connect_work();
+  void connect_case();
+  void connect_rehearsal();
 
   void choose_case();
   void choose_study();

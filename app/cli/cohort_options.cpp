@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <filesystem>
 
-#include "studies/cohort.h"
+#include "studies/dissertation/cohort.h"
 
 namespace glisson::cli {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "command.h"
-#include "studies/batch.h"
-#include "studies/cohort.h"
+#include "studies/dissertation/batch.h"
+#include "studies/dissertation/cohort.h"
 
 namespace glisson::cli {
 

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "command.h"
-#include "studies/demo.h"
+#include "studies/demo/demo.h"
 
 namespace glisson::cli {
 namespace {

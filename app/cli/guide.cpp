@@ -1,10 +1,17 @@
-// glisson-cli guide GUIDANCE.json --out DIR: where the organ and its hidden targets are in each frame.
+// glisson-cli guide (CASE --sequence SEQUENCE.json | GUIDANCE.json) --out DIR: where the organ and its hidden targets
+// are in each frame.
 
 #include <fmt/format.h>
+#include <cmath>
+#include <cstdlib>
+#include <sstream>
 
+#include "base/write_file.h"
+#include "casefile/guided_sequence.h"
 #include "command.h"
 #include "guidance/guidance_answer.h"
 #include "guidance/guidance_file.h"
+#include "registration_quality/sequence_file.h"
 #include "shared_options.h"
 
 namespace glisson::cli {
@@ -31,15 +38,75 @@ std::string describe(const guidance::GuidanceAnswer& answer) {
   return text + bullet_list(answer.notes);
 }
 
-Result<Outcome> guide(const std::string& file, const std::string& out, const Progress& progress) {
+struct Asked {
+  std::string input, sequence, pose, out;
+  double noise_mm = 0.5;
+};
+
+Outcome outcome_of(const guidance::GuidanceCase& guidance, const guidance::GuidanceAnswer& answer,
+                   const std::string& out) {
+  Outcome outcome{guidance::answer_json(guidance, answer), describe(answer)};
+  outcome.document["out"] = out;
+  return outcome;
+}
+
+Result<Outcome> guide_file(const Asked& asked, const Progress& progress) {
   progress.report(0.0, GLISSON_TEXT("Reading the guidance case"));
-  const auto guidance = guidance::read_guidance(file);
+  const auto guidance = guidance::read_guidance(asked.input);
   if (!guidance) return failure(guidance.error());
   const auto answer = guidance::answer(*guidance, progress);
-  if (!answer) return failure(Error(answer.error()).in_file(file));
-  if (auto written = guidance::write_answer(out, *guidance, *answer); !written) return failure(written.error());
-  Outcome outcome{guidance::answer_json(*guidance, *answer), describe(*answer)};
-  outcome.document["out"] = out;
+  if (!answer) return failure(Error(answer.error()).in_file(asked.input));
+  if (auto written = guidance::write_answer(asked.out, *guidance, *answer); !written) return failure(written.error());
+  return outcome_of(*guidance, *answer, asked.out);
+}
+
+// "16 numbers, comma, row by row": scan to camera.
+Result<std::optional<Eigen::Isometry3d>> parse_pose(const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  std::vector<double> numbers;
+  std::stringstream stream(text);
+  for (std::string cell; std::getline(stream, cell, ',');) {
+    char* end = nullptr;
+    numbers.push_back(std::strtod(cell.c_str(), &end));
+    if (cell.empty() || *end != '\0') numbers.back() = std::nan("");
+  }
+  const auto pose = guidance::rigid_pose(numbers);
+  if (pose) return pose;
+  return failure(Error{"usage",
+                       GLISSON_TEXT("--pose {0} is no rigid motion: 16 numbers with commas, row by row."),
+                       {text},
+                       GLISSON_TEXT("The pose takes a point of the scan (mm) to the camera's frame."),
+                       {}});
+}
+
+Result<Outcome> guide_case(const Asked& asked, const Progress& progress) {
+  progress.report(0.0, GLISSON_TEXT("Reading the guidance case"));
+  const auto pose = parse_pose(asked.pose);
+  if (!pose) return failure(pose.error());
+  const auto patient = casefile::Case::open(asked.input);
+  if (!patient) return failure(patient.error());
+  const auto model = casefile::read_model(*patient);
+  if (!model) return failure(model.error());
+  const auto sequence = registration_quality::read_sequence(asked.sequence);
+  if (!sequence) return failure(sequence.error());
+  const auto guided = casefile::guided_sequence(*model, *sequence, *pose, asked.noise_mm);
+  if (!guided) return failure(guided.error());
+  const auto answer = guidance::answer(guided->guidance, progress.part(0.0, 0.9));
+  if (!answer) return failure(Error(answer.error()).in_file(asked.input));
+  std::vector<guidance::ElasticPlacement> placements;
+  for (const guidance::FrameAnswer& frame : answer->frames) placements.push_back(frame.placement);
+  std::size_t pictures = 0;
+  auto written = write_together([&] {
+    return guidance::write_answer(asked.out, guided->guidance, *answer).and_then([&]() -> Result<void> {
+      const auto drawn = casefile::write_overlays(asked.out, *guided, *sequence, placements);
+      if (!drawn) return failure(drawn.error());
+      pictures = drawn->size();
+      return {};
+    });
+  });
+  if (!written) return failure(written.error());
+  Outcome outcome = outcome_of(guided->guidance, *answer, asked.out);
+  outcome.document["pictures"] = pictures;
   return outcome;
 }
 
@@ -47,12 +114,21 @@ Result<Outcome> guide(const std::string& file, const std::string& out, const Pro
 
 void add_guide(CLI::App& app, Action& chosen) {
   CLI::App* command = app.add_subcommand("guide", "Place the organ and its hidden targets in each frame of a camera");
-  auto file = std::make_shared<std::string>();
-  auto out = std::make_shared<std::string>();
-  command->add_option("guidance", *file, "The guidance case (glisson-guidance/1)")->required();
-  command->add_option("--out", *out, "Folder for guidance.json and a mesh a frame")->required();
-  command->callback([&chosen, file, out] {
-    chosen = [file, out](const Progress& progress) { return guide(*file, *out, progress); };
+  auto asked = std::make_shared<Asked>();
+  command->add_option("input", asked->input, "A guidance case (glisson-guidance/1), or a case folder with --sequence")
+      ->required();
+  auto* sequence = command->add_option("--sequence", asked->sequence, "The laparoscope's sequence.json");
+  command->add_option("--pose", asked->pose, "Scan to camera in the first frame, about: 16 numbers, row by row")
+      ->needs(sequence);
+  command->add_option("--noise-mm", asked->noise_mm, "Standard deviation of the clouds' coordinates")
+      ->check(CLI::Range(0.01, 20.0))
+      ->needs(sequence)
+      ->capture_default_str();
+  command->add_option("--out", asked->out, "Folder for guidance.json, a mesh and a picture a frame")->required();
+  command->callback([&chosen, asked] {
+    chosen = [asked](const Progress& progress) {
+      return asked->sequence.empty() ? guide_file(*asked, progress) : guide_case(*asked, progress);
+    };
   });
 }
 

@@ -1,6 +1,6 @@
 // glisson-cli review A B: two registrations of one video side by side, with a timeline.
 
-#include "studies/review.h"
+#include "studies/review/review.h"
 
 #include <fmt/format.h>
 

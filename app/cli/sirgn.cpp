@@ -12,7 +12,7 @@
 #include "registration_quality/register_sequence.h"
 #include "registration_quality/sequence_file.h"
 #include "shared_options.h"
-#include "studies/review.h"
+#include "studies/review/review.h"
 
 namespace glisson::cli {
 namespace {

@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "casefile/model.h"
-#include "studies/beam_regions.h"
+#include "studies/dissertation/beam_regions.h"
 #include "study_commands.h"
 
 namespace glisson::cli {

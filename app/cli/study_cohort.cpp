@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "cohort_options.h"
-#include "studies/cohort.h"
+#include "studies/dissertation/cohort.h"
 #include "study_commands.h"
 
 namespace glisson::cli {

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <filesystem>
 
-#include "studies/convergence_study.h"
+#include "studies/dissertation/convergence_study.h"
 #include "study_commands.h"
 
 namespace glisson::cli {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "studies/example_sequence.h"
+#include "studies/review/example_sequence.h"
 #include "study_commands.h"
 
 namespace glisson::cli {

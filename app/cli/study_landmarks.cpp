@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "cohort_options.h"
-#include "studies/cohort.h"
-#include "studies/landmarks.h"
+#include "studies/dissertation/cohort.h"
+#include "studies/dissertation/landmarks.h"
 #include "study_commands.h"
 
 namespace glisson::cli {

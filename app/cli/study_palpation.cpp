@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "studies/palpation.h"
+#include "studies/dissertation/palpation.h"
 #include "study_commands.h"
 
 namespace glisson::cli {

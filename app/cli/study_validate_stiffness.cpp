@@ -4,7 +4,7 @@
 
 #include "base/tissue.h"
 #include "shared_options.h"
-#include "studies/validate_stiffness.h"
+#include "studies/dissertation/validate_stiffness.h"
 #include "study_commands.h"
 
 namespace glisson::cli {

@@ -61,7 +61,7 @@ Result<Patient> make_patient(const PatientOptions& options, const Progress& prog
 Result<geometry::Surface> make_liver_surface(const PatientOptions& options, double spacing_mm = 3);
 
 // A named surface, ready to be written: "liver", "portal-vein", "hepatic-vein", "artery", "gallbladder", "vena-cava",
-// "tumour-1", "cyst-1". Vessels as far as they are at least `least_radius_mm` wide, which images show.
+// "tumour-1", "cyst-1". Vessels as far as they are at least `minimum_radius_mm` wide, which images show.
 struct NamedSurface {
   std::string name;
   geometry::Surface surface;

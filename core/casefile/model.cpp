@@ -6,6 +6,7 @@
 #include "base/tissue.h"
 #include "casefile/model_upkeep.h"
 #include "casefile/placed_landmarks.h"
+#include "casefile/structure_landmarks.h"
 #include "casefile/structures.h"
 #include "casefile/used_entries.h"
 #include "geometry/mesh_file.h"

@@ -4,7 +4,7 @@
 
 #include "base/json.h"
 #include "base/write_file.h"
-#include "casefile/structures.h"
+#include "casefile/structure_landmarks.h"
 #include "geometry/mesh_file.h"
 
 namespace glisson::casefile {

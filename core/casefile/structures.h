@@ -9,7 +9,6 @@
 #include "base/progress.h"
 #include "base/sentence.h"
 #include "casefile/case.h"
-#include "mechanics/scenario/scenario.h"
 #include "segmentation/brush.h"
 #include "segmentation/structures.h"
 
@@ -55,13 +54,5 @@ Result<SavedStructure> save_structure(Case& patient, const segmentation::Structu
 
 // All structures of the case, the liver first.
 Result<std::vector<segmentation::Structure>> read_structures(const Case& patient);
-
-// Whether a structure or landmark of that name is (on) a vessel: "portal-vein", "hepatic-vein-3", "artery".
-[[nodiscard]] bool is_vessel(const std::string& name);
-
-// Points to follow: the centre of each tumour and cyst, and points spread along each vessel inside the liver (the
-// farthest from one another first). Positions are rest positions, patient LPS, mm.
-std::vector<mechanics::Landmark> landmarks_of(const std::vector<segmentation::Structure>& structures,
-                                              int points_per_vessel = 6);
 
 }  // namespace glisson::casefile

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "base/json.h"
+#include "base/json_reading.h"
 #include "closedloop/learnt_organ.h"
 
 namespace glisson::closedloop {
@@ -83,9 +83,10 @@ Json report_json(const Explanation& explanation, const Observations& observation
   json["residual"] = {{"before", json_of(explanation.residual_before)}, {"after", json_of(explanation.residual_after)}};
   json["next_measurement"] = nullptr;
   if (explanation.next) {
-    std::string rivals;
-    for (const std::string& rival : explanation.next->rivals) rivals += (rivals.empty() ? "" : ", ") + rival;
-    json["next_measurement"] = explanation.next->sentence + " It would tell what was found from: " + rivals + ".";
+    std::string alternatives;
+    for (const std::string& alternative : explanation.next->alternatives)
+      alternatives += (alternatives.empty() ? "" : ", ") + alternative;
+    json["next_measurement"] = explanation.next->sentence + " It would tell what was found from: " + alternatives + ".";
   }
   json["notes"] = explanation.notes;
   return null_where_not_finite(std::move(json));
@@ -138,17 +139,13 @@ std::string model_text(const Explanation& explanation, const ForwardModel& model
 
 namespace {
 
-struct Misfit {
-  Error error;
-};
-
 [[noreturn]] void refuse_model(std::string text, std::vector<std::string> arguments) {
-  throw Misfit{{"model-invalid",
-                std::move(text),
-                std::move(arguments),
-                GLISSON_TEXT("Use the model.json that glisson-cli explain wrote for an experiment of this kind."),
-                {}}};
+  refuse("model-invalid", std::move(text), std::move(arguments),
+         GLISSON_TEXT("Use the model.json that glisson-cli explain wrote for an experiment of this kind."));
 }
+
+BetterModel better_model_from(const Json& json, const std::string& file, const ForwardModel& model,
+                              const Experiment& experiment);
 
 Setting setting_from(const Json& json, const ForwardModel& model);
 SmoothCorrection smooth_from(const Json& json, const Observations& observations);
@@ -159,24 +156,13 @@ Result<BetterModel> read_model(const std::filesystem::path& file, const ForwardM
                                const Experiment& experiment) {
   const auto document = read_json_file(file);
   if (!document) return failure(document.error());
-  try {
-    if (!document->is_object() || document->value("format", Json()) != model_format)
-      refuse_model(GLISSON_TEXT("{0} is not a model of the format {1}."), {file.filename().string(), model_format});
-    if (document->value("kind", Json()) != kind_of(experiment))
-      refuse_model(GLISSON_TEXT("{0} was not learnt from an experiment of the kind {1}."),
-                   {file.filename().string(), kind_of(experiment)});
-    BetterModel better;
-    for (const Json& effect : document->at("effects")) better.settings.push_back(setting_from(effect, model));
-    better.mesh_error_share = document->value("mesh_error_share", 0.0);
-    if (document->contains("smooth_correction"))
-      better.smooth_correction = smooth_from(document->at("smooth_correction"), model.observations());
-    return better;
-  } catch (Misfit& misfit) {
-    return failure(std::move(misfit.error).in_file(file));
-  } catch (const Json::exception&) {
-    return failure(
-        Error{"model-invalid", GLISSON_TEXT("{0} is not a complete model."), {file.filename().string()}, {}, file});
-  }
+  return reading("model-invalid", file, [&] {
+    try {
+      return better_model_from(*document, file.filename().string(), model, experiment);
+    } catch (const Json::exception&) {
+      refuse("model-invalid", GLISSON_TEXT("{0} is not a complete model."), {file.filename().string()});
+    }
+  });
 }
 
 Result<Eigen::VectorXd> predict_with(const ForwardModel& model, const BetterModel& better) {
@@ -190,6 +176,20 @@ Result<Eigen::VectorXd> predict_with(const ForwardModel& model, const BetterMode
 }
 
 namespace {
+
+BetterModel better_model_from(const Json& json, const std::string& file, const ForwardModel& model,
+                              const Experiment& experiment) {
+  if (!json.is_object() || json.value("format", Json()) != model_format)
+    refuse_model(GLISSON_TEXT("{0} is not a model of the format {1}."), {file, model_format});
+  if (json.value("kind", Json()) != kind_of(experiment))
+    refuse_model(GLISSON_TEXT("{0} was not learnt from an experiment of the kind {1}."), {file, kind_of(experiment)});
+  BetterModel better;
+  for (const Json& effect : json.at("effects")) better.settings.push_back(setting_from(effect, model));
+  better.mesh_error_share = json.value("mesh_error_share", 0.0);
+  if (json.contains("smooth_correction"))
+    better.smooth_correction = smooth_from(json.at("smooth_correction"), model.observations());
+  return better;
+}
 
 Setting setting_from(const Json& json, const ForwardModel& model) {
   const auto kind = json.at("kind").get<std::string>();

@@ -1,15 +1,13 @@
 #pragma once
-// What a diagnosis learnt from a specimen, as changes of the organ that is rehearsed.
+// What a diagnosis learnt from a specimen, as changes of the organ that is rehearsed:
 //
-// | effect             | what it changes of the organ                                                                |
-// |--------------------|---------------------------------------------------------------------------------------------|
-// | stiffness-scale    | Young's modulus of every cell, by the factor                                                |
-// | viscoelastic-creep | Young's modulus of every cell, to what is left of it after long: a retractor stays          |
-// | stiff-inclusion    | the modulus of the cells in the ball, where the specimen was this organ in this place       |
-// | anisotropy         | a fibre direction (mechanics/anisotropy.h), its axis taken as a direction of the patient | |
-// support-compliance | what holds it gives way by so much more a kPa: springs in series, in place of what is held  | |
-// capsule            | a skin (mechanics/capsule.h), besides one that there is                                     | |
-// preload            | acts always, where the specimen was this organ                                              |
+// - stiffness-scale: Young's modulus of every cell, by the factor.
+// - viscoelastic-creep: Young's modulus of every cell, to what is left of it after long: a retractor stays.
+// - stiff-inclusion: the modulus of the cells in the ball, where the specimen was this organ in this place.
+// - anisotropy: a fibre direction (mechanics/materials/anisotropy.h), its axis taken as a direction of the patient.
+// - support-compliance: what holds it gives way by so much more a kPa: springs in series, in place of what is held.
+// - capsule: a membrane (mechanics/materials/capsule.h), besides one that there is.
+// - preload: acts always, where the specimen was this organ.
 //
 // Nothing is dropped in silence: each effect of the model is listed with a sentence, carried over or not. Not carried:
 // strain-stiffening, softening, hysteresis and tension-compression-asymmetry, which linear elasticity cannot hold;

@@ -355,21 +355,21 @@ void Splitter::set_cut_surface() {
 void Splitter::open(const SplitOptions& options) {
   TetMesh& mesh = split_.mesh;
   const std::vector<std::uint8_t> sides = sides_of_points();
-  std::vector<int> twin(mesh.points_mm.size(), -1);
+  std::vector<int> copy_of(mesh.points_mm.size(), -1);
   std::vector<int> order(mesh.points_mm.size());
   for (std::size_t p = 0; p < order.size(); ++p) order[p] = static_cast<int>(p);
-  for (std::size_t p = 0; p < twin.size(); ++p) {
+  for (std::size_t p = 0; p < copy_of.size(); ++p) {
     if (sides[p] != both_sides || (options.is_open && !options.is_open(mesh.points_mm[p]))) continue;
-    twin[p] = static_cast<int>(order.size());
+    copy_of[p] = static_cast<int>(order.size());
     order.push_back(static_cast<int>(p));
-    split_.doubled.push_back({static_cast<int>(p), twin[p]});
+    split_.doubled.push_back({static_cast<int>(p), copy_of[p]});
   }
   for (const auto& [below, above] : split_.doubled) mesh.points_mm.push_back(mesh.points_mm[below]);
   mesh.point_fields = select(mesh.point_fields, order);
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
     if (split_.side[c] < 0) continue;
     for (int& p : mesh.cells[c]) {
-      if (twin[p] >= 0) p = twin[p];
+      if (copy_of[p] >= 0) p = copy_of[p];
     }
   }
 }

@@ -3,14 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
-#include <numeric>
-#include <random>
 #include <set>
 
-#include "base/units.h"
 #include "geometry/nearest.h"
 #include "guidance/internal/evidence_fit.h"
+#include "guidance/internal/seen_equations.h"
 #include "guidance/internal/seen_surface.h"
 
 namespace glisson::guidance {
@@ -22,10 +19,7 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr double curve_error_mm = 2.0;     // of a ridge or a ligament that was marked, at least
-constexpr double beside_mm = 8.0;          // of the surface's rim: farther points belong to something else
 constexpr double coarsest_noise_mm = 2.0;  // that elastic rounds take the cloud for
-constexpr double tool_sd_mN = 10e3;        // of a force that is asked for
 constexpr int rounds_to_full_forces = 12;
 constexpr double pulled_mm = 6.0;  // that some of the cloud lies off the rigid organ where a tool may be at work
 constexpr double hidden_tool_radius_mm = 8.0;
@@ -35,29 +29,6 @@ constexpr double min_trust = 0.02;  // of a point, where evidences are compared
 constexpr double posterior_factor = 1.5;
 constexpr double elastic_share = 0.3;
 constexpr double smallest_sd_mm = 0.25;
-
-using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-std::vector<Vector3d> thinned(std::vector<Vector3d> points, std::size_t maximum) {
-  std::mt19937 random(0);
-  std::shuffle(points.begin(), points.end(), random);
-  if (points.size() > maximum) points.resize(maximum);
-  return points;
-}
-
-// Between points of the mesh, wherever they are.
-Vector3d between(const std::vector<Vector3d>& points_mm, const std::array<int, 4>& points,
-                 const Eigen::Vector4d& weights) {
-  Vector3d place = Vector3d::Zero();
-  for (int k = 0; k < 4; ++k) place += weights[k] * points_mm[static_cast<std::size_t>(points[k])];
-  return place;
-}
-
-// Places of a curve at rest in the mesh, and what of it was seen.
-struct PlacedCurve {
-  std::vector<mechanics::PointInMesh> at_rest;
-  const SeenCurve* seen;
-};
 
 class ElasticFit {
  public:
@@ -79,12 +50,7 @@ class ElasticFit {
 
  private:
   [[nodiscard]] std::vector<Vector3d> displaced() const;
-  [[nodiscard]] std::vector<SeenRow> rows(double coarsest_mm);
-  void add_cloud_rows(const std::vector<Vector3d>& now_mm, double coarsest_mm, std::vector<SeenRow>& rows);
-  void add_curve_rows(const std::vector<Vector3d>& now_mm, std::vector<SeenRow>& rows) const;
-  [[nodiscard]] VectorXd residuals(const std::vector<SeenRow>& rows, const VectorXd& known_mm) const;
-  [[nodiscard]] MatrixXd free_columns(const std::vector<SeenRow>& rows, double prior_scale, VectorXd& right) const;
-  [[nodiscard]] MatrixXd mode_columns(const std::vector<SeenRow>& rows) const;
+  const std::vector<SeenRow>& look_again(double coarsest_mm);
   void find_farthest();
   void choose_forces(Forces forces);
   void add_hidden_tool();
@@ -97,9 +63,8 @@ class ElasticFit {
   const ForceModes& modes_;
   const SeenFrame& frame_;
   const RegistrationOptions& options_;
+  SeenEquations equations_;
   Isometry3d guess_, pose_;
-  std::vector<Vector3d> cloud_mm_;  // in the camera's frame
-  std::vector<PlacedCurve> curves_;
   Isometry3d rigid_pose_;          // before any forces
   Vector3d farthest_mm_{0, 0, 0};  // where the cloud lies farthest off the rigid organ, and how far
   double farthest_off_mm_ = 0;
@@ -107,26 +72,16 @@ class ElasticFit {
   VectorXd gravity_mm_;
   VectorXd known_mm_;  // displacement under known loads, 3 a point
   VectorXd u_mm_;
-  RowMatrix scaled_modes_;  // times the root of each force's own variance
-  MatrixXd tool_columns_;   // mm per mN of unknown tool forces, 3 a tool
+  SeenEquations::RowMatrix scaled_modes_;  // times the root of each force's own variance
+  MatrixXd tool_columns_;                  // mm per mN of unknown tool forces, 3 a tool
   std::vector<std::string> asked_tools_;
   EvidenceFit fit_;
-  double noise_mm_ = 1;
-  double trusted_share_ = 0;
-  double rms_mm_ = 0;
+  SeenRows seen_;  // where the last round ended
 };
 
 ElasticFit::ElasticFit(const ForceModes& modes, const SeenFrame& frame, const Isometry3d& from,
                        const Vector3d& gravity_mm_s2, const RegistrationOptions& options)
-    : modes_(modes),
-      frame_(frame),
-      options_(options),
-      guess_(from),
-      pose_(from),
-      cloud_mm_(thinned(frame.points_mm, options.maximum_points)) {
-  for (const SeenCurve& curve : frame.curves) {
-    curves_.push_back({mechanics::locate_points(modes.mesh(), curve.at_rest_mm), &curve});
-  }
+    : modes_(modes), frame_(frame), options_(options), equations_(modes, frame, options), guess_(from), pose_(from) {
   gravity_mm_ =
       gravity_mm_s2.isZero() ? VectorXd::Zero(modes.displacement_mm().rows()) : modes.under_gravity_mm(gravity_mm_s2);
   known_mm_ = gravity_mm_;
@@ -139,133 +94,9 @@ std::vector<Vector3d> ElasticFit::displaced() const {
   return points;
 }
 
-// ---- What is seen, as equations ----
-
-std::vector<SeenRow> ElasticFit::rows(double coarsest_mm) {
-  const std::vector<Vector3d> now_mm = displaced();
-  std::vector<SeenRow> rows;
-  add_cloud_rows(now_mm, coarsest_mm, rows);
-  add_curve_rows(now_mm, rows);
-  return rows;
-}
-
-void ElasticFit::add_cloud_rows(const std::vector<Vector3d>& now_mm, double coarsest_mm, std::vector<SeenRow>& rows) {
-  const SeenSurface surface(modes_.surface(), modes_.mesh_point_of(), now_mm);
-  const Isometry3d back = pose_.inverse();
-  std::vector<SeenSurface::Found> found;
-  std::vector<double> off_mm;
-  for (const Vector3d& point : cloud_mm_) {
-    found.push_back(surface.find(back * point));
-    off_mm.push_back(std::abs(found.back().off_mm));
-  }
-  const double stated_mm = std::hypot(frame_.noise_mm, options_.surface_error_mm);
-  noise_mm_ = std::max(stated_mm, std::min(1.4826 * median(off_mm), coarsest_mm));
-  double square = 0;
-  std::size_t trusted = 0;
-  for (SeenSurface::Found& each : found) {
-    const bool beside = each.beside_mm > std::max(beside_mm, 2 * noise_mm_);
-    each.row.noise_mm = noise_mm_;
-    each.row.trust = beside ? 0.0 : robust_weight(each.off_mm, noise_mm_);
-    if (!beside && std::abs(each.off_mm) < 3 * noise_mm_) {
-      square += each.off_mm * each.off_mm;
-      ++trusted;
-    }
-    rows.push_back(each.row);
-  }
-  trusted_share_ = static_cast<double>(trusted) / static_cast<double>(std::max<std::size_t>(1, found.size()));
-  rms_mm_ = std::sqrt(square / static_cast<double>(std::max<std::size_t>(1, trusted)));
-}
-
-// A point of a curve says where the curve runs, not where along it: two rows across its tangent.
-void ElasticFit::add_curve_rows(const std::vector<Vector3d>& now_mm, std::vector<SeenRow>& rows) const {
-  const Isometry3d back = pose_.inverse();
-  for (const PlacedCurve& curve : curves_) {
-    std::vector<Vector3d> line_mm;
-    for (const mechanics::PointInMesh& place : curve.at_rest) {
-      const auto& cell = modes_.mesh().cells[static_cast<std::size_t>(place.cell)];
-      line_mm.push_back(between(now_mm, cell, place.barycentric));
-    }
-    const geometry::NearestPoint nearest(line_mm);
-    const double noise_mm = std::max(curve.seen->noise_mm, curve_error_mm);
-    for (const Vector3d& seen : curve.seen->seen_mm) {
-      const auto on_line = nearest.nearest(back * seen);
-      const auto i = static_cast<std::size_t>(on_line.point);
-      const Vector3d tangent = (line_mm[std::min(i + 1, line_mm.size() - 1)] - line_mm[i > 0 ? i - 1 : 0]).normalized();
-      const Vector3d across = tangent.unitOrthogonal();
-      const mechanics::PointInMesh& place = curve.at_rest[i];
-      for (const Vector3d& direction : {across, Vector3d(tangent.cross(across))}) {
-        rows.push_back({modes_.mesh().cells[static_cast<std::size_t>(place.cell)], place.barycentric, direction,
-                        back * seen, noise_mm, robust_weight(std::sqrt(on_line.squared_distance_mm2), noise_mm)});
-      }
-    }
-  }
-}
-
-// How far what is seen lies from where it would be under the known displacement alone, divided by the noise.
-VectorXd ElasticFit::residuals(const std::vector<SeenRow>& rows, const VectorXd& known_mm) const {
-  VectorXd right(static_cast<Eigen::Index>(rows.size()));
-  for (std::size_t r = 0; r < rows.size(); ++r) {
-    const SeenRow& row = rows[r];
-    Vector3d place = Vector3d::Zero();
-    for (int k = 0; k < 4; ++k) {
-      if (row.weights[k] == 0) continue;
-      place += row.weights[k] * (modes_.mesh().points_mm[static_cast<std::size_t>(row.points[k])] +
-                                 known_mm.segment<3>(3 * row.points[k]));
-    }
-    right[static_cast<Eigen::Index>(r)] = row.direction.dot(row.at_mm - place) * std::sqrt(row.trust) / row.noise_mm;
-  }
-  return right;
-}
-
-// Shift and turn of the organ, and the tools' forces, with what is known of them before as rows of their own.
-MatrixXd ElasticFit::free_columns(const std::vector<SeenRow>& rows, double prior_scale, VectorXd& right) const {
-  const auto seen = static_cast<Eigen::Index>(rows.size());
-  const Eigen::Index tools = tool_columns_.cols(), free = 6 + tools;
-  MatrixXd columns = MatrixXd::Zero(seen + free, free);
-  const Vector3d center = modes_.centroid_mm();
-  for (Eigen::Index r = 0; r < seen; ++r) {
-    const SeenRow& row = rows[static_cast<std::size_t>(r)];
-    const double scale = std::sqrt(row.trust) / row.noise_mm;
-    columns.block<1, 3>(r, 0) = scale * row.direction.transpose();
-    columns.block<1, 3>(r, 3) = scale * (row.at_mm - center).cross(row.direction).transpose();
-    for (int k = 0; k < 4 && tools > 0; ++k) {
-      if (row.weights[k] == 0) continue;
-      columns.row(r).tail(tools) +=
-          scale * row.weights[k] * row.direction.transpose() * tool_columns_.middleRows<3>(3 * row.points[k]);
-    }
-  }
-  const Isometry3d off = guess_.inverse() * pose_;
-  const Vector3d shift_mm = off * center - center;
-  const Eigen::AngleAxisd turn(off.linear());
-  right.conservativeResize(seen + free);
-  right.tail(free).setZero();
-  const double sd_turn = options_.guess_sd_deg * std::numbers::pi / 180;
-  for (int k = 0; k < 3; ++k) {
-    columns(seen + k, k) = prior_scale / options_.guess_sd_mm;
-    right[seen + k] = -prior_scale * shift_mm[k] / options_.guess_sd_mm;
-    columns(seen + 3 + k, 3 + k) = prior_scale / sd_turn;
-    right[seen + 3 + k] = -prior_scale * turn.angle() * turn.axis()[k] / sd_turn;
-  }
-  for (Eigen::Index k = 6; k < free; ++k) columns(seen + k, k) = prior_scale / tool_sd_mN;
-  return columns;
-}
-
-MatrixXd ElasticFit::mode_columns(const std::vector<SeenRow>& rows) const {
-  RowMatrix columns =
-      RowMatrix::Zero(static_cast<Eigen::Index>(rows.size()) + 6 + tool_columns_.cols(), scaled_modes_.cols());
-  for (std::size_t r = 0; r < rows.size(); ++r) {
-    const SeenRow& row = rows[r];
-    const double scale = std::sqrt(row.trust) / row.noise_mm;
-    if (scale == 0) continue;
-    for (int k = 0; k < 4; ++k) {
-      if (row.weights[k] == 0) continue;
-      for (int axis = 0; axis < 3; ++axis) {
-        columns.row(static_cast<Eigen::Index>(r)) +=
-            scale * row.weights[k] * row.direction[axis] * scaled_modes_.row(3 * row.points[k] + axis);
-      }
-    }
-  }
-  return columns;
+const std::vector<SeenRow>& ElasticFit::look_again(double coarsest_mm) {
+  seen_ = equations_.rows(pose_, displaced(), coarsest_mm);
+  return seen_.rows;
 }
 
 // ---- The rounds ----
@@ -283,9 +114,9 @@ void ElasticFit::fit_pose() {
   u_mm_ = known_mm_;
   for (int round = 0; round < options_.rigid_rounds; ++round) {
     const double coarsest_mm = 1.5 + 10.0 * (1.0 - static_cast<double>(round) / options_.rigid_rounds);
-    const std::vector<SeenRow> seen = rows(coarsest_mm);
-    VectorXd right = residuals(seen, u_mm_);
-    const MatrixXd columns = free_columns(seen, 1.0, right);
+    const std::vector<SeenRow>& seen = look_again(coarsest_mm);
+    VectorXd right = equations_.residuals(seen, u_mm_);
+    const MatrixXd columns = equations_.free_columns(seen, tool_columns_, guess_.inverse() * pose_, 1.0, right);
     const Eigen::Matrix<double, 6, 6> normal = columns.transpose() * columns;
     const Eigen::Matrix<double, 6, 1> step = normal.ldlt().solve(columns.transpose() * right);
     move_pose(step.head<3>(), step.tail<3>());
@@ -299,7 +130,7 @@ void ElasticFit::find_farthest() {
   const SeenSurface surface(modes_.surface(), modes_.mesh_point_of(), displaced());
   const Isometry3d back = pose_.inverse();
   std::vector<std::pair<double, Vector3d>> off;
-  for (const Vector3d& point : cloud_mm_) {
+  for (const Vector3d& point : equations_.cloud_mm()) {
     const SeenSurface::Found found = surface.find(back * point);
     off.emplace_back(std::hypot(found.off_mm, found.beside_mm),
                      between(modes_.mesh().points_mm, found.row.points, found.row.weights));
@@ -348,25 +179,27 @@ void ElasticFit::fit_pose_and_forces(Forces forces) {
   if (forces == Forces::hidden_tool) find_farthest();
   choose_forces(forces);
   for (int round = 0; round < options_.elastic_rounds; ++round) {
-    const std::vector<SeenRow> seen = rows(coarsest_noise_mm);
+    const std::vector<SeenRow>& seen = look_again(coarsest_noise_mm);
     const double independent = independent_points();
     const double share = std::min(1.0, independent / static_cast<double>(seen.size()));
-    VectorXd right = residuals(seen, known_mm_);
-    const MatrixXd free = free_columns(seen, 1.0 / std::sqrt(share), right);
+    VectorXd right = equations_.residuals(seen, known_mm_);
+    const MatrixXd free =
+        equations_.free_columns(seen, tool_columns_, guess_.inverse() * pose_, 1.0 / std::sqrt(share), right);
     const double opened = std::min(1.0, (round + 1.0) / rounds_to_full_forces);
-    fit_ = fit_by_evidence(mode_columns(seen), free, right, independent, std::pow(options_.largest_rms_mm * opened, 2));
+    fit_ = fit_by_evidence(SeenEquations::mode_columns(seen, scaled_modes_, free.cols()), free, right, independent,
+                           std::pow(options_.largest_rms_mm * opened, 2));
     u_mm_ = known_mm_ + scaled_modes_ * fit_.modes + tool_columns_ * fit_.free.tail(tool_columns_.cols());
     move_pose(fit_.free.head<3>(), fit_.free.segment<3>(3));
     double weights = 0;
     for (const SeenRow& row : seen) weights += std::log(std::sqrt(std::max(row.trust, min_trust)) / row.noise_mm);
     log_evidence_ = fit_.log_evidence + share * weights;
   }
-  (void)rows(coarsest_noise_mm);  // what is left, where it ended
+  look_again(coarsest_noise_mm);
 }
 
 double ElasticFit::independent_points() const {
   std::set<std::array<long, 3>> boxes;
-  for (const Vector3d& point : cloud_mm_) {
+  for (const Vector3d& point : equations_.cloud_mm()) {
     const Vector3d box = point / options_.independent_spacing_mm;
     boxes.insert({std::lround(box[0]), std::lround(box[1]), std::lround(box[2])});
   }
@@ -395,7 +228,7 @@ Eigen::Matrix<double, 3, Eigen::Dynamic> ElasticFit::columns_at(const mechanics:
 geometry::NearestPoint ElasticFit::seen_in_scan() const {
   std::vector<Vector3d> seen_mm;
   const Isometry3d back = pose_.inverse();
-  for (const Vector3d& point : cloud_mm_) seen_mm.push_back(back * point);
+  for (const Vector3d& point : equations_.cloud_mm()) seen_mm.push_back(back * point);
   return geometry::NearestPoint(std::move(seen_mm));
 }
 
@@ -420,7 +253,7 @@ ElasticPlacement ElasticFit::outcome(const std::vector<mechanics::PointInMesh>& 
   for (std::size_t p = 0; p < now_mm.size(); ++p) {
     placed.displacement_mm.push_back(now_mm[p] - modes_.mesh().points_mm[p]);
   }
-  placed.residual_rms_mm = rms_mm_;
+  placed.residual_rms_mm = seen_.rms_mm;
   placed.visible_share = visible_share();
   const MatrixXd covariance = fit_.covariance();
   for (const mechanics::PointInMesh& place : targets) {
@@ -439,7 +272,7 @@ ElasticPlacement ElasticFit::outcome(const std::vector<mechanics::PointInMesh>& 
   }
   if (placed.visible_share < 0.05) {
     placed.why_not = GLISSON_TEXT("Less than 5 % of the organ is seen: too little to say where the rest is.");
-  } else if (trusted_share_ < 0.5 || rms_mm_ > 3 * noise_mm_) {
+  } else if (seen_.trusted_share < 0.5 || seen_.rms_mm > 3 * seen_.noise_mm) {
     placed.why_not =
         GLISSON_TEXT("What is seen does not fit this organ: more than half of the points lie far from it.");
   }

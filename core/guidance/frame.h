@@ -26,13 +26,30 @@ struct SeenTool {
   std::optional<Eigen::Vector3d> force_mN;
 };
 
+// A feature of the surface that is followed through a video. The first frame that is answered says where on the organ
+// it is; from then on it tells how the surface slides, which a smooth cloud does not show.
+struct TrackedPoint {
+  std::string id;
+  Eigen::Vector3d seen_mm{0, 0, 0};
+};
+
+// The same, once its place at rest is known.
+struct SeenPoint {
+  Eigen::Vector3d at_rest_mm{0, 0, 0};
+  Eigen::Vector3d seen_mm{0, 0, 0};
+};
+
 struct SeenFrame {
   std::string id;
   std::vector<Eigen::Vector3d> points_mm;       // of the surface: incomplete, noisy, some of them wrong
   double noise_mm = 0.5;                        // standard deviation of each coordinate
   std::optional<Eigen::Isometry3d> pose_guess;  // scan to camera
+  std::optional<double> time_s;                 // given: the search begins where the frame before left the organ
   std::vector<SeenCurve> curves;
   std::vector<SeenTool> tools;
+  std::vector<TrackedPoint> tracked;
+  std::vector<SeenPoint> known_points;
+  double tracking_noise_mm = 1.0;  // standard deviation of each coordinate of both
 };
 
 }  // namespace glisson::guidance

@@ -1,10 +1,13 @@
 #include "guidance/guidance_answer.h"
 
-#include "base/files.h"
+#include <map>
+
 #include "base/json.h"
 #include "base/stopwatch.h"
 #include "base/units.h"
+#include "base/write_file.h"
 #include "geometry/mesh_file.h"
+#include "geometry/nearest.h"
 #include "guidance/pose_search.h"
 
 namespace glisson::guidance {
@@ -36,13 +39,66 @@ std::string problem_of(const SeenFrame& frame, const geometry::Surface& organ) {
   return {};
 }
 
+// Where on the organ the tracked points lie, told by the frames that were answered.
+class TrackedPlaces {
+ public:
+  explicit TrackedPlaces(const ForceModes& modes) : modes_(modes) {}
+
+  [[nodiscard]] std::vector<SeenPoint> known_in(const SeenFrame& frame) const {
+    std::vector<SeenPoint> known;
+    for (const TrackedPoint& point : frame.tracked) {
+      const auto place = at_rest_mm_.find(point.id);
+      if (place != at_rest_mm_.end()) known.push_back({place->second, point.seen_mm});
+    }
+    return known;
+  }
+
+  // Of the points seen for the first time, those that lie on the surface as it was placed.
+  void learn(const SeenFrame& frame, const ElasticPlacement& placed) {
+    constexpr double off_surface_mm = 5;
+    geometry::Surface now = modes_.surface();
+    for (std::size_t p = 0; p < now.points_mm.size(); ++p) {
+      now.points_mm[p] += placed.displacement_mm[static_cast<std::size_t>(modes_.mesh_point_of()[p])];
+    }
+    const geometry::SurfaceDistance distance(now);
+    for (const TrackedPoint& point : frame.tracked) {
+      if (at_rest_mm_.contains(point.id)) continue;
+      const auto closest = distance.closest(placed.pose.inverse() * point.seen_mm);
+      if (closest.distance_mm > off_surface_mm) continue;
+      const auto& corners = now.triangles[static_cast<std::size_t>(closest.triangle)];
+      at_rest_mm_[point.id] = carried(now, modes_.surface(), corners, closest.point_mm);
+    }
+  }
+
+ private:
+  // The same place of the triangle in another state.
+  static Vector3d carried(const geometry::Surface& from, const geometry::Surface& to, const std::array<int, 3>& corners,
+                          const Vector3d& place_mm) {
+    Eigen::Matrix3d frame;
+    for (int k = 0; k < 3; ++k) frame.col(k) = from.points_mm[static_cast<std::size_t>(corners[k])];
+    const Vector3d edge = frame.col(1) - frame.col(0), other = frame.col(2) - frame.col(0);
+    Eigen::Matrix<double, 3, 2> edges;
+    edges << edge, other;
+    const Eigen::Vector2d along = edges.colPivHouseholderQr().solve(place_mm - frame.col(0));
+    const auto point = [&](int k) { return to.points_mm[static_cast<std::size_t>(corners[k])]; };
+    return point(0) + along[0] * (point(1) - point(0)) + along[1] * (point(2) - point(0));
+  }
+
+  const ForceModes& modes_;
+  std::map<std::string, Vector3d> at_rest_mm_;
+};
+
+// `before`: where the frame before left the organ, if this one follows it.
 ElasticPlacement place(const ForceModes& modes, const SeenFrame& frame, const GuidanceCase& guidance,
-                       const std::vector<mechanics::PointInMesh>& targets) {
+                       const std::vector<mechanics::PointInMesh>& targets,
+                       const std::optional<Eigen::Isometry3d>& before) {
   if (std::string problem = problem_of(frame, modes.surface()); !problem.empty()) return unanswered(std::move(problem));
   RegistrationOptions options;
   Eigen::Isometry3d from = Eigen::Isometry3d::Identity();
   if (frame.pose_guess) {
     from = *frame.pose_guess;
+  } else if (before) {
+    from = *before;
   } else {
     const auto found = find_pose(modes.surface(), frame);
     if (!found) return unanswered(found.error().message());
@@ -50,6 +106,9 @@ ElasticPlacement place(const ForceModes& modes, const SeenFrame& frame, const Gu
   }
   return register_elastic(modes, frame, from, targets, guidance.gravity_mm_s2, options);
 }
+
+Result<void> write_frames(const std::filesystem::path& folder, const GuidanceCase& guidance,
+                          const GuidanceAnswer& answer);
 
 Json json_of_frame(const GuidanceCase& guidance, const FrameAnswer& frame) {
   const ElasticPlacement& placed = frame.placement;
@@ -93,13 +152,21 @@ Result<GuidanceAnswer> answer(const GuidanceCase& guidance, const Progress& prog
   for (const Target& target : guidance.targets) at_rest_mm.push_back(target.at_rest_mm);
   const auto targets = mechanics::locate_points(modes->mesh(), at_rest_mm);
   GuidanceAnswer answer{{}, guidance.notes};
+  std::optional<Eigen::Isometry3d> before;
+  TrackedPlaces tracked(*modes);
   for (std::size_t f = 0; f < guidance.frames.size(); ++f) {
     if (progress.cancelled()) return cancelled();
     progress.report(0.3 + 0.7 * static_cast<double>(f) / static_cast<double>(guidance.frames.size()),
                     GLISSON_TEXT("Placing the organ"));
     const Stopwatch watch;
-    ElasticPlacement placement = place(*modes, guidance.frames[f], guidance, targets);
-    answer.frames.push_back({guidance.frames[f].id, watch.seconds(), std::move(placement)});
+    SeenFrame frame = guidance.frames[f];
+    frame.known_points = tracked.known_in(frame);
+    ElasticPlacement placement = place(*modes, frame, guidance, targets, frame.time_s ? before : std::nullopt);
+    if (placement.converged && frame.time_s) {
+      before = placement.pose;
+      tracked.learn(frame, placement);
+    }
+    answer.frames.push_back({frame.id, watch.seconds(), std::move(placement)});
   }
   return answer;
 }
@@ -113,12 +180,17 @@ Json answer_json(const GuidanceCase& guidance, const GuidanceAnswer& answer) {
 
 Result<void> write_answer(const std::filesystem::path& folder, const GuidanceCase& guidance,
                           const GuidanceAnswer& answer) {
-  std::error_code problem;
-  std::filesystem::create_directories(folder, problem);
-  if (problem) {
-    return failure(
-        Error{"folder-not-writable", GLISSON_TEXT("The folder cannot be made: {0}"), {problem.message()}, {}, folder});
-  }
+  return write_together([&] {
+    return write_frames(folder, guidance, answer).and_then([&] {
+      return write_json_file(folder / "guidance.json", answer_json(guidance, answer));
+    });
+  });
+}
+
+namespace {
+
+Result<void> write_frames(const std::filesystem::path& folder, const GuidanceCase& guidance,
+                          const GuidanceAnswer& answer) {
   for (const FrameAnswer& frame : answer.frames) {
     if (!frame.placement.converged) continue;
     geometry::TetMesh mesh{guidance.mesh.points_mm, guidance.mesh.cells, {}, {}};
@@ -128,7 +200,8 @@ Result<void> write_answer(const std::filesystem::path& folder, const GuidanceCas
     mesh.point_fields.push_back(std::move(field));
     if (auto written = geometry::write_tetrahedra(folder / (frame.id + ".vtu"), mesh); !written) return written;
   }
-  return write_json_file(folder / "guidance.json", answer_json(guidance, answer));
+  return {};
 }
 
+}  // namespace
 }  // namespace glisson::guidance

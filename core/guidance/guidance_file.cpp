@@ -8,6 +8,7 @@
 
 #include "base/csv.h"
 #include "base/files.h"
+#include "base/json_reading.h"
 #include "base/json_value.h"
 #include "base/units.h"
 #include "geometry/mesh_file.h"
@@ -21,57 +22,24 @@ using Eigen::Vector3d;
 
 namespace {
 
-// Inside the readers refusals travel as exceptions: each can then simply give back its value. read_guidance ends them.
-struct Refusal {
-  Error error;
-};
+constexpr const char* described = GLISSON_TEXT("The format \"glisson-guidance/1\" is described in the documentation.");
 
-[[noreturn]] void refuse(const std::string& where, const std::string& what) {
-  throw Refusal{{"guidance-invalid",
-                 GLISSON_TEXT("In {0}: {1}."),
-                 {where, what},
-                 GLISSON_TEXT("The format \"glisson-guidance/1\" is described in the documentation."),
-                 {}}};
+[[noreturn]] void refuse_in(const std::string& where, const std::string& what) {
+  refuse({}, GLISSON_TEXT("In {0}: {1}."), {where, what}, described);
 }
 
-template <typename T>
-T taken(Result<T> result) {
-  if (!result) throw Refusal{std::move(result.error())};
-  return std::move(*result);
-}
-
-const Json& member(const Json& json, const char* key, const std::string& where) {
-  const Json* value = value_in(json, key);
-  if (value == nullptr) refuse(where, std::string("\"") + key + "\" is missing");
-  return *value;
-}
-
-std::string text(const Json& json, const char* key, const std::string& where) {
-  const Json& value = member(json, key, where);
-  if (!value.is_string()) refuse(where, std::string("\"") + key + "\" must be a text");
-  return value.get<std::string>();
-}
-
-double number(const Json& value, const std::string& where, const char* key) {
-  if (!value.is_number()) refuse(where, std::string("\"") + key + "\" must be a number");
-  const double number = value.get<double>();
-  if (!std::isfinite(number)) refuse(where, std::string("\"") + key + "\" is not finite");
-  return number;
+std::string text_under(const Json& json, const char* key, const std::string& where) {
+  return text_in(required(json, key, where), where + ", " + key);
 }
 
 double number_or(const Json& json, const char* key, double otherwise, const std::string& where) {
   const Json* value = value_in(json, key);
-  return value == nullptr ? otherwise : number(*value, where, key);
+  return value == nullptr ? otherwise : number_in(*value, where + ", " + key);
 }
 
-Vector3d vector(const Json& value, const std::string& where, const char* key) {
-  if (!value.is_array() || value.size() != 3) refuse(where, std::string("\"") + key + "\" must be three numbers");
-  return {number(value[0], where, key), number(value[1], where, key), number(value[2], where, key)};
-}
-
-double positive(double number, const std::string& where, const char* key) {
-  if (number <= 0) refuse(where, std::string("\"") + key + "\" must be above zero");
-  return number;
+double positive_or(const Json& json, const char* key, double otherwise, const std::string& where) {
+  const Json* value = value_in(json, key);
+  return value == nullptr ? otherwise : positive_in(*value, where + ", " + key);
 }
 
 std::vector<Vector3d> curve_from(const fs::path& file) {
@@ -113,7 +81,7 @@ std::vector<Target> targets_from(const fs::path& file) {
   std::string line;
   std::getline(stream, line);
   if (cells_of(line) != std::vector<std::string>{"id", "x_mm", "y_mm", "z_mm"}) {
-    throw Refusal{{"guidance-invalid", GLISSON_TEXT("The first line must be id,x_mm,y_mm,z_mm."), {}, {}, file}};
+    refuse({}, GLISSON_TEXT("The first line must be id,x_mm,y_mm,z_mm."), {}, {}, file);
   }
   std::vector<Target> targets;
   for (std::size_t number = 2; std::getline(stream, line); ++number) {
@@ -126,11 +94,7 @@ std::vector<Target> targets_from(const fs::path& file) {
       if (end != cells[axis + 1].c_str() && *end == '\0') target.at_rest_mm[static_cast<Eigen::Index>(axis)] = value;
     }
     if (cells.size() != 4 || !target.at_rest_mm.allFinite()) {
-      throw Refusal{{"guidance-invalid",
-                     GLISSON_TEXT("Line {0} must hold an id and three numbers."),
-                     {std::to_string(number)},
-                     {},
-                     file}};
+      refuse({}, GLISSON_TEXT("Line {0} must hold an id and three numbers."), {std::to_string(number)}, {}, file);
     }
     targets.push_back(std::move(target));
   }
@@ -138,18 +102,14 @@ std::vector<Target> targets_from(const fs::path& file) {
 }
 
 Eigen::Isometry3d pose_from(const Json& json, const std::string& where) {
-  if (!json.is_array() || json.size() != 16) refuse(where, "\"pose_guess\" must be 16 numbers, row by row");
-  Eigen::Matrix4d matrix;
-  for (int i = 0; i < 16; ++i) matrix(i / 4, i % 4) = number(json[static_cast<std::size_t>(i)], where, "pose_guess");
-  const Eigen::Matrix3d turn = matrix.topLeftCorner<3, 3>();
-  const bool rotation = (turn.transpose() * turn - Eigen::Matrix3d::Identity()).norm() < 1e-3;
-  if (!rotation || turn.determinant() < 0 || (matrix.row(3) - Eigen::RowVector4d(0, 0, 0, 1)).norm() > 1e-6) {
-    refuse(where, turn.determinant() < 0 ? "\"pose_guess\" mirrors the organ" : "\"pose_guess\" is no rigid motion");
-  }
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  pose.linear() = Eigen::Quaterniond(turn).normalized().toRotationMatrix();
-  pose.translation() = matrix.topRightCorner<3, 1>();
-  return pose;
+  if (!json.is_array() || json.size() != 16) refuse_in(where, "\"pose_guess\" must be 16 numbers, row by row");
+  std::vector<double> numbers;
+  for (const Json& number : json) numbers.push_back(number_in(number, where + ", pose_guess"));
+  const auto pose = rigid_pose(numbers);
+  if (pose) return *pose;
+  const Eigen::Matrix4d matrix = Eigen::Matrix<double, 4, 4, Eigen::RowMajor>(numbers.data());
+  refuse_in(where, matrix.topLeftCorner<3, 3>().determinant() < 0 ? "\"pose_guess\" mirrors the organ"
+                                                                  : "\"pose_guess\" is no rigid motion");
 }
 
 struct CurveAtRest {
@@ -161,9 +121,9 @@ std::vector<CurveAtRest> curves_at_rest(const Json& json, const fs::path& folder
   std::vector<CurveAtRest> curves;
   const Json* features = value_in(json, "features");
   for (const Json& feature : features == nullptr ? Json::array() : *features) {
-    const std::string id = text(feature, "id", "features");
-    curves.push_back({id, curve_from(folder / text(feature, "points", "feature " + id))});
-    if (curves.back().points_mm.size() < 2) refuse("feature " + id, "a curve needs at least two points");
+    const std::string id = text_under(feature, "id", "features");
+    curves.push_back({id, curve_from(folder / text_under(feature, "points", "feature " + id))});
+    if (curves.back().points_mm.size() < 2) refuse_in("feature " + id, "a curve needs at least two points");
   }
   return curves;
 }
@@ -172,12 +132,12 @@ void add_curves(const Json& json, const std::vector<CurveAtRest>& at_rest, const
                 const std::string& where, SeenFrame& frame) {
   const Json* features = value_in(json, "features");
   for (const Json& feature : features == nullptr ? Json::array() : *features) {
-    const std::string id = text(feature, "id", where);
+    const std::string id = text_under(feature, "id", where);
     const auto known =
         std::find_if(at_rest.begin(), at_rest.end(), [&](const CurveAtRest& curve) { return curve.id == id; });
-    if (known == at_rest.end()) refuse(where, "the feature \"" + id + "\" is not among those of the organ");
-    SeenCurve curve{id, known->points_mm, curve_from(folder / text(feature, "points", where)), 1.5};
-    curve.noise_mm = positive(number_or(feature, "noise_mm", curve.noise_mm, where), where, "noise_mm");
+    if (known == at_rest.end()) refuse_in(where, "the feature \"" + id + "\" is not among those of the organ");
+    SeenCurve curve{id, known->points_mm, curve_from(folder / text_under(feature, "points", where)), 1.5};
+    curve.noise_mm = positive_or(feature, "noise_mm", curve.noise_mm, where);
     if (!curve.seen_mm.empty()) frame.curves.push_back(std::move(curve));
   }
 }
@@ -185,82 +145,109 @@ void add_curves(const Json& json, const std::vector<CurveAtRest>& at_rest, const
 void add_tools(const Json& json, const std::string& where, SeenFrame& frame) {
   const Json* tools = value_in(json, "tools");
   for (const Json& each : tools == nullptr ? Json::array() : *tools) {
-    SeenTool tool{text(each, "id", where), vector(member(each, "contact_mm", where), where, "contact_mm"), 10, {}};
-    tool.radius_mm = positive(number_or(each, "radius_mm", tool.radius_mm, where), where, "radius_mm");
+    SeenTool tool{
+        text_under(each, "id", where), vector_in(required(each, "contact_mm", where), where + ", contact_mm"), 10, {}};
+    tool.radius_mm = positive_or(each, "radius_mm", tool.radius_mm, where);
     if (const Json* force = value_in(each, "force_N"); force != nullptr && !force->is_null()) {
-      tool.force_mN = units::mN_from_N(1.0) * vector(*force, where, "force_N");
+      tool.force_mN = units::mN_from_N(1.0) * vector_in(*force, where + ", force_N");
     }
     frame.tools.push_back(std::move(tool));
   }
 }
 
-SeenFrame frame_from(const Json& json, const std::vector<CurveAtRest>& at_rest, const fs::path& folder) {
+// `follows`: a frame before it has a time too.
+SeenFrame frame_from(const Json& json, const std::vector<CurveAtRest>& at_rest, const fs::path& folder, bool follows) {
   SeenFrame frame;
-  frame.id = text(json, "id", "frames");
+  frame.id = text_under(json, "id", "frames");
   const std::string where = "frame " + frame.id;
   if (frame.id.empty() || frame.id.find_first_of("/\\") != std::string::npos || frame.id.front() == '.') {
-    refuse(where, "an id names a file: no slashes, and no dot in front");
+    refuse_in(where, "an id names a file: no slashes, and no dot in front");
   }
-  frame.points_mm = cloud_from(folder / text(json, "points", where));
-  frame.noise_mm = positive(number_or(json, "noise_mm", frame.noise_mm, where), where, "noise_mm");
+  frame.points_mm = cloud_from(folder / text_under(json, "points", where));
+  frame.noise_mm = positive_or(json, "noise_mm", frame.noise_mm, where);
   if (const Json* guess = value_in(json, "pose_guess"); guess != nullptr && !guess->is_null()) {
     frame.pose_guess = pose_from(*guess, where);
   }
+  if (const Json* time = value_in(json, "time_s"); time != nullptr && !time->is_null()) {
+    frame.time_s = number_in(*time, where + ", time_s");
+  }
   add_curves(json, at_rest, folder, where, frame);
   add_tools(json, where, frame);
-  if (!frame.pose_guess && frame.curves.empty()) refuse(where, "neither \"pose_guess\" nor \"features\" are given");
+  if (!frame.pose_guess && frame.curves.empty() && !(follows && frame.time_s)) {
+    refuse_in(where, "neither \"pose_guess\" nor \"features\" are given, nor a time after that of another frame");
+  }
   return frame;
 }
 
 void read_model(const Json& json, const fs::path& folder, GuidanceCase& guidance) {
-  guidance.mesh = taken(geometry::read_tetrahedra(folder / text(json, "mesh", "model")));
+  guidance.mesh = taken(geometry::read_tetrahedra(folder / text_under(json, "mesh", "model")));
   guidance.poisson_ratio = number_or(json, "poisson_ratio", guidance.poisson_ratio, "model");
-  const Json& modulus = member(json, "youngs_modulus_kPa", "model");
+  const Json& modulus = required(json, "youngs_modulus_kPa", "model");
   if (modulus.is_string()) {
     const auto name = modulus.get<std::string>();
     const auto* field = geometry::find_field(guidance.mesh.cell_fields, name);
-    if (field == nullptr || field->components != 1) refuse("model", "the mesh has no cell array \"" + name + "\"");
+    if (field == nullptr || field->components != 1) refuse_in("model", "the mesh has no cell array \"" + name + "\"");
     auto moduli = taken(mechanics::moduli_of(guidance.mesh, name, guidance.poisson_ratio));
     guidance.youngs_kPa = std::move(moduli.youngs_kPa);
     if (moduli.note) guidance.notes.push_back(std::move(*moduli.note));
   } else {
-    guidance.youngs_kPa.assign(guidance.mesh.cells.size(),
-                               positive(number(modulus, "model", "youngs_modulus_kPa"), "model", "youngs_modulus_kPa"));
+    guidance.youngs_kPa.assign(guidance.mesh.cells.size(), positive_in(modulus, "model, youngs_modulus_kPa"));
   }
 }
 
 GuidanceCase guidance_from(const Json& json, const fs::path& folder) {
   if (!says(json, "format", "glisson-guidance/1")) {
-    refuse("the document", "\"format\" must be \"glisson-guidance/1\"");
+    refuse_in("the document", "\"format\" must be \"glisson-guidance/1\"");
   }
   GuidanceCase guidance;
   if (auto title = string_in(json, "title")) guidance.title = std::move(*title);
-  read_model(member(json, "model", "the document"), folder, guidance);
+  read_model(required(json, "model", "the document"), folder, guidance);
   if (const Json* gravity = value_in(json, "gravity_m_s2"); gravity != nullptr) {
-    guidance.gravity_mm_s2 = units::mm_s2_from_m_s2(1.0) * vector(*gravity, "the document", "gravity_m_s2");
+    guidance.gravity_mm_s2 = units::mm_s2_from_m_s2(1.0) * vector_in(*gravity, "gravity_m_s2");
   }
   if (const Json* supports = value_in(json, "supports"); supports != nullptr && !supports->empty()) {
     guidance.notes.emplace_back(
         "The supports that the file states are not used: forces on the unseen surface stand for them.");
   }
   const std::vector<CurveAtRest> at_rest = curves_at_rest(json, folder);
-  const Json& frames = member(json, "frames", "the document");
-  if (!frames.is_array() || frames.empty()) refuse("the document", "\"frames\" must name at least one");
-  for (const Json& frame : frames) guidance.frames.push_back(frame_from(frame, at_rest, folder));
-  guidance.targets = targets_from(folder / text(json, "targets", "the document"));
+  const Json& frames = required(json, "frames", "the document");
+  if (!frames.is_array() || frames.empty()) refuse_in("the document", "\"frames\" must name at least one");
+  std::optional<double> time_s;
+  for (const Json& frame : frames) {
+    guidance.frames.push_back(frame_from(frame, at_rest, folder, time_s.has_value()));
+    const std::optional<double> now_s = guidance.frames.back().time_s;
+    if (time_s && now_s && *now_s <= *time_s) {
+      refuse_in("frame " + guidance.frames.back().id, "\"time_s\" must grow from frame to frame");
+    }
+    if (now_s) time_s = now_s;
+  }
+  guidance.targets = targets_from(folder / text_under(json, "targets", "the document"));
   return guidance;
 }
 
 }  // namespace
 
+std::optional<Eigen::Isometry3d> rigid_pose(const std::vector<double>& numbers) {
+  if (numbers.size() != 16) return std::nullopt;
+  const Eigen::Matrix4d matrix = Eigen::Matrix<double, 4, 4, Eigen::RowMajor>(numbers.data());
+  const Eigen::Matrix3d turn = matrix.topLeftCorner<3, 3>();
+  const bool is_rigid = matrix.allFinite() && (turn.transpose() * turn - Eigen::Matrix3d::Identity()).norm() < 1e-3 &&
+                        turn.determinant() > 0 && (matrix.row(3) - Eigen::RowVector4d(0, 0, 0, 1)).norm() < 1e-6;
+  if (!is_rigid) return std::nullopt;
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.linear() = Eigen::Quaterniond(turn).normalized().toRotationMatrix();
+  pose.translation() = matrix.topRightCorner<3, 1>();
+  return pose;
+}
+
 Result<GuidanceCase> read_guidance(const fs::path& file) {
   auto document = read_json_file(file);
   if (!document) return failure(std::move(document.error()));
-  try {
-    return guidance_from(*document, file.parent_path());
-  } catch (Refusal& refusal) {
-    return failure(refusal.error.file.empty() ? std::move(refusal.error).in_file(file) : std::move(refusal.error));
-  }
+  return reading("guidance-invalid", file, [&] { return guidance_from(*document, file.parent_path()); })
+      .map_error([](Error error) {
+        if (error.code == "guidance-invalid" && error.hint.empty()) error.hint = described;
+        return error;
+      });
 }
 
 }  // namespace glisson::guidance

@@ -6,16 +6,19 @@
 //    "model": {"mesh": "liver.vtu", "youngs_modulus_kPa": 10 or "name of a cell array", "poisson_ratio": 0.45},
 //    "gravity_m_s2": [x,y,z],
 //    "features": [{"id": "falciform", "points": "falciform.csv"}],
-//    "frames": [{"id": "f0", "points": "f0.ply", "noise_mm": 0.7, "pose_guess": [16 numbers, row-major, scan to
-//    camera],
+//    "frames": [{"id": "f0", "time_s": 0, "points": "f0.ply", "noise_mm": 0.7, "pose_guess": [16 numbers, row-major,
+//    scan to camera],
 //                "features": [{"id": "falciform", "points": "f0_falciform.csv", "noise_mm": 1.5}],
 //                "tools": [{"id": "retractor", "contact_mm": [x,y,z], "radius_mm": 10, "force_N": [x,y,z]}]}],
 //    "targets": "targets.csv"}
 //
-// Files are named from the folder of the JSON. Curves are tables x_mm,y_mm,z_mm; targets id,x_mm,y_mm,z_mm.
+// A frame has a "pose_guess" or "features", or a "time_s" after a frame with one: it is then searched from where that
+// left the organ. Files are named from the folder of the JSON. Curves are tables x_mm,y_mm,z_mm; targets
+// id,x_mm,y_mm,z_mm.
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -41,6 +44,9 @@ struct GuidanceCase {
   std::vector<Target> targets;
   std::vector<std::string> notes;  // what the file says and this version leaves out
 };
+
+// 16 numbers, row by row, as a rigid motion; nothing where they are none (mirrored, stretched, another count).
+std::optional<Eigen::Isometry3d> rigid_pose(const std::vector<double>& numbers);
 
 // Failures: "guidance-invalid" (what, where), those of reading meshes, clouds and tables.
 Result<GuidanceCase> read_guidance(const std::filesystem::path& file);

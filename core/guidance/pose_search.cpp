@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 #include <random>
 
+#include "base/parallel.h"
 #include "geometry/nearest.h"
 #include "registration/rigid.h"
 
@@ -21,6 +24,13 @@ constexpr double far_mm = 20;           // beyond which a point counts as not ex
 constexpr double min_distance_mm = 25;  // of two points of a triple: nearer ones turn with the noise
 constexpr std::size_t scored_points = 80;
 
+// Where nothing but the cloud is known:
+constexpr int directions = 48, turns = 12;  // that the organ is looked at from, and about the line of sight
+constexpr int anchors = 6;                  // places of the seen side that may be the middle of the cloud
+constexpr int refined_turns = 80;
+constexpr double alike_score = 1.15;  // of the best: a pose elsewhere that fits as well
+constexpr double elsewhere_mm = 30, elsewhere_deg = 25;
+
 struct Scored {
   double score = 0;  // mean distance, none above far_mm
   Isometry3d pose = Isometry3d::Identity();
@@ -34,11 +44,20 @@ std::vector<T> thinned(const std::vector<T>& all, std::size_t maximum) {
   return some;
 }
 
+std::vector<Vector3d> normals_of(const geometry::Surface& surface) {
+  std::vector<Vector3d> normals;
+  const auto point = [&](int i) { return surface.points_mm[static_cast<std::size_t>(i)]; };
+  for (const auto& [a, b, c] : surface.triangles) {
+    normals.push_back((point(b) - point(a)).cross(point(c) - point(a)).normalized());
+  }
+  return normals;
+}
+
 // What a pose is judged by: seen curves beside the curves at rest, seen points beside the surface.
 class Judge {
  public:
   Judge(const geometry::Surface& surface, const SeenFrame& frame)
-      : surface_(surface), cloud_mm_(thinned(frame.points_mm, scored_points)) {
+      : surface_(surface), normals_(normals_of(surface)), cloud_mm_(thinned(frame.points_mm, scored_points)) {
     for (const SeenCurve& curve : frame.curves) {
       curves_.push_back({geometry::NearestPoint(curve.at_rest_mm), thinned(curve.seen_mm, scored_points)});
     }
@@ -58,6 +77,20 @@ class Judge {
     return curves / static_cast<double>(std::max<std::size_t>(1, seen)) +
            cloud / static_cast<double>(std::max<std::size_t>(1, cloud_mm_.size()));
   }
+
+  // Of the cloud alone: points that would lie on a side turned away from the camera are not explained either.
+  [[nodiscard]] double score_of_cloud(const Isometry3d& pose) const {
+    const Isometry3d back = pose.inverse();
+    double sum = 0;
+    for (const Vector3d& point : cloud_mm_) {
+      const auto closest = surface_.closest(back * point);
+      const bool is_turned_away = (pose.linear() * normals_[static_cast<std::size_t>(closest.triangle)]).dot(point) > 0;
+      sum += is_turned_away ? far_mm : std::min(far_mm, closest.distance_mm);
+    }
+    return sum / static_cast<double>(std::max<std::size_t>(1, cloud_mm_.size()));
+  }
+  [[nodiscard]] const std::vector<Vector3d>& cloud_mm() const { return cloud_mm_; }
+  [[nodiscard]] const std::vector<Vector3d>& normals() const { return normals_; }  // one a triangle, outwards
 
   // Pairs of what was seen and what lies nearest to it, those within `reach_mm`.
   void pairs(const Isometry3d& pose, double reach_mm, std::vector<Vector3d>& at_rest, std::vector<Vector3d>& seen,
@@ -84,6 +117,7 @@ class Judge {
     std::vector<Vector3d> seen_mm;
   };
   geometry::SurfaceDistance surface_;
+  std::vector<Vector3d> normals_;
   std::vector<Curve> curves_;
   std::vector<Vector3d> cloud_mm_;
 };
@@ -134,19 +168,107 @@ std::vector<Scored> poses_of_triples(const Judge& judge, const SeenFrame& frame)
   return poses;
 }
 
+// Rotations spread evenly: where the line of sight points in the organ (Fibonacci's lattice), and how it is turned.
+std::vector<Eigen::Matrix3d> even_rotations() {
+  std::vector<Eigen::Matrix3d> rotations;
+  const double golden = std::numbers::pi * (3 - std::sqrt(5.0));
+  for (int d = 0; d < directions; ++d) {
+    const double z = 1 - (2 * d + 1.0) / directions, across = std::sqrt(1 - z * z);
+    const Vector3d sight(across * std::cos(golden * d), across * std::sin(golden * d), z);
+    const Eigen::Quaterniond onto = Eigen::Quaterniond::FromTwoVectors(sight, Vector3d::UnitZ());
+    for (int t = 0; t < turns; ++t) {
+      const Eigen::AngleAxisd about(2 * std::numbers::pi * t / turns, Vector3d::UnitZ());
+      rotations.emplace_back(about.toRotationMatrix() * onto.toRotationMatrix());
+    }
+  }
+  return rotations;
+}
+
+// Middles of triangles that face the camera under the rotation, far from each other.
+std::vector<Vector3d> anchors_of(const geometry::Surface& surface, const std::vector<Vector3d>& normals,
+                                 const Eigen::Matrix3d& rotation) {
+  constexpr double facing = -0.5;  // cosine to the line of sight
+  std::vector<Vector3d> among;
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    if ((rotation * normals[t]).z() < facing) {
+      among.push_back(surface.points_mm[static_cast<std::size_t>(surface.triangles[t][0])]);
+    }
+  }
+  std::vector<double> apart(among.size(), std::numeric_limits<double>::infinity());
+  std::vector<Vector3d> chosen;
+  while (!among.empty() && chosen.size() < anchors) {
+    const auto next = static_cast<std::size_t>(std::max_element(apart.begin(), apart.end()) - apart.begin());
+    chosen.push_back(among[next]);
+    for (std::size_t i = 0; i < among.size(); ++i) apart[i] = std::min(apart[i], (among[i] - chosen.back()).norm());
+  }
+  return chosen;
+}
+
+std::vector<Scored> poses_of_turns(const Judge& judge, const geometry::Surface& surface) {
+  Vector3d mean = Vector3d::Zero();
+  for (const Vector3d& point : judge.cloud_mm()) mean += point / static_cast<double>(judge.cloud_mm().size());
+  const Vector3d middle =
+      *std::min_element(judge.cloud_mm().begin(), judge.cloud_mm().end(),
+                        [&](const Vector3d& a, const Vector3d& b) { return (a - mean).norm() < (b - mean).norm(); });
+  std::vector<Scored> poses;
+  for (const Eigen::Matrix3d& rotation : even_rotations()) {
+    for (const Vector3d& anchor : anchors_of(surface, judge.normals(), rotation)) {
+      Isometry3d pose = Isometry3d::Identity();
+      pose.linear() = rotation;
+      pose.translation() = middle - rotation * anchor;
+      poses.push_back({judge.score_of_cloud(pose), pose});
+    }
+  }
+  return poses;
+}
+
+bool lies_elsewhere(const Isometry3d& pose, const Isometry3d& other, const Vector3d& at_rest_mm) {
+  const double turn = Eigen::AngleAxisd(pose.linear().transpose() * other.linear()).angle();
+  return (pose * at_rest_mm - other * at_rest_mm).norm() > elsewhere_mm ||
+         turn * 180 / std::numbers::pi > elsewhere_deg;
+}
+
+// By its shape alone; a smooth organ may lie so in two ways, and then nothing is answered.
+Result<Isometry3d> find_pose_of_cloud(const geometry::Surface& surface, const SeenFrame& frame) {
+  const auto refuse = [&](const char* why) {
+    return failure(Error{"pose-not-found",
+                         why,
+                         {frame.id},
+                         GLISSON_TEXT("Give a pose_guess, or mark ridges or the falciform ligament."),
+                         {}});
+  };
+  const Judge judge(surface, frame);
+  std::vector<Scored> poses = poses_of_turns(judge, surface);
+  const auto better = [](const Scored& a, const Scored& b) { return a.score < b.score; };
+  std::sort(poses.begin(), poses.end(), better);
+  poses.resize(std::min<std::size_t>(poses.size(), refined_turns));
+  parallel_for(poses.size(), 4, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t p = begin; p < end; ++p) {
+      poses[p].pose = refine(judge, poses[p].pose);
+      poses[p].score = judge.score_of_cloud(poses[p].pose);
+    }
+  });
+  const auto best = std::min_element(poses.begin(), poses.end(), better);
+  if (best == poses.end() || best->score > 0.5 * far_mm) {
+    return refuse(GLISSON_TEXT("Under no pose does what frame {0} saw lie near the organ."));
+  }
+  const Vector3d middle = geometry::bounding_box(surface.points_mm).center_mm();
+  const bool is_ambiguous = std::any_of(poses.begin(), poses.end(), [&](const Scored& other) {
+    return other.score < alike_score * best->score && lies_elsewhere(other.pose, best->pose, middle);
+  });
+  if (is_ambiguous) {
+    return refuse(
+        GLISSON_TEXT("What frame {0} saw fits the organ in more than one place: its shape alone does not say where."));
+  }
+  return best->pose;
+}
+
 }  // namespace
 
 Result<Isometry3d> find_pose(const geometry::Surface& surface, const SeenFrame& frame) {
   std::size_t seen = 0;
   for (const SeenCurve& curve : frame.curves) seen += curve.seen_mm.size();
-  if (seen < 5) {
-    return failure(Error{"pose-not-found",
-                         GLISSON_TEXT("Frame {0} has no pose_guess, and {1} points on its features are too few to find "
-                                      "where the organ is."),
-                         {frame.id, std::to_string(seen)},
-                         GLISSON_TEXT("Give a pose_guess, or mark ridges or the falciform ligament."),
-                         {}});
-  }
+  if (seen < 5) return find_pose_of_cloud(surface, frame);
   const Judge judge(surface, frame);
   std::vector<Scored> poses = poses_of_triples(judge, frame);
   const auto better = [](const Scored& a, const Scored& b) { return a.score < b.score; };

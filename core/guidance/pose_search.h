@@ -1,9 +1,11 @@
 #pragma once
-// The pose of an organ in the camera's frame from curves that are recognised on both sides, without a first guess.
+// The pose of an organ in the camera's frame without a first guess: from curves that are recognised on both sides, or,
+// where there are none, from the shape of what was seen.
 //
 // Triples of seen points are laid on triples of the same curves at rest that have the same distances from each other
 // (random sampling: Fischler and Bolles 1981, Comm. ACM 24:381); the poses under which most of what was seen lies near
-// the organ are refined by iterated closest points. Deterministic.
+// the organ are refined by iterated closest points. Without curves the poses are turns spread evenly, with places of
+// the side that faces the camera in the middle of the cloud. Deterministic.
 
 #include <Eigen/Geometry>
 
@@ -13,8 +15,9 @@
 
 namespace glisson::guidance {
 
-// Scan to camera. `surface` is the organ's at rest. Failure: "pose-not-found" (fewer than five seen points on curves,
-// or no pose under which what was seen lies near the organ).
+// Scan to camera. `surface` is the organ's at rest, its triangles counter-clockwise from outside. Failure:
+// "pose-not-found" (no pose under which what was seen lies near the organ; without five seen points on curves also
+// where poses in different places fit alike).
 Result<Eigen::Isometry3d> find_pose(const geometry::Surface& surface, const SeenFrame& frame);
 
 }  // namespace glisson::guidance

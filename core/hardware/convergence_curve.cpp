@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/json.h"
 #include "hardware/internal/figure_file.h"
 
 namespace glisson::hardware {
@@ -18,14 +17,10 @@ double interpolated(double x, double x0, double y0, double x1, double y1) {
   return y0 * std::pow(y1 / y0, t);
 }
 
-Failure refuse(const std::filesystem::path& file, std::string text, std::vector<std::string> arguments) {
-  return failure(Error{"convergence-invalid", std::move(text), std::move(arguments), {}, file});
-}
-
-Result<void> check_points(const ConvergenceCurve& curve, const std::filesystem::path& file) {
+void check_points(const ConvergenceCurve& curve) {
   if (curve.points.size() < 2 || curve.points.size() > maximum_points) {
-    return refuse(file, GLISSON_TEXT("A convergence curve has 2 to {0} points; this one has {1}."),
-                  {std::to_string(maximum_points), std::to_string(curve.points.size())});
+    refuse({}, GLISSON_TEXT("A convergence curve has 2 to {0} points; this one has {1}."),
+           {std::to_string(maximum_points), std::to_string(curve.points.size())});
   }
   for (std::size_t i = 0; i < curve.points.size(); ++i) {
     const auto& [resolution_mm3, error_mm] = curve.points[i];
@@ -33,12 +28,29 @@ Result<void> check_points(const ConvergenceCurve& curve, const std::filesystem::
     const bool increases =
         i == 0 || (resolution_mm3 > curve.points[i - 1].resolution_mm3 && error_mm > curve.points[i - 1].error_mm);
     if (positive && increases) continue;
-    return refuse(file,
-                  GLISSON_TEXT("Point {0} of the convergence curve, {1} mm3 and {2} mm, is not positive or does not "
-                               "increase from the point before."),
-                  {std::to_string(i + 1), fmt::format("{:g}", resolution_mm3), fmt::format("{:g}", error_mm)});
+    refuse({},
+           GLISSON_TEXT("Point {0} of the convergence curve, {1} mm3 and {2} mm, is not positive or does not "
+                        "increase from the point before."),
+           {std::to_string(i + 1), fmt::format("{:g}", resolution_mm3), fmt::format("{:g}", error_mm)});
   }
-  return {};
+}
+
+ConvergenceCurve curve_from(const Json& document, const std::filesystem::path& file) {
+  check_format(document, "glisson-convergence/1", file);
+  ConvergenceCurve curve;
+  curve.source = source_in(document, "The curve");
+  curve.provenance = text_under(document, "provenance", "The curve");
+  if (document.contains("youngs_kPa")) curve.youngs_kPa = number_under(document, "youngs_kPa", {0.1, 1e6}, "The curve");
+  const auto points = document.find("points");
+  if (points == document.end() || !points->is_array() || points->size() > maximum_points)
+    refuse({}, GLISSON_TEXT("{0} has no list of points."), {file.string()});
+  for (const Json& point : *points) {
+    known_keys(point, {"resolution_mm3", "error_mm"}, "A point of the curve");
+    const double resolution_mm3 = number_under(point, "resolution_mm3", {1e-6, 1e6}, "A point of the curve");
+    curve.points.push_back({resolution_mm3, number_under(point, "error_mm", {1e-6, 1e6}, "A point of the curve")});
+  }
+  check_points(curve);
+  return curve;
 }
 
 }  // namespace
@@ -46,35 +58,7 @@ Result<void> check_points(const ConvergenceCurve& curve, const std::filesystem::
 Result<ConvergenceCurve> read_convergence_curve(const std::filesystem::path& file) {
   const auto document = read_json_file(file);
   if (!document) return failure(document.error());
-  const auto reader = FigureReader::open(*document, "glisson-convergence/1", file);
-  if (!reader) return failure(reader.error());
-
-  ConvergenceCurve curve;
-  const auto source = reader->source(*document, "The curve");
-  if (!source) return failure(source.error());
-  curve.source = *source;
-  const auto provenance = reader->text(*document, "provenance", "The curve");
-  if (!provenance) return failure(provenance.error());
-  curve.provenance = *provenance;
-  if (document->contains("youngs_kPa")) {
-    const auto youngs_kPa = reader->number(*document, "youngs_kPa", {0.1, 1e6}, "The curve");
-    if (!youngs_kPa) return failure(youngs_kPa.error());
-    curve.youngs_kPa = *youngs_kPa;
-  }
-  const auto points = document->find("points");
-  if (points == document->end() || !points->is_array() || points->size() > maximum_points)
-    return refuse(file, GLISSON_TEXT("{0} has no list of points."), {file.string()});
-  for (const Json& point : *points) {
-    if (const auto known = refuse_unknown_keys(point, {"resolution_mm3", "error_mm"}, "A point of the curve"); !known)
-      return failure(Error(known.error()).in_file(file));
-    const auto resolution = reader->number(point, "resolution_mm3", {1e-6, 1e6}, "A point of the curve");
-    if (!resolution) return failure(resolution.error());
-    const auto error = reader->number(point, "error_mm", {1e-6, 1e6}, "A point of the curve");
-    if (!error) return failure(error.error());
-    curve.points.push_back({*resolution, *error});
-  }
-  if (const auto checked = check_points(curve, file); !checked) return failure(checked.error());
-  return curve;
+  return reading("convergence-invalid", file, [&] { return curve_from(*document, file); });
 }
 
 ConvergenceCurve in_tissue(const ConvergenceCurve& curve, double youngs_kPa) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <set>
 
-#include "base/json.h"
 #include "hardware/internal/device_figures.h"
 #include "hardware/internal/figure_file.h"
 
@@ -14,11 +13,12 @@ constexpr const char* format = "glisson-devices/1";
 constexpr std::size_t maximum_devices = 1000;
 constexpr std::size_t maximum_points = 10000;
 
-Result<Device> read_device(const Json& object, std::size_t index, const FigureReader& reader);
-Result<void> read_figures(const Json& object, const std::string& where, const FigureReader& reader, Device& device);
-Result<void> read_measured(const Json& kernel, const std::string& where, const FigureReader& reader, Device& device);
-Result<void> refuse_unknown(const Json& object, const std::string& where, const FigureReader& reader);
-Result<Worn> read_worn(const Json& object, const std::string& where, const FigureReader& reader);
+std::vector<Device> devices_from(const Json& document, const std::filesystem::path& file);
+Device device_from(const Json& object, std::size_t index);
+void read_figures(const Json& object, const std::string& where, Device& device);
+void read_measured(const Json& kernel, const std::string& where, Device& device);
+void refuse_unknown(const Json& object, const std::string& where);
+Worn worn_from(const Json& object, const std::string& where);
 bool is_plain(const std::string& id);
 Json as_json(const Device& device);
 
@@ -27,31 +27,7 @@ Json as_json(const Device& device);
 Result<std::vector<Device>> read_devices(const std::filesystem::path& file) {
   const auto document = read_json_file(file);
   if (!document) return failure(document.error());
-  const auto reader = FigureReader::open(*document, format, file);
-  if (!reader) return failure(reader.error());
-  const auto list = document->find("devices");
-  if (list == document->end() || !list->is_array() || list->empty() || list->size() > maximum_devices) {
-    return failure(Error{"devices-missing",
-                         GLISSON_TEXT("{0} has no list \"devices\" of 1 to {1} devices."),
-                         {file.string(), std::to_string(maximum_devices)},
-                         {},
-                         file});
-  }
-  std::vector<Device> devices;
-  std::set<std::string> ids;
-  for (const Json& object : *list) {
-    auto device = read_device(object, devices.size(), *reader);
-    if (!device) return failure(device.error());
-    if (!ids.insert(device->id).second) {
-      return failure(Error{"device-twice",
-                           GLISSON_TEXT("Two devices have the id \"{0}\"."),
-                           {device->id},
-                           GLISSON_TEXT("Give each its own."),
-                           file});
-    }
-    devices.push_back(std::move(*device));
-  }
-  return devices;
+  return reading("devices-invalid", file, [&] { return devices_from(*document, file); });
 }
 
 void take_in(std::vector<Device> more, std::vector<Device>& devices) {
@@ -74,126 +50,102 @@ Result<void> write_devices(const std::filesystem::path& file, const std::vector<
 
 namespace {
 
-Result<Device> read_device(const Json& object, std::size_t index, const FigureReader& reader) {
+std::vector<Device> devices_from(const Json& document, const std::filesystem::path& file) {
+  check_format(document, format, file);
+  const auto list = document.find("devices");
+  if (list == document.end() || !list->is_array() || list->empty() || list->size() > maximum_devices) {
+    refuse("devices-missing", GLISSON_TEXT("{0} has no list \"devices\" of 1 to {1} devices."),
+           {file.string(), std::to_string(maximum_devices)});
+  }
+  std::vector<Device> devices;
+  std::set<std::string> ids;
+  for (const Json& object : *list) {
+    devices.push_back(device_from(object, devices.size()));
+    if (!ids.insert(devices.back().id).second) {
+      refuse("device-twice", GLISSON_TEXT("Two devices have the id \"{0}\"."), {devices.back().id},
+             GLISSON_TEXT("Give each its own."));
+    }
+  }
+  return devices;
+}
+
+Device device_from(const Json& object, std::size_t index) {
   std::string where = "Device " + std::to_string(index + 1);
   if (!object.is_object()) {
-    return failure(
-        Error{"json-not-an-object", GLISSON_TEXT("{0} should be an object in braces."), {where}, {}, reader.file()});
+    refuse("json-not-an-object", GLISSON_TEXT("{0} should be an object in braces."), {where});
   }
   Device device;
-  const auto id = reader.text(object, "id", where);
-  if (!id) return failure(id.error());
-  device.id = *id;
-  if (!is_plain(*id)) {
-    return failure(Error{"device-id-invalid",
-                         GLISSON_TEXT("{0} has the id \"{1}\"."),
-                         {where, *id},
-                         GLISSON_TEXT("Use up to 64 small letters, digits and dashes."),
-                         reader.file()});
+  device.id = text_under(object, "id", where);
+  if (!is_plain(device.id)) {
+    refuse("device-id-invalid", GLISSON_TEXT("{0} has the id \"{1}\"."), {where, device.id},
+           GLISSON_TEXT("Use up to 64 small letters, digits and dashes."));
   }
   where = "Device " + device.id;
-  if (const auto known = refuse_unknown(object, where, reader); !known) return failure(known.error());
-  const auto name = reader.text(object, "name", where);
-  if (!name) return failure(name.error());
-  device.name = *name;
-  const auto worn = read_worn(object, where, reader);
-  if (!worn) return failure(worn.error());
-  device.worn = *worn;
-  const auto worn_how = reader.text(object, "worn_how", where);
-  if (!worn_how) return failure(worn_how.error());
-  device.worn_how = *worn_how;
-  if (const auto read = read_figures(object, where, reader, device); !read) return failure(read.error());
-  if (const auto read = read_measured(object.at("kernel"), where, reader, device); !read) return failure(read.error());
-  if (const auto checked = check(device); !checked) return failure(Error(checked.error()).in_file(reader.file()));
+  refuse_unknown(object, where);
+  device.name = text_under(object, "name", where);
+  device.worn = worn_from(object, where);
+  device.worn_how = text_under(object, "worn_how", where);
+  read_figures(object, where, device);
+  read_measured(object.at("kernel"), where, device);
+  if (auto checked = check(device); !checked) throw Refusal{std::move(checked.error())};
   return device;
 }
 
-Result<void> read_figures(const Json& object, const std::string& where, const FigureReader& reader, Device& device) {
+void read_figures(const Json& object, const std::string& where, Device& device) {
   for (const FigureSlot& slot : figure_slots()) {
     const bool grouped = *slot.group != '\0';
     const auto group = grouped ? object.find(slot.group) : object.end();
-    if (grouped && (group == object.end() || !group->is_object())) return reader.missing(slot.group, where);
+    if (grouped && (group == object.end() || !group->is_object())) refuse_missing(slot.group, where);
     const Json& holder = grouped ? *group : object;
     if (slot.ideal && !holder.contains(slot.name)) {
       slot.of(device) = {*slot.ideal, Source::assumed, "not stated: taken as ideal"};
       continue;
     }
-    auto figure = reader.figure(holder, slot.name, {slot.minimum, slot.maximum}, where);
-    if (!figure) return failure(figure.error());
-    slot.of(device) = std::move(*figure);
+    slot.of(device) = figure_under(holder, slot.name, {slot.minimum, slot.maximum}, where);
   }
-  return {};
 }
 
-Result<void> read_measured(const Json& kernel, const std::string& where, const FigureReader& reader, Device& device) {
+void read_measured(const Json& kernel, const std::string& where, Device& device) {
   const auto measured = kernel.find("measured");
-  if (measured == kernel.end()) return {};
+  if (measured == kernel.end()) return;
   const std::string here = where + ", kernel.measured";
-  if (const auto known = refuse_unknown_keys(*measured, {"nodes_in_domain", "points"}, here); !known)
-    return failure(Error(known.error()).in_file(reader.file()));
-  const auto domain = reader.number(*measured, "nodes_in_domain", {1, 125}, here);
-  if (!domain) return failure(domain.error());
-  device.kernel.measured_nodes_in_domain = static_cast<int>(*domain);
+  known_keys(*measured, {"nodes_in_domain", "points"}, here);
+  device.kernel.measured_nodes_in_domain = static_cast<int>(number_under(*measured, "nodes_in_domain", {1, 125}, here));
   const auto points = measured->find("points");
   if (points == measured->end() || !points->is_array() || points->size() > maximum_points)
-    return reader.missing("points", here);
+    refuse_missing("points", here);
   for (const Json& point : *points) {
-    if (const auto known = refuse_unknown_keys(point, {"nodes", "seconds", "joules"}, here); !known)
-      return failure(Error(known.error()).in_file(reader.file()));
+    known_keys(point, {"nodes", "seconds", "joules"}, here);
     MeasuredProduct product;
-    const auto nodes = reader.number(point, "nodes", {1, 1e12}, here);
-    if (!nodes) return failure(nodes.error());
-    product.nodes = *nodes;
-    const auto seconds = reader.number(point, "seconds", {1e-12, 1e6}, here);
-    if (!seconds) return failure(seconds.error());
-    product.seconds = *seconds;
-    if (point.contains("joules")) {
-      const auto joules = reader.number(point, "joules", {1e-15, 1e9}, here);
-      if (!joules) return failure(joules.error());
-      product.joules = *joules;
-    }
+    product.nodes = number_under(point, "nodes", {1, 1e12}, here);
+    product.seconds = number_under(point, "seconds", {1e-12, 1e6}, here);
+    if (point.contains("joules")) product.joules = number_under(point, "joules", {1e-15, 1e9}, here);
     device.kernel.measured.push_back(product);
   }
-  return {};
 }
 
-Result<void> refuse_unknown(const Json& object, const std::string& where, const FigureReader& reader) {
-  const auto in_file = [&reader](const Error& error) { return failure(Error(error).in_file(reader.file())); };
-  if (const auto known = refuse_unknown_keys(
-          object,
-          {"id", "name", "worn", "worn_how", "idle_W", "supply_efficiency", "thermal_resistance_C_per_W",
-           "thermal_time_constant_s", "throttle_C", "battery", "kernel"},
-          where);
-      !known)
-    return in_file(known.error());
-  if (!object.contains("battery")) return reader.missing("battery", where);
-  if (const auto known = refuse_unknown_keys(
-          object.at("battery"),
-          {"capacity_mAh", "voltage_V", "internal_resistance_ohm", "rate_exponent", "capacity_per_C"},
-          where + ", battery");
-      !known)
-    return in_file(known.error());
-  if (!object.contains("kernel")) return reader.missing("kernel", where);
-  if (const auto known = refuse_unknown_keys(object.at("kernel"),
-                                             {"bandwidth_GB_s", "peak_GFLOPS", "fast_memory_MB", "fast_bandwidth_GB_s",
-                                              "launch_us", "tile_nodes", "active_W", "energy_nJ_per_byte", "measured"},
-                                             where + ", kernel");
-      !known)
-    return in_file(known.error());
-  return {};
+void refuse_unknown(const Json& object, const std::string& where) {
+  known_keys(object,
+             {"id", "name", "worn", "worn_how", "idle_W", "supply_efficiency", "thermal_resistance_C_per_W",
+              "thermal_time_constant_s", "throttle_C", "battery", "kernel"},
+             where);
+  if (!object.contains("battery")) refuse_missing("battery", where);
+  known_keys(object.at("battery"),
+             {"capacity_mAh", "voltage_V", "internal_resistance_ohm", "rate_exponent", "capacity_per_C"},
+             where + ", battery");
+  if (!object.contains("kernel")) refuse_missing("kernel", where);
+  known_keys(object.at("kernel"),
+             {"bandwidth_GB_s", "peak_GFLOPS", "fast_memory_MB", "fast_bandwidth_GB_s", "launch_us", "tile_nodes",
+              "active_W", "energy_nJ_per_byte", "measured"},
+             where + ", kernel");
 }
 
-Result<Worn> read_worn(const Json& object, const std::string& where, const FigureReader& reader) {
-  const auto name = reader.text(object, "worn", where);
-  if (!name) return failure(name.error());
+Worn worn_from(const Json& object, const std::string& where) {
+  const std::string name = text_under(object, "worn", where);
   for (const Worn worn : {Worn::head, Worn::belt, Worn::back}) {
-    if (*name == to_string(worn)) return worn;
+    if (name == to_string(worn)) return worn;
   }
-  return failure(Error{"worn-unknown",
-                       GLISSON_TEXT("{0} is worn \"{1}\"."),
-                       {where, *name},
-                       GLISSON_TEXT("Use head, belt or back."),
-                       reader.file()});
+  refuse("worn-unknown", GLISSON_TEXT("{0} is worn \"{1}\"."), {where, name}, GLISSON_TEXT("Use head, belt or back."));
 }
 
 bool is_plain(const std::string& id) {

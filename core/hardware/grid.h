@@ -50,7 +50,7 @@ struct ContourSegment {
 };
 [[nodiscard]] std::vector<ContourSegment> contour(const GridSurface& surface, double level);
 
-// A problem at which the surface is higher than at all problems beside it, by more than `least_rise`: one whose
+// A problem at which the surface is higher than at all problems beside it, by more than `minimum_rise`: one whose
 // neighbours, smaller and larger, do better. A problem on the grid's edge is compared with those it has, but a corner
 // never counts: a surface that only rises ends there.
 struct HotSpot {

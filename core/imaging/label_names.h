@@ -1,11 +1,9 @@
 #pragma once
-// What the values of a label map stand for, as far as the file, or one beside it, says.
+// What the values of a label map stand for, as far as the file, or one beside it, says:
 //
-// | who writes it        | where the names stand |
-// |----------------------|---------------------------------------------------------------------------------------------|
-// | 3D Slicer            | NRRD fields SegmentN_Name and SegmentN_LabelValue (vtkMRMLSegmentationStorageNode) | |
-// TotalSegmentator     | a table of labels, <Label Key="5">, in the extension of the NIfTI header                    |
-// | ITK-SNAP             | a label description file in the folder of the map: number, colour, flags, "name" on a line |
+// - 3D Slicer: NRRD fields SegmentN_Name and SegmentN_LabelValue (vtkMRMLSegmentationStorageNode).
+// - TotalSegmentator: a table of labels, <Label Key="5">, in the extension of the NIfTI header.
+// - ITK-SNAP: a label description file in the folder of the map: number, colour, flags, "name" on a line.
 //
 // The size of what is read is bounded; a header that cannot be read names nothing.
 

@@ -145,8 +145,8 @@ Result<void> check_room(const VolumeHeader& header, const fs::path& file) {
                              ? there / 2 * static_cast<double>(bytes_of(header.type)) + 8
                              : there;
   // Label maps shrink to a 200th, images to a third; what shrinks more is one value, or made to fill the memory.
-  constexpr double any_size = 256.0 * 1024 * 1024, most_shrunk = 500;
-  if (header.coding == VoxelCoding::deflated && declared > any_size && declared > most_shrunk * there &&
+  constexpr double any_size = 256.0 * 1024 * 1024, maximum_ratio = 500;
+  if (header.coding == VoxelCoding::deflated && declared > any_size && declared > maximum_ratio * there &&
       declared <= maximum) {
     return failure(Error{"volume-file-hollow",
                          GLISSON_TEXT("{0} holds {1} MB of voxels in {2} MB: nearly all of them have one value."),

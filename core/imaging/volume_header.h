@@ -43,7 +43,7 @@ struct VolumeHeader {
 };
 
 // By the file's name: .nii .nii.gz, .nrrd .nhdr, .mha .mhd. Sizes are positive, below 2^31 along each axis and at most
-// most_voxels together, spacings positive, axes at right angles. Fails with volume-file-unknown-type, -unreadable,
+// maximum_voxels together, spacings positive, axes at right angles. Fails with volume-file-unknown-type, -unreadable,
 // -not-scalar, -not-3d, -bad-grid, -too-large, -truncated (the file cannot hold that many).
 [[nodiscard]] Result<VolumeHeader> read_volume_header(const std::filesystem::path& file);
 

@@ -1,6 +1,6 @@
 #pragma once
-// Instruments as they are drawn: more than their solids in contact (mechanics/rigid_tool.h), with shaft and handle, so
-// that a tool is known by its look. Shapes and sizes are plain ones of ours; nothing is computed with them.
+// Instruments as they are drawn: more than their solids in contact (mechanics/scenario/rigid_tool.h), with shaft and
+// handle, so that a tool is known by its look. Shapes and sizes are plain ones of ours; nothing is computed with them.
 
 #include <Eigen/Core>
 #include <string>

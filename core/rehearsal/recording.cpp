@@ -1,8 +1,8 @@
 // Recordings of a session as JSON. Numbers are written so that they read back to the same bits.
 
 #include <algorithm>
-#include <stdexcept>
 
+#include "base/json_reading.h"
 #include "base/json_value.h"
 #include "rehearsal/session.h"
 
@@ -15,11 +15,6 @@ using mechanics::ContactTool;
 using mechanics::Grasp;
 using mechanics::Rod;
 using mechanics::TouchingTool;
-
-Vector3d vector_from(const Json& json) {
-  if (json.size() != 3) throw std::invalid_argument("a vector needs three numbers");
-  return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
-}
 
 Json json_of(const ContactTool& tool) {
   Json json{{"id", tool.id}};
@@ -48,51 +43,77 @@ Json json_of(const ContactTool& tool) {
   return json;
 }
 
+// Sentences end in parse_recording's, which says which command they are of.
 void check_keys(const Json& json, std::initializer_list<std::string_view> known) {
   for (const auto& [key, value] : json.items()) {
-    if (std::find(known.begin(), known.end(), key) == known.end()) {
-      throw std::invalid_argument("it has an unknown key \"" + key + "\"");
-    }
+    if (std::find(known.begin(), known.end(), key) == known.end())
+      refuse_at("it", "{0} has an unknown key \"{1}\".", {key});
   }
 }
 
+double number_under(const Json& json, const char* key, const std::string& where) {
+  return number_in(required(json, key, where), key);
+}
+
+Vector3d vector_under(const Json& json, const char* key, const std::string& where) {
+  return vector_in(required(json, key, where), key);
+}
+
+std::vector<Json> list_under(const Json& json, const char* key, const std::string& where) {
+  const Json& list = required(json, key, where);
+  if (!list.is_array()) refuse_at(key, GLISSON_TEXT("{0} must be a list in brackets."));
+  return list;
+}
+
 ContactTool tool_from(const Json& json) {
-  const std::string id = json.at("id").get<std::string>();
+  const std::string id = text_in(required(json, "id", "the tool"), "id");
   if (json.contains("grasp")) {
     check_keys(json, {"id", "grasp", "displacement_mm", "pull_mN", "direction"});
     Grasp grasp;
-    grasp.at_rest_mm = vector_from(json.at("grasp").at("at_rest_mm"));
-    grasp.radius_mm = json.at("grasp").at("radius_mm").get<double>();
+    grasp.at_rest_mm = vector_under(json["grasp"], "at_rest_mm", "the grasp");
+    grasp.radius_mm = number_under(json["grasp"], "radius_mm", "the grasp");
     if (json.contains("pull_mN")) {
-      grasp.drawn = json.at("pull_mN").get<double>();
-      grasp.direction = vector_from(json.at("direction"));
+      grasp.drawn = number_under(json, "pull_mN", "the tool");
+      grasp.direction = vector_under(json, "direction", "the tool");
     } else {
-      grasp.drawn = vector_from(json.at("displacement_mm"));
+      grasp.drawn = vector_under(json, "displacement_mm", "the tool");
     }
     return {id, grasp};
   }
   check_keys(json, {"id", "rods", "shape", "position_mm", "rotation", "direction", "push_mN"});
   TouchingTool touching;
   if (json.contains("shape")) {
-    const std::string shape = json.at("shape").get<std::string>();
-    if (shape != "nathanson-retractor" && shape != "palpation-probe") {
-      throw std::invalid_argument("there is no tool shaped \"" + shape + "\"");
-    }
+    const std::string shape = text_in(json["shape"], "shape");
+    if (shape != "nathanson-retractor" && shape != "palpation-probe")
+      refuse_at(shape, "there is no tool shaped \"{0}\".");
     touching.shape = shape == "palpation-probe" ? mechanics::palpation_probe() : mechanics::nathanson_retractor();
   } else {
-    for (const Json& rod : json.at("rods")) {
-      touching.shape.push_back(
-          {vector_from(rod.at("from_mm")), vector_from(rod.at("to_mm")), rod.at("radius_mm").get<double>()});
+    for (const Json& rod : list_under(json, "rods", "the tool")) {
+      touching.shape.push_back({vector_under(rod, "from_mm", "the rod"), vector_under(rod, "to_mm", "the rod"),
+                                number_under(rod, "radius_mm", "the rod")});
     }
   }
-  touching.pose.position_mm = vector_from(json.at("position_mm"));
+  touching.pose.position_mm = vector_under(json, "position_mm", "the tool");
   if (json.contains("direction")) {
-    touching.pose = mechanics::pose_towards(touching.pose.position_mm, vector_from(json.at("direction")));
+    touching.pose = mechanics::pose_towards(touching.pose.position_mm, vector_under(json, "direction", "the tool"));
   } else {
-    for (int i = 0; i < 9; ++i) touching.pose.rotation(i / 3, i % 3) = json.at("rotation").at(i).get<double>();
+    const std::vector<Json> rotation = list_under(json, "rotation", "the tool");
+    if (rotation.size() != 9) refuse_at("rotation", "{0} must be nine numbers, row by row.");
+    for (int i = 0; i < 9; ++i)
+      touching.pose.rotation(i / 3, i % 3) = number_in(rotation[static_cast<std::size_t>(i)], "rotation");
   }
-  if (json.contains("push_mN")) touching.push_mN = json.at("push_mN").get<double>();
+  if (json.contains("push_mN")) touching.push_mN = number_under(json, "push_mN", "the tool");
   return {id, std::move(touching)};
+}
+
+std::pair<SessionCommand, std::string> command_from(const Json& json) {
+  check_keys(json, {"hold", "release", "undo", "digest"});
+  if (json.count("hold") + json.count("release") + json.count("undo") != 1)
+    refuse_at("it", "{0} must say one thing to do.");
+  const std::string digest = json.contains("digest") ? text_in(json["digest"], "digest") : std::string();
+  if (json.contains("hold")) return {HoldTool{tool_from(json["hold"])}, digest};
+  if (json.contains("release")) return {ReleaseTool{text_in(json["release"], "release")}, digest};
+  return {Undo{}, digest};
 }
 
 }  // namespace
@@ -117,7 +138,7 @@ std::string recording_text(const Recording& recording) {
 Result<Recording> parse_recording(std::string_view json, const std::filesystem::path& file) {
   const auto document = parse_json(json, file);
   if (!document) return failure(document.error());
-  const auto refuse = [&](const std::string& which, const std::string& why) {
+  const auto cannot_be_read = [&](const std::string& which, const std::string& why) {
     return failure(Error{"session-invalid",
                          GLISSON_TEXT("{0} of the session cannot be read: {1}."),
                          {which, why},
@@ -126,29 +147,17 @@ Result<Recording> parse_recording(std::string_view json, const std::filesystem::
   };
   const Json* commands = value_in(*document, "commands");
   if (!says(*document, "format", "glisson-session/1") || commands == nullptr || !commands->is_array()) {
-    return refuse("The head", "it does not say \"format\": \"glisson-session/1\" with a list of commands");
+    return cannot_be_read("The head", "it does not say \"format\": \"glisson-session/1\" with a list of commands");
   }
   Recording recording;
-  for (const Json& command : *commands) {
-    const std::string which = "Command " + std::to_string(recording.size() + 1);
-    try {
-      check_keys(command, {"hold", "release", "undo", "digest"});
-      if (command.count("hold") + command.count("release") + command.count("undo") != 1) {
-        return refuse(which, "it must say one thing to do");
-      }
-      const std::string digest = command.value("digest", "");
-      if (command.contains("hold")) {
-        recording.emplace_back(HoldTool{tool_from(command.at("hold"))}, digest);
-      } else if (command.contains("release")) {
-        recording.emplace_back(ReleaseTool{command.at("release").get<std::string>()}, digest);
-      } else {
-        recording.emplace_back(Undo{}, digest);
-      }
-    } catch (const Json::exception& problem) {
-      return refuse(which, problem.what());
-    } catch (const std::invalid_argument& problem) {
-      return refuse(which, problem.what());
+  for (const Json& json_of_command : *commands) {
+    auto command = reading("session-invalid", file, [&] { return command_from(json_of_command); });
+    if (!command) {
+      std::string why = command.error().message();
+      if (why.ends_with('.')) why.pop_back();
+      return cannot_be_read("Command " + std::to_string(recording.size() + 1), why);
     }
+    recording.push_back(*std::move(command));
   }
   return recording;
 }

@@ -124,7 +124,7 @@ const SessionFrame& SessionEngine::step(const SessionCommand& command) {
   return *parts.latest;
 }
 
-// The twin is moved beside the patient, on a thread of its own.
+// The reference body is moved beside the patient, on a thread of its own.
 Result<Moment> SessionEngine::Impl::moved(const Moment& from, const Tools& tools) const {
   const mechanics::ContactOptions options;
   // A force that grows at once carries the surface past the tool that it should meet; a quarter of a newton moves a

@@ -77,8 +77,8 @@ class PlacedTool {
   // The bodies under that force (N, patient LPS). The force must be finite.
   [[nodiscard]] RehearsalFrame answer(const Eigen::Vector3d& force_N) const;
 
-  // The largest force (N, to a thousandth of `most_N`) along that unit direction which stays within the model; at most
-  // `most_N`. 0 where the standing loads leave it already.
+  // The largest force (N, to a thousandth of `maximum_N`) along that unit direction which stays within the model; at
+  // most `maximum_N`. 0 where the standing loads leave it already.
   [[nodiscard]] double force_within_the_model_N(const Eigen::Vector3d& direction, double maximum_N) const;
 
   // Displacement of every mesh point of the patient's body (mm), for saving a result.

@@ -69,12 +69,12 @@ Page explanation_page(const Explanation& explanation, const Observations& observ
   page.blocks.push_back(Paragraph{shape_sentence(explanation.residual_after)});
   page.blocks.push_back(Heading{"What to measure next"});
   if (explanation.next) {
-    std::string rivals;
-    for (const auto& kind : explanation.next->rivals) rivals += (rivals.empty() ? "" : ", ") + kind;
+    std::string alternatives;
+    for (const auto& kind : explanation.next->alternatives) alternatives += (alternatives.empty() ? "" : ", ") + kind;
     page.blocks.push_back(Paragraph{
         fmt::format("{} Expected to tell what was found from {}: the predictions are {:.0f} standard deviations "
                     "of the noise apart.",
-                    explanation.next->sentence, rivals, explanation.next->expected_separation)});
+                    explanation.next->sentence, alternatives, explanation.next->expected_separation)});
   } else {
     page.blocks.push_back(
         Paragraph{"No further trial is needed to tell the leading explanations apart, or none is "

@@ -8,6 +8,7 @@
 
 #include "casefile/model_upkeep.h"
 #include "casefile/result_folder.h"
+#include "casefile/structure_landmarks.h"
 #include "casefile/structures.h"
 #include "geometry/mesh_file.h"
 #include "mechanics/elements/point_location.h"

@@ -15,7 +15,7 @@
 #include <cstring>
 #include <string_view>
 
-#include "scene/furniture.h"
+#include "scene/annotations.h"
 #include "scene/markers.h"
 #include "scene/offscreen.h"
 #include "scene/overlay.h"

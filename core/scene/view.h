@@ -36,7 +36,7 @@ class View {
   void move_slice(std::size_t slice, const Eigen::Vector3d& center_mm);
   void turn_slice(std::size_t slice, const Eigen::Vector3d& normal);
   void set_window(std::size_t slice, double center, double width);
-  void set_furniture(const Annotations& annotations);
+  void set_annotations(const Annotations& annotations);
   // What is drawn over the slices while a person works; it stays when another scene is shown.
   void set_drawn_lines(const std::vector<DrawnLines>& lines);
   void set_drawn_cells(const std::optional<DrawnCells>& cells);

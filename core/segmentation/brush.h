@@ -38,7 +38,7 @@ struct GreyRange {
 };
 
 // The grey values that are like those under a click: the median of the voxels within `around_mm` of it, and `spread`
-// times their robust standard deviation (1.4826 times the median deviation) both ways, but at least `least_share` of
+// times their robust standard deviation (1.4826 times the median deviation) both ways, but at least `minimum_share` of
 // the image's own range from its 1st to its 99th hundredth, since a dozen even voxels say little of an organ. Absent
 // where the click is outside of the image.
 struct LikenessOptions {

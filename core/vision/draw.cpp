@@ -11,6 +11,12 @@ namespace {
 
 // OpenCV's drawing knows only a picture of three numbers a pixel: ours are red, green, blue.
 cv::Mat pixels_of(Frame& frame) { return {frame.height, frame.width, CV_8UC3, frame.rgb.data()}; }
+constexpr int shift = 4;  // OpenCV's corners in sixteenths of a pixel
+cv::Point in_sixteenths(const Eigen::Vector2d& at) {
+  const auto within = [](double px) { return std::clamp(px, -1e5, 1e5); };
+  return {static_cast<int>(std::lround(within(at.x()) * (1 << shift))),
+          static_cast<int>(std::lround(within(at.y()) * (1 << shift)))};
+}
 cv::Scalar scalar(const Rgb& colour) { return {double(colour[0]), double(colour[1]), double(colour[2])}; }
 
 }  // namespace
@@ -36,23 +42,31 @@ std::vector<std::optional<Eigen::Vector2d>> project(const Camera& camera,
 }
 
 void draw_triangles(Frame& frame, const std::vector<FlatTriangle>& triangles, double opacity) {
-  constexpr int shift = 4;  // OpenCV's corners in sixteenths of a pixel
   cv::Mat picture = pixels_of(frame);
   cv::Mat layer = picture.clone();
-  const auto fixed = [](const Eigen::Vector2d& at) {
-    const auto far = [](double px) { return std::clamp(px, -1e5, 1e5); };
-    return cv::Point(static_cast<int>(std::lround(far(at.x()) * (1 << shift))),
-                     static_cast<int>(std::lround(far(at.y()) * (1 << shift))));
-  };
   for (const FlatTriangle& triangle : triangles) {
-    const std::array<cv::Point, 3> corners{fixed(triangle.corners_px[0]), fixed(triangle.corners_px[1]),
-                                           fixed(triangle.corners_px[2])};
+    const std::array<cv::Point, 3> corners{in_sixteenths(triangle.corners_px[0]), in_sixteenths(triangle.corners_px[1]),
+                                           in_sixteenths(triangle.corners_px[2])};
     cv::fillConvexPoly(layer, corners.data(), 3, scalar(triangle.colour), cv::LINE_AA, shift);
     const cv::Point* outline = corners.data();
     const int count = 3;
     cv::polylines(layer, &outline, &count, 1, true, 0.6 * scalar(triangle.colour), 1, cv::LINE_AA, shift);
   }
   cv::addWeighted(layer, opacity, picture, 1 - opacity, 0, picture);
+}
+
+void draw_outline(Frame& frame, const std::vector<std::array<Eigen::Vector2d, 3>>& triangles_px, Rgb colour,
+                  int width_px) {
+  cv::Mat covered(frame.height, frame.width, CV_8UC1, cv::Scalar(0));
+  for (const auto& triangle : triangles_px) {
+    const std::array<cv::Point, 3> corners{in_sixteenths(triangle[0]), in_sixteenths(triangle[1]),
+                                           in_sixteenths(triangle[2])};
+    cv::fillConvexPoly(covered, corners.data(), 3, cv::Scalar(255), cv::LINE_8, shift);
+  }
+  std::vector<std::vector<cv::Point>> outlines;
+  cv::findContours(covered, outlines, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE);
+  cv::Mat picture = pixels_of(frame);
+  cv::polylines(picture, outlines, true, scalar(colour), width_px, cv::LINE_AA);
 }
 
 void draw_rectangle(Frame& frame, int x, int y, int width, int height, Rgb colour) {

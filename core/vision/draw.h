@@ -27,6 +27,10 @@ struct FlatTriangle {
 // edges as thin darker lines.
 void draw_triangles(Frame& frame, const std::vector<FlatTriangle>& triangles, double opacity);
 
+// The outline of what the triangles cover together, as a line, drawn over the frame; nothing where they are empty.
+void draw_outline(Frame& frame, const std::vector<std::array<Eigen::Vector2d, 3>>& triangles_px, Rgb colour,
+                  int width_px);
+
 // A filled rectangle, and a line of text (ASCII) whose capitals are `height_px` tall, from its lower left corner.
 void draw_rectangle(Frame& frame, int x, int y, int width, int height, Rgb colour);
 void draw_text(Frame& frame, int x, int y, int height_px, const std::string& text, Rgb colour);

@@ -170,6 +170,40 @@ TEST(Docs, EachRoomHasAPageThatNamesItsFiles) {
   }
 }
 
+std::vector<fs::path> sources() {
+  std::vector<fs::path> found;
+  for (const char* top : {"core", "app", "widgets"})
+    for (const auto& entry : fs::recursive_directory_iterator(root / top))
+      if (entry.path().extension() == ".cpp" || entry.path().extension() == ".h") found.push_back(entry.path());
+  return found;
+}
+
+bool any_ends_with(const std::vector<fs::path>& files, const std::string& name) {
+  return std::any_of(files.begin(), files.end(), [&](const fs::path& file) {
+    return file.filename() == name || file.generic_string().ends_with("/" + name);
+  });
+}
+
+// "(statics/validity.h)": what a comment sends its reader to is there.
+TEST(Docs, FilesNamedInCommentsExist) {
+  const std::set<std::string> of_others = {"nifti1.h", "qcustomplot.h"};
+  const std::regex name("((?:[a-z_0-9]+/)*[a-z_0-9]+\\.(?:h|cpp))\\b");
+  std::vector<fs::path> files = sources();
+  for (const auto& entry : fs::recursive_directory_iterator(root / "tests")) files.push_back(entry.path());
+  int checked = 0;
+  for (const fs::path& file : sources()) {
+    for (const std::string& line : lines_of(file)) {
+      const std::size_t comment = line.find("//");
+      if (comment == std::string::npos || (comment > 0 && line[comment - 1] == ':')) continue;
+      for (const std::string& named : matches(line.substr(comment), name)) {
+        EXPECT_TRUE(of_others.contains(named) || any_ends_with(files, named)) << file << " names " << named;
+        ++checked;
+      }
+    }
+  }
+  EXPECT_GT(checked, 100);
+}
+
 // Every word of our sources.
 std::set<std::string> words_in(const fs::path& folder) {
   std::set<std::string> words;

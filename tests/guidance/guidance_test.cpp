@@ -64,7 +64,9 @@ Isometry3d somewhere() {
 SeenFrame half_seen(const geometry::TetMesh& mesh, const Isometry3d& pose) {
   std::mt19937 random(3);
   std::normal_distribution<double> noise(0, 0.4);
-  SeenFrame frame{"f0", {}, 0.4, {}, {}, {}};
+  SeenFrame frame;
+  frame.id = "f0";
+  frame.noise_mm = 0.4;
   const geometry::Surface surface = geometry::boundary_surface(mesh);
   for (const auto& triangle : surface.triangles) {
     const auto corner = [&](int k) { return surface.points_mm[static_cast<std::size_t>(triangle[k])]; };

@@ -111,7 +111,7 @@ TEST(Potentials, ForceIsTheSlopeOfEnergyAndTangentTheSlopeOfForceOfEachTermOfABo
   }
 }
 
-// The places are chosen by hand: pressing, apart, and dragged within and beyond what friction bears.
+// The places are chosen by hand: pressing, apart, and sliding within and beyond the limit of friction.
 TEST(Potentials, ForceIsTheSlopeOfEnergyAndTangentTheSlopeOfForceOfEachContact) {
   const Body body = body_of(block(), 6, ElementOrder::linear, {});
   const VectorXd u = wavy(body, 0.1);
@@ -125,20 +125,20 @@ TEST(Potentials, ForceIsTheSlopeOfEnergyAndTangentTheSlopeOfForceOfEachContact) 
   }
   const Vector3d place_mm = place_of(constraint, u);
   constraint.rod = {place_mm + Vector3d(-3, 1.2, 1.0), place_mm + Vector3d(3, 1.3, 0.9), 1.5};
-  constraint.force_mN = 40;
+  constraint.multiplier_mN = 40;
   const double gap_mm = gap_of(constraint, u).mm;
   ASSERT_LT(std::abs(gap_mm), 0.5);
   const std::vector<ContactConstraint> pressing{constraint};
   expect_slopes(ToolContactPotential(pressing, k), body, u, "tool", 10);
   std::vector<ContactConstraint> apart{constraint};
-  apart.front().force_mN = k * gap_mm - 1;
+  apart.front().multiplier_mN = k * gap_mm - 1;
   expect_slopes(ToolContactPotential(apart, k), body, u, "tool apart", 0);
   for (const double slid_mm : {0.001, 0.5}) {
-    ContactConstraint dragged = constraint;
-    dragged.friction = 0.4;
-    limit_drag(dragged, u);
-    dragged.from_mm = place_mm - slid_mm * Vector3d(1, 0, 0);
-    const std::vector<ContactConstraint> one{dragged};
+    ContactConstraint sliding = constraint;
+    sliding.friction = 0.4;
+    limit_friction(sliding, u);
+    sliding.from_mm = place_mm - slid_mm * Vector3d(1, 0, 0);
+    const std::vector<ContactConstraint> one{sliding};
     expect_slopes(ToolContactPotential(one, k), body, u, "friction", 10);
   }
 
@@ -152,7 +152,7 @@ TEST(Potentials, ForceIsTheSlopeOfEnergyAndTangentTheSlopeOfForceOfEachContact) 
   contact.weights = Vector3d(0.5, 0.3, 0.2);
   contact.normal = Vector3d(1, 2, 2) / 3;
   contact.rest_mm = body.layout.positions_mm[contact.point] - body.layout.positions_mm[nodes[0]];
-  contact.force_mN = 20000;
+  contact.multiplier_mN = 20000;
   const std::vector<CutContact> contacts{contact};
   ASSERT_GT(normal_force_mN(contact, k, u), 0);
   expect_slopes(CutContactPotential(contacts, k), body, u, "cut", 10);

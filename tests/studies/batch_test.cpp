@@ -1,6 +1,6 @@
 // A batch that is stopped goes on where it was, and one patient's failure stays that patient's.
 
-#include "studies/batch.h"
+#include "studies/dissertation/batch.h"
 
 #include <gmock/gmock.h>
 #include <fstream>

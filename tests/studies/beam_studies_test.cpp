@@ -4,9 +4,9 @@
 
 #include "base/files.h"
 #include "hardware/convergence_curve.h"
-#include "studies/beam_mesh.h"
-#include "studies/beam_regions.h"
-#include "studies/convergence_study.h"
+#include "studies/dissertation/beam_regions.h"
+#include "studies/dissertation/convergence_study.h"
+#include "studies/dissertation/internal/beam_mesh.h"
 
 namespace glisson::studies {
 namespace {

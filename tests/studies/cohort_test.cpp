@@ -1,6 +1,6 @@
 // The cohort's statistics on maps whose statistics are known, on a simulated cohort, and on measured brains.
 
-#include "studies/cohort.h"
+#include "studies/dissertation/cohort.h"
 
 #include <gmock/gmock.h>
 #include <fstream>

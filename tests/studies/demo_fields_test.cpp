@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/noise.h"
-#include "studies/demo_elastography.h"
+#include "studies/demo/elastography.h"
 
 namespace glisson::studies {
 namespace {

@@ -1,6 +1,6 @@
 // The demo patient: what the program makes of its own DICOM files can be held against a known truth.
 
-#include "studies/demo_patient.h"
+#include "studies/demo/patient.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // The example sequence: judged as any other, it shows the fault that was put into it, and where.
 
-#include "studies/example_sequence.h"
+#include "studies/review/example_sequence.h"
 
 #include <gtest/gtest.h>
 

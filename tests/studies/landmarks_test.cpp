@@ -1,6 +1,6 @@
 // What the landmark studies say of livers that are as the atlas, softer, or of two halves.
 
-#include "studies/landmarks.h"
+#include "studies/dissertation/landmarks.h"
 
 #include <gmock/gmock.h>
 

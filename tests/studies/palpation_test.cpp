@@ -1,6 +1,6 @@
 // The pressed phantom: mechanics that are known, and scans whose difference from the model is known.
 
-#include "studies/palpation.h"
+#include "studies/dissertation/palpation.h"
 
 #include <gmock/gmock.h>
 #include <numeric>

@@ -1,6 +1,6 @@
 // Section 4.6 from its own figures, and from a map whose regions are known.
 
-#include "studies/validate_stiffness.h"
+#include "studies/dissertation/validate_stiffness.h"
 
 #include <gmock/gmock.h>
 

@@ -13,7 +13,7 @@ PANEL = """
 namespace glisson::widgets {
 Panel::Panel() {
   setObjectName("some panel");
-  worded(this, [this] { label_->setText(tr("%1 of \\"%2\\" "
+  keep_translated(this, [this] { label_->setText(tr("%1 of \\"%2\\" "
                                            "cells").arg(1).arg(QString("a"))); });
   /* setText("Not shown") */
 }
@@ -77,11 +77,11 @@ class Words(unittest.TestCase):
         self.assert_found("%2", "other placeholders")
 
     def test_finds_an_unmarked_text_of_the_window(self):
-        self.write("widgets/panel.cpp", PANEL.replace("worded(", 'button_->setToolTip("mesh"); worded('))
+        self.write("widgets/panel.cpp", PANEL.replace("keep_translated(", 'button_->setToolTip("mesh"); keep_translated('))
         self.assert_found("widgets/panel.cpp:6", "not in tr()", "mesh")
 
     def test_finds_an_unmarked_sentence_anywhere_in_the_window(self):
-        self.write("widgets/panel.cpp", PANEL.replace("worded(", 'const QString text = "Some words"; worded('))
+        self.write("widgets/panel.cpp", PANEL.replace("keep_translated(", 'const QString text = "Some words"; keep_translated('))
         self.assert_found("not in tr()", "Some words")
 
     def test_finds_an_unmarked_sentence_of_the_core(self):

@@ -12,7 +12,7 @@
 #include "kept_pictures.h"
 #include "run_test.h"
 #include "shown.h"
-#include "studies/example_sequence.h"
+#include "studies/review/example_sequence.h"
 #include "support/folders.h"
 #include "widgets/register/register_page.h"
 #include "widgets/words/number_box.h"

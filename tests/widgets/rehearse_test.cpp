@@ -156,21 +156,21 @@ class RehearseTest : public QObject {
     }
     QVERIFY(beside != nullptr);
     QTest::mouseClick(beside, Qt::LeftButton);
-    SpaceView& twin = window_->views().twin();
-    QTRY_VERIFY(twin.isVisible());
+    SpaceView& second = window_->views().second_space();
+    QTRY_VERIFY(second.isVisible());
     QTest::qWait(100);
-    for (SpaceView* by_hand : {&space(), &twin}) {
+    for (SpaceView* by_hand : {&space(), &second}) {
       const QPoint corner(20, 60);
       drag_in(*by_hand, corner, corner + QPoint(50, 20));
-      QVERIFY((space().view().camera().sight - twin.view().camera().sight).norm() < 1e-12);
+      QVERIFY((space().view().camera().sight - second.view().camera().sight).norm() < 1e-12);
     }
     // The atlas is twice as stiff, so the two pictures differ.
     QTest::qWait(100);
-    QVERIFY(space().picture() != twin.picture());
+    QVERIFY(space().picture() != second.picture());
     for (QPushButton* button : window_->findChildren<QPushButton*>()) {
       if (button->text() == "Patient") QTest::mouseClick(button, Qt::LeftButton);
     }
-    QVERIFY(!twin.isVisible());
+    QVERIFY(!second.isVisible());
     QCOMPARE(window_->views().view_layout(), ViewLayout::square);
   }
 

@@ -208,7 +208,7 @@ void ToolControls::show_force(double force_N) {
 }
 
 // Where another hand than this panel's took or moved the tool.
-void ToolControls::show_tool_in_hand() {
+void ToolControls::show_current_tool() {
   const PlacedTool& tool = rehearsal_.tools().back();
   const int index = tool_->findData(QString::fromStdString(tool.preset));
   if (index >= 0) tool_->setCurrentIndex(index);
@@ -230,7 +230,7 @@ void ToolControls::mark_where_the_model_ends() {
 }
 
 void ToolControls::follow() {
-  if (rehearsal_.has_tool()) show_tool_in_hand();
+  if (rehearsal_.has_tool()) show_current_tool();
   mark_where_the_model_ends();
   setEnabled(!rehearsal_.frozen());
   rigid_->setEnabled(rehearsal_.knows_rigid_tools());

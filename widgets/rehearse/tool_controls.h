@@ -43,7 +43,7 @@ class ToolControls : public QWidget {
   void apply_direction();
   [[nodiscard]] Eigen::Vector3d chosen_direction() const;
   void show_force(double force_N);
-  void show_tool_in_hand();
+  void show_current_tool();
   void mark_where_the_model_ends();
   void set_force(double force_N);
   void hold(const Eigen::Vector3d& center_mm);

@@ -83,9 +83,9 @@ void LiveRehearsal::exchange_body(std::shared_ptr<const rehearsal::StaticRehears
 void LiveRehearsal::set_touch(Touch touch) {
   if (touch == touch_ || (touch == Touch::rigid && !setup_)) return;
   touch_ = touch;
-  const std::optional<PlacedTool> in_hand = tools_.empty() ? std::nullopt : std::optional(tools_.back());
+  const std::optional<PlacedTool> current = tools_.empty() ? std::nullopt : std::optional(tools_.back());
   start_anew();
-  if (in_hand) hold(*in_hand);
+  if (current) hold(*current);
 }
 
 void LiveRehearsal::start_anew() {

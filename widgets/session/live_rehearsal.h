@@ -73,7 +73,7 @@ class LiveRehearsal : public QObject {
   [[nodiscard]] Solving solving() const { return solving_; }
   // Why the last command was not carried out; the frame is of what was before it.
   [[nodiscard]] const std::optional<Error>& refusal() const { return refusal_; }
-  // The largest force along the present direction that stays within the model, at most `most_N`; known of a patch
+  // The largest force along the present direction that stays within the model, at most `maximum_N`; known of a patch
   // alone.
   [[nodiscard]] std::optional<double> force_within_the_model_N(double maximum_N) const;
 

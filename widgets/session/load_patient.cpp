@@ -9,7 +9,7 @@
 #include "casefile/model.h"
 #include "casefile/structures.h"
 #include "mechanics/simulation.h"
-#include "studies/demo.h"
+#include "studies/demo/demo.h"
 
 namespace glisson::widgets {
 namespace fs = std::filesystem;

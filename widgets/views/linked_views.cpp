@@ -13,23 +13,24 @@ LinkedViews::LinkedViews(QWidget* parent) : QWidget(parent) {
   slices_ = {new SliceView(SliceDirection::transverse), new SliceView(SliceDirection::coronal),
              new SliceView(SliceDirection::sagittal)};
   space_ = new SpaceView;
-  twin_ = new SpaceView;
-  twin_->setObjectName("twin_view");
-  twin_->set_follower();
+  second_space_ = new SpaceView;
+  second_space_->setObjectName("second_space_view");
+  second_space_->set_follower();
   // The accents are those of the crosshair's lines (slice_view.cpp).
   frames_ = {new ViewFrame(QColor(107, 166, 250), slices_[0]), new ViewFrame({}, space_),
              new ViewFrame(QColor(115, 204, 128), slices_[1]), new ViewFrame(QColor(237, 140, 102), slices_[2]),
-             new ViewFrame({}, twin_)};
+             new ViewFrame({}, second_space_)};
   for (ViewFrame* frame : frames_) frame->setParent(this);
   grid_ = new QGridLayout(this);
   grid_->setContentsMargins(0, 0, 0, 0);
   grid_->setSpacing(3);
   set_layout(ViewLayout::square);
 
-  connect(space_, &SpaceView::camera_changed, twin_, [this] {
-    if (layout_ == ViewLayout::twins) twin_->follow(space_->view().camera());
+  connect(space_, &SpaceView::camera_changed, second_space_, [this] {
+    if (layout_ == ViewLayout::side_by_side) second_space_->follow(space_->view().camera());
   });
-  connect(twin_, &SpaceView::camera_changed, space_, [this] { space_->follow(twin_->view().camera()); });
+  connect(second_space_, &SpaceView::camera_changed, space_,
+          [this] { space_->follow(second_space_->view().camera()); });
   for (SliceView* slice : slices_) {
     connect(slice, &SliceView::crosshair_moved, this, [this, slice](const Eigen::Vector3d& position_mm) {
       for (SliceView* other : slices_) {
@@ -117,14 +118,15 @@ void LinkedViews::straighten() {
 }
 
 void LinkedViews::set_caption_of_pictures(const QString& caption) {
-  for (RenderWidget* view : std::initializer_list<RenderWidget*>{slices_[0], slices_[1], slices_[2], space_, twin_})
+  for (RenderWidget* view :
+       std::initializer_list<RenderWidget*>{slices_[0], slices_[1], slices_[2], space_, second_space_})
     view->set_caption_of_pictures(caption);
 }
 
 void LinkedViews::save_view_in_use() { save_picture(static_cast<std::size_t>(frame_in_use())); }
 
 void LinkedViews::save_picture(std::size_t frame) {
-  const std::array<RenderWidget*, 5> views{slices_[0], space_, slices_[1], slices_[2], twin_};
+  const std::array<RenderWidget*, 5> views{slices_[0], space_, slices_[1], slices_[2], second_space_};
   const QImage picture = views[frame]->smooth_picture();  // as it is now, before a dialog lies over it
   static constexpr const char* proposed = "view.png";
   const QString file = ask_where_to_save(this, tr("Save the picture"), proposed, tr("Pictures (*.png)"));
@@ -144,7 +146,7 @@ void LinkedViews::set_crosshair(const Eigen::Vector3d& position_mm) {
 void LinkedViews::redraw() {
   for (SliceView* slice : slices_) slice->redraw();
   space_->redraw();
-  twin_->redraw();
+  second_space_->redraw();
 }
 
 void LinkedViews::toggle_maximised(ViewFrame* frame) {
@@ -159,10 +161,10 @@ int LinkedViews::frame_in_use() const {
   return last_used_;
 }
 
-void LinkedViews::show_twin(bool shown) {
-  if (shown == (layout_ == ViewLayout::twins)) return;
-  if (shown) before_twins_ = layout_;
-  set_layout(shown ? ViewLayout::twins : before_twins_);
+void LinkedViews::show_second_space(bool shown) {
+  if (shown == (layout_ == ViewLayout::side_by_side)) return;
+  if (shown) before_side_by_side_ = layout_;
+  set_layout(shown ? ViewLayout::side_by_side : before_side_by_side_);
 }
 
 void LinkedViews::set_layout(ViewLayout layout) {
@@ -183,7 +185,7 @@ void LinkedViews::set_layout(ViewLayout layout) {
       arrange({{0, 0, 0, 1, 1}, {2, 0, 1, 1, 1}, {3, 0, 2, 1, 1}}, {1}, {1, 1, 1});
       break;
     case ViewLayout::one: arrange({{last_used_, 0, 0, 1, 1}}, {1}, {1}); break;
-    case ViewLayout::twins: arrange({{1, 0, 0, 1, 1}, {4, 0, 1, 1, 1}}, {1}, {1, 1}); break;
+    case ViewLayout::side_by_side: arrange({{1, 0, 0, 1, 1}, {4, 0, 1, 1, 1}}, {1}, {1, 1}); break;
   }
   Q_EMIT layout_changed();
 }

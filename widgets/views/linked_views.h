@@ -1,6 +1,6 @@
 #pragma once
 // Three slices through one point, and the patient in space: four views in a square, or laid out otherwise, any of which
-// can fill it. A second view in space, the twin, turns with the first when two bodies are compared.
+// can fill it. A second view in space turns with the first when two bodies are compared.
 
 #include <array>
 #include <QGridLayout>
@@ -14,7 +14,7 @@
 
 namespace glisson::widgets {
 
-enum class ViewLayout { square, space_large, slices_in_a_row, one, twins };
+enum class ViewLayout { square, space_large, slices_in_a_row, one, side_by_side };
 
 class LinkedViews : public QWidget {
   Q_OBJECT
@@ -23,7 +23,7 @@ class LinkedViews : public QWidget {
   explicit LinkedViews(QWidget* parent = nullptr);
 
   [[nodiscard]] SpaceView& space() { return *space_; }
-  [[nodiscard]] SpaceView& twin() { return *twin_; }
+  [[nodiscard]] SpaceView& second_space() { return *second_space_; }
   [[nodiscard]] SliceView& slice(SliceDirection direction) { return *slices_[static_cast<std::size_t>(direction)]; }
   [[nodiscard]] const std::array<SliceView*, 3>& slices() const { return slices_; }
 
@@ -53,7 +53,7 @@ class LinkedViews : public QWidget {
   void set_layout(ViewLayout layout);
   [[nodiscard]] ViewLayout view_layout() const { return layout_; }
   // Two views in space beside each other, or the layout of before.
-  void show_twin(bool shown);
+  void show_second_space(bool shown);
 
  Q_SIGNALS:
   void crosshair_moved(const Eigen::Vector3d& position_mm);
@@ -71,12 +71,12 @@ class LinkedViews : public QWidget {
 
   std::array<SliceView*, 3> slices_{};
   SpaceView* space_ = nullptr;
-  SpaceView* twin_ = nullptr;
-  std::array<ViewFrame*, 5> frames_{};  // transverse, space, coronal, sagittal, twin
+  SpaceView* second_space_ = nullptr;
+  std::array<ViewFrame*, 5> frames_{};  // transverse, space, coronal, sagittal, second space
   QGridLayout* grid_ = nullptr;
   ViewLayout layout_ = ViewLayout::square;
   ViewLayout before_one_ = ViewLayout::square;
-  ViewLayout before_twins_ = ViewLayout::square;
+  ViewLayout before_side_by_side_ = ViewLayout::square;
   int last_used_ = 1;
   std::shared_ptr<const imaging::Volume> volume_;  // in the slices
 };

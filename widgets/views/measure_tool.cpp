@@ -17,7 +17,7 @@ MeasureTool::MeasureTool(LinkedViews& views, QObject* parent) : QObject(parent),
     slice->installEventFilter(this);
     connect(slice, &SliceView::slice_moved, this, &MeasureTool::draw);
   }
-  for (SpaceView* space : {&views_.space(), &views_.twin()}) space->installEventFilter(this);
+  for (SpaceView* space : {&views_.space(), &views_.second_space()}) space->installEventFilter(this);
 }
 
 void MeasureTool::begin(std::optional<MeasureKind> kind) {
@@ -165,7 +165,7 @@ void MeasureTool::draw() {
   }
   std::vector<scene::LineItem> lines;
   for (const Measurement& each : all) append(lines, lines_in_space(each));
-  for (SpaceView* space : {&views_.space(), &views_.twin()}) {
+  for (SpaceView* space : {&views_.space(), &views_.second_space()}) {
     space->view().set_lines(lines);
     space->redraw();
   }

@@ -117,7 +117,7 @@ void PatientViews::show_patient(const Patient& patient) {
     const imaging::Grid& grid = patient.anatomy->grid;
     views_.set_crosshair(grid.position_mm(Eigen::Vector3d(grid.size[0], grid.size[1], grid.size[2]) * 0.5));
   }
-  views_.show_twin(false);
+  views_.show_second_space(false);
   rebuild_slices();
   rebuild_space();
   views_.space().frame_all();
@@ -151,7 +151,7 @@ void PatientViews::show_frame(const rehearsal::RehearsalFrame* frame, const std:
 
 void PatientViews::set_bodies(Bodies bodies) {
   bodies_ = bodies;
-  views_.show_twin(bodies == Bodies::side_by_side);
+  views_.show_second_space(bodies == Bodies::side_by_side);
   rebuild_slices();
   rebuild_space();
 }
@@ -259,8 +259,8 @@ void PatientViews::rebuild_space() {
     atlas.annotations.title = tr("One stiffness from the atlas").toStdString();
     for (scene::Scene* each : {&patient, &atlas}) each->annotations.text_scale = 0.8;
     views_.space().show_scene(patient);
-    views_.twin().show_scene(atlas);
-    views_.twin().follow(views_.space().view().camera());
+    views_.second_space().show_scene(atlas);
+    views_.second_space().follow(views_.space().view().camera());
   } else {
     views_.space().show_scene(space_scene(bodies_));
   }
@@ -347,7 +347,7 @@ void PatientViews::apply_frame() {
   move_body(atlas_body_, atlas);
 
   draw_marks(views_.space(), bodies_ == Bodies::atlas && atlas != nullptr ? atlas : own);
-  if (bodies_ == Bodies::side_by_side) draw_marks(views_.twin(), atlas != nullptr ? atlas : own);
+  if (bodies_ == Bodies::side_by_side) draw_marks(views_.second_space(), atlas != nullptr ? atlas : own);
   // On the screen that is said above the views; a picture that leaves it says it itself, by its first clause.
   static const QRegularExpression end_of_clause("[:,]");
   views_.set_caption_of_pictures(translated(patient_.origin).section(end_of_clause, 0, 0));
@@ -399,13 +399,14 @@ void PatientViews::move_body(const Body& body, const rehearsal::RehearsalBody* d
     const auto& rest_mm = body[k]->points_mm;
     const auto& points_mm = moved ? displaced->structures_mm[k] : rest_mm;
     const scene::Points shared_mm = moved ? std::make_shared<const std::vector<Eigen::Vector3d>>(points_mm) : nullptr;
-    for (SpaceView* space : {&views_.space(), &views_.twin()}) space->view().move_surface(body[k], shared_mm);
+    for (SpaceView* space : {&views_.space(), &views_.second_space()}) space->view().move_surface(body[k], shared_mm);
     for (SliceView* slice : views_.slices()) slice->view().move_surface(body[k], shared_mm);
     if (k != 0 || liver_colour_ != LiverColour::displacement || !has_figures(frame_) || bodies_ == Bodies::both)
       continue;
     std::vector<double> distance_mm(points_mm.size());
     for (std::size_t p = 0; p < distance_mm.size(); ++p) distance_mm[p] = (points_mm[p] - rest_mm[p]).norm();
-    for (SpaceView* space : {&views_.space(), &views_.twin()}) space->view().recolour_surface(body[k], distance_mm);
+    for (SpaceView* space : {&views_.space(), &views_.second_space()})
+      space->view().recolour_surface(body[k], distance_mm);
   }
 }
 

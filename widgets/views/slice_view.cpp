@@ -22,8 +22,8 @@ const std::array<scene::Colour, 3> axis_colours{scene::Colour{0.93, 0.55, 0.40},
 }  // namespace
 
 SliceView::SliceView(SliceDirection direction, QWidget* parent) : RenderWidget(parent), direction_(direction) {
-  furniture_.orientation = scene::Annotations::Orientation::letters;
-  furniture_.text_scale = 0.9;
+  annotations_.orientation = scene::Annotations::Orientation::letters;
+  annotations_.text_scale = 0.9;
 }
 
 Eigen::Vector3d SliceView::normal() const {
@@ -88,7 +88,7 @@ void SliceView::show_content(const SliceContent& content) {
     slice.cuts = content.cuts;
     scene.slices.push_back(std::move(slice));
   }
-  scene.annotations = furniture_;
+  scene.annotations = annotations_;
   box_ = scene::bounds(scene);
   if (auto shown = view().show(scene); !shown) return;
   if (!same_volume && !fitted_) fit();
@@ -302,15 +302,15 @@ void SliceView::tell_position() {
   const double tilt_deg = std::acos(straightness) * 180 / std::numbers::pi;
   const double along_mm = crosshair_mm_[axis];
   const auto k = static_cast<std::size_t>(axis);
-  furniture_.subtitle = content_.volume ? QString("%1 %2 mm")
-                                              .arg(along_mm >= 0 ? towards[k] : away[k])
-                                              .arg(std::abs(along_mm), 0, 'f', 1)
-                                              .toStdString()
-                                        : "";
+  annotations_.subtitle = content_.volume ? QString("%1 %2 mm")
+                                                .arg(along_mm >= 0 ? towards[k] : away[k])
+                                                .arg(std::abs(along_mm), 0, 'f', 1)
+                                                .toStdString()
+                                          : "";
   if (content_.volume && tilt_deg > 0.5) {
-    furniture_.subtitle += QString::fromUtf8(" (%1°)").arg(tilt_deg, 0, 'f', 0).toStdString();
+    annotations_.subtitle += QString::fromUtf8(" (%1°)").arg(tilt_deg, 0, 'f', 0).toStdString();
   }
-  view().set_furniture(furniture_);
+  view().set_annotations(annotations_);
 }
 
 }  // namespace glisson::widgets

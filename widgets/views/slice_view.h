@@ -89,7 +89,7 @@ class SliceView : public RenderWidget {
   SliceContent content_;
   geometry::Box box_;
   Eigen::Vector3d crosshair_mm_{0, 0, 0};
-  scene::Annotations furniture_;
+  scene::Annotations annotations_;
   Eigen::Matrix3d axes_ = Eigen::Matrix3d::Identity();
   double roll_deg_ = 0;
   Fixed held_ = Fixed::nothing;

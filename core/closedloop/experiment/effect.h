@@ -1,7 +1,7 @@
 #pragma once
 // An effect that a model may lack: what it is called, the few numbers that it has, and what it means to a surgeon.
-// How it changes the forward model is the business of each sort of experiment (material_effects.h,
-// palpation_effects.h, platform_effects.h).
+// How it changes the forward model is the business of each sort of experiment (material/effects.h,
+// palpation/internal/effects.h, hardware/effects.h).
 
 #include <Eigen/Core>
 #include <string>

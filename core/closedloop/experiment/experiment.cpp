@@ -11,6 +11,12 @@ namespace glisson::closedloop {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+Experiment experiment_from(const Json& json, const Source& source, Needs needs);
+
+}  // namespace
+
 Result<Experiment> read_experiment(const fs::path& file, Needs needs) {
   Source source{file, {}};
   auto text = read_text_file(file, std::uint64_t{64} << 20);
@@ -18,35 +24,34 @@ Result<Experiment> read_experiment(const fs::path& file, Needs needs) {
   source.text = std::move(*text);
   const auto document = parse_json(source.text, file);
   if (!document) return failure(document.error());
-  try {
-    const Json& json = *document;
-    if (!json.is_object() || json.value("format", Json()) != "glisson-experiment/1") {
-      refuse("experiment-invalid", GLISSON_TEXT("{0} is not an experiment of the format \"glisson-experiment/1\"."),
-             {file.filename().string()},
-             GLISSON_TEXT("An experiment begins with \"format\": \"glisson-experiment/1\" and \"kind\"."));
-    }
-    Experiment experiment{file, json.contains("title") ? text_in(json["title"], "title") : file.stem().string(), {}};
-    const std::string kind = text_in(required(json, "kind", "The experiment"), "kind");
-    if (kind == "palpation") {
-      experiment.setup = palpation_from(json, source, needs);
-    } else if (kind == "material") {
-      experiment.setup = material_from(json, source, needs);
-    } else if (kind == "platform") {
-      experiment.setup = platform_from(json, source, needs);
-    } else {
-      refuse("experiment-invalid", GLISSON_TEXT("There is no kind of experiment called \"{0}\"."), {kind},
-             GLISSON_TEXT("The kinds are palpation, material and platform."));
-    }
-    return experiment;
-  } catch (Refusal& refusal) {
-    if (refusal.error.file.empty()) refusal.error.file = file;
-    return failure(std::move(refusal.error));
-  }
+  return reading("experiment-invalid", file, [&] { return experiment_from(*document, source, needs); });
 }
 
-void refuse(std::string code, std::string text, std::vector<std::string> arguments, std::string cause, fs::path file) {
-  throw Refusal{{std::move(code), std::move(text), std::move(arguments), std::move(cause), std::move(file)}};
+namespace {
+
+Experiment experiment_from(const Json& json, const Source& source, Needs needs) {
+  if (!json.is_object() || json.value("format", Json()) != "glisson-experiment/1") {
+    refuse("experiment-invalid", GLISSON_TEXT("{0} is not an experiment of the format \"glisson-experiment/1\"."),
+           {source.file.filename().string()},
+           GLISSON_TEXT("An experiment begins with \"format\": \"glisson-experiment/1\" and \"kind\"."));
+  }
+  Experiment experiment{
+      source.file, json.contains("title") ? text_in(json["title"], "title") : source.file.stem().string(), {}};
+  const std::string kind = text_in(required(json, "kind", "The experiment"), "kind");
+  if (kind == "palpation") {
+    experiment.setup = palpation_from(json, source, needs);
+  } else if (kind == "material") {
+    experiment.setup = material_from(json, source, needs);
+  } else if (kind == "platform") {
+    experiment.setup = platform_from(json, source, needs);
+  } else {
+    refuse("experiment-invalid", GLISSON_TEXT("There is no kind of experiment called \"{0}\"."), {kind},
+           GLISSON_TEXT("The kinds are palpation, material and platform."));
+  }
+  return experiment;
 }
+
+}  // namespace
 
 std::size_t Source::line_of(const std::string& quoted) const {
   const std::size_t at = text.find(Json(quoted).dump());
@@ -68,47 +73,6 @@ fs::path Source::named_file(const std::string& name) const {
   return path;
 }
 
-void only_keys(const Json& json, std::initializer_list<std::string_view> known, const std::string& where) {
-  if (auto checked = refuse_unknown_keys(json, known, where); !checked) {
-    checked.error().code = "experiment-invalid";
-    throw Refusal{std::move(checked.error())};
-  }
-}
-
-const Json& required(const Json& json, const char* key, const std::string& where) {
-  const auto found = json.find(key);
-  if (found == json.end()) refuse("experiment-invalid", GLISSON_TEXT("{0} lacks \"{1}\"."), {where, key});
-  return *found;
-}
-
-double number_in(const Json& json, const std::string& where) {
-  if (!json.is_number() || !std::isfinite(json.get<double>()))
-    refuse("experiment-invalid", GLISSON_TEXT("{0} must be a finite number."), {where});
-  return json.get<double>();
-}
-
-double positive_in(const Json& json, const std::string& where) {
-  const double value = number_in(json, where);
-  if (value <= 0) refuse("experiment-invalid", GLISSON_TEXT("{0} must be above zero."), {where});
-  return value;
-}
-
-std::string text_in(const Json& json, const std::string& where) {
-  if (!json.is_string()) refuse("experiment-invalid", GLISSON_TEXT("{0} must be a text in quotes."), {where});
-  return json.get<std::string>();
-}
-
-Eigen::Vector3d vector_in(const Json& json, const std::string& where) {
-  if (!json.is_array() || json.size() != 3)
-    refuse("experiment-invalid", GLISSON_TEXT("{0} must be three numbers [x, y, z]."), {where});
-  return {number_in(json[0], where), number_in(json[1], where), number_in(json[2], where)};
-}
-
-std::optional<double> optional_positive(const Json& json, const char* key, const std::string& where) {
-  if (!json.contains(key)) return std::nullopt;
-  return positive_in(json[key], where + ", " + key);
-}
-
 std::vector<std::string> trial_ids(const Json& json) {
   const Json& trials = required(json, "trials", "The experiment");
   if (!trials.is_array() || trials.empty())
@@ -117,7 +81,7 @@ std::vector<std::string> trial_ids(const Json& json) {
   std::set<std::string> known;
   for (std::size_t t = 0; t < trials.size(); ++t) {
     const std::string where = "trial " + std::to_string(t + 1);
-    if (!trials[t].is_object()) refuse("experiment-invalid", GLISSON_TEXT("{0} must be an object in braces."), {where});
+    if (!trials[t].is_object()) refuse_at(where, GLISSON_TEXT("{0} must be an object in braces."));
     ids.push_back(text_in(required(trials[t], "id", where), where + ", id"));
     if (!known.insert(ids.back()).second)
       refuse("experiment-invalid", GLISSON_TEXT("Two trials have the id \"{0}\"."), {ids.back()});
@@ -159,11 +123,7 @@ Eigen::VectorXd times_of(const CsvTable& table, const std::string& column, const
   return times;
 }
 
-CsvTable table_of(const fs::path& file) {
-  auto table = read_csv(file);
-  if (!table) throw Refusal{std::move(table.error())};
-  return std::move(*table);
-}
+CsvTable table_of(const fs::path& file) { return taken(read_csv(file)); }
 
 void refuse_unlikely_modulus(double young_kPa, const std::string& where) {
   constexpr double stiffer_than_any_tissue_kPa = 5000;  // soft tissue and silicone phantoms end at a few hundred

@@ -1,7 +1,7 @@
 #pragma once
 // How a worn computer and its battery answer what is asked of them: section 6's constant-energy battery and simple
 // thermal model, and what may act on them. Every member stands at "does not act" until an effect
-// (platform_effects.h) changes it.
+// (effects.h) changes it.
 //
 //   demand   P0 = idle + full load x load, or idle + V I where no load is recorded
 //   power    P = ((P0 + static) (1 + c (T - T_ambient))) / efficiency

@@ -92,7 +92,7 @@ Result<Explanation> Diagnosis::run() {
   append(notes, std::move(found->notes));
   if (!search_.folds().any())
     notes.emplace_back("There is only one trial, so nothing could be predicted that was not fitted.");
-  auto next = next_measurement(search_.model(), named.fit.settings, found->rivals, options_);
+  auto next = next_measurement(search_.model(), named.fit.settings, found->alternatives, options_);
   progress_.report(1, GLISSON_TEXT("done"));
 
   const auto if_left_out = [&](const Eigen::VectorXd& trials) {

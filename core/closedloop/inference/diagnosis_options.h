@@ -50,11 +50,11 @@ struct SearchOptions {
 // What speaks for a set of effects.
 struct EvidenceOptions {
   double top_load = 0.9;  // trials beyond this share of the largest load are left out together: a tenth is another load
-  int refit_iterations = 3;               // from where the first order leads there is little left to go
-  int refit_iterations_where_quick = 10;  // where more steps cost nothing
-  double most_of_expected_error = 1.5;    // the size of the mesh's error is known roughly, from one finer mesh
-  int resamplings_of_error = 1000;        // 25 lie beyond each end of the interval
-  int resamplings_of_parameters = 400;    // 10 do; each takes a small solve
+  int refit_iterations = 3;                      // from where the first order leads there is little left to go
+  int refit_iterations_where_quick = 10;         // where more steps cost nothing
+  double maximum_share_of_expected_error = 1.5;  // the size of the mesh's error is known roughly, from one finer mesh
+  int resamplings_of_error = 1000;               // 25 lie beyond each end of the interval
+  int resamplings_of_parameters = 400;           // 10 do; each takes a small solve
   double resampling_prior = 1e-6;  // weakest of priors: keeps a resampling solvable that drew one trial again and again
 };
 
@@ -72,7 +72,7 @@ struct DiagnosisOptions {
   double undetermined = 0.5;           // of the prior width: a wider deviation is what was known before
   double told_at_end_of_range = 1e-3;  // of the range: a person takes the value for the limit
   double inseparable = 0.95;           // correlation of two parameters: a tenth of the variance is each one's own
-  double clear_separation = 4;         // standard deviations by which a further trial should tell rivals apart
+  double clear_separation = 4;         // standard deviations by which a further trial should tell alternatives apart
 
   SearchOptions search;
   EvidenceOptions evidence;

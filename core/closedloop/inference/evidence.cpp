@@ -123,7 +123,7 @@ double share_of(const Eigen::VectorXd& expected, const Eigen::VectorXd& residual
     left += r * r;
   }
   if (square == 0) return 0;
-  const double share = std::clamp(along / square, 0.0, options.most_of_expected_error);
+  const double share = std::clamp(along / square, 0.0, options.maximum_share_of_expected_error);
   const auto n = static_cast<double>(rows.size());
   const double variance = std::max(1.0, left / n);
   const double gain = 2 * share * along - share * share * square;

@@ -65,8 +65,8 @@ struct RankedCandidate {
 
 struct NextMeasurement {
   std::string sentence;
-  std::vector<std::string> rivals;  // kinds it would tell apart
-  double expected_separation = 0;   // of their predictions, in standard deviations of the noise
+  std::vector<std::string> alternatives;  // kinds it would tell apart
+  double expected_separation = 0;         // of their predictions, in standard deviations of the noise
 };
 
 struct Explanation {

@@ -1,6 +1,6 @@
 #pragma once
 // How a small specimen in a testing machine answers a prescribed stretch: an elastic law, and what may act on it. Every
-// member stands at "does not act" until an effect (material_effects.h) changes it.
+// member stands at "does not act" until an effect (effects.h) changes it.
 
 #include <Eigen/Core>
 #include <vector>

@@ -56,11 +56,9 @@ void read_specimen(const Json& json, const Source& source, Palpation& palpation)
   only_keys(json, {"mesh", "youngs_modulus_kPa", "poisson_ratio", "density_kg_m3"}, "The specimen");
   const std::string where = "specimen, youngs_modulus_kPa";
   const fs::path file = source.named_file(text_in(required(json, "mesh", "The specimen"), "specimen, mesh"));
-  auto mesh = geometry::read_tetrahedra(file);
-  if (!mesh) throw Refusal{std::move(mesh.error())};
-  if (auto checked = geometry::check_tetrahedra(*mesh); !checked)
+  palpation.mesh = taken(geometry::read_tetrahedra(file));
+  if (auto checked = geometry::check_tetrahedra(palpation.mesh); !checked)
     throw Refusal{std::move(checked.error()).in_file(file)};
-  palpation.mesh = std::move(*mesh);
   if (const double size_mm = diagonal_mm(palpation.mesh); size_mm < 2 || size_mm > 5000)
     refuse("experiment-unit", GLISSON_TEXT("The specimen in {0} is {1} mm across."),
            {file.filename().string(), std::to_string(size_mm)}, GLISSON_TEXT("Is the mesh in metres or micrometres?"),
@@ -147,9 +145,8 @@ std::array<std::size_t, 7> places_of_columns(std::string_view header, const fs::
 
 // `rows` have their names in the first column, which need not be numbers; so base/csv.h cannot read them.
 MarkerTable read_markers(const fs::path& file) {
-  const auto text = read_text_file(file, std::uint64_t{256} << 20);
-  if (!text) throw Refusal{text.error()};
-  std::string_view rest = *text;
+  const std::string text = taken(read_text_file(file, std::uint64_t{256} << 20));
+  std::string_view rest = text;
   if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);
   MarkerTable table;
   std::array<std::size_t, 7> places{};

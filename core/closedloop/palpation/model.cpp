@@ -1,19 +1,18 @@
 #include "closedloop/palpation/model.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <Eigen/QR>
 #include <limits>
-#include <map>
 #include <mutex>
 
-#include "base/units.h"
 #include "closedloop/inference/fit.h"
 #include "closedloop/palpation/internal/effects.h"
 #include "closedloop/palpation/internal/frame.h"
 #include "closedloop/palpation/internal/further.h"
+#include "closedloop/palpation/internal/linear_derivatives.h"
 #include "closedloop/palpation/internal/loading.h"
+#include "closedloop/palpation/internal/marker_rows.h"
 #include "closedloop/palpation/internal/refinement.h"
 #include "closedloop/palpation/internal/search.h"
 #include "closedloop/palpation/internal/solver.h"
@@ -26,14 +25,12 @@ namespace {
 class PalpationModel : public ForwardModel {
  public:
   PalpationModel(Palpation experiment, PalpationSolver solver, LoadColumns columns, std::vector<History> histories,
-                 std::vector<Shot> shots, std::vector<Eigen::Vector3d> places_mm, Observations observations)
+                 MarkerRows markers)
       : experiment_(std::move(experiment)),
         solver_(std::move(solver)),
         columns_(columns),
         histories_(std::move(histories)),
-        shots_(std::move(shots)),
-        places_mm_(std::move(places_mm)),
-        observations_(std::move(observations)),
+        markers_(std::move(markers)),
         catalogue_(palpation_catalogue(experiment_, solver_.specimen())),
         held_from_kPa_per_mm_(held_from_kPa_per_mm(solver_.specimen())),
         stiffened_(solver_, [this](const Settings& settings) {
@@ -41,7 +38,7 @@ class PalpationModel : public ForwardModel {
           return Acting{at, loading(at).amounts / at.stiffness_factor};
         }) {}
 
-  [[nodiscard]] const Observations& observations() const override { return observations_; }
+  [[nodiscard]] const Observations& observations() const override { return markers_.observations; }
   [[nodiscard]] const std::vector<Effect>& catalogue() const override { return catalogue_; }
   [[nodiscard]] Result<Eigen::VectorXd> predict(const Settings& settings) const override;
   [[nodiscard]] Result<Linearisation> linearise(const Settings& settings) const override;
@@ -54,33 +51,23 @@ class PalpationModel : public ForwardModel {
   [[nodiscard]] Result<Eigen::VectorXd> predict_further(std::size_t trial, const Settings& settings) const override;
 
  private:
-  using Fields = std::vector<Eigen::MatrixXd>;  // a matrix a parameter: displacements of all places at all shots
-
   [[nodiscard]] PalpationState state(const Settings& settings) const {
     return state_of(settings, held_from_kPa_per_mm_);
   }
   [[nodiscard]] Loading loading(const PalpationState& state) const {
-    return loading_of(shots_, histories_, columns_, experiment_.gravity_mm_s2, state);
+    return loading_of(markers_.shots, histories_, columns_, experiment_.gravity_mm_s2, state);
   }
   [[nodiscard]] Result<Eigen::MatrixXd> displacements(const Settings& settings) const;
-  [[nodiscard]] Result<Fields> linear_derivatives(const Settings& settings) const;
   [[nodiscard]] double promise_of_linear_fit(const Effect& effect, const Settings& active, const Start& start,
                                              const Eigen::VectorXd& residual) const;
   [[nodiscard]] double promise_of_stiffening(const Effect& effect, const Settings& active,
                                              const ResidualField& left) const;
 
-  // From displacements of all places at all shots to rows of observations; `turn` is the frame's rotation.
-  template <typename OfMarker>
-  [[nodiscard]] Eigen::VectorXd rows(const OfMarker& of_marker) const;
-  [[nodiscard]] Eigen::VectorXd seen(const PalpationState& state, const Eigen::MatrixXd& displacements_mm) const;
-
   Palpation experiment_;
   PalpationSolver solver_;
   LoadColumns columns_;
   std::vector<History> histories_;
-  std::vector<Shot> shots_;
-  std::vector<Eigen::Vector3d> places_mm_;
-  Observations observations_;
+  MarkerRows markers_;
   std::vector<Effect> catalogue_;
   double held_from_kPa_per_mm_;
 
@@ -105,107 +92,48 @@ Result<std::unique_ptr<ForwardModel>> palpation_model(Palpation experiment, cons
   auto histories = histories_and_loads(experiment, *specimen, columns, loads_mN);
   if (!histories) return failure(std::move(histories.error()));
 
-  std::vector<Shot> shots;
-  std::vector<Eigen::Vector3d> places_mm;
-  Observations seen;
-  seen.unit = "mm";
-  seen.directions = {"x", "y", "z"};
-  std::vector<Observation> rows;
-  std::map<std::array<double, 3>, Eigen::Index> known_places;
-  for (std::size_t t = 0; t < experiment.trials.size(); ++t) {
-    const PalpationTrial& trial = experiment.trials[t];
-    seen.trials.push_back(trial.id);
-    for (std::size_t s = 0; s < trial.samples.size(); ++s) {
-      const PalpationSample& sample = trial.samples[s];
-      if (sample.markers.empty()) continue;
-      Shot shot{t, static_cast<Eigen::Index>(s), static_cast<Eigen::Index>(rows.size()), {}};
-      for (const Marker& marker : sample.markers) {
-        const auto& at = marker.rest_mm;
-        const auto [place, is_new] =
-            known_places.try_emplace({at.x(), at.y(), at.z()}, static_cast<Eigen::Index>(places_mm.size()));
-        if (is_new) places_mm.push_back(at);
-        shot.markers.push_back(place->second);
-        const int point = static_cast<int>(rows.size() / 3);
-        const Eigen::Vector3d& tool_mm = trial.tool.center_mm;
-        for (int d = 0; d < 3; ++d) {
-          rows.push_back({.measured = marker.position_mm[d] - at[d],
-                          .noise = experiment.noise_mm,
-                          .trial = static_cast<int>(t),
-                          .sample = static_cast<int>(s),
-                          .direction = d,
-                          .point = point,
-                          .time_s = sample.time_s,
-                          .load = units::N_from_mN(sample.force_mN),
-                          .place_mm = at,
-                          .conditions = {tool_mm.x(), tool_mm.y(), tool_mm.z()}});
-        }
-      }
-      shots.push_back(std::move(shot));
-    }
-  }
-  if (rows.empty()) return failure("no-measurement", GLISSON_TEXT("No sample of the experiment has markers."));
-
-  seen.add(rows);
-
-  Interpolation markers(specimen->body.layout, mechanics::locate_points(specimen->body.mesh, places_mm));
+  auto seen = marker_rows(experiment);
+  if (!seen) return failure(std::move(seen.error()));
+  Interpolation markers(specimen->body.layout, mechanics::locate_points(specimen->body.mesh, seen->places_mm));
   auto solver =
       PalpationSolver::create(std::move(*specimen), std::move(loads_mN), std::move(markers), progress.part(0.1, 1.0));
   if (!solver) return failure(std::move(solver.error()));
   progress.report(1.0, GLISSON_TEXT("Solved the declared specimen"));
   return std::make_unique<PalpationModel>(std::move(experiment), std::move(*solver), columns, std::move(*histories),
-                                          std::move(shots), std::move(places_mm), std::move(seen));
+                                          std::move(*seen));
 }
 
 namespace {
 
 Result<Eigen::VectorXd> PalpationModel::predict(const Settings& settings) const {
-  return displacements(settings).map([&](const Eigen::MatrixXd& u_mm) { return seen(state(settings), u_mm); });
+  return displacements(settings).map([&](const Eigen::MatrixXd& u_mm) { return markers_.seen(state(settings), u_mm); });
 }
 
 Result<Linearisation> PalpationModel::linearise(const Settings& settings) const {
   const PalpationState at = state(settings);
   auto u_mm = displacements(settings);
   if (!u_mm) return failure(std::move(u_mm.error()));
-  auto fields = at.stiffening ? stiffened_.derivatives_at_markers(settings) : linear_derivatives(settings);
+  auto fields = at.stiffening ? stiffened_.derivatives_at_markers(settings)
+                              : linear_derivatives(solver_, columns_, loading(at), at, settings);
   if (!fields) return failure(std::move(fields.error()));
 
-  Linearisation result{seen(at, *u_mm), Eigen::MatrixXd(observations_.rows(), parameter_count(settings))};
+  Linearisation result{markers_.seen(at, *u_mm),
+                       Eigen::MatrixXd(markers_.observations.rows(), parameter_count(settings))};
   const Eigen::Matrix3d turn = rotation(at.rotation_deg);
   const auto turns = rotation_derivatives(at.rotation_deg);
   Eigen::Index column = 0;
   for (const Setting& setting : settings) {
     for (Eigen::Index p = 0; p < setting.parameters.size(); ++p, ++column) {
       const Eigen::MatrixXd& field = (*fields)[static_cast<std::size_t>(column)];
-      result.derivatives.col(column) = rows([&](Eigen::Index place, Eigen::Index shot) -> Eigen::Vector3d {
+      result.derivatives.col(column) = markers_.rows([&](Eigen::Index place, Eigen::Index shot) -> Eigen::Vector3d {
         if (setting.kind != palpation::frame_misalignment) return turn * field.col(shot).segment<3>(3 * place);
         if (p >= 3) return Eigen::Vector3d::Unit(p - 3);
         return turns[static_cast<std::size_t>(p)] *
-               (places_mm_[static_cast<std::size_t>(place)] + u_mm->col(shot).segment<3>(3 * place));
+               (markers_.places_mm[static_cast<std::size_t>(place)] + u_mm->col(shot).segment<3>(3 * place));
       });
     }
   }
   return result;
-}
-
-template <typename OfMarker>
-Eigen::VectorXd PalpationModel::rows(const OfMarker& of_marker) const {
-  Eigen::VectorXd values(observations_.rows());
-  for (std::size_t s = 0; s < shots_.size(); ++s) {
-    Eigen::Index row = shots_[s].first_row;
-    for (const Eigen::Index place : shots_[s].markers) {
-      values.segment<3>(row) = of_marker(place, static_cast<Eigen::Index>(s));
-      row += 3;
-    }
-  }
-  return values;
-}
-
-Eigen::VectorXd PalpationModel::seen(const PalpationState& state, const Eigen::MatrixXd& displacements_mm) const {
-  const Eigen::Matrix3d turn_less_one = rotation(state.rotation_deg) - Eigen::Matrix3d::Identity();
-  return rows([&](Eigen::Index place, Eigen::Index shot) -> Eigen::Vector3d {
-    const Eigen::Vector3d u = displacements_mm.col(shot).segment<3>(3 * place);
-    return u + turn_less_one * (places_mm_[static_cast<std::size_t>(place)] + u) + state.translation_mm;
-  });
 }
 
 // The discretisation error as the finer mesh shows it, tool by tool, at the loads that were read. The finer mesh is not
@@ -227,19 +155,19 @@ SystematicUncertainty PalpationModel::systematic_uncertainty() const {
       load.traction_kPa = tool.direction / area_mm2;
       tools.push_back(std::move(load));
     }
-    const Eigen::MatrixXd error_mm = discretisation_error_mm(solver_, places_mm_, tools);
+    const Eigen::MatrixXd error_mm = discretisation_error_mm(solver_, markers_.places_mm, tools);
     const auto response_mm = solver_.at_markers({});
     const Eigen::Index loads = error_mm.cols();
     if (loads == 0 || !response_mm) return;
     const Eigen::MatrixXd amounts = loading({}).amounts;
     const auto of_rows = [&](Eigen::Index load, const auto& field_mm) {
-      return rows([&](Eigen::Index place, Eigen::Index shot) -> Eigen::Vector3d {
+      return markers_.rows([&](Eigen::Index place, Eigen::Index shot) -> Eigen::Vector3d {
         return amounts(load, shot) * field_mm.template segment<3>(3 * place);
       });
     };
-    uncertainty_.directions.resize(observations_.rows(), 2 * loads);
-    uncertainty_.shared = Eigen::VectorXd::Zero(observations_.rows());
-    uncertainty_.group.assign(static_cast<std::size_t>(observations_.rows()), 0);
+    uncertainty_.directions.resize(markers_.observations.rows(), 2 * loads);
+    uncertainty_.shared = Eigen::VectorXd::Zero(markers_.observations.rows());
+    uncertainty_.group.assign(static_cast<std::size_t>(markers_.observations.rows()), 0);
     for (Eigen::Index l = 0; l < loads; ++l) {
       const Eigen::VectorXd error = error_mm.col(l), response = response_mm->col(l);
       uncertainty_.directions.col(l) = of_rows(l, error);
@@ -248,18 +176,18 @@ SystematicUncertainty PalpationModel::systematic_uncertainty() const {
       const double size_mm = at_each_marker * error.norm() / std::sqrt(static_cast<double>(error.size()));
       uncertainty_.shared += of_rows(l, Eigen::VectorXd::Constant(error.size(), size_mm).eval());
     }
-    for (const Shot& shot : shots_) {
+    for (const Shot& shot : markers_.shots) {
       Eigen::Index row = shot.first_row;
       for (const Eigen::Index place : shot.markers) {
         for (int d = 0; d < 3; ++d, ++row) {
           uncertainty_.group[static_cast<std::size_t>(row)] = static_cast<int>(
-              histories_[shot.trial].load * static_cast<Eigen::Index>(3 * places_mm_.size()) + 3 * place + d);
+              histories_[shot.trial].load * static_cast<Eigen::Index>(3 * markers_.places_mm.size()) + 3 * place + d);
         }
       }
     }
     uncertainty_.expected = uncertainty_.directions.leftCols(loads).rowwise().sum();
     uncertainty_.indistinct = uncertainty_.directions.leftCols(loads).norm() /
-                              std::sqrt(static_cast<double>(observations_.rows())) / experiment_.noise_mm;
+                              std::sqrt(static_cast<double>(markers_.observations.rows())) / experiment_.noise_mm;
   });
   return uncertainty_;
 }
@@ -274,107 +202,18 @@ Result<Eigen::MatrixXd> PalpationModel::displacements(const Settings& settings) 
   });
 }
 
-// Which of the structure's parameters each parameter of a setting is, and its derivative by it.
-struct Chain {
-  StructureParameter parameter;
-  double factor = 1;
-};
-std::vector<Chain> chain(const Setting& setting, const PalpationState& at) {
-  using S = StructureParameter;
-  if (setting.kind == palpation::stiff_inclusion) {
-    return {{S::inclusion_x}, {S::inclusion_y}, {S::inclusion_z}, {S::inclusion_radius}, {S::inclusion_ratio}};
-  }
-  if (setting.kind == palpation::anisotropy) return {{S::axis_x}, {S::axis_y}, {S::axis_z}, {S::anisotropy_ratio}};
-  if (setting.kind == palpation::capsule) return {{S::capsule, units::mN_from_N(1.0) / at.stiffness_factor}};
-  if (setting.kind == palpation::support_compliance && at.structure.compliance_mm_per_kPa > 0) {
-    const double compliance = at.structure.compliance_mm_per_kPa;
-    return {{S::compliance, -compliance * compliance * at.stiffness_factor}};
-  }
-  return {};
-}
-
-Result<PalpationModel::Fields> PalpationModel::linear_derivatives(const Settings& settings) const {
-  const PalpationState at = state(settings);
-  const Structure structure = at.scaled_structure();
-  const Loading load = loading(at);
-  auto response = solver_.at_markers(structure);
-  if (!response) return failure(std::move(response.error()));
-
-  // All that one factorisation gives, asked for at once.
-  std::vector<StructureParameter> wanted;
-  for (const Setting& setting : settings) {
-    for (const Chain& link : chain(setting, at)) wanted.push_back(link.parameter);
-  }
-  if (at.stiffness_factor != 1 || std::any_of(settings.begin(), settings.end(), [](const Setting& setting) {
-        return setting.kind == palpation::stiffness_scale;
-      })) {
-    if (structure.compliance_mm_per_kPa > 0) wanted.push_back(StructureParameter::compliance);
-    if (structure.capsule_mN_per_mm > 0) wanted.push_back(StructureParameter::capsule);
-  }
-  std::sort(wanted.begin(), wanted.end());
-  wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
-  auto derivatives = solver_.derivatives_at_markers(structure, wanted);
-  if (!derivatives) return failure(std::move(derivatives.error()));
-  const Eigen::MatrixXd amounts = load.amounts / at.stiffness_factor;
-  const auto by = [&](StructureParameter parameter) -> Eigen::MatrixXd {
-    const auto found = std::find(wanted.begin(), wanted.end(), parameter);
-    return (*derivatives)[static_cast<std::size_t>(found - wanted.begin())] * amounts;
-  };
-  const auto of_load = [&](const Eigen::MatrixXd& change) -> Eigen::MatrixXd {
-    return *response * change / at.stiffness_factor;
-  };
-
-  Fields fields;
-  const Eigen::MatrixXd nothing = Eigen::MatrixXd::Zero(response->rows(), amounts.cols());
-  for (const Setting& setting : settings) {
-    const auto links = chain(setting, at);
-    for (Eigen::Index p = 0; p < setting.parameters.size(); ++p) {
-      if (!links.empty()) {
-        const Chain& link = links[static_cast<std::size_t>(p)];
-        fields.emplace_back(link.factor * by(link.parameter));
-      } else if (setting.kind == palpation::stiffness_scale) {
-        const double factor = at.stiffness_factor;
-        Eigen::MatrixXd field = -(*response * amounts) / factor;
-        if (structure.compliance_mm_per_kPa > 0) {
-          field += at.structure.compliance_mm_per_kPa * by(StructureParameter::compliance);
-        }
-        if (structure.capsule_mN_per_mm > 0) {
-          field -= at.structure.capsule_mN_per_mm / (factor * factor) * by(StructureParameter::capsule);
-        }
-        fields.push_back(std::move(field));
-      } else if (setting.kind == palpation::viscoelastic_creep) {
-        const auto terms = static_cast<Eigen::Index>(at.creep.size());
-        const auto term = static_cast<std::size_t>(p % terms);
-        fields.push_back(of_load(p < terms ? load.by_amplitude[term] : load.by_time[term]));
-      } else if (setting.kind == palpation::force_bias) {
-        fields.push_back(p == 0 ? of_load(units::mN_from_N(1.0) * load.by_zero) : of_load(load.by_gain));
-      } else if (setting.kind == palpation::preload && setting.form == palpation::form_pressure) {
-        fields.emplace_back(response->col(columns_.pressure()) *
-                            Eigen::RowVectorXd::Constant(amounts.cols(), 1.0 / at.stiffness_factor));
-      } else if (setting.kind == palpation::preload) {
-        fields.emplace_back(
-            response->col(columns_.gravity() + p) *
-            Eigen::RowVectorXd::Constant(amounts.cols(), units::mm_s2_from_m_s2(1.0) / at.stiffness_factor));
-      } else {
-        fields.push_back(nothing);  // of what is seen alone, or of supports that are held
-      }
-    }
-  }
-  return fields;
-}
-
 std::vector<Start> PalpationModel::starts(const Effect& effect, const Settings& active,
                                           const Eigen::VectorXd& residual) const {
   const PalpationState at = state(active);
   // Displacements of all places at all shots, from what was left over in the camera's frame.
   const Eigen::Matrix3d turn_back = rotation(at.rotation_deg).transpose();
   ResidualField left;
-  left.residual_mm =
-      Eigen::MatrixXd::Zero(3 * static_cast<Eigen::Index>(places_mm_.size()), static_cast<Eigen::Index>(shots_.size()));
+  left.residual_mm = Eigen::MatrixXd::Zero(3 * static_cast<Eigen::Index>(markers_.places_mm.size()),
+                                           static_cast<Eigen::Index>(markers_.shots.size()));
   left.seen = Eigen::MatrixXd::Zero(left.residual_mm.rows(), left.residual_mm.cols());
-  for (std::size_t s = 0; s < shots_.size(); ++s) {
-    Eigen::Index row = shots_[s].first_row;
-    for (const Eigen::Index place : shots_[s].markers) {
+  for (std::size_t s = 0; s < markers_.shots.size(); ++s) {
+    Eigen::Index row = markers_.shots[s].first_row;
+    for (const Eigen::Index place : markers_.shots[s].markers) {
       if (residual.segment<3>(row).allFinite()) {
         left.residual_mm.col(static_cast<Eigen::Index>(s)).segment<3>(3 * place) = turn_back * residual.segment<3>(row);
         left.seen.col(static_cast<Eigen::Index>(s)).segment<3>(3 * place).setOnes();
@@ -402,7 +241,7 @@ double PalpationModel::promise_of_linear_fit(const Effect& effect, const Setting
   begun.push_back({effect.kind, effect.form, start.values});
   const auto linear = linearise(begun);
   if (!linear) return std::numeric_limits<double>::infinity();  // unknown
-  Eigen::VectorXd left = observations_.measured - linear->predicted;
+  Eigen::VectorXd left = markers_.observations.measured - linear->predicted;
   Eigen::VectorXd now = residual;
   Eigen::MatrixXd slopes = linear->derivatives;
   for (Eigen::Index row = 0; row < now.size(); ++row) {

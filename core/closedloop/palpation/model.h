@@ -4,7 +4,7 @@
 // Declared: linear elasticity at small strain with quadratic tetrahedra on the given mesh (its cells promoted, edges
 // straight), the supports' named points held with the mid-side nodes between them, the tool's force as a uniform dead
 // traction over the boundary faces whose centroid at rest lies within its radius, declared gravity in every measured
-// state. palpation_effects.h says how each effect changes this; palpation_state.h how they compose.
+// state. internal/effects.h says how each effect changes this; internal/state.h how they compose.
 //
 // Assumptions that hold for all of it: strains and turns are small, so that the response is linear in the load (but
 // for strain-stiffening); what stiffens does so at small strain; everything creeps alike; preload and declared gravity
@@ -13,7 +13,7 @@
 //
 // Observations are displacements, measured position minus rest (mm): three rows a marker and moment. Derivatives are
 // exact, with strain-stiffening to 1e-3 of themselves.
-// The systematic uncertainty is the discretisation error (palpation_refinement.h).
+// The systematic uncertainty is the discretisation error (internal/refinement.h).
 
 #include <memory>
 
@@ -24,8 +24,8 @@
 
 namespace glisson::closedloop {
 
-// Failures: those of mechanics/body.h, "tool-touches-nothing" (the trial is named), "no-measurement" (no sample has
-// markers), those of mechanics/cholesky_factor.h, "cancelled".
+// Failures: those of mechanics/elements/body.h, "tool-touches-nothing" (the trial is named), "no-measurement" (no
+// sample has markers), those of mechanics/solvers/cholesky_factor.h, "cancelled".
 Result<std::unique_ptr<ForwardModel>> palpation_model(Palpation experiment, const Progress& progress = {});
 
 }  // namespace glisson::closedloop

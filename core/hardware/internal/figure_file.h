@@ -1,10 +1,13 @@
 #pragma once
-// Reading numbers with their sources out of JSON that may hold anything.
+// Reading numbers with their sources out of JSON that may hold anything: values in, or a refusal (base/json_reading.h).
+// `where` is how the object is called in it: "Device tx2-gpu".
 
 #include <filesystem>
+#include <initializer_list>
 #include <string>
+#include <string_view>
 
-#include "base/json.h"
+#include "base/json_reading.h"
 #include "hardware/figure.h"
 
 namespace glisson::hardware {
@@ -14,25 +17,15 @@ struct Limits {
   double maximum;
 };
 
-class FigureReader {
- public:
-  // Refuses a document that is not of this format.
-  static Result<FigureReader> open(const Json& document, const std::string& format, const std::filesystem::path& file);
+// Refuses a document that does not say this format.
+void check_format(const Json& document, const std::string& format, const std::filesystem::path& file);
+// Refuses what is no object, and a key that is not known.
+void known_keys(const Json& object, std::initializer_list<std::string_view> known, const std::string& where);
+[[noreturn]] void refuse_missing(const char* key, const std::string& where);
 
-  // `where` is how the object is called in the error: "Device tx2-gpu".
-  [[nodiscard]] Result<double> number(const Json& object, const char* key, Limits limits,
-                                      const std::string& where) const;
-  [[nodiscard]] Result<std::string> text(const Json& object, const char* key, const std::string& where) const;
-  [[nodiscard]] Result<Source> source(const Json& object, const std::string& where) const;
-  [[nodiscard]] Result<Figure> figure(const Json& object, const char* key, Limits limits,
-                                      const std::string& where) const;
-
-  [[nodiscard]] Failure missing(const char* key, const std::string& where) const;
-  [[nodiscard]] const std::filesystem::path& file() const { return file_; }
-
- private:
-  explicit FigureReader(std::filesystem::path file) : file_(std::move(file)) {}
-  std::filesystem::path file_;
-};
+[[nodiscard]] double number_under(const Json& object, const char* key, Limits limits, const std::string& where);
+[[nodiscard]] std::string text_under(const Json& object, const char* key, const std::string& where);
+[[nodiscard]] Source source_in(const Json& object, const std::string& where);
+[[nodiscard]] Figure figure_under(const Json& object, const char* key, Limits limits, const std::string& where);
 
 }  // namespace glisson::hardware

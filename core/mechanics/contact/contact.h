@@ -6,8 +6,8 @@
 // fixed groups of neighbours, so that what is remembered does not depend on who asked first). Which points touch, and
 // how hard, is then a small dense problem (contact_forces.h) on the compliance of the points that may touch, solved
 // again as the surface moves under the tool until neither changes. The surface is the triangles of the body's boundary
-// moved by their corners, on which the distance to a rod or a ball is exact. Walls of cuts join that problem with the
-// places where their points meet the wall across.
+// moved by their corners, on which the distance to a rod or a ball is exact. Self-contact of the walls of cuts is part
+// of that problem.
 //
 // Lengths mm, forces mN, patient coordinates (LPS). Valid as far as small strain is.
 
@@ -81,7 +81,7 @@ struct ContactReport {
   double solve_ms = 0;
 };
 
-// A place of the surface that a tool bore on.
+// A place of the surface that a tool touched.
 struct TouchedPlace {
   std::string tool;
   std::size_t rod = 0;        // of the tool's shape
@@ -90,7 +90,7 @@ struct TouchedPlace {
 };
 
 struct ContactState {
-  std::map<int, Eigen::Vector3d> force_mN;  // of tools and walls on the points of the surface that bear any
+  std::map<int, Eigen::Vector3d> force_mN;  // of tools and walls, on points of the surface
   std::vector<Eigen::Vector3d> surface_mm;  // displacement of each point of ContactBody::surface()
   std::vector<Eigen::Vector3d> watched_mm;  // and of each watched place
   std::vector<ToolContact> tools;

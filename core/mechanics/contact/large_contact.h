@@ -4,15 +4,17 @@
 // with a force or hold their patch's mean at a displacement. The counterpart of contact.h, a factorisation a Newton
 // step and therefore far from live.
 //
-// The same places of the surface as there; at each the gap g to the tool's rods, with their bend, holds by an augmented
-// Lagrangian: the energy (max(0, p - k g)^2 - p^2) / (2 k) is added to the body's (newton.h) and p, the force, is
-// brought up to p - k g until neither p nor the surface changes (e.g. Wriggers, Computational Contact Mechanics, 6.3).
-// Coulomb's friction joins in the same way (ibid., 6.3.3; Simo and Laursen 1992, Comput. Struct. 42:97): a place that
-// bears the force p drags with t, |t| <= mu p, against the way s that it slid over its tool since the station before,
-// by the energy of y = t - k s, |y|^2 / (2 k) within mu p and (mu p |y| - (mu p)^2 / 2) / k beyond, where it slips. p,
-// the normal and mu p are those of the round before.
-// What jaws hold at a displacement is held in the same way, by (|p - k d|^2 - |p|^2) / (2 k), d being how far it is
-// off. The advance of a pushed tool is found by secants on the force that it meets.
+// Contacts are at the same places of the surface as there, each an augmented Lagrangian of the gap g to a tool's rod
+// (e.g. Wriggers, Computational Contact Mechanics, 6.3). The term (max(0, p - k g)^2 - p^2) / (2 k) joins the body's
+// potential energy (newton.h). The multiplier p is updated to max(0, p - k g) until neither p nor the surface changes.
+//
+// Coulomb's friction joins in the same way (ibid., 6.3.3; Simo and Laursen 1992, Comput. Struct. 42:97). Its multiplier
+// is t, |t| <= mu p; s is the slip since the station before; y = t - k s. The term is |y|^2 / (2 k) while the place
+// sticks, |y| <= mu p, and (mu p |y| - (mu p)^2 / 2) / k while it slips. p, mu p and the normal are of the round
+// before.
+//
+// Jaws that prescribe a displacement are the term (|p - k d|^2 - |p|^2) / (2 k), d being how far their patch is off.
+// The advance of a pushed tool is found by secants on the force that it meets.
 
 #include <vector>
 

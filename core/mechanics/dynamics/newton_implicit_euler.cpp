@@ -40,18 +40,18 @@ Result<StepReport> NewtonImplicitEuler::step(const Progress& progress) {
   return report;
 }
 
-Result<StepReport> NewtonImplicitEuler::step(const AppliedLoads& loads, const RestUnder& rest_under,
+Result<StepReport> NewtonImplicitEuler::step(const AppliedLoads& loads, const MinimiseWithTools& minimise_with_tools,
                                              const Progress& progress) {
   const Stopwatch watch;
   const ImplicitStep step(body_, materials_, loads, options_, mass_kg_, u_mm_, v_mm_s_);
   Minimum minimum{u_mm_};
   const auto rested =
-      rest_under({step.potential(),
-                  step.scale_mN(),
-                  NodalUnknowns(body_),
-                  minimum,
-                  {options_.relative_tolerance, options_.max_iterations, body_.options.memory_limit_bytes},
-                  progress});
+      minimise_with_tools({step.potential(),
+                           step.scale_mN(),
+                           NodalUnknowns(body_),
+                           minimum,
+                           {options_.relative_tolerance, options_.max_iterations, body_.options.memory_limit_bytes},
+                           progress});
   if (!rested) return failure(rested.error());
   StepReport report = moved_to(minimum.x_mm, {*rested, minimum.relative_residual, minimum.newton_steps});
   report.step_ms = 1e3 * watch.seconds();

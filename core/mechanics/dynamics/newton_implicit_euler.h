@@ -1,13 +1,13 @@
 #pragma once
-// A body in motion of any material, with all that is around it: implicit Euler, each step brought to its end by
-// Newton's method. Slower than ImplicitEuler by far; what that cannot do (hyperelastic laws, ligaments, a capsule, gas
-// that follows the surface) is done here.
+// Implicit Euler for a body of any material, by Newton's method. It does what ImplicitEuler cannot (hyperelastic laws,
+// ligaments, a capsule, follower pressure), and is slower by far.
 //
-// A step h from u_n, v_n is the minimum of an energy (e.g. Gast et al. 2015, Optimization Integrator for Large Time
-// Steps):
-//   E(u) - f.u + |u - u_n - h v_n|^2_M / (2 h^2) + alpha |u - u_n|^2_M / (2 h) + beta |u - u_n|^2_K / (2 h),
-// E with what is around the body (total_potential.h), M lumped at the nodes, K the positive part of the tangent at u_n;
-// then v = (u - u_n) / h.
+// A step h from u_n, v_n is the minimum of an incremental potential (e.g. Gast et al. 2015, Optimization Integrator for
+// Large Time Steps); then v = (u - u_n) / h:
+//   E(u) - f.u + |u - u_n - h v_n|^2_M / (2 h^2) + alpha |u - u_n|^2_M / (2 h) + beta |u - u_n|^2_K / (2 h)
+// - E: the potential energy of body and supports (total_potential.h), f the loads.
+// - M: the mass, lumped at the nodes; K: the positive part of the tangent at u_n.
+// - alpha, beta: Rayleigh damping.
 //
 // Lengths mm, velocities mm/s, forces mN; values of nodes are 3 a node, in the order of NodeLayout.
 
@@ -38,10 +38,11 @@ class NewtonImplicitEuler {
   // moves nothing. Failures: "too-large", "factorisation-failed", "cancelled".
   Result<StepReport> step(const Progress& progress = {});
 
-  // The same where tools press: `rest_under` brings the body to the step's minimum with them
-  // (augmented_lagrangian.h). Failures: those of `rest_under`.
-  using RestUnder = std::function<Result<bool>(const BodyProblem& problem)>;
-  Result<StepReport> step(const AppliedLoads& loads, const RestUnder& rest_under, const Progress& progress = {});
+  // The same in contact: `minimise_with_tools` finds the minimum of the step's potential energy with the tools' terms
+  // (augmented_lagrangian.h). Failures: those of `minimise_with_tools`.
+  using MinimiseWithTools = std::function<Result<bool>(const BodyProblem& problem)>;
+  Result<StepReport> step(const AppliedLoads& loads, const MinimiseWithTools& minimise_with_tools,
+                          const Progress& progress = {});
 
   void set_velocity(const Eigen::VectorXd& velocity_mm_s);
   [[nodiscard]] const Eigen::VectorXd& displacement_mm() const { return u_mm_; }

@@ -119,16 +119,16 @@ Result<Answer> end_of_motion(const Question& question, const Progress& progress)
 Result<Answer> end_of_meshfree_motion(const Question& question, const Progress& progress) {
   const Scenario& scenario = question.scenario;
   const Stopwatch setting_up;
-  auto frames = prepare_meshfree_body(question.mesh, question.youngs_kPa, scenario.supports,
-                                      {scenario.material, scenario.strain_stiffening}, options_of(scenario),
-                                      scenario.meshfree, scenario.cuts, Holding::optional, progress);
-  if (!frames) return failure(std::move(frames.error()));
-  const std::vector<Material> materials = frames->materials;
-  const auto loads = applied_loads(frames->body, scenario.loads, gas_on(materials));
+  auto handles = prepare_meshfree_body(question.mesh, question.youngs_kPa, scenario.supports,
+                                       {scenario.material, scenario.strain_stiffening}, options_of(scenario),
+                                       scenario.meshfree, scenario.cuts, Holding::optional, progress);
+  if (!handles) return failure(std::move(handles.error()));
+  const std::vector<Material> materials = handles->materials;
+  const auto loads = applied_loads(handles->body, scenario.loads, gas_on(materials));
   if (!loads) return failure(loads.error());
   DynamicsOptions motion_options = options_of(*scenario.motion);
   motion_options.max_iterations = 5000;
-  auto moving = MeshfreeMotion::create(std::move(*frames), motion_options);
+  auto moving = MeshfreeMotion::create(std::move(*handles), motion_options);
   if (!moving) return failure(std::move(moving.error()));
   Mover mover{[&]() -> Result<StepReport> { return moving->step(*loads); },
               [&] { return moving->displacement_mm(); },

@@ -29,7 +29,7 @@ Result<LargeContact> find_equilibrium_in_contact(const MeshfreeModel& model, con
       go_through(stations, unknowns, handles.body, handles.materials, loads, options, unknowns.at_rest(), {}, progress);
   if (!contact) return contact;
   const Eigen::VectorXd u_mm = nodal_displacements(handles.body.layout, contact->result);
-  contact->result.fixed_reaction_mN = sum_of(handles.holding_force_mN(u_mm));
+  contact->result.fixed_reaction_mN = sum_of(handles.penalty_force_mN(u_mm));
   return contact;
 }
 

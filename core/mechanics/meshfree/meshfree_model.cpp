@@ -116,17 +116,17 @@ namespace {
 StaticResult result_of(const MeshfreeBody& handles, const Eigen::VectorXd& q_mm, const AppliedLoads& loads) {
   const Eigen::VectorXd u_mm = handles.basis->displacement(q_mm);
   StaticResult result = state_of(handles.body, handles.materials, u_mm, loads, Eigen::VectorXd::Zero(u_mm.size()));
-  result.fixed_reaction_mN = sum_of(handles.holding_force_mN(u_mm));
+  result.fixed_reaction_mN = sum_of(handles.penalty_force_mN(u_mm));
   const double points_a_node = static_cast<double>(handles.body.mesh.points_mm.size()) / handles.basis->handles();
   if (points_a_node < 4) {
-    result.notes.push_back(fmt::format(
-        "The mesh has {:.1f} points for each meshfree node: frames then describe one motion in many ways, and solving "
-        "takes far longer. A finer mesh or fewer nodes would do.",
-        points_a_node));
+    result.notes.push_back(
+        fmt::format("The mesh has {:.1f} points for each meshfree node: their handles then describe one motion in many "
+                    "ways, and solving takes far longer. A finer mesh or fewer nodes would do.",
+                    points_a_node));
   }
   double slip_mm = 0;
-  for (std::size_t i = 0; i < handles.hold.size(); ++i) {
-    if (handles.hold[i] > 0) slip_mm = std::max(slip_mm, std::abs(u_mm[static_cast<Eigen::Index>(i)]));
+  for (std::size_t i = 0; i < handles.penalty_mN_mm.size(); ++i) {
+    if (handles.penalty_mN_mm[i] > 0) slip_mm = std::max(slip_mm, std::abs(u_mm[static_cast<Eigen::Index>(i)]));
   }
   if (slip_mm > 0.01 * result.max_displacement_mm && slip_mm > 1e-6) {
     result.notes.push_back(fmt::format("What is held gives way by up to {:.2g} mm.", slip_mm));

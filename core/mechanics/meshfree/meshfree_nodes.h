@@ -31,7 +31,7 @@ struct ShapeFunctions {
   std::vector<Eigen::Vector3d> nodes_mm;
   std::vector<double> node_youngs_kPa;
   std::vector<double> node_volumes_mm3;
-  int anchors = 0;  // how many of the last nodes only hold what is held (meshfree_body.h)
+  int fixed_nodes = 0;  // how many of the last nodes are those of fixed points (meshfree_body.h)
 
   // Of mesh point p: the nodes that act on it, ascending, in [starts[p], starts[p + 1]), and their weights.
   std::vector<std::size_t> starts;

@@ -37,11 +37,7 @@ Result<Scenario> read_scenario(const std::filesystem::path& file) {
 Result<Scenario> parse_scenario(std::string_view json, const std::filesystem::path& file) {
   auto document = parse_json(json, file);
   if (!document) return failure(std::move(document.error()));
-  try {
-    return scenario_from(*document);
-  } catch (Refusal& refusal) {
-    return failure(std::move(refusal.error).in_file(file));
-  }
+  return reading("scenario-invalid", file, [&] { return scenario_from(*document); });
 }
 
 std::string scenario_text(const Scenario& scenario) {
@@ -100,13 +96,13 @@ void refuse_same_ids(const std::vector<Named>& named, const char* each) {
   for (std::size_t i = 0; i < named.size(); ++i) {
     for (std::size_t k = 0; k < i; ++k) {
       if (named[i].id == named[k].id)
-        refuse(item(each, i), GLISSON_TEXT("{0} has the same id \"{1}\" as another."), {named[i].id});
+        refuse_at(item(each, i), GLISSON_TEXT("{0} has the same id \"{1}\" as another."), {named[i].id});
     }
   }
 }
 
 Scenario scenario_from(const Json& json) {
-  known_keys(
+  only_keys(
       json,
       {"engine", "material", "strain_stiffening", "poisson_ratio", "density_kg_m3", "youngs_modulus_kPa", "tissue",
        "supports", "capsule", "grain", "loads", "motion", "landmarks", "cuts", "cut_walls", "tools", "meshfree"},
@@ -123,35 +119,35 @@ Scenario scenario_from(const Json& json) {
                                              {"veronda-westmann", MaterialLaw::veronda_westmann}});
   }
   if ((scenario.material == MaterialLaw::veronda_westmann) != json.contains("strain_stiffening")) {
-    refuse("strain_stiffening", GLISSON_TEXT("{0} goes with the material \"veronda-westmann\": give both or neither."));
+    refuse_at("strain_stiffening",
+              GLISSON_TEXT("{0} goes with the material \"veronda-westmann\": give both or neither."));
   }
   if (json.contains("strain_stiffening")) {
-    scenario.strain_stiffening = positive_number(json["strain_stiffening"], "strain_stiffening");
+    scenario.strain_stiffening = positive_in(json["strain_stiffening"], "strain_stiffening");
   }
   if (json.contains("poisson_ratio")) {
-    scenario.poisson_ratio = number(json["poisson_ratio"], "poisson_ratio");
+    scenario.poisson_ratio = number_in(json["poisson_ratio"], "poisson_ratio");
     if (scenario.poisson_ratio <= -1.0 || scenario.poisson_ratio >= 0.5) {
-      refuse("poisson_ratio", GLISSON_TEXT("{0} must lie between -1 and 0.5, both excluded."));
+      refuse_at("poisson_ratio", GLISSON_TEXT("{0} must lie between -1 and 0.5, both excluded."));
     }
   }
   if (json.contains("density_kg_m3")) {
-    scenario.density_kg_mm3 = units::kg_mm3_from_kg_m3(positive_number(json["density_kg_m3"], "density_kg_m3"));
+    scenario.density_kg_mm3 = units::kg_mm3_from_kg_m3(positive_in(json["density_kg_m3"], "density_kg_m3"));
   }
   if (json.contains("youngs_modulus_kPa")) {
     const Json& modulus = json["youngs_modulus_kPa"];
     if (modulus.is_string()) {
-      scenario.youngs_modulus = name(modulus, "youngs_modulus_kPa");
+      scenario.youngs_modulus = name_in(modulus, "youngs_modulus_kPa");
     } else {
-      scenario.youngs_modulus = positive_number(modulus, "youngs_modulus_kPa");
+      scenario.youngs_modulus = positive_in(modulus, "youngs_modulus_kPa");
     }
   }
   if (json.contains("tissue")) {
     if (scenario.youngs_modulus) {
-      refuse("tissue", GLISSON_TEXT("{0} and \"youngs_modulus_kPa\" both say how stiff the body is: give one."));
+      refuse_at("tissue", GLISSON_TEXT("{0} and \"youngs_modulus_kPa\" both say how stiff the body is: give one."));
     }
-    const auto tissue = published_tissue(name(json["tissue"], "tissue"));
-    if (!tissue) throw Refusal{tissue.error()};
-    scenario.youngs_modulus = tissue->youngs_modulus_kPa(scenario.poisson_ratio);
+    const auto tissue = taken(published_tissue(name_in(json["tissue"], "tissue")));
+    scenario.youngs_modulus = tissue.youngs_modulus_kPa(scenario.poisson_ratio);
   }
   if (json.contains("capsule")) scenario.capsule = capsule_from(json["capsule"], "capsule");
   if (json.contains("grain")) scenario.anisotropy = anisotropy_from(json["grain"], "grain");
@@ -172,31 +168,31 @@ Scenario scenario_from(const Json& json) {
 }
 
 Support support_from(const Json& json, const std::string& where) {
-  known_keys(json, {"point_array", "sphere", "box", "foundation_kPa_per_mm", "directions", "ligament"}, where);
+  only_keys(json, {"point_array", "sphere", "box", "foundation_kPa_per_mm", "directions", "ligament"}, where);
   Support support{region_from(json, where), Fixed{}};
   if (json.contains("ligament")) {
     if (json.contains("directions") || json.contains("foundation_kPa_per_mm"))
-      refuse(where, GLISSON_TEXT("{0} is a ligament: it takes neither \"foundation_kPa_per_mm\" nor \"directions\"."));
+      refuse_at(where,
+                GLISSON_TEXT("{0} is a ligament: it takes neither \"foundation_kPa_per_mm\" nor \"directions\"."));
     const Json& band = json["ligament"];
     const std::string inside = where + ", ligament";
-    known_keys(band, {"anchor_mm", "stiffness_N_per_mm", "slack_mm"}, inside);
-    const double slack_mm = band.contains("slack_mm") ? number(band["slack_mm"], inside + ", slack_mm") : 0.0;
-    if (slack_mm < 0) refuse(inside + ", slack_mm", GLISSON_TEXT("{0} must not be below zero."));
-    support.how = Ligament{vector(required(band, "anchor_mm", inside), inside + ", anchor_mm"),
-                           units::mN_from_N(positive_number(required(band, "stiffness_N_per_mm", inside),
-                                                            inside + ", stiffness_N_per_mm")),
-                           slack_mm};
+    only_keys(band, {"anchor_mm", "stiffness_N_per_mm", "slack_mm"}, inside);
+    const double slack_mm = band.contains("slack_mm") ? not_negative_in(band["slack_mm"], inside + ", slack_mm") : 0.0;
+    support.how = Ligament{
+        vector_in(required(band, "anchor_mm", inside), inside + ", anchor_mm"),
+        units::mN_from_N(positive_in(required(band, "stiffness_N_per_mm", inside), inside + ", stiffness_N_per_mm")),
+        slack_mm};
   } else if (json.contains("foundation_kPa_per_mm")) {
     if (json.contains("directions"))
-      refuse(where,
-             GLISSON_TEXT(
-                 "{0} has both \"foundation_kPa_per_mm\" and \"directions\": a foundation acts in all directions."));
-    support.how = Foundation{positive_number(json["foundation_kPa_per_mm"], where + ", foundation_kPa_per_mm")};
+      refuse_at(where,
+                GLISSON_TEXT(
+                    "{0} has both \"foundation_kPa_per_mm\" and \"directions\": a foundation acts in all directions."));
+    support.how = Foundation{positive_in(json["foundation_kPa_per_mm"], where + ", foundation_kPa_per_mm")};
   } else if (json.contains("directions")) {
     const Json& directions = json["directions"];
     Fixed fixed{{false, false, false}};
     if (!directions.is_array() || directions.empty())
-      refuse(where, GLISSON_TEXT("The directions of {0} must be a list such as [\"x\", \"z\"]."));
+      refuse_at(where, GLISSON_TEXT("The directions of {0} must be a list such as [\"x\", \"z\"]."));
     for (const Json& direction : directions) {
       fixed.directions[one_of<std::size_t>(direction, where + ", directions", {{"x", 0}, {"y", 1}, {"z", 2}})] = true;
     }
@@ -206,58 +202,54 @@ Support support_from(const Json& json, const std::string& where) {
 }
 
 Load load_from(const Json& json, const std::string& where) {
-  known_keys(json, {"tool", "pressure_kPa", "gravity_m_s2", "gravity_of_patient"}, where);
+  only_keys(json, {"tool", "pressure_kPa", "gravity_m_s2", "gravity_of_patient"}, where);
   if (json.size() != 1)
-    refuse(where, GLISSON_TEXT("{0} needs exactly one of \"tool\", \"pressure_kPa\", \"gravity_m_s2\" and "
-                               "\"gravity_of_patient\"."));
+    refuse_at(where, GLISSON_TEXT("{0} needs exactly one of \"tool\", \"pressure_kPa\", \"gravity_m_s2\" and "
+                                  "\"gravity_of_patient\"."));
   if (json.contains("gravity_of_patient"))
     return GravityLoad{gravity_of_patient_from(json["gravity_of_patient"], where + ", gravity_of_patient")};
-  if (json.contains("pressure_kPa")) return PressureLoad{number(json["pressure_kPa"], where + ", pressure_kPa")};
+  if (json.contains("pressure_kPa")) return PressureLoad{number_in(json["pressure_kPa"], where + ", pressure_kPa")};
   if (json.contains("gravity_m_s2")) {
-    return GravityLoad{vector(json["gravity_m_s2"], where + ", gravity_m_s2").unaryExpr(&units::mm_s2_from_m_s2)};
+    return GravityLoad{vector_in(json["gravity_m_s2"], where + ", gravity_m_s2").unaryExpr(&units::mm_s2_from_m_s2)};
   }
   const Json& tool = json["tool"];
-  known_keys(tool, {"center_mm", "radius_mm", "force_N"}, where + ", tool");
+  only_keys(tool, {"center_mm", "radius_mm", "force_N"}, where + ", tool");
   return ToolLoad{
-      vector(required(tool, "center_mm", where + ", tool"), where + ", center_mm"),
-      positive_number(required(tool, "radius_mm", where + ", tool"), where + ", radius_mm"),
-      vector(required(tool, "force_N", where + ", tool"), where + ", force_N").unaryExpr(&units::mN_from_N)};
+      vector_in(required(tool, "center_mm", where + ", tool"), where + ", center_mm"),
+      positive_in(required(tool, "radius_mm", where + ", tool"), where + ", radius_mm"),
+      vector_in(required(tool, "force_N", where + ", tool"), where + ", force_N").unaryExpr(&units::mN_from_N)};
 }
 
 Vector3d gravity_of_patient_from(const Json& json, const std::string& where) {
-  known_keys(json, {"reverse_trendelenburg_deg", "left_tilt_deg", "right_tilt_deg", "scanned_supine"}, where);
+  only_keys(json, {"reverse_trendelenburg_deg", "left_tilt_deg", "right_tilt_deg", "scanned_supine"}, where);
   const auto angle = [&](const char* key) {
-    const double value = json.contains(key) ? number(json[key], where + ", " + key) : 0.0;
-    if (std::abs(value) > 90) refuse(where + ", " + key, GLISSON_TEXT("{0} must lie between -90 and 90 degrees."));
+    const double value = json.contains(key) ? number_in(json[key], where + ", " + key) : 0.0;
+    if (std::abs(value) > 90) refuse_at(where + ", " + key, GLISSON_TEXT("{0} must lie between -90 and 90 degrees."));
     return value;
   };
   if (json.contains("left_tilt_deg") && json.contains("right_tilt_deg"))
-    refuse(where, GLISSON_TEXT("{0} has both \"left_tilt_deg\" and \"right_tilt_deg\": give one."));
+    refuse_at(where, GLISSON_TEXT("{0} has both \"left_tilt_deg\" and \"right_tilt_deg\": give one."));
   const PatientPosition position{angle("reverse_trendelenburg_deg"), angle("left_tilt_deg") - angle("right_tilt_deg")};
-  bool scanned_supine = false;
-  if (json.contains("scanned_supine")) {
-    if (!json["scanned_supine"].is_boolean())
-      refuse(where + ", scanned_supine", GLISSON_TEXT("{0} must be true or false."));
-    scanned_supine = json["scanned_supine"].get<bool>();
-  }
+  const bool scanned_supine =
+      json.contains("scanned_supine") && truth_in(json["scanned_supine"], where + ", scanned_supine");
   return gravity_mm_s2(position) - (scanned_supine ? gravity_mm_s2(supine) : Vector3d::Zero());
 }
 
 Capsule capsule_from(const Json& json, const std::string& where) {
-  known_keys(json, {"youngs_modulus_kPa", "thickness_mm"}, where);
+  only_keys(json, {"youngs_modulus_kPa", "thickness_mm"}, where);
   Capsule capsule;
   if (json.contains("youngs_modulus_kPa")) {
-    capsule.youngs_modulus_kPa = positive_number(json["youngs_modulus_kPa"], where + ", youngs_modulus_kPa");
+    capsule.youngs_modulus_kPa = positive_in(json["youngs_modulus_kPa"], where + ", youngs_modulus_kPa");
   }
-  capsule.thickness_mm = positive_number(required(json, "thickness_mm", where), where + ", thickness_mm");
+  capsule.thickness_mm = positive_in(required(json, "thickness_mm", where), where + ", thickness_mm");
   return capsule;
 }
 
 TransverseIsotropy anisotropy_from(const Json& json, const std::string& where) {
-  known_keys(json, {"axis", "ratio", "law"}, where);
+  only_keys(json, {"axis", "ratio", "law"}, where);
   TransverseIsotropy anisotropy;
-  anisotropy.axis = vector(required(json, "axis", where), where + ", axis");
-  anisotropy.ratio = positive_number(required(json, "ratio", where), where + ", ratio");
+  anisotropy.axis = vector_in(required(json, "axis", where), where + ", axis");
+  anisotropy.ratio = positive_in(required(json, "ratio", where), where + ", ratio");
   if (json.contains("law")) {
     anisotropy.law = one_of<AnisotropyLaw>(
         json["law"], where + ", law", {{"fibres", AnisotropyLaw::fibres}, {"engineering", AnisotropyLaw::engineering}});
@@ -266,37 +258,35 @@ TransverseIsotropy anisotropy_from(const Json& json, const std::string& where) {
 }
 
 Landmark landmark_from(const Json& json, const std::string& where) {
-  known_keys(json, {"id", "position_mm"}, where);
-  return {name(required(json, "id", where), where + ", id"),
-          vector(required(json, "position_mm", where), where + ", position_mm")};
+  only_keys(json, {"id", "position_mm"}, where);
+  return {name_in(required(json, "id", where), where + ", id"),
+          vector_in(required(json, "position_mm", where), where + ", position_mm")};
 }
 
 Motion motion_from(const Json& json, const std::string& where) {
-  known_keys(json, {"step_s", "steps", "mass_damping_per_s", "stiffness_damping_s"}, where);
+  only_keys(json, {"step_s", "steps", "mass_damping_per_s", "stiffness_damping_s"}, where);
   Motion motion;
   const auto damping = [&](const char* key) {
-    const double value = json.contains(key) ? number(json[key], where + ", " + key) : 0.0;
-    if (value < 0) refuse(where + ", " + key, GLISSON_TEXT("{0} must not be below zero."));
-    return value;
+    return json.contains(key) ? not_negative_in(json[key], where + ", " + key) : 0.0;
   };
   motion.mass_damping_per_s = damping("mass_damping_per_s");
   motion.stiffness_damping_s = damping("stiffness_damping_s");
-  motion.step_s = positive_number(required(json, "step_s", where), where + ", step_s");
+  motion.step_s = positive_in(required(json, "step_s", where), where + ", step_s");
   const Json& steps = required(json, "steps", where);
   if (!steps.is_number_integer() || steps.get<double>() < 1 || steps.get<double>() > 1e6) {
-    refuse(where, GLISSON_TEXT("The steps of {0} must be a whole number from 1 to 1000000."));
+    refuse_at(where, GLISSON_TEXT("The steps of {0} must be a whole number from 1 to 1000000."));
   }
   motion.steps = steps.get<int>();
   return motion;
 }
 
 MeshfreeOptions meshfree_from(const Json& json, const std::string& where) {
-  known_keys(json, {"nodes", "stiffness"}, where);
+  only_keys(json, {"nodes", "stiffness"}, where);
   MeshfreeOptions options;
   if (json.contains("nodes")) {
     const Json& nodes = json["nodes"];
     if (!nodes.is_number_integer() || nodes.get<double>() < 1 || nodes.get<double>() > 1e6) {
-      refuse(where, GLISSON_TEXT("The nodes of {0} must be a whole number from 1 to 1000000."));
+      refuse_at(where, GLISSON_TEXT("The nodes of {0} must be a whole number from 1 to 1000000."));
     }
     options.nodes = nodes.get<int>();
   }

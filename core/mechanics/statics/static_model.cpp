@@ -78,12 +78,12 @@ Result<std::vector<StaticResult>> StaticModel::solve_each(const std::vector<Load
 
 Result<StaticResult> StaticModel::solve_nodal(const NodalLoad& load) const {
   const Eigen::Index unknowns = 3 * static_cast<Eigen::Index>(impl_->layout.nodes());
-  const bool held_given = load.prescribed_displacement_mm.size() > 0;
-  if (load.force_mN.size() != unknowns || (held_given && load.prescribed_displacement_mm.size() != unknowns)) {
+  const bool has_prescribed = load.prescribed_displacement_mm.size() > 0;
+  if (load.force_mN.size() != unknowns || (has_prescribed && load.prescribed_displacement_mm.size() != unknowns)) {
     return failure("load-invalid", GLISSON_TEXT("Nodal loads need {0} values: three a node."),
                    {std::to_string(unknowns)});
   }
-  if (!load.force_mN.allFinite() || (held_given && !load.prescribed_displacement_mm.allFinite())) {
+  if (!load.force_mN.allFinite() || (has_prescribed && !load.prescribed_displacement_mm.allFinite())) {
     return failure("load-invalid", GLISSON_TEXT("A nodal load is not a finite number."));
   }
   return std::move(impl_->solve(load.force_mN, load.prescribed_displacement_mm).front());

@@ -1,5 +1,5 @@
 #pragma once
-// The value beside SIRGn's own (quality/sirgn.h, Quality::doubt_mm).
+// The value beside SIRGn's own (sirgn.h, Quality::doubt_mm).
 
 #include <Eigen/Core>
 #include <optional>

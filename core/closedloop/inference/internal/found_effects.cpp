@@ -42,7 +42,7 @@ Result<FoundEffects> found_effects(const Search& search, const Candidate& declar
           other.kind == setting.kind || std::count(effect.alike.begin(), effect.alike.end(), other.kind) > 0;
       if (!known && search.bic_of(other) < search.bic_of(chosen) + search.options().alike_bic) {
         effect.alike.push_back(other.kind);
-        found.rivals.push_back({other.kind, other.fit.settings});
+        found.alternatives.push_back({other.kind, other.fit.settings});
       }
     }
     found.effects.push_back(std::move(effect));
@@ -87,8 +87,9 @@ std::vector<RankedCandidate> ranking(const Search& search, const Candidate& decl
 
 // For two models with normal noise the expected log Bayes factor is half the square of their distance.
 std::optional<NextMeasurement> next_measurement(const ForwardModel& model, const Settings& chosen,
-                                                const std::vector<Rival>& rivals, const DiagnosisOptions& options) {
-  if (rivals.empty()) return std::nullopt;
+                                                const std::vector<Alternative>& alternatives,
+                                                const DiagnosisOptions& options) {
+  if (alternatives.empty()) return std::nullopt;
   const std::vector<std::string> sentences = model.further_trials();
   NextMeasurement next;
   for (std::size_t trial = 0; trial < sentences.size(); ++trial) {
@@ -96,19 +97,19 @@ std::optional<NextMeasurement> next_measurement(const ForwardModel& model, const
     if (!expected || !expected->allFinite()) continue;
     std::vector<std::string> separated;
     double minimum = std::numeric_limits<double>::infinity();
-    for (const Rival& rival : rivals) {
-      const auto otherwise = model.predict_further(trial, rival.settings);
+    for (const Alternative& alternative : alternatives) {
+      const auto otherwise = model.predict_further(trial, alternative.settings);
       if (!otherwise || !otherwise->allFinite()) continue;
       const double separation = (*expected - *otherwise).norm();
       if (separation < options.clear_separation) continue;
       minimum = std::min(minimum, separation);
-      if (std::count(separated.begin(), separated.end(), rival.kind) == 0) separated.push_back(rival.kind);
+      if (std::count(separated.begin(), separated.end(), alternative.kind) == 0) separated.push_back(alternative.kind);
     }
     if (separated.empty()) continue;
-    if (std::pair(separated.size(), minimum) > std::pair(next.rivals.size(), next.expected_separation))
+    if (std::pair(separated.size(), minimum) > std::pair(next.alternatives.size(), next.expected_separation))
       next = {sentences[trial], separated, minimum};
   }
-  return next.rivals.empty() ? std::nullopt : std::optional(std::move(next));
+  return next.alternatives.empty() ? std::nullopt : std::optional(std::move(next));
 }
 
 namespace {

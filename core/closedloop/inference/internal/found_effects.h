@@ -1,6 +1,6 @@
 #pragma once
 // What the search found, for people: effects with their parameters and evidence, how each kind does alone, and the
-// trial that would tell rivals apart.
+// trial that would tell alternatives apart.
 
 #include <optional>
 #include <string>
@@ -12,14 +12,14 @@
 namespace glisson::closedloop {
 
 // A kind that these data cannot tell from one that was found, with all settings that act then.
-struct Rival {
+struct Alternative {
   std::string kind;
   Settings settings;
 };
 
 struct FoundEffects {
   std::vector<FoundEffect> effects;  // by what they remove, the largest first
-  std::vector<Rival> rivals;
+  std::vector<Alternative> alternatives;
   std::vector<std::string> notes;  // which parameters the data leave open
 };
 
@@ -33,9 +33,10 @@ Result<FoundEffects> found_effects(const Search& search, const Candidate& declar
 [[nodiscard]] std::vector<RankedCandidate> ranking(const Search& search, const Candidate& declared,
                                                    const std::vector<Candidate>& singles);
 
-// The trial for which the leading rival is expected to differ most from what was chosen; nothing where none would tell.
+// The trial for which the leading alternative is expected to differ most from what was chosen; nothing where none would
+// tell.
 [[nodiscard]] std::optional<NextMeasurement> next_measurement(const ForwardModel& model, const Settings& chosen,
-                                                              const std::vector<Rival>& rivals,
+                                                              const std::vector<Alternative>& alternatives,
                                                               const DiagnosisOptions& options);
 
 }  // namespace glisson::closedloop

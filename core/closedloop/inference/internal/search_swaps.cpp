@@ -40,7 +40,7 @@ Result<Swapped> with_swaps(const Search& search, const Candidate& declared, Cand
     }
     if (!swapped) return Swapped{std::move(chosen), std::move(in_place)};
   }
-  // Still swapping: the last choice stands, and its rivals are found once more.
+  // Still swapping: the last choice stands, and its alternatives are found once more.
   return all_in_place_of(search, chosen, singles).map([&](std::vector<Others> in_place) {
     return Swapped{std::move(chosen), std::move(in_place)};
   });

@@ -1,23 +1,19 @@
 #pragma once
-// The effects that a palpation may show, with their parameters. What each does to the model:
+// The effects that a palpation may show, with their parameters, and what each does to the model:
 //
-// | kind (form)                | parameters                            | how it acts |
-// |----------------------------|---------------------------------------|-----------------------------------------------|
-// | stiffness-scale            | factor                                | Young's modulus everywhere | |
-// strain-stiffening          | coefficient                           | palpation_state.h, StiffeningLaw              |
-// |   (linear), (exponential)  |                                       | | | support-compliance         |
-// foundation_kPa_per_mm                 | palpation_structure.h                         | | stiff-inclusion |
-// center_mm[3], radius_mm, ratio        | palpation_structure.h                         | | viscoelastic-creep |
-// amplitude, time_s (each a vector)     | the load that acts is the load that was put   | |   (prony-1), (prony-2) | |
-// on, by the creep function: exact where all of | |                            | | the specimen creeps alike | |
-// force-bias                 | zero_N, gain                          | reading = gain * force + zero                 |
-// | frame-misalignment         | rotation_deg[3], translation_mm[3]    | seen = R place + t; R by its rotation vector,
-// | |                            |                                       | about the origin of the coordinates | |
-// anisotropy                 | axis[3], ratio                        | palpation_structure.h; the axis's length has  |
-// |   (fibres), (engineering)  |                                       | no meaning | | capsule                    |
-// stiffness_N_per_mm                    | palpation_structure.h                         | | preload (gravity) |
-// gravity_m_s2[3]                       | besides declared gravity                      | | preload (pressure) |
-// pressure_kPa                          | on the whole boundary, positive compresses    |
+// - stiffness-scale {factor}: Young's modulus everywhere.
+// - strain-stiffening {coefficient}: StiffeningLaw in state.h.
+// - support-compliance {foundation_kPa_per_mm}: structure.h.
+// - stiff-inclusion {center_mm[3], radius_mm, ratio}: structure.h.
+// - viscoelastic-creep, prony-1 or prony-2 {amplitude, time_s, each a vector}: the load that acts is the load that was
+//   put on, by the creep function. Exact where all of the specimen creeps alike.
+// - force-bias {zero_N, gain}: reading = gain * force + zero.
+// - frame-misalignment {rotation_deg[3], translation_mm[3]}: seen = R place + t; R by its rotation vector, about the
+//   origin of the coordinates.
+// - anisotropy, fibres or engineering {axis[3], ratio}: structure.h; the axis's length has no meaning.
+// - capsule {stiffness_N_per_mm}: structure.h.
+// - preload, gravity {gravity_m_s2[3]}: besides declared gravity.
+// - preload, pressure {pressure_kPa}: on the whole boundary; positive compresses.
 
 #include <string>
 #include <vector>

@@ -22,7 +22,7 @@ struct FaceLoad {
 
 // The change at the markers (mm, 3 rows a marker, a column a load), times what is still missing then: errors that fall
 // with the cells' size to the power of 1.4, as they do by the edges of tools and of clamps, are 1.6 times the first
-// step. No columns where the mesh has more than `most_cells_refined`: refining would take longer than all the rest.
+// step. No columns where the mesh has more than `maximum_cells_refined`: refining would take longer than all the rest.
 inline constexpr std::size_t maximum_cells_refined = 16000;
 [[nodiscard]] Eigen::MatrixXd discretisation_error_mm(const PalpationSolver& solver,
                                                       const std::vector<Eigen::Vector3d>& marker_places_mm,

@@ -19,7 +19,7 @@ class PalpationSolver {
                                         const Progress& progress);
 
   // What every unit load moves the markers by (mm): 3 rows a marker, a column a load. Failures:
-  // "factorisation-failed" and "too-large" (mechanics/cholesky_factor.h), "solve-inexact".
+  // "factorisation-failed" and "too-large" (mechanics/solvers/cholesky_factor.h), "solve-inexact".
   [[nodiscard]] Result<Eigen::MatrixXd> at_markers(const Structure& structure) const;
   // Its derivatives, one matrix a parameter, per unit of the parameter.
   [[nodiscard]] Result<std::vector<Eigen::MatrixXd>> derivatives_at_markers(

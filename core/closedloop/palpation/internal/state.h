@@ -15,7 +15,7 @@ namespace glisson::closedloop {
 // a bar is pulled): sigma = E g(q) (C / E) eps. The energy E/2 integral of g makes it an elastic law, at small strain.
 //
 // Tissue that stiffens is mostly strained far: two more laws are for large strain, by principal stretches
-// (palpation_stretch.h), under loads that keep the direction and the faces that they have at rest. They hold the
+// (stretch.h), under loads that keep the direction and the faces that they have at rest. They hold the
 // geometry's own nonlinearity too, and replace the declared small strain as soon as they are on at all.
 enum class StiffeningLaw {
   exponential,  // g = exp(b q): Fung's
@@ -51,7 +51,7 @@ struct PalpationState {
   [[nodiscard]] Structure scaled_structure() const;
 };
 
-// Settings of palpation_effects.h. `held_from_kPa_per_mm`: springs as stiff as this are no springs.
+// Settings of effects.h. `held_from_kPa_per_mm`: springs as stiff as this are no springs.
 [[nodiscard]] PalpationState state_of(const Settings& settings, double held_from_kPa_per_mm);
 
 }  // namespace glisson::closedloop

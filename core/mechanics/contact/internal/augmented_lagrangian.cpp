@@ -114,7 +114,7 @@ Result<bool> AugmentedLagrangian::equilibrate(const std::vector<ContactTool>& to
   // The more a tool advances the more it meets: secants, kept between what was too little and too much.
   constexpr int maximum_attempts = 30;
   for (int attempt = 0; attempt < maximum_attempts; ++attempt) {
-    const auto rested = rest_at_advances(tools, problem);
+    const auto rested = equilibrate_at_advances(tools, problem);
     if (!rested || !*rested) return rested;
     bool as_pushed = true;
     for (Drive& drive : drives) {
@@ -144,7 +144,8 @@ Result<bool> AugmentedLagrangian::equilibrate(const std::vector<ContactTool>& to
   return false;
 }
 
-Result<bool> AugmentedLagrangian::rest_at_advances(const std::vector<ContactTool>& tools, const BodyProblem& problem) {
+Result<bool> AugmentedLagrangian::equilibrate_at_advances(const std::vector<ContactTool>& tools,
+                                                          const BodyProblem& problem) {
   for (ContactConstraint& constraint : constraints_) {
     constraint.rod = rod_of(constraint.place, tools);
     const Pose pose = pose_of(constraint.place.tool, tools);
@@ -153,7 +154,7 @@ Result<bool> AugmentedLagrangian::rest_at_advances(const std::vector<ContactTool
   constexpr int maximum_rounds = 40, rounds_that_wander = 6;
   for (int round = 0; round < maximum_rounds; ++round) {
     update_multipliers(tools);
-    for (ContactConstraint& constraint : constraints_) limit_drag(constraint, u_mm_);
+    for (ContactConstraint& constraint : constraints_) limit_friction(constraint, u_mm_);
     walls_.find(u_mm_, round == 0                   ? CutSelfContact::Search::anew
                        : round < rounds_that_wander ? CutSelfContact::Search::again
                                                     : CutSelfContact::Search::more);
@@ -177,27 +178,27 @@ Result<bool> AugmentedLagrangian::rest_at_advances(const std::vector<ContactTool
     double all_mN = 0, changed_mN = 0, farthest_off_mm = 0;
     for (ContactConstraint& constraint : constraints_) {
       const double force_mN = normal_force_mN(constraint, k_mN_mm_, gap_of(constraint, u_mm_));
-      changed_mN += std::abs(force_mN - constraint.force_mN);
+      changed_mN += std::abs(force_mN - constraint.multiplier_mN);
       all_mN += force_mN;
-      constraint.force_mN = force_mN;
-      const Drag drag = drag_of(constraint, k_mN_mm_, u_mm_);
-      changed_mN += (drag.force_mN - constraint.drag_mN).norm();
-      constraint.drag_mN = drag.force_mN;
-      constraint.slips = drag.slips;
+      constraint.multiplier_mN = force_mN;
+      const FrictionForce friction = friction_force_of(constraint, k_mN_mm_, u_mm_);
+      changed_mN += (friction.force_mN - constraint.friction_mN).norm();
+      constraint.friction_mN = friction.force_mN;
+      constraint.slips = friction.slips;
       if (force_mN == 0) restart_friction(constraint, tools);  // it has lost the tool, or not met it yet
     }
     for (PrescribedPatch& patch : patches_) {
       const Vector3d force_mN = patch.pull_mN(k_mN_mm_, u_mm_);
-      changed_mN += (force_mN - patch.force_mN).norm();
+      changed_mN += (force_mN - patch.multiplier_mN).norm();
       all_mN += force_mN.norm();
-      patch.force_mN = force_mN;
+      patch.multiplier_mN = force_mN;
       farthest_off_mm = std::max(farthest_off_mm, patch.off_mm(u_mm_).norm());
     }
     for (CutContact& cut_contact : walls_.cut_contacts()) {
       const double force_mN = normal_force_mN(cut_contact, k_mN_mm_, u_mm_);
-      changed_mN += std::abs(force_mN - cut_contact.force_mN);
+      changed_mN += std::abs(force_mN - cut_contact.multiplier_mN);
       all_mN += force_mN;
-      cut_contact.force_mN = force_mN;
+      cut_contact.multiplier_mN = force_mN;
     }
     report_.overlap_mm = report_.penetration_mm = walls_.find(u_mm_, CutSelfContact::Search::more);
     for (const ContactCandidate& place : contact_candidates(surface_, tools, advance_mm_, surface_mm(u_mm_), 0.0)) {
@@ -261,10 +262,10 @@ Vector3d AugmentedLagrangian::force_of_tool(std::size_t tool) const {
   Vector3d sum = Vector3d::Zero();
   for (const ContactConstraint& constraint : constraints_) {
     if (constraint.place.tool == tool)
-      sum += constraint.force_mN * gap_of(constraint, u_mm_).normal + constraint.drag_mN;
+      sum += constraint.multiplier_mN * gap_of(constraint, u_mm_).normal + constraint.friction_mN;
   }
   for (const PrescribedPatch& patch : patches_) {
-    if (patch.tool == tool) sum += patch.force_mN;
+    if (patch.tool == tool) sum += patch.multiplier_mN;
   }
   return sum;
 }
@@ -272,16 +273,16 @@ Vector3d AugmentedLagrangian::force_of_tool(std::size_t tool) const {
 VectorXd AugmentedLagrangian::force_mN() const {
   VectorXd sum = VectorXd::Zero(u_mm_.size());
   for (const ContactConstraint& constraint : constraints_) {
-    const Vector3d force = constraint.force_mN * gap_of(constraint, u_mm_).normal + constraint.drag_mN;
+    const Vector3d force = constraint.multiplier_mN * gap_of(constraint, u_mm_).normal + constraint.friction_mN;
     for (int i = 0; i < 3; ++i) sum.segment<3>(3 * constraint.nodes[i]) += constraint.place.weights[i] * force;
   }
   for (const PrescribedPatch& patch : patches_) {
     for (std::size_t i = 0; i < patch.nodes.size(); ++i) {
-      sum.segment<3>(3 * patch.nodes[i]) += patch.weights[i] * patch.force_mN;
+      sum.segment<3>(3 * patch.nodes[i]) += patch.weights[i] * patch.multiplier_mN;
     }
   }
   for (const CutContact& cut_contact : walls_.cut_contacts()) {
-    const Vector3d force = cut_contact.force_mN * cut_contact.normal;
+    const Vector3d force = cut_contact.multiplier_mN * cut_contact.normal;
     for (const auto& [node, share] : cut_contact.shares()) sum.segment<3>(3 * node) += share * force;
   }
   return sum;
@@ -292,7 +293,7 @@ std::vector<ToolContact> AugmentedLagrangian::contacts(const std::vector<Contact
   for (std::size_t t = 0; t < tools.size(); ++t) {
     ToolContact tool{tools[t].id, force_of_tool(t), 0, advance_mm_[static_cast<Eigen::Index>(t)], 0};
     for (const ContactConstraint& constraint : constraints_) {
-      if (constraint.place.tool != t || constraint.force_mN == 0) continue;
+      if (constraint.place.tool != t || constraint.multiplier_mN == 0) continue;
       ++tool.contacts;
       if (constraint.friction > 0) ++(constraint.slips ? tool.slipping : tool.sticking);
     }

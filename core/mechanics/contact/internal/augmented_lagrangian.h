@@ -1,6 +1,7 @@
 #pragma once
-// Tools that press on a body whose rest, or whose step in time, is the minimum of a potential energy (newton.h):
-// large_contact.h says how. What the tools do is three terms more of the body's potential energy. Inside of this room.
+// Contact at large deformation and in motion, where equilibrium or a step in time is the minimum of a potential energy
+// (newton.h). Tools, jaws and faces of cuts are three terms more of it; large_contact.h says which. Inside of this
+// room.
 
 #include "mechanics/contact/contact.h"
 #include "mechanics/contact/internal/contact_candidates.h"
@@ -19,13 +20,12 @@ struct Minimum {
   double relative_residual = 0;
 };
 
-// What all but the tools makes of the body and how large its forces are, over what it is solved, and where the search
-// begins; `minimum` is moved on.
+// The body's minimisation without contact.
 struct BodyProblem {
   const TotalPotential& alone;
-  double scale_mN;
-  const Unknowns& unknowns;
-  Minimum& minimum;
+  double scale_mN;           // of its forces
+  const Unknowns& unknowns;  // nodes or handles
+  Minimum& minimum;          // where the search begins; moved on
   MinimiseOptions options;
   Progress progress;
 };
@@ -53,7 +53,7 @@ class AugmentedLagrangian {
 
  private:
   AugmentedLagrangian(const Body& body, const ContactOptions& options, Eigen::VectorXd u_mm);
-  Result<bool> rest_at_advances(const std::vector<ContactTool>& tools, const BodyProblem& problem);
+  Result<bool> equilibrate_at_advances(const std::vector<ContactTool>& tools, const BodyProblem& problem);
   void update_multipliers(const std::vector<ContactTool>& tools);
   [[nodiscard]] Eigen::VectorXd surface_mm(const Eigen::VectorXd& u_mm) const;
   [[nodiscard]] Eigen::Vector3d force_of_tool(std::size_t tool) const;

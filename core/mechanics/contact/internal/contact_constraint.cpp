@@ -28,18 +28,18 @@ Gap gap_of(const ContactConstraint& constraint, const VectorXd& u_mm) {
   return gap;
 }
 
-void limit_drag(ContactConstraint& constraint, const VectorXd& u_mm) {
-  constraint.maximum_drag_mN = constraint.friction * constraint.force_mN;
-  if (constraint.maximum_drag_mN == 0) return;
+void limit_friction(ContactConstraint& constraint, const VectorXd& u_mm) {
+  constraint.friction_limit_mN = constraint.friction * constraint.multiplier_mN;
+  if (constraint.friction_limit_mN == 0) return;
   constraint.normal = gap_of(constraint, u_mm).normal;
-  constraint.drag_mN -= constraint.drag_mN.dot(constraint.normal) * constraint.normal;
+  constraint.friction_mN -= constraint.friction_mN.dot(constraint.normal) * constraint.normal;
 }
 
-Drag drag_of(const ContactConstraint& constraint, double k_mN_mm, const VectorXd& u_mm) {
-  if (constraint.maximum_drag_mN == 0) return {Vector3d::Zero(), Matrix3d::Zero(), 0.0, true};
+FrictionForce friction_force_of(const ContactConstraint& constraint, double k_mN_mm, const VectorXd& u_mm) {
+  if (constraint.friction_limit_mN == 0) return {Vector3d::Zero(), Matrix3d::Zero(), 0.0, true};
   const Matrix3d tangential = Matrix3d::Identity() - constraint.normal * constraint.normal.transpose();
-  const Vector3d y = constraint.drag_mN - k_mN_mm * tangential * (place_of(constraint, u_mm) - constraint.from_mm);
-  const double maximum = constraint.maximum_drag_mN, size = y.norm(), known = constraint.drag_mN.squaredNorm();
+  const Vector3d y = constraint.friction_mN - k_mN_mm * tangential * (place_of(constraint, u_mm) - constraint.from_mm);
+  const double maximum = constraint.friction_limit_mN, size = y.norm(), known = constraint.friction_mN.squaredNorm();
   if (size <= maximum) return {y, k_mN_mm * tangential, (size * size - known) / (2 * k_mN_mm), false};
   const Vector3d way = y / size;
   return {maximum * way, k_mN_mm * maximum / size * (tangential - way * way.transpose()),

@@ -1,6 +1,6 @@
 #pragma once
 // A place of the surface that a rod of a tool presses on, and Coulomb's friction there: large_contact.h says how both
-// join the body's energy. `u_mm` has 3 values a node; `k_mN_mm` is the springs' stiffness. Inside of this room.
+// join the body's energy. `u_mm` has 3 values a node; `k_mN_mm` is the penalty stiffness. Inside of this room.
 
 #include <array>
 #include <Eigen/Core>
@@ -9,27 +9,25 @@
 
 namespace glisson::mechanics {
 
-// A kept place with the rod where it is now, and the force that it is known to bear.
+// A tracked place with the rod where it is now, and the multipliers: the forces found so far.
 struct ContactConstraint {
   TrackedContact place;
   Rod rod;
   std::array<int, 3> nodes;
   Eigen::Vector3d rest_mm;
-  double force_mN = 0;
-  // Where there is friction: what the place is known to be dragged with, by how much at most, which way the tool faces
-  // it, and where on the tool it came from, in the tool's frame and where that is now.
-  double friction = 0;
-  Eigen::Vector3d drag_mN{0, 0, 0};
-  double maximum_drag_mN = 0;
-  Eigen::Vector3d normal{0, 0, 1};
-  Eigen::Vector3d from_on_tool_mm{0, 0, 0}, from_mm{0, 0, 0};
+  double multiplier_mN = 0;                                    // of the normal force
+  double friction = 0;                                         // Coulomb's coefficient
+  Eigen::Vector3d friction_mN{0, 0, 0};                        // the tangential multiplier
+  double friction_limit_mN = 0;                                // where it slips
+  Eigen::Vector3d normal{0, 0, 1};                             // out of the tool, when the limit was set
+  Eigen::Vector3d from_on_tool_mm{0, 0, 0}, from_mm{0, 0, 0};  // where it slid from: on the tool, and where that is now
   bool slips = false;
 };
 
 // Where the place is now.
 [[nodiscard]] Eigen::Vector3d place_of(const ContactConstraint& constraint, const Eigen::VectorXd& u_mm);
 
-// How far it is from its rod, which way that grows, and how that turns.
+// The distance from its rod, with its first and second derivative.
 struct Gap {
   double mm;
   Eigen::Vector3d normal;
@@ -37,17 +35,17 @@ struct Gap {
 };
 [[nodiscard]] Gap gap_of(const ContactConstraint& constraint, const Eigen::VectorXd& u_mm);
 
-// From now on the place drags with no more than mu times the force that it is known to bear, across the tool as it
-// faces it now.
-void limit_drag(ContactConstraint& constraint, const Eigen::VectorXd& u_mm);
+// Sets the limit of friction, mu times the normal multiplier, and the tangential plane as the tool faces it now.
+void limit_friction(ContactConstraint& constraint, const Eigen::VectorXd& u_mm);
 
-// The tangential force that it is dragged with, and how that turns and grows as the place moves on.
-struct Drag {
+// The tangential force on it, minus its derivative by the place, and its energy.
+struct FrictionForce {
   Eigen::Vector3d force_mN{0, 0, 0};
   Eigen::Matrix3d stiffness = Eigen::Matrix3d::Zero();
   double energy_uJ = 0;
   bool slips = false;
 };
-[[nodiscard]] Drag drag_of(const ContactConstraint& constraint, double k_mN_mm, const Eigen::VectorXd& u_mm);
+[[nodiscard]] FrictionForce friction_force_of(const ContactConstraint& constraint, double k_mN_mm,
+                                              const Eigen::VectorXd& u_mm);
 
 }  // namespace glisson::mechanics

@@ -40,7 +40,7 @@ Trial with_touching(const ContactProblem& problem, const std::vector<bool>& touc
     right.tail(drives) = problem.drive_force;
   }
   Eigen::VectorXd solved = system.partialPivLu().solve(right);
-  if (!solved.allFinite()) solved = system.fullPivLu().solve(right);  // a drive that nothing bears
+  if (!solved.allFinite()) solved = system.fullPivLu().solve(right);  // a pushed tool that no contact stops
   Trial trial{Eigen::VectorXd::Zero(contacts), solved.tail(drives), {}};
   for (Eigen::Index i = 0; i < count; ++i) trial.force[active[static_cast<std::size_t>(i)]] = solved[i];
   trial.gap = problem.start + problem.compliance * trial.force + give.cwiseProduct(trial.force);

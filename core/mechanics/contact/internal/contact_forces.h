@@ -5,11 +5,12 @@
 
 namespace glisson::mechanics {
 
-// Given how the gaps of m contacts answer to their forces, gaps = start + compliance forces (symmetric, positive
-// semi-definite), with the last `two_sided` of them held at zero from both sides: find forces such that at each of the
-// others force >= 0, gap >= 0, and one of them is zero; and, for each column of `drives` (m x k), advances so that
+// A mixed linear complementarity problem of m contacts and k pushed tools:
 //   gaps = start + compliance forces - drives advances,   drives^T forces = drive_force
-// (a tool on a slide, pushed by a known force: the advance is where it comes to rest).
+// - One-sided contacts: force >= 0, gap >= 0, and one of them is zero.
+// - The last `two_sided` ones: gap = 0, and any force.
+// - A column of `drives` (m x k) is a tool on a slide, pushed by a known force; its advance is where it comes to rest.
+// The compliance is symmetric and positive semi-definite.
 struct ContactProblem {
   Eigen::MatrixXd compliance;
   Eigen::VectorXd start;
@@ -25,10 +26,9 @@ struct ContactForces {
   bool converged = false;
 };
 
-// A contact that bears gives by itself by a thousandth of what the body gives there, so that many contacts in one place
-// have one answer; gaps are met to that. Block principal pivoting, which falls back to Murty's least-index exchange
-// where it cycles (Judice and Pires 1994, Computers and Operations Research 21:587-596). A drive that no contact can
-// take is left where it is, unconverged.
+// Block principal pivoting, with Murty's least-index exchange where it cycles (Judice and Pires 1994, Computers and
+// Operations Research 21:587-596). The compliance's diagonal is raised by a thousandth, so that many contacts in one
+// place have one answer; gaps are met to that. A pushed tool that no contact stops stays where it is, unconverged.
 [[nodiscard]] ContactForces solve_contact(const ContactProblem& problem);
 
 }  // namespace glisson::mechanics

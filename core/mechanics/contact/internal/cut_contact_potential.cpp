@@ -12,7 +12,7 @@ double CutContactPotential::energy_uJ(const VectorXd& u_mm) const {
   double sum_uJ = 0;
   for (const CutContact& contact : contacts_) {
     const double force = normal_force_mN(contact, k_, u_mm);
-    sum_uJ += (force * force - contact.force_mN * contact.force_mN) / (2 * k_);
+    sum_uJ += (force * force - contact.multiplier_mN * contact.multiplier_mN) / (2 * k_);
   }
   return sum_uJ;
 }
@@ -36,12 +36,12 @@ void CutContactPotential::add_tangent(const VectorXd& u_mm, Tangent /*which*/, T
 
 double CutContactPotential::scale_uJ(const VectorXd& /*u_mm*/) const {
   double scale_uJ = 0;
-  for (const CutContact& contact : contacts_) scale_uJ += contact.force_mN * contact.force_mN / k_;
+  for (const CutContact& contact : contacts_) scale_uJ += contact.multiplier_mN * contact.multiplier_mN / k_;
   return scale_uJ;
 }
 
 double normal_force_mN(const CutContact& contact, double k_mN_mm, const VectorXd& u_mm) {
-  return std::max(0.0, contact.force_mN - k_mN_mm * contact.gap_mm(u_mm));
+  return std::max(0.0, contact.multiplier_mN - k_mN_mm * contact.gap_mm(u_mm));
 }
 
 }  // namespace glisson::mechanics

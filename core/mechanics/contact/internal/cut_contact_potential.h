@@ -1,5 +1,5 @@
 #pragma once
-// Walls of cuts that meet: (max(0, p - k g)^2 - p^2) / (2 k) for each point and the triangle across from it
+// Self-contact of the faces of cuts: (max(0, p - k g)^2 - p^2) / (2 k) for each point and the triangle across from it
 // (cut_self_contact.h). Inside of this room.
 
 #include <vector>
@@ -24,7 +24,7 @@ class CutContactPotential : public Potential {
   double k_;
 };
 
-// What the walls press with at one of them.
+// What the faces press with at one of them.
 [[nodiscard]] double normal_force_mN(const CutContact& contact, double k_mN_mm, const Eigen::VectorXd& u_mm);
 
 }  // namespace glisson::mechanics

@@ -46,7 +46,7 @@ double CutSelfContact::find(const Eigen::VectorXd& u_mm, Search search) {
     deepest_mm = std::max(deepest_mm, met.depth_mm);
     for (; known != cut_contacts_.end() && known->owner == met.owner; ++known) {
       if (search != Search::more || known->triangle == met.triangle) {
-        met.force_mN += known->force_mN;
+        met.multiplier_mN += known->multiplier_mN;
       } else {
         next.push_back(*known);
       }

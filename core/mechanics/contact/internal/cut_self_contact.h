@@ -1,6 +1,6 @@
 #pragma once
-// The walls of cuts, which may touch and slide along each other and not pass through: where a point of one meets a
-// triangle of another, found anew as they move. Inside of this room.
+// Self-contact of the faces of cuts, which may touch and slide and not pass through each other. Pairs of a point of one
+// face and a triangle of another are found anew as they move. Inside of this room.
 
 #include <array>
 #include <Eigen/Core>
@@ -10,16 +10,16 @@
 
 namespace glisson::mechanics {
 
-// A point of a wall and the place of the wall across from it, both nodes of the body (3 values each).
+// A point of a face and the triangle across from it, both nodes of the body (3 values each).
 struct CutContact {
   std::size_t owner, triangle;  // in the order of CutSelfContact
   int point;
   std::array<int, 3> corners;
   Eigen::Vector3d weights;
-  Eigen::Vector3d normal;   // out of the triangle
-  Eigen::Vector3d rest_mm;  // from the place to the point
-  double depth_mm = 0;      // from the place to the point when it was found, if that was behind it
-  double force_mN = 0;      // that it is known to bear
+  Eigen::Vector3d normal;    // out of the triangle
+  Eigen::Vector3d rest_mm;   // from the place to the point
+  double depth_mm = 0;       // from the place to the point when it was found, if that was behind it
+  double multiplier_mN = 0;  // the normal force found so far
 
   // Below zero where the point has passed through the triangle.
   [[nodiscard]] double gap_mm(const Eigen::VectorXd& u_mm) const {
@@ -40,12 +40,14 @@ class CutSelfContact {
   CutSelfContact(const geometry::Surface& surface, const std::vector<int>& node_of_point,
                  const std::vector<int>& wall_points);
 
-  // Where the points are with the body moved by u: nearer than 1 mm to a triangle that faces them, or up to 5 mm behind
-  // it; a force stays with its point. Anew: no others. Again: where a point is found nowhere, its last place stays.
-  // More: all places stay, on the triangles that are not met now. For a point over an edge or a rim that met one
-  // triangle and another, or one and none, by turns would never come to rest.
+  // Finds the contacts with the body moved by u: points nearer than 1 mm to a triangle that faces them, or up to 5 mm
+  // behind it. A multiplier stays with its point.
+  // - anew: contacts found now alone.
+  // - again: a point that is found nowhere keeps its last contact.
+  // - more: earlier contacts stay beside those found now. A point over an edge or a rim would else change triangles
+  //   from round to round and never come to rest.
   enum class Search { anew, again, more };
-  // Gives back how far a point is from the place that it met, behind it, at most.
+  // Gives back the deepest penetration.
   double find(const Eigen::VectorXd& u_mm, Search search);
 
   [[nodiscard]] std::vector<CutContact>& cut_contacts() { return cut_contacts_; }

@@ -8,7 +8,7 @@ using Eigen::VectorXd;
 double GraspPotential::energy_uJ(const VectorXd& u_mm) const {
   double sum_uJ = 0;
   for (const PrescribedPatch& patch : patches_) {
-    sum_uJ += (patch.pull_mN(k_, u_mm).squaredNorm() - patch.force_mN.squaredNorm()) / (2 * k_);
+    sum_uJ += (patch.pull_mN(k_, u_mm).squaredNorm() - patch.multiplier_mN.squaredNorm()) / (2 * k_);
   }
   return sum_uJ;
 }
@@ -34,7 +34,7 @@ void GraspPotential::add_tangent(const VectorXd& /*u_mm*/, Tangent /*which*/, Ta
 
 double GraspPotential::scale_uJ(const VectorXd& /*u_mm*/) const {
   double scale_uJ = 0;
-  for (const PrescribedPatch& patch : patches_) scale_uJ += patch.force_mN.squaredNorm() / k_;
+  for (const PrescribedPatch& patch : patches_) scale_uJ += patch.multiplier_mN.squaredNorm() / k_;
   return scale_uJ;
 }
 

@@ -8,20 +8,20 @@
 
 namespace glisson::mechanics {
 
-// The nodes with their weights, where their mean should be, and the force that it is known to need.
+// The nodes with their weights, where their mean should be, and the multiplier: the force found so far.
 struct PrescribedPatch {
   std::size_t tool;
   std::vector<int> nodes;
   std::vector<double> weights;
   Eigen::Vector3d from_mm{0, 0, 0};  // where the mean was when they closed
   Eigen::Vector3d wanted_mm{0, 0, 0};
-  Eigen::Vector3d force_mN{0, 0, 0};
+  Eigen::Vector3d multiplier_mN{0, 0, 0};
 
   // How far the mean is from where it should be.
   [[nodiscard]] Eigen::Vector3d off_mm(const Eigen::VectorXd& u_mm) const;
   // What the jaws pull with, by springs of stiffness k.
   [[nodiscard]] Eigen::Vector3d pull_mN(double k_mN_mm, const Eigen::VectorXd& u_mm) const {
-    return force_mN - k_mN_mm * off_mm(u_mm);
+    return multiplier_mN - k_mN_mm * off_mm(u_mm);
   }
 };
 

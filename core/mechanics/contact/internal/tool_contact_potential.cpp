@@ -12,8 +12,8 @@ double ToolContactPotential::energy_uJ(const VectorXd& u_mm) const {
   double sum_uJ = 0;
   for (const ContactConstraint& constraint : constraints_) {
     const double force = normal_force_mN(constraint, k_, gap_of(constraint, u_mm));
-    sum_uJ += (force * force - constraint.force_mN * constraint.force_mN) / (2 * k_) +
-              drag_of(constraint, k_, u_mm).energy_uJ;
+    sum_uJ += (force * force - constraint.multiplier_mN * constraint.multiplier_mN) / (2 * k_) +
+              friction_force_of(constraint, k_, u_mm).energy_uJ;
   }
   return sum_uJ;
 }
@@ -21,7 +21,8 @@ double ToolContactPotential::energy_uJ(const VectorXd& u_mm) const {
 void ToolContactPotential::add_force(const VectorXd& u_mm, VectorXd& force_mN) const {
   for (const ContactConstraint& constraint : constraints_) {
     const Gap gap = gap_of(constraint, u_mm);
-    const Vector3d force = normal_force_mN(constraint, k_, gap) * gap.normal + drag_of(constraint, k_, u_mm).force_mN;
+    const Vector3d force =
+        normal_force_mN(constraint, k_, gap) * gap.normal + friction_force_of(constraint, k_, u_mm).force_mN;
     for (int i = 0; i < 3; ++i) force_mN.segment<3>(3 * constraint.nodes[i]) += constraint.place.weights[i] * force;
   }
 }
@@ -30,8 +31,8 @@ void ToolContactPotential::add_tangent(const VectorXd& u_mm, Tangent which, Tang
   for (const ContactConstraint& constraint : constraints_) {
     const Gap gap = gap_of(constraint, u_mm);
     const double force = normal_force_mN(constraint, k_, gap);
-    if (force == 0 && constraint.maximum_drag_mN == 0) continue;
-    Matrix3d block = drag_of(constraint, k_, u_mm).stiffness;
+    if (force == 0 && constraint.friction_limit_mN == 0) continue;
+    Matrix3d block = friction_force_of(constraint, k_, u_mm).stiffness;
     if (force > 0) block += k_ * gap.normal * gap.normal.transpose();
     if (force > 0 && which == Tangent::exact) block -= force * gap.bend;
     for (int a = 0; a < 3; ++a) {
@@ -46,13 +47,13 @@ void ToolContactPotential::add_tangent(const VectorXd& u_mm, Tangent which, Tang
 double ToolContactPotential::scale_uJ(const VectorXd& /*u_mm*/) const {
   double scale_uJ = 0;
   for (const ContactConstraint& constraint : constraints_) {
-    scale_uJ += (constraint.force_mN * constraint.force_mN + constraint.drag_mN.squaredNorm()) / k_;
+    scale_uJ += (constraint.multiplier_mN * constraint.multiplier_mN + constraint.friction_mN.squaredNorm()) / k_;
   }
   return scale_uJ;
 }
 
 double normal_force_mN(const ContactConstraint& constraint, double k_mN_mm, const Gap& gap) {
-  return std::max(0.0, constraint.force_mN - k_mN_mm * gap.mm);
+  return std::max(0.0, constraint.multiplier_mN - k_mN_mm * gap.mm);
 }
 
 }  // namespace glisson::mechanics

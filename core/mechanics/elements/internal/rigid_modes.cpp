@@ -14,7 +14,7 @@ namespace {
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
 // A rigid motion moves the point x by t + w x (x - center) / size, with t and w of like magnitude.
-struct RigidFrame {
+struct RigidMotions {
   Eigen::Vector3d center_mm;
   double size_mm;
 
@@ -27,9 +27,9 @@ struct RigidFrame {
   }
 };
 
-Matrix6d resistance(const RigidFrame& frame, const NodeLayout& layout, const std::vector<BoundaryFace>& boundary,
+Matrix6d resistance(const RigidMotions& rigid, const NodeLayout& layout, const std::vector<BoundaryFace>& boundary,
                     const ResolvedSupports& supports);
-std::string describe(const RigidFrame& frame, const Eigen::MatrixXd& free);
+std::string describe(const RigidMotions& rigid, const Eigen::MatrixXd& free);
 std::string direction_name(const Eigen::Vector3d& direction);
 std::string point_name(const Eigen::Vector3d& point_mm);
 
@@ -38,27 +38,27 @@ std::string point_name(const Eigen::Vector3d& point_mm);
 std::string free_motion(const NodeLayout& layout, const std::vector<BoundaryFace>& boundary,
                         const ResolvedSupports& supports) {
   const geometry::Box box = geometry::bounding_box(layout.positions_mm);
-  const RigidFrame frame{box.center_mm(), 0.5 * box.diagonal_mm()};
-  const SymmetricModes modes = symmetric_modes(resistance(frame, layout, boundary, supports));
+  const RigidMotions rigid{box.center_mm(), 0.5 * box.diagonal_mm()};
+  const SymmetricModes modes = symmetric_modes(resistance(rigid, layout, boundary, supports));
   // The eigenvalues are dimensionless, at most about 2. Supports within 1e-5 of the body's size of a line or a point
   // count as lying on it: their lever is lost in what measured positions round to.
   constexpr double resisted = 1e-10;
   const int free_count = static_cast<int>((modes.values.array() < resisted).count());
   if (free_count == 0) return {};
-  return describe(frame, modes.vectors.leftCols(free_count));
+  return describe(rigid, modes.vectors.leftCols(free_count));
 }
 
 namespace {
 
-Matrix6d resistance(const RigidFrame& frame, const NodeLayout& layout, const std::vector<BoundaryFace>& boundary,
+Matrix6d resistance(const RigidMotions& rigid, const NodeLayout& layout, const std::vector<BoundaryFace>& boundary,
                     const ResolvedSupports& supports) {
-  Matrix6d by_held = Matrix6d::Zero();
+  Matrix6d by_fixed = Matrix6d::Zero();
   int fixed_count = 0;
   for (int node = 0; node < layout.nodes(); ++node) {
-    const auto motion = frame.displacement_at(layout.positions_mm[node]);
+    const auto motion = rigid.displacement_at(layout.positions_mm[node]);
     for (int d = 0; d < 3; ++d) {
       if (!supports.fixed[3 * static_cast<std::size_t>(node) + d]) continue;
-      by_held += motion.row(d).transpose() * motion.row(d);
+      by_fixed += motion.row(d).transpose() * motion.row(d);
       ++fixed_count;
     }
   }
@@ -70,14 +70,14 @@ Matrix6d resistance(const RigidFrame& frame, const NodeLayout& layout, const std
     for (const TrianglePoint& point : triangle_points_degree_4()) {
       Eigen::Vector3d x_mm = Eigen::Vector3d::Zero();
       for (int i = 0; i < 3; ++i) x_mm += point.barycentric[i] * layout.positions_mm[face.nodes[i]];
-      const auto motion = frame.displacement_at(x_mm);
+      const auto motion = rigid.displacement_at(x_mm);
       by_springs += point.weight * face.area_mm2 * motion.transpose() * motion;
     }
   }
-  return by_held / std::max(fixed_count, 1) + by_springs / (area_mm2 > 0 ? area_mm2 : 1.0);
+  return by_fixed / std::max(fixed_count, 1) + by_springs / (area_mm2 > 0 ? area_mm2 : 1.0);
 }
 
-std::string describe(const RigidFrame& frame, const Eigen::MatrixXd& free) {
+std::string describe(const RigidMotions& rigid, const Eigen::MatrixXd& free) {
   if (free.cols() == 6) return GLISSON_TEXT("is not held at all");
 
   // Combinations of the free motions that do not turn are slides; the rest turn.
@@ -108,11 +108,11 @@ std::string describe(const RigidFrame& frame, const Eigen::MatrixXd& free) {
       shifts.segment<3>(3 * k) = -turns[k].head<3>();
     }
     const Eigen::Vector3d arm = least_squares(levers, shifts);
-    sentences.push_back("can turn about the point " + point_name(frame.center_mm + frame.size_mm * arm));
+    sentences.push_back("can turn about the point " + point_name(rigid.center_mm + rigid.size_mm * arm));
   } else {
     for (const Eigen::VectorXd& motion : turns) {
       const Eigen::Vector3d t = motion.head<3>(), w = motion.tail<3>();
-      const Eigen::Vector3d on_axis_mm = frame.center_mm + frame.size_mm * w.cross(t) / w.squaredNorm();
+      const Eigen::Vector3d on_axis_mm = rigid.center_mm + rigid.size_mm * w.cross(t) / w.squaredNorm();
       sentences.push_back("can turn about the axis through " + point_name(on_axis_mm) + " along " + direction_name(w));
     }
   }

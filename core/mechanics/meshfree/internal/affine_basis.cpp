@@ -60,7 +60,10 @@ Eigen::VectorXd affine_handles(const ShapeFunctions& shape, const std::function<
 }
 
 AffineBasis::AffineBasis(const geometry::TetMesh& mesh, const NodeLayout& layout, const ShapeFunctions& shape)
-    : positions_mm_(shape.nodes_mm), anchors_(shape.anchors), points_mm_(mesh.points_mm), share_starts_(shape.starts) {
+    : positions_mm_(shape.nodes_mm),
+      fixed_nodes_(shape.fixed_nodes),
+      points_mm_(mesh.points_mm),
+      share_starts_(shape.starts) {
   for (int handle = 0; handle < handles(); ++handle) lengths_mm_.push_back(handle_length_mm(shape, handle));
   shares_.reserve(shape.nodes.size());
   for (int p = 0; p < points(); ++p) {

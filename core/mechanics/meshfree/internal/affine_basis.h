@@ -49,8 +49,8 @@ class AffineBasis {
 
   [[nodiscard]] int handles() const { return static_cast<int>(positions_mm_.size()); }
   [[nodiscard]] Eigen::Index unknowns() const { return Eigen::Index{handle_size} * handles(); }
-  // The last handles, which hold what is held (meshfree_body.h).
-  [[nodiscard]] int anchors() const { return anchors_; }
+  // How many of the last handles are those of fixed points (meshfree_body.h).
+  [[nodiscard]] int fixed_nodes() const { return fixed_nodes_; }
   [[nodiscard]] int points() const { return static_cast<int>(points_mm_.size()); }
   [[nodiscard]] int places() const { return static_cast<int>(ends_.size()); }
 
@@ -99,7 +99,7 @@ class AffineBasis {
 
   std::vector<Eigen::Vector3d> positions_mm_;  // of handles
   std::vector<double> lengths_mm_;
-  int anchors_ = 0;
+  int fixed_nodes_ = 0;
   std::vector<Eigen::Vector3d> points_mm_;
   std::vector<std::size_t> share_starts_;
   std::vector<Share> shares_;

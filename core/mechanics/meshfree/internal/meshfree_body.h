@@ -2,10 +2,10 @@
 // A body made ready for the meshfree engine, offline: nodes, shape functions, and the stiffness at rest over handles
 // (reduced_matrix.h). Equilibrium and motion both start from one.
 //
-// What is held is held by springs, because no unknown stands at a held point: each held direction of a place has one,
-// `hold_factor` times as stiff as the body itself is there. Held points then give way by about that part of a cell's
-// deformation, and results say by how much. Points held in all directions have a node of their own, one in each part of
-// the body that holds any: the others would be held with them, and all that they reach.
+// Fixed points are fixed by a penalty, because no unknown stands at them: a spring in each fixed direction of a place,
+// `penalty_factor` times as stiff as the body itself is there. They give way by about that part of a cell's
+// deformation, and results say by how much. Points fixed in all directions have a node of their own, one in each part
+// of the body that has any; else the nodes that reach them would be fixed with them.
 
 #include <memory>
 #include <vector>
@@ -24,17 +24,17 @@ struct MeshfreeBody {
   MaterialLaw law = MaterialLaw::linear;
   ShapeFunctions shape;
   std::shared_ptr<const AffineBasis> basis;
-  std::vector<Material> materials;  // one a cell
-  std::vector<double> hold;         // springs (mN/mm), 3 a place; 0 where free
+  std::vector<Material> materials;    // one a cell
+  std::vector<double> penalty_mN_mm;  // springs, 3 a place; 0 where free
   Lists handles_meeting;
   ReducedOperator::Form form;
-  ReducedOperator rest_stiffness;  // of the body, its foundations, its capsule and `hold`
+  ReducedOperator rest_stiffness;  // of the body, its foundations, its capsule and `penalty_mN_mm`
   double setup_s = 0;
 
-  static constexpr double hold_factor = 1e3;
+  static constexpr double penalty_factor = 1e3;
 
-  // What the springs of held points push with (mN, 3 a place) where the places have moved by u.
-  [[nodiscard]] Eigen::VectorXd holding_force_mN(const Eigen::VectorXd& u_mm) const;
+  // What the springs of fixed points push with (mN, 3 a place) where the places have moved by u.
+  [[nodiscard]] Eigen::VectorXd penalty_force_mN(const Eigen::VectorXd& u_mm) const;
   // The tangent at u, with what holds and surrounds the body, the gas at `pressure_kPa`.
   [[nodiscard]] ReducedOperator tangent(const Eigen::VectorXd& u_mm, Tangent which, double pressure_kPa = 0) const;
   // A tangent of the places (its lower triangle) and what holds, assembled whatever the number of handles.

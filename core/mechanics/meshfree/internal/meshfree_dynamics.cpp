@@ -46,7 +46,7 @@ struct MeshfreeMotion::Impl {
     if (is_linear()) return -(stiffness * q_mm);
     const Eigen::VectorXd u_mm = handles.basis->displacement(q_mm);
     return handles.basis->reduce(mechanics::force_mN(boundary_potentials(handles.body, follower_pressure_kPa), u_mm) +
-                                 handles.holding_force_mN(u_mm) -
+                                 handles.penalty_force_mN(u_mm) -
                                  internal_force_mN(handles.body, handles.materials, u_mm));
   }
 
@@ -97,7 +97,7 @@ StepReport MeshfreeMotion::step(const AppliedLoads& loads) {
   return parts.described(report, watch);
 }
 
-Result<StepReport> MeshfreeMotion::step(const AppliedLoads& loads, const RestUnder& rest_under,
+Result<StepReport> MeshfreeMotion::step(const AppliedLoads& loads, const MinimiseWithTools& minimise_with_tools,
                                         const Progress& progress) {
   const Stopwatch watch;
   Impl& parts = *impl_;
@@ -107,12 +107,12 @@ Result<StepReport> MeshfreeMotion::step(const AppliedLoads& loads, const RestUnd
                           velocity_mm_s());
   Minimum minimum{parts.q_mm};
   const Result<bool> rested =
-      rest_under({step.potential(),
-                  step.scale_mN(),
-                  HandleUnknowns(parts.handles),
-                  minimum,
-                  {parts.options.relative_tolerance, newton_steps_of_a_round, body.options.memory_limit_bytes},
-                  progress});
+      minimise_with_tools({step.potential(),
+                           step.scale_mN(),
+                           HandleUnknowns(parts.handles),
+                           minimum,
+                           {parts.options.relative_tolerance, newton_steps_of_a_round, body.options.memory_limit_bytes},
+                           progress});
   if (!rested) return failure(rested.error());
   StepReport report;
   report.iterations = minimum.newton_steps;
@@ -166,7 +166,7 @@ void MeshfreeMotion::set_rigid_velocity(const Eigen::Vector3d& velocity_mm_s, co
 }
 
 Eigen::Vector3d MeshfreeMotion::fixed_reaction_mN() const {
-  return sum_of(impl_->handles.holding_force_mN(displacement_mm()));
+  return sum_of(impl_->handles.penalty_force_mN(displacement_mm()));
 }
 
 Eigen::Vector3d MeshfreeMotion::momentum_kg_mm_s() const {

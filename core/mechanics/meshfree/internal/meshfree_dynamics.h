@@ -28,11 +28,13 @@ class MeshfreeMotion {
   // report's residual is that of the handles' equations.
   StepReport step(const AppliedLoads& loads);
 
-  // The same where tools press: `rest_under` brings the body to the step's minimum with them (augmented_lagrangian.h).
+  // The same in contact: `minimise_with_tools` finds the minimum of the step's potential energy with the tools' terms
+  // (augmented_lagrangian.h).
   // The report's `iterations` are Newton steps. Failures: "too-large", "factorisation-failed", "cancelled", those of
-  // `rest_under`.
-  using RestUnder = std::function<Result<bool>(const BodyProblem& problem)>;
-  Result<StepReport> step(const AppliedLoads& loads, const RestUnder& rest_under, const Progress& progress = {});
+  // `minimise_with_tools`.
+  using MinimiseWithTools = std::function<Result<bool>(const BodyProblem& problem)>;
+  Result<StepReport> step(const AppliedLoads& loads, const MinimiseWithTools& minimise_with_tools,
+                          const Progress& progress = {});
 
   // Of the places, 3 each.
   [[nodiscard]] Eigen::VectorXd displacement_mm() const;

@@ -16,11 +16,11 @@ class ReducedPotential : public Objective {
 
   [[nodiscard]] double energy_uJ(const Eigen::VectorXd& q_mm) const override {
     const Eigen::VectorXd u_mm = handles_.basis->displacement(q_mm);
-    return of_places_.energy_uJ(u_mm) - 0.5 * u_mm.dot(handles_.holding_force_mN(u_mm));
+    return of_places_.energy_uJ(u_mm) - 0.5 * u_mm.dot(handles_.penalty_force_mN(u_mm));
   }
   [[nodiscard]] Eigen::VectorXd force_mN(const Eigen::VectorXd& q_mm) const override {
     const Eigen::VectorXd u_mm = handles_.basis->displacement(q_mm);
-    return handles_.basis->reduce(of_places_.force_mN(u_mm) + handles_.holding_force_mN(u_mm));
+    return handles_.basis->reduce(of_places_.force_mN(u_mm) + handles_.penalty_force_mN(u_mm));
   }
   [[nodiscard]] Eigen::SparseMatrix<double> tangent(const Eigen::VectorXd& q_mm, Tangent which) const override {
     // Newton factorises: assembled, whatever the number of handles.

@@ -14,9 +14,9 @@ namespace {
 // The least that makes a factor of a semi-definite matrix, and what is tried where rounding wants more.
 constexpr std::array<double, 3> raises{1e-13, 1e-11, 1e-9};
 
-// Leaders at the points of a lattice, trilinear between them; and one for each anchor, alone.
+// Leaders at the points of a lattice, trilinear between them; and one for each node of fixed points, alone.
 HandleLead lead_on_lattice(const AffineBasis& basis, int maximum_leaders);
-// Leaders for a given spacing, anchors apart.
+// Leaders for a given spacing, nodes of fixed points left out.
 HandleLead lead_by_spacing(const AffineBasis& basis, double spacing_mm);
 
 // Nothing where the factor does not fit the memory.
@@ -143,7 +143,7 @@ HandleLead lead_on_lattice(const AffineBasis& basis, int maximum_leaders) {
     if (static_cast<int>(finer.leaders_mm.size()) > maximum_leaders) break;
     lead = std::move(finer);
   }
-  const int led = basis.handles() - basis.anchors();
+  const int led = basis.handles() - basis.fixed_nodes();
   for (int i = led; i < basis.handles(); ++i) {
     lead.leaders.push_back(static_cast<int>(lead.leaders_mm.size()));
     lead.weights.push_back(1.0);
@@ -155,7 +155,7 @@ HandleLead lead_on_lattice(const AffineBasis& basis, int maximum_leaders) {
 }
 
 HandleLead lead_by_spacing(const AffineBasis& basis, double spacing_mm) {
-  const int led = basis.handles() - basis.anchors();
+  const int led = basis.handles() - basis.fixed_nodes();
   Eigen::Vector3d origin_mm = basis.position_mm(0);
   for (int i = 0; i < led; ++i) origin_mm = origin_mm.cwiseMin(basis.position_mm(i));
   HandleLead lead;

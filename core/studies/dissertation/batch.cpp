@@ -1,0 +1,128 @@
+#include "studies/dissertation/batch.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <mutex>
+
+#include "base/files.h"
+#include "base/json_value.h"
+#include "base/parallel.h"
+
+namespace glisson::studies {
+namespace fs = std::filesystem;
+namespace {
+
+fs::path row_file(const fs::path& out, const std::string& id) { return out / "patients" / (id + ".json"); }
+
+// A row that can be believed; nothing where there is none, where it is damaged, or where it was made from other input.
+std::optional<BatchRow> finished_row(const fs::path& out, const BatchPatient& patient) {
+  std::error_code problem;
+  if (!fs::exists(row_file(out, patient.id), problem)) return std::nullopt;
+  const auto document = read_json_file(row_file(out, patient.id));
+  if (!document || !says(*document, "fingerprint", patient.fingerprint)) return std::nullopt;
+  BatchRow row{patient.id, {}, string_in(*document, "error").value_or(""), true};
+  const Json* values = value_in(*document, "values");
+  if (values == nullptr || !values->is_object()) return std::nullopt;
+  for (const auto& [name, value] : values->items()) {
+    if (value.is_number()) row.values.emplace_back(name, value.get<double>());
+  }
+  return row;
+}
+
+Result<void> save_row(const fs::path& out, const BatchPatient& patient, const BatchRow& row) {
+  Json document{{"patient", row.id}, {"fingerprint", patient.fingerprint}, {"values", Json::object()}};
+  for (const auto& [name, value] : row.values) document["values"][name] = value;
+  if (!row.error.empty()) document["error"] = row.error;
+  return write_json_file(row_file(out, patient.id), document);
+}
+
+BatchRow computed_row(const BatchPatient& patient, const Result<NamedNumbers>& values) {
+  if (!values) return {patient.id, {}, values.error().message(), false};
+  for (const auto& [name, value] : *values) {
+    if (!std::isfinite(value)) return {patient.id, {}, fmt::format("{} is not a number.", name), false};
+  }
+  return {patient.id, *values, {}, false};
+}
+
+std::string csv_text(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  if (text.find_first_of(",\"") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
+}  // namespace
+
+Result<std::vector<BatchRow>> run_batch(const fs::path& out, const std::vector<BatchPatient>& patients,
+                                        const std::function<Result<NamedNumbers>(std::size_t patient)>& compute,
+                                        const std::optional<std::string>& only, const Progress& progress) {
+  if (patients.empty()) return failure("batch-no-patients", GLISSON_TEXT("There are no patients in this cohort."));
+  const auto named = [&](const BatchPatient& patient) { return patient.id == *only; };
+  if (only && std::none_of(patients.begin(), patients.end(), named)) {
+    return failure("batch-unknown-patient", GLISSON_TEXT("The cohort has no patient {0}."), {*only});
+  }
+  std::error_code problem;
+  fs::create_directories(out / "patients", problem);
+  std::vector<std::optional<BatchRow>> rows(patients.size());
+  std::mutex reporting;
+  std::optional<Error> not_saved;
+  std::size_t done = 0;
+  parallel_for(patients.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t p = begin; p < end; ++p) {
+      rows[p] = finished_row(out, patients[p]);
+      const bool wanted = !only || patients[p].id == *only;
+      if (wanted && (!rows[p] || !rows[p]->error.empty()) && !progress.cancelled()) {
+        const Result<NamedNumbers> values = compute(p);
+        if (!values && values.error().code == "cancelled") continue;
+        rows[p] = computed_row(patients[p], values);
+        const auto saved = save_row(out, patients[p], *rows[p]);
+        const std::lock_guard lock(reporting);
+        if (!saved) not_saved = saved.error();
+      }
+      const std::lock_guard lock(reporting);
+      progress.report(static_cast<double>(++done) / static_cast<double>(patients.size()),
+                      std::string(GLISSON_TEXT("Patient")) + ": " + patients[p].id);
+    }
+  });
+  if (not_saved) return failure(*not_saved);
+  if (progress.cancelled()) return cancelled();
+  std::vector<BatchRow> finished;
+  for (auto& row : rows) {
+    if (row) finished.push_back(std::move(*row));
+  }
+  return finished;
+}
+
+Result<void> write_batch_csv(const fs::path& file, const std::vector<BatchRow>& rows) {
+  std::vector<std::string> names;
+  for (const BatchRow& row : rows) {
+    if (!names.empty()) break;
+    for (const auto& [name, value] : row.values) names.push_back(name);
+  }
+  std::string text = "patient";
+  for (const std::string& name : names) text += "," + name;
+  text += ",error\n";
+  for (const BatchRow& row : rows) {
+    text += csv_text(row.id);
+    for (std::size_t n = 0; n < names.size(); ++n) {
+      text += row.values.empty() ? "," : fmt::format(",{:.6g}", row.values[n].second);
+    }
+    text += "," + csv_text(row.error) + "\n";
+  }
+  return write_text_file(file, text);
+}
+
+std::vector<double> column_of(const std::vector<BatchRow>& rows, const std::string& name) {
+  std::vector<double> column;
+  for (const BatchRow& row : rows) {
+    for (const auto& [known, value] : row.values) {
+      if (known == name) column.push_back(value);
+    }
+  }
+  return column;
+}
+
+}  // namespace glisson::studies

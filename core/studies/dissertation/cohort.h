@@ -1,0 +1,71 @@
+#pragma once
+// How stiffness varies between patients and within them, over a cohort of MRE maps (dissertation, section 4.3): the
+// distribution of the patients' means against the atlas (fig. 4.6) and the spread within a patient against the mean
+// (fig. 4.7). All moduli are shear moduli in kPa.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/json_forward.h"
+#include "base/progress.h"
+#include "base/result.h"
+#include "studies/dissertation/batch.h"
+
+namespace glisson::studies {
+
+struct CohortOptions {
+  // The atlas: the published mean of healthy livers that section 4.3 compares with, and the half-width within which 95
+  // % of that cohort lie. Bins of figs. 4.6 and 4.7 are as wide as that interval, about the atlas's mean.
+  double atlas_kPa = 2.6;
+  double atlas_half_width_kPa = 0.5;
+  // This patient alone, one job of many that share the folder: its row is made, and nothing that sums rows up.
+  std::optional<std::string> only;
+  std::string warning;  // shown on the report; "SIMULATED ..." for a simulated cohort
+};
+
+struct CohortBin {
+  double low_kPa = 0, high_kPa = 0;
+  std::size_t patients = 0;
+  double mean_sd_kPa = 0;  // of the patients' standard deviations; 0 where there are none
+};
+
+struct CohortSummary {
+  std::vector<BatchRow> rows;
+  std::size_t patients = 0, failed = 0, reused = 0;
+  double mean_kPa = 0, sd_kPa = 0, median_kPa = 0;  // of the patients' means
+  double low_kPa = 0, high_kPa = 0;                 // between which 95 % of them lie
+  double like_atlas_fraction = 0;                   // within the atlas's half-width of this cohort's own median
+  double in_atlas_fraction = 0;                     // within it of the atlas's mean
+  double upper_limit_ratio = 0;                     // high_kPa over the atlas's upper limit
+  double rank_correlation = 0;                      // Spearman's, of sd with mean; 1: always grows
+  std::vector<CohortBin> bins;
+};
+
+// Patients are the stiffness maps under a folder (files that imaging::scan gives that role; all positive voxels count)
+// and the cases in it (NAME.glisson: volumes/stiffness, inside labels/liver where there is one). Into `out`:
+// patients/ID.json, cohort.csv, summary.json, report.html.
+//
+// Fails as run_batch does, and with "cohort-all-failed".
+Result<CohortSummary> run_cohort(const std::filesystem::path& folder, const std::filesystem::path& out,
+                                 const CohortOptions& options = {}, const Progress& progress = {});
+
+// The patients' names, as run_cohort takes them. Fails where the folder cannot be read.
+Result<std::vector<std::string>> cohort_patients(const std::filesystem::path& folder);
+
+// What summary.json holds, as JSON text.
+Json summary_json(const CohortSummary& summary);
+
+// Writes a SIMULATED cohort of liver maps as NRRD into the folder: a generated liver each (anatomy/patient.h; by seed 1
+// they are the generator's seeds from 1 on), slices 10 mm apart, stiffness drawn so that 64 % of the patients lie
+// within 0.5 kPa of 2.1 kPa and the upper 95 % limit is 4.8 times the atlas's, as section 4.3 reports, with the spread
+// within a liver growing from 0.95 kPa in proportion to the mean. (A mean of 2.1 kPa, which the section reports too,
+// cannot be had with both: it is taken for the typical patient's.) The same seed gives the same cohort.
+Result<void> write_simulated_cohort(const std::filesystem::path& folder, int patients, unsigned seed = 1);
+
+// What every report on the folder's patients must say: the text of SIMULATED.txt in it, which write_simulated_cohort
+// leaves there; empty without one.
+[[nodiscard]] std::string cohort_warning(const std::filesystem::path& folder);
+
+}  // namespace glisson::studies

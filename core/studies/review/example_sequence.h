@@ -1,0 +1,37 @@
+#pragma once
+// An example of a sequence for SIRGn, to try the judging of registrations without a video at hand: a generated
+// patient's liver, breathing and pressed by a tool, as a laparoscope would see it. SIMULATED, and its file says so.
+
+#include <cstdint>
+#include <filesystem>
+
+#include "base/progress.h"
+#include "base/result.h"
+
+namespace glisson::studies {
+
+struct ExampleSequenceOptions {
+  int frames = 40;
+  int landmarks = 70;
+  int step_px = 10;  // between the clouds' points: about 2,000 a frame
+  double cloud_noise_mm = 0.3;
+  double tracking_noise_mm = 0.3;
+  double lost_share = 0.03;     // of the sightings
+  double outlier_share = 0.03;  // of the landmarks, which jump half way
+  double fault_mm = 20;         // of the registration that it gives, at its worst
+  double fault_radius_mm = 32;
+  std::uint64_t patient = 1;  // seed of the generated liver; 1 is the demo patient's
+  std::uint64_t seed = 2026;  // of noise
+};
+
+// Writes folder/sequence.json, the frames' pictures and clouds, tracks.csv, model.ply, the clouds as registered with
+// one known fault that comes and goes (for the method "given"), and truth.json, which says where it is, and how
+// the patient lies in the camera's frame at rest. hidden.csv has places inside the liver (patient coordinates), which
+// no picture shows, and hidden-truth.csv where each is in each frame (camera). The folder must
+// not exist or be empty ("sequence-folder-not-empty"). Other failures: those of writing files; "cancelled". After a
+// failure the folder is gone, or as empty as it was. Returns sequence.json.
+Result<std::filesystem::path> write_example_sequence(const std::filesystem::path& folder,
+                                                     const ExampleSequenceOptions& options = {},
+                                                     const Progress& progress = {});
+
+}  // namespace glisson::studies

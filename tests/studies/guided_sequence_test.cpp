@@ -1,0 +1,184 @@
+// A patient's liver on a laparoscope's pictures: places that no picture shows are found where they truly are, and
+// drawn.
+
+#include "casefile/guided_sequence.h"
+
+#include <gmock/gmock.h>
+#include <numeric>
+#include <sstream>
+
+#include "anatomy/patient.h"
+#include "base/files.h"
+#include "base/json.h"
+#include "guidance/guidance_answer.h"
+#include "meshing/mesh_labels.h"
+#include "segmentation/rasterise.h"
+#include "studies/review/example_sequence.h"
+#include "support/folders.h"
+
+namespace glisson::studies {
+namespace {
+
+namespace fs = std::filesystem;
+using Eigen::Isometry3d;
+using Eigen::Vector3d;
+
+constexpr std::uint64_t patient_seed = 4;  // none that guidance was tuned with
+constexpr int frames = 11;                 // half a breath: from rest to where it lies lowest
+constexpr std::size_t every = 2;
+
+// The last three columns of all rows.
+std::vector<Vector3d> places_of(const fs::path& file) {
+  std::stringstream text(read_text_file(file).value());
+  std::string line;
+  std::getline(text, line);
+  std::vector<Vector3d> places;
+  while (std::getline(text, line)) {
+    std::vector<std::string> cells;
+    std::stringstream row(line);
+    for (std::string cell; std::getline(row, cell, ',');) cells.push_back(cell);
+    const std::size_t n = cells.size();
+    places.emplace_back(std::stod(cells.at(n - 3)), std::stod(cells.at(n - 2)), std::stod(cells.at(n - 1)));
+  }
+  return places;
+}
+
+casefile::PatientModel model_of(const geometry::Surface& liver, const std::vector<Vector3d>& hidden_mm) {
+  const auto box = geometry::bounding_box(liver.points_mm);
+  const Vector3d margin = Vector3d::Constant(10);
+  imaging::Grid grid;
+  grid.spacing_mm = Vector3d::Constant(3);
+  grid.origin_mm = box.min_mm - margin;
+  for (int axis = 0; axis < 3; ++axis) {
+    grid.size[static_cast<std::size_t>(axis)] =
+        static_cast<int>(std::ceil((box.max_mm - box.min_mm + 2 * margin)[axis] / 3)) + 1;
+  }
+  const imaging::Mask inside = segmentation::rasterise(liver, grid);
+  const imaging::LabelMap labels{grid, {inside.values.begin(), inside.values.end()}};
+  meshing::MeshOptions options;
+  options.target_cells = 6000;
+  casefile::PatientModel model;
+  model.mesh = meshing::mesh_labels(labels, options).value().body;
+  model.mesh.cell_fields.push_back(
+      {mechanics::youngs_modulus_field, 1, std::vector<double>(model.mesh.cells.size(), 5.0)});
+  for (std::size_t k = 0; k < hidden_mm.size(); ++k) {
+    model.landmarks.push_back({"hidden-" + std::to_string(k + 1), hidden_mm[k]});
+  }
+  model.liver = {"liver", {0.7, 0.3, 0.3}, liver, 0};
+  return model;
+}
+
+registration_quality::SequenceFiles every_second(const registration_quality::SequenceFiles& all) {
+  registration_quality::SequenceFiles some;
+  some.camera = all.camera;
+  for (const auto& track : all.landmarks) some.landmarks.push_back({track.id, {}});
+  for (std::size_t f = 0; f < all.clouds.size(); f += every) {
+    some.clouds.push_back(all.clouds[f]);
+    some.images.push_back(all.images[f]);
+    for (std::size_t k = 0; k < all.landmarks.size(); ++k) {
+      some.landmarks[k].positions_mm.push_back(all.landmarks[k].positions_mm[f]);
+    }
+  }
+  return some;
+}
+
+class GuidedSequenceTest : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = std::make_unique<TemporaryFolder>();
+    ExampleSequenceOptions options;
+    options.frames = frames;
+    options.patient = patient_seed;
+    const auto file = write_example_sequence(folder_->path() / "video", options);
+    ASSERT_TRUE(file) << file.error().message();
+    sequence_ = registration_quality::read_sequence(*file).value();
+    anatomy::PatientOptions patient;
+    patient.seed = patient_seed;
+    model_ = model_of(anatomy::make_liver_surface(patient).value(), places_of(file->parent_path() / "hidden.csv"));
+    truth_mm_ = places_of(file->parent_path() / "hidden-truth.csv");
+    const Json truth = read_json_file(file->parent_path() / "truth.json").value();
+    pose_ = *guidance::rigid_pose(truth["patient_to_camera"].get<std::vector<double>>());
+  }
+  static void TearDownTestSuite() { folder_.reset(); }
+
+  // Distance of each hidden place of a frame from where it truly is.
+  static std::vector<double> errors_mm(std::size_t frame, const std::vector<Vector3d>& found_mm) {
+    std::vector<double> errors;
+    const std::size_t places = truth_mm_.size() / frames;
+    for (std::size_t k = 0; k < places; ++k) errors.push_back((found_mm[k] - truth_mm_[frame * places + k]).norm());
+    return errors;
+  }
+  static double mean(const std::vector<double>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+  }
+
+  static inline std::unique_ptr<TemporaryFolder> folder_;
+  static inline registration_quality::SequenceFiles sequence_;
+  static inline casefile::PatientModel model_;
+  static inline std::vector<Vector3d> truth_mm_;
+  static inline Isometry3d pose_;
+};
+
+TEST_F(GuidedSequenceTest, FollowsWhatNoPictureShowsFromFrameToFrame) {
+  Isometry3d about = pose_;  // as somebody would lay it on the picture by hand
+  about.rotate(Eigen::AngleAxisd(0.1, Vector3d(1, -1, 2).normalized()));
+  about.pretranslate(pose_ * model_.landmarks.front().position_mm - about * model_.landmarks.front().position_mm);
+  about.pretranslate(Vector3d(5, -4, 6));
+  const registration_quality::SequenceFiles some = every_second(sequence_);
+  const auto guided = casefile::guided_sequence(model_, some, about);
+  ASSERT_TRUE(guided) << guided.error().message();
+  const auto answer = guidance::answer(guided->guidance);
+  ASSERT_TRUE(answer) << answer.error().message();
+  ASSERT_EQ(answer->frames.size(), some.clouds.size());
+  std::vector<guidance::ElasticPlacement> placements;
+  double guided_mm = 0, left_mm = 0;
+  int within = 0, all = 0;
+  for (std::size_t f = 0; f < answer->frames.size(); ++f) {
+    const guidance::ElasticPlacement& placed = answer->frames[f].placement;
+    ASSERT_TRUE(placed.converged) << placed.why_not;
+    const std::vector<double> errors = errors_mm(every * f, placed.target_mm);
+    std::vector<Vector3d> at_rest;
+    for (const auto& landmark : model_.landmarks) at_rest.push_back(pose_ * landmark.position_mm);
+    const double left = mean(errors_mm(every * f, at_rest));
+    guided_mm += mean(errors) / static_cast<double>(some.clouds.size());
+    left_mm += left / static_cast<double>(some.clouds.size());
+    for (std::size_t k = 0; k < errors.size(); ++k, ++all) within += errors[k] < 2.5 * placed.target_sd_mm[k] ? 1 : 0;
+    std::printf("frame %zu: error %.2f mm, at rest %.2f mm, %.2f s\n", f, mean(errors), left,
+                answer->frames[f].seconds);
+    placements.push_back(placed);
+  }
+  std::printf("mean %.2f mm (left at rest: %.2f), %d of %d within 2.5 sd\n", guided_mm, left_mm, within, all);
+  EXPECT_LT(guided_mm, 5.0);            // the line that matters
+  EXPECT_LT(guided_mm, 0.7 * left_mm);  // than leaving it where it lay
+  EXPECT_GT(within, all * 8 / 10);
+
+  const auto pictures = casefile::write_overlays(folder_->path() / "drawn", *guided, some, placements);
+  ASSERT_TRUE(pictures) << pictures.error().message();
+  ASSERT_EQ(pictures->size(), some.images.size());
+  const vision::Frame before = vision::read_frame(sequence_.images.front()).value();
+  const vision::Frame drawn = vision::read_frame(pictures->front()).value();
+  std::size_t changed = 0;
+  for (std::size_t i = 0; i < before.rgb.size(); i += 3) {
+    changed += std::abs(before.rgb[i] - drawn.rgb[i]) + std::abs(before.rgb[i + 1] - drawn.rgb[i + 1]) > 24 ? 1 : 0;
+  }
+  EXPECT_GT(changed, 300u);                       // a line around the liver
+  EXPECT_LT(changed, before.rgb.size() / 3 / 5);  // and no more than lines
+}
+
+// Without a guess it is found, or nothing is drawn; never drawn elsewhere.
+TEST_F(GuidedSequenceTest, WithoutAGuessItIsFoundOrSaidNotToBe) {
+  auto guided = casefile::guided_sequence(model_, sequence_, std::nullopt).value();
+  guided.guidance.frames.resize(1);
+  const auto answer = guidance::answer(guided.guidance);
+  ASSERT_TRUE(answer) << answer.error().message();
+  const guidance::ElasticPlacement& placed = answer->frames.front().placement;
+  std::printf("without a guess: %s\n", placed.converged ? "found" : placed.why_not.c_str());
+  if (placed.converged) {
+    EXPECT_LT(mean(errors_mm(0, placed.target_mm)), 8.0);
+  } else {
+    EXPECT_THAT(placed.why_not, testing::HasSubstr("f000"));
+  }
+}
+
+}  // namespace
+}  // namespace glisson::studies
