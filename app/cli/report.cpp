@@ -44,8 +44,9 @@ Result<Outcome> run(const ReportCommand& command, const Progress& progress) {
   if (!patient) return failure(patient.error());
   report::PatientPageContent content;
   if (!command.name.empty()) content.name = command.name;
-  const TemporaryFolder scratch;
-  auto figures = pictures(*patient, scratch.path());
+  const auto scratch = TemporaryFolder::make();
+  if (!scratch) return failure(scratch.error());
+  auto figures = pictures(*patient, scratch->path());
   if (!figures) return failure(std::move(figures.error()));
   content.figures = *std::move(figures);
   const auto page = report::patient_page(*patient, content, progress);

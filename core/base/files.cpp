@@ -3,11 +3,15 @@
 #include <openssl/evp.h>
 #include <unistd.h>
 #include <array>
+#include <cerrno>
 #include <cstdlib>
 #include <fstream>
 #include <memory>
 #include <sstream>
 #include <system_error>
+#include <utility>
+
+#include "base/write_file.h"
 
 namespace glisson {
 namespace fs = std::filesystem;
@@ -86,15 +90,22 @@ std::string sha256_of_text(std::string_view text) {
   return hash.digest();
 }
 
-TemporaryFolder::TemporaryFolder() {
-  std::string pattern = (fs::temp_directory_path() / "glisson-XXXXXX").string();
-  GLISSON_ASSERT(::mkdtemp(pattern.data()) != nullptr);
-  path_ = pattern;
+Result<TemporaryFolder> TemporaryFolder::make() {
+  std::error_code problem;
+  const fs::path place = fs::temp_directory_path(problem);
+  if (problem) return file_not_writable(place, problem.message());
+  std::string pattern = (place / "glisson-XXXXXX").string();
+  if (::mkdtemp(pattern.data()) == nullptr) return file_not_writable(pattern, std::generic_category().message(errno));
+  return TemporaryFolder(pattern);
 }
+
+TemporaryFolder::TemporaryFolder() : TemporaryFolder(make().value()) {}
+
+TemporaryFolder::TemporaryFolder(TemporaryFolder&& other) noexcept : path_(std::exchange(other.path_, {})) {}
 
 TemporaryFolder::~TemporaryFolder() {
   std::error_code ignored;
-  fs::remove_all(path_, ignored);
+  if (!path_.empty()) fs::remove_all(path_, ignored);
 }
 
 Result<fs::path> resource_folder() {

@@ -28,14 +28,17 @@ std::string sha256_of_text(std::string_view text);
 // A new folder of its own under the system's place for temporary files, removed with all in it on destruction.
 class TemporaryFolder {
  public:
-  TemporaryFolder();
+  // Failure: "file-not-writable".
+  static Result<TemporaryFolder> make();
+  TemporaryFolder();  // for tests: one that cannot be made is a defect
+  TemporaryFolder(TemporaryFolder&& other) noexcept;
+  TemporaryFolder& operator=(TemporaryFolder&&) = delete;
   ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
  private:
-  std::filesystem::path path_;
+  explicit TemporaryFolder(std::filesystem::path path) : path_(std::move(path)) {}
+  std::filesystem::path path_;  // empty once moved from
 };
 
 // The folder with the shipped resources (demo patient, colour maps): $GLISSON_RESOURCES if set, else beside

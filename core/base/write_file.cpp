@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -46,13 +47,42 @@ class Part {
   bool holds_old_ = false;  // what was at the target stands at the path
 };
 
+// A folder that is not there yet: it is filled beside its place, known by a lock as a part is, and renamed once.
+class NewFolder {
+ public:
+  static Result<NewFolder> begin(const fs::path& target);
+  NewFolder(NewFolder&& other) noexcept
+      : descriptor_(std::exchange(other.descriptor_, -1)),
+        target_(std::move(other.target_)),
+        path_(std::move(other.path_)) {}
+  NewFolder& operator=(NewFolder&&) = delete;
+  ~NewFolder();
+
+  [[nodiscard]] const fs::path& target() const { return target_; }
+  // Where what is to lie at `place`, below the target, is written until then; nothing for any other place.
+  [[nodiscard]] std::optional<fs::path> beside(const fs::path& place) const;
+  // 0, or what the system says of it.
+  [[nodiscard]] int put_in_place();
+
+ private:
+  NewFolder(int descriptor, fs::path target, fs::path path)
+      : descriptor_(descriptor), target_(std::move(target)), path_(std::move(path)) {}
+  int descriptor_ = -1;
+  fs::path target_, path_;  // the path is empty once it stands in its place
+};
+
 // The files of a write_together under way in this thread.
 struct Together {
+  std::vector<NewFolder> folders;
   std::vector<std::pair<Part, fs::path>> written;
 };
 thread_local Together* together = nullptr;
 
+// `at_once`: or kept as a part of what is written together.
+Result<void> write_bytes(const fs::path& target, std::string_view bytes, bool at_once);
+Result<std::optional<fs::path>> place_in_new_folder(Together& files, const fs::path& target);
 Result<void> put_all_in_place(Together& files);
+int rename_new(const fs::path& from, const fs::path& to);
 void flush_folder_of(const fs::path& target);
 bool locked(int descriptor);
 bool stands_at(int descriptor, const fs::path& path);
@@ -62,21 +92,10 @@ std::string reason_of(int code) { return std::generic_category().message(code); 
 }  // namespace
 
 Result<void> write_file(const fs::path& target, std::string_view bytes) {
-  std::error_code problem;
-  if (target.has_parent_path()) fs::create_directories(target.parent_path(), problem);
-  if (problem) return file_not_writable(target, problem.message());
-  auto part = Part::begin(target);
-  if (!part) return failure(std::move(part.error()));
-  if (const int code = part->write(bytes); code != 0) return file_not_writable(target, reason_of(code));
-  // A disk may find out only now that it is full (quotas, network), and after a rename it would be too late.
-  if (const int code = part->flush(); code != 0) return file_not_writable(target, reason_of(code));
-  if (together != nullptr) {
-    together->written.emplace_back(std::move(*part), target);
-    return {};
-  }
-  if (const int code = part->put_in_place(target); code != 0) return file_not_writable(target, reason_of(code));
-  flush_folder_of(target);
-  return {};
+  if (together == nullptr) return write_bytes(target, bytes, true);
+  auto beside = place_in_new_folder(*together, target);
+  if (!beside) return failure(std::move(beside.error()));
+  return *beside ? write_bytes(**beside, bytes, true) : write_bytes(target, bytes, false);
 }
 
 Result<void> write_copy(const fs::path& source, const fs::path& target) {
@@ -127,12 +146,14 @@ void remove_abandoned_parts(const fs::path& folder) {
   std::error_code problem;
   for (fs::recursive_directory_iterator file(folder, fs::directory_options::skip_permission_denied, problem), end;
        !problem && file != end; file.increment(problem)) {
-    if (file->path().filename().string().starts_with(part_prefix)) parts.push_back(file->path());
+    if (!file->path().filename().string().starts_with(part_prefix)) continue;
+    parts.push_back(file->path());
+    file.disable_recursion_pending();
   }
   for (const fs::path& part : parts) {
     const int descriptor = ::open(part.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
     if (descriptor < 0) continue;
-    if (locked(descriptor)) ::unlink(part.c_str());
+    if (locked(descriptor)) fs::remove_all(part, problem);
     ::close(descriptor);
   }
 }
@@ -188,6 +209,24 @@ Result<void> MemoryFile::write_to(const fs::path& target) const {
 }
 
 namespace {
+
+Result<void> write_bytes(const fs::path& target, std::string_view bytes, bool at_once) {
+  std::error_code problem;
+  if (target.has_parent_path()) fs::create_directories(target.parent_path(), problem);
+  if (problem) return file_not_writable(target, problem.message());
+  auto part = Part::begin(target);
+  if (!part) return failure(std::move(part.error()));
+  if (const int code = part->write(bytes); code != 0) return file_not_writable(target, reason_of(code));
+  // A disk may find out only now that it is full (quotas, network), and after a rename it would be too late.
+  if (const int code = part->flush(); code != 0) return file_not_writable(target, reason_of(code));
+  if (!at_once) {
+    together->written.emplace_back(std::move(*part), target);
+    return {};
+  }
+  if (const int code = part->put_in_place(target); code != 0) return file_not_writable(target, reason_of(code));
+  flush_folder_of(target);
+  return {};
+}
 
 Result<Part> Part::begin(const fs::path& target) {
   constexpr std::size_t longest_name = 200;  // a system takes 255 bytes
@@ -252,17 +291,97 @@ int Part::exchange_with(const fs::path& target) {
   return code;
 }
 
+Result<NewFolder> NewFolder::begin(const fs::path& target) {
+  constexpr std::size_t longest_name = 200;  // a system takes 255 bytes
+  const std::string name = target.filename().string().substr(0, longest_name);
+  constexpr int maximum_writers = 100;  // of one target at one time
+  for (int number = 0; number < maximum_writers; ++number) {
+    const std::string count = number == 0 ? "" : std::to_string(number) + "-";
+    fs::path path = target.parent_path() / (part_prefix + count + name);
+    if (::mkdir(path.c_str(), 0777) != 0 && errno != EEXIST) return file_not_writable(target, reason_of(errno));
+    const int descriptor = ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC | O_NOFOLLOW);
+    if (descriptor < 0) continue;  // a file, or left by another person, or planted
+    if (locked(descriptor) && stands_at(descriptor, path)) {
+      NewFolder folder(descriptor, target, path);
+      std::error_code problem;  // what a killed writer left in it
+      for (const auto& left : fs::directory_iterator(path, problem)) fs::remove_all(left.path(), problem);
+      if (problem) return file_not_writable(target, problem.message());
+      return folder;
+    }
+    ::close(descriptor);
+  }
+  return file_not_writable(target, GLISSON_TEXT("others are writing it"));
+}
+
+NewFolder::~NewFolder() {
+  if (descriptor_ < 0) return;
+  std::error_code ignored;
+  if (!path_.empty() && stands_at(descriptor_, path_)) fs::remove_all(path_, ignored);
+  ::close(descriptor_);
+}
+
+std::optional<fs::path> NewFolder::beside(const fs::path& place) const {
+  const auto [end_of_target, rest] = std::mismatch(target_.begin(), target_.end(), place.begin(), place.end());
+  if (end_of_target != target_.end() || rest == place.end()) return std::nullopt;
+  fs::path beside = path_;
+  for (auto part = rest; part != place.end(); ++part) beside /= *part;
+  return beside;
+}
+
+int NewFolder::put_in_place() {
+  if (const int code = rename_new(path_, target_); code != 0) return code;
+  path_.clear();
+  return 0;
+}
+
+// The first folder above the target that is missing is made as a whole.
+Result<std::optional<fs::path>> place_in_new_folder(Together& files, const fs::path& target) {
+  for (const NewFolder& folder : files.folders) {
+    if (auto beside = folder.beside(target)) return beside;
+  }
+  if (target != target.lexically_normal()) return std::nullopt;  // "new/../here" needs the folder now
+  fs::path missing;
+  std::error_code problem;
+  for (fs::path above = target.parent_path();
+       !above.empty() && fs::symlink_status(above, problem).type() == fs::file_type::not_found;
+       above = above.parent_path()) {
+    missing = above;
+  }
+  if (missing.empty()) return std::nullopt;
+  auto folder = NewFolder::begin(missing);
+  if (!folder) return failure(std::move(folder.error()));
+  files.folders.push_back(std::move(*folder));
+  return files.folders.back().beside(target);
+}
+
 // One right after the other; what was there stands by, to come back where one of them cannot take its place.
 Result<void> put_all_in_place(Together& files) {
   std::vector<std::pair<Part, fs::path>>& written = files.written;
+  const auto take_back = [&](std::size_t count) {
+    for (std::size_t done = count; done-- > 0;) (void)written[done].first.exchange_with(written[done].second);
+  };
   for (std::size_t n = 0; n < written.size(); ++n) {
     const int code = written[n].first.exchange_with(written[n].second);
     if (code == 0) continue;
-    for (std::size_t done = n; done-- > 0;) (void)written[done].first.exchange_with(written[done].second);
+    take_back(n);
     return file_not_writable(written[n].second, reason_of(code));
   }
+  for (NewFolder& folder : files.folders) {
+    const int code = folder.put_in_place();
+    if (code == 0) continue;
+    take_back(written.size());
+    return file_not_writable(folder.target(), reason_of(code));
+  }
   for (const auto& [part, target] : written) flush_folder_of(target);
+  for (const NewFolder& folder : files.folders) flush_folder_of(folder.target());
   return {};
+}
+
+// Replaces nothing but an empty folder, where the file system cannot refuse even that.
+int rename_new(const fs::path& from, const fs::path& to) {
+  if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return 0;
+  if (errno != EINVAL && errno != ENOSYS) return errno;
+  return ::rename(from.c_str(), to.c_str()) == 0 ? 0 : errno;
 }
 
 void flush_folder_of(const fs::path& target) {

@@ -20,8 +20,9 @@ Result<void> write_file(const std::filesystem::path& target, std::string_view by
 Result<void> write_copy(const std::filesystem::path& source, const std::filesystem::path& target);
 
 // Calls write(), whose files, as long as this thread writes them, all take their places together when it succeeds, and
-// none of them where it fails. A kill among the renames, which follow each other at once, is the only thing in between.
-// Inside, no file may be read back. A call inside of another joins it.
+// none of them where it fails. A folder that was not there takes its place as a whole, by one rename. In a folder that
+// was there, a kill among the renames, which follow each other at once, is the only thing in between. Inside, no file
+// may be read back. A call inside of another joins it.
 Result<void> write_together(const std::function<Result<void>()>& write);
 
 // The two files take each other's places, or the one that is there the other's. 0, or what the system says of it. On

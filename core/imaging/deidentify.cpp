@@ -5,6 +5,7 @@
 #include <random>
 
 #include "base/files.h"
+#include "base/write_file.h"
 #include "imaging/data_set_cleaner.h"
 #include "imaging/dicom_fields.h"
 #include "imaging/dicom_image.h"
@@ -17,6 +18,8 @@ namespace {
 
 Result<std::vector<fs::path>> files_under(const fs::path& path);
 std::map<std::string, std::string> description_of_file(const fs::path& path);
+Result<DeidentifyResult> clean_all(const fs::path& path, const fs::path& out, const DeidentifyOptions& options,
+                                   const Progress& progress);
 Result<void> clean_file(const fs::path& file, const fs::path& out, const std::string& series_description,
                         const std::string& key, DeidentifyResult& result);
 void warn_of_burned_in_text(DcmDataset& data_set, const fs::path& file, std::vector<std::string>& warnings);
@@ -34,6 +37,21 @@ Result<DeidentifyResult> deidentify(const fs::path& path, const fs::path& out, c
                          GLISSON_TEXT("Choose a folder elsewhere for the files without identity."),
                          out});
   }
+  std::error_code ignored;
+  // Into a folder that was there, file by file: so many cannot be kept open until the last is written.
+  if (fs::exists(out, ignored)) return clean_all(path, out, options, progress);
+  Result<DeidentifyResult> result;
+  const auto written = write_together([&]() -> Result<void> {
+    result = clean_all(path, out, options, progress);
+    return result ? Result<void>() : failure(result.error());
+  });
+  return written ? std::move(result) : failure(written.error());
+}
+
+namespace {
+
+Result<DeidentifyResult> clean_all(const fs::path& path, const fs::path& out, const DeidentifyOptions& options,
+                                   const Progress& progress) {
   const auto files = files_under(path);
   if (!files) return failure(files.error());
   const std::map<std::string, std::string> descriptions = description_of_file(path);
@@ -60,8 +78,6 @@ Result<DeidentifyResult> deidentify(const fs::path& path, const fs::path& out, c
   }
   return result;
 }
-
-namespace {
 
 Result<std::vector<fs::path>> files_under(const fs::path& path) {
   std::error_code problem;

@@ -1,5 +1,6 @@
 // Generated livers beside real ones (livers_couinaud, read only): volume aside, are size along each axis, surface,
-// bending, share of each segment and calibres of the vessels those of real livers? Prints the table of docs/anatomy.md.
+// curvature by scale, share of each segment and calibres of the vessels those of real livers? Prints the table of
+// docs/anatomy.md.
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -8,6 +9,7 @@
 #include <iostream>
 #include <map>
 
+#include "anatomy/level_surface.h"
 #include "anatomy/patient.h"
 #include "imaging/filters.h"
 #include "imaging/volume_file.h"
@@ -90,6 +92,23 @@ std::pair<double, double> bending(const Surface& surface) {
   return {outwards, inwards};
 }
 
+// The shape without what is smaller than about `scale_mm`: where its mask, blurred so far, is half full.
+Surface seen_at_scale(const Mask& mask, double scale_mm) {
+  Field field{mask.grid, {mask.values.begin(), mask.values.end()}};
+  field.values = imaging::gaussian_blur(std::move(field.values), mask.grid, scale_mm);
+  for (float& value : field.values) value = 0.5F - value;
+  return geometry::connected_pieces(level_surface(std::move(field))).front();
+}
+
+// Bending that is left at coarser and coarser scales: how much of a shape is folds, and how much is lobes.
+void measure_curvature_spectrum(const LabelMap& labels, double side_mm, Figures& figures) {
+  for (const double scale : {0.03, 0.06, 0.12}) {
+    const auto [outwards, inwards] = bending(seen_at_scale(mask_of(labels), scale * side_mm));
+    figures[fmt::format("bending outwards at {} V^1/3", scale)].push_back(outwards / side_mm);
+    figures[fmt::format("bending inwards at {} V^1/3", scale)].push_back(inwards / side_mm);
+  }
+}
+
 void measure_shape(const LabelMap& labels, Figures& figures) {
   Surface surface = meshing::mask_surface(mask_of(labels), meshing::organ_smoothing).value();
   surface = geometry::connected_pieces(surface).front();
@@ -104,6 +123,7 @@ void measure_shape(const LabelMap& labels, Figures& figures) {
   const auto [outwards, inwards] = bending(surface);
   figures["bending outwards / V^1/3"].push_back(outwards / side);
   figures["bending inwards / V^1/3"].push_back(inwards / side);
+  measure_curvature_spectrum(labels, side, figures);
 }
 
 void measure_segments(const LabelMap& labels, Figures& figures) {
@@ -217,7 +237,8 @@ TEST(GeneratedLivers, LieWithinTheSpreadOfRealOnes) {
   GLISSON_NEEDS_DATA("livers_couinaud");
   const Figures real = of_real_livers(test::shared_data() / "livers_couinaud");
   const Figures generated = of_generated_livers(16);
-  std::cout << "| | real: least | median | most | generated: least | median | most |\n|---|---|---|---|---|---|---|\n";
+  std::cout << "| | real: minimum | median | maximum | generated: minimum | median | maximum "
+               "|\n|---|---|---|---|---|---|---|\n";
   for (const auto& [what, values] : real) {
     const Spread r = spread_of(values), g = spread_of(generated.at(what));
     std::cout << fmt::format("| {} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} |\n", what, r.minimum,

@@ -129,6 +129,46 @@ TEST(WriteFile, FilesWrittenTogetherAreAllThereOrNone) {
   EXPECT_EQ(files_in(folder.path()), 2u);
 }
 
+// All of a new folder, or nothing of it: whoever waits for the folder finds it whole.
+TEST(WriteFile, ANewFolderWrittenTogetherTakesItsPlaceAsAWhole) {
+  const TemporaryFolder folder;
+  const fs::path results = folder.path() / "2026" / "results", mesh = results / "meshes" / "result.vtu";
+  const auto write = [&](const Result<void>& end) {
+    return write_together([&] {
+      return write_file(mesh, "mesh").and_then([&] {
+        EXPECT_FALSE(fs::exists(folder.path() / "2026"));
+        return write_file(results / "result.json", "{}").and_then([&] { return end; });
+      });
+    });
+  };
+  EXPECT_FALSE(write(failure("test", "no space left")));
+  EXPECT_EQ(files_in(folder.path()), 0u);
+
+  fs::create_directories(folder.path() / ".part-2026" / "left by a killed one");
+  ASSERT_TRUE(write({}));
+  EXPECT_EQ(read_text_file(mesh).value(), "mesh");
+  EXPECT_EQ(read_text_file(results / "result.json").value(), "{}");
+  EXPECT_EQ(files_in(folder.path()), 1u);
+  EXPECT_EQ(files_in(folder.path() / "2026"), 1u);
+  EXPECT_EQ(files_in(results), 2u);
+}
+
+TEST(WriteFile, AFolderThatAnotherMadeMeanwhileIsNotReplaced) {
+  const TemporaryFolder folder;
+  const fs::path results = folder.path() / "results";
+  const auto written = write_together([&] {
+    return write_file(results / "a.json", "ours").and_then([&] {
+      fs::create_directory(results);
+      std::ofstream(results / "b.json") << "theirs";
+      return Result<void>();
+    });
+  });
+  ASSERT_FALSE(written);
+  EXPECT_THAT(written.error().message(), HasSubstr(results.string()));
+  EXPECT_EQ(files_in(results), 1u);
+  EXPECT_EQ(files_in(folder.path()), 1u);
+}
+
 TEST(WriteFile, ALinkIsReplacedAndNotWrittenThrough) {
   const TemporaryFolder folder;
   const fs::path outside = folder.path() / "outside.txt", link = folder.path() / "link.txt";
