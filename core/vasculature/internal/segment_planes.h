@@ -42,7 +42,8 @@ enum Parameter : std::size_t {
 
 using PlaneParameters = std::array<double, parameter_count>;
 
-// Of generated patients 1 to 10, fitted to their segments; the spread is theirs, doubled, since real livers vary more.
+// Of generated patients 1 to 10, fitted to their segments and rounded; the spread is chosen two to five times theirs,
+// since real livers vary more.
 extern const PlaneParameters mean_planes, plane_spread;
 
 class SegmentPlanes {
