@@ -16,7 +16,7 @@ namespace {
 constexpr std::array<System, 2> systems = {System::portal_vein, System::hepatic_vein};
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-// What it costs; tuned on generated patients 1 to 10 and the tuning half of the real livers (docs/territories.md).
+// What it costs: chosen, and looked at on generated patients 1 to 3.
 constexpr double of_turn = 1.0, of_widening = 2.0, of_contact = 0.5, of_gap_per_mm = 0.05, of_length_per_mm = 0.005,
                  of_entry_distance_per_mm = 0.05, of_entry_thinness = 1.0;
 
