@@ -4328,6 +4328,86 @@
         <source>there is no picture</source>
         <translation>es gibt kein Bild</translation>
     </message>
+    <message>
+        <source>{0} and the liver lie on different grids.</source>
+        <translation>{0} und die Leber liegen auf verschiedenen Gittern.</translation>
+    </message>
+    <message>
+        <source>Import one of them again: a case carries what it imports to one grid.</source>
+        <translation>Importieren Sie eines davon erneut: Ein Fall bringt, was er importiert, auf ein Gitter.</translation>
+    </message>
+    <message>
+        <source>The case has no vessels to make trees of.</source>
+        <translation>Der Fall hat keine Gefäße, aus denen Bäume werden könnten.</translation>
+    </message>
+    <message>
+        <source>Mark the structures portal-vein and hepatic-vein, or both as one structure, vessels.</source>
+        <translation>Markieren Sie die Strukturen portal-vein und hepatic-vein, oder beide als eine Struktur, vessels.</translation>
+    </message>
+    <message>
+        <source>The case has no vessel trees.</source>
+        <translation>Der Fall hat keine Gefäßbäume.</translation>
+    </message>
+    <message>
+        <source>Find them first (vessels), or take the liver&apos;s shape alone (--from prior).</source>
+        <translation>Suchen Sie sie zuerst (vessels), oder nehmen Sie allein die Form der Leber (--from prior).</translation>
+    </message>
+    <message>
+        <source>measuring the depth of the vessels</source>
+        <translation>die Tiefe der Gefäße wird gemessen</translation>
+    </message>
+    <message>
+        <source>following the vessels</source>
+        <translation>den Gefäßen wird gefolgt</translation>
+    </message>
+    <message>
+        <source>measuring the vessels</source>
+        <translation>die Gefäße werden vermessen</translation>
+    </message>
+    <message>
+        <source>The axes of the vessel mask are not at right angles: resample it.</source>
+        <translation>Die Achsen der Gefäßmaske stehen nicht senkrecht aufeinander: Tasten Sie sie neu ab.</translation>
+    </message>
+    <message>
+        <source>The vessel mask holds no voxels: mark vessels first, or import another mask.</source>
+        <translation>Die Gefäßmaske enthält keine Voxel: Markieren Sie zuerst Gefäße, oder importieren Sie eine andere Maske.</translation>
+    </message>
+    <message>
+        <source>The vessel mask holds a piece of {0} mm width that is no vessel: mark vessels alone.</source>
+        <translation>Die Gefäßmaske enthält ein {0} mm breites Stück, das kein Gefäß ist: Markieren Sie nur Gefäße.</translation>
+    </message>
+    <message>
+        <source>looking at the liver</source>
+        <translation>die Leber wird betrachtet</translation>
+    </message>
+    <message>
+        <source>finding the segments</source>
+        <translation>die Segmente werden gesucht</translation>
+    </message>
+    <message>
+        <source>Only {0} % of the vessels lie in the liver: check that both masks are of one scan.</source>
+        <translation>Nur {0} % der Gefäße liegen in der Leber: Prüfen Sie, ob beide Masken von einer Aufnahme sind.</translation>
+    </message>
+    <message>
+        <source>The liver mask holds no voxels: mark the liver first.</source>
+        <translation>Die Lebermaske enthält keine Voxel: Markieren Sie zuerst die Leber.</translation>
+    </message>
+    <message>
+        <source>The image ends within the liver, so that its segments cannot be told: take a scan that holds all of it.</source>
+        <translation>Das Bild endet in der Leber, sodass ihre Segmente nicht zu bestimmen sind: Nehmen Sie eine Aufnahme, die sie ganz enthält.</translation>
+    </message>
+    <message>
+        <source>No branch of the {0} lies in the liver, so that no tissue can be told to be its: check that vessels and liver are of one scan.</source>
+        <translation>Kein Ast ({0}) liegt in der Leber, sodass ihm kein Gewebe zugeordnet werden kann: Prüfen Sie, ob Gefäße und Leber von einer Aufnahme sind.</translation>
+    </message>
+    <message>
+        <source>The vessel trees cannot be read: {0} is missing or makes no sense.</source>
+        <translation>Die Gefäßbäume sind nicht lesbar: {0} fehlt oder ergibt keinen Sinn.</translation>
+    </message>
+    <message>
+        <source>Find the vessels again.</source>
+        <translation>Suchen Sie die Gefäße erneut.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AlgorithmChoice</name>

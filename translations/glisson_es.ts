@@ -4328,6 +4328,86 @@
         <source>there is no picture</source>
         <translation>no hay ninguna imagen</translation>
     </message>
+    <message>
+        <source>{0} and the liver lie on different grids.</source>
+        <translation>{0} y el hígado están en rejillas distintas.</translation>
+    </message>
+    <message>
+        <source>Import one of them again: a case carries what it imports to one grid.</source>
+        <translation>Importe de nuevo uno de los dos: un caso lleva lo que importa a una sola rejilla.</translation>
+    </message>
+    <message>
+        <source>The case has no vessels to make trees of.</source>
+        <translation>El caso no tiene vasos con los que hacer árboles.</translation>
+    </message>
+    <message>
+        <source>Mark the structures portal-vein and hepatic-vein, or both as one structure, vessels.</source>
+        <translation>Marque las estructuras portal-vein y hepatic-vein, o ambas como una sola estructura, vessels.</translation>
+    </message>
+    <message>
+        <source>The case has no vessel trees.</source>
+        <translation>El caso no tiene árboles vasculares.</translation>
+    </message>
+    <message>
+        <source>Find them first (vessels), or take the liver&apos;s shape alone (--from prior).</source>
+        <translation>Búsquelos primero (vessels), o tome solo la forma del hígado (--from prior).</translation>
+    </message>
+    <message>
+        <source>measuring the depth of the vessels</source>
+        <translation>midiendo la profundidad de los vasos</translation>
+    </message>
+    <message>
+        <source>following the vessels</source>
+        <translation>siguiendo los vasos</translation>
+    </message>
+    <message>
+        <source>measuring the vessels</source>
+        <translation>midiendo los vasos</translation>
+    </message>
+    <message>
+        <source>The axes of the vessel mask are not at right angles: resample it.</source>
+        <translation>Los ejes de la máscara de los vasos no forman ángulos rectos: vuelva a muestrearla.</translation>
+    </message>
+    <message>
+        <source>The vessel mask holds no voxels: mark vessels first, or import another mask.</source>
+        <translation>La máscara de los vasos no contiene vóxeles: marque primero vasos o importe otra máscara.</translation>
+    </message>
+    <message>
+        <source>The vessel mask holds a piece of {0} mm width that is no vessel: mark vessels alone.</source>
+        <translation>La máscara de los vasos contiene un trozo de {0} mm de ancho que no es un vaso: marque solo vasos.</translation>
+    </message>
+    <message>
+        <source>looking at the liver</source>
+        <translation>examinando el hígado</translation>
+    </message>
+    <message>
+        <source>finding the segments</source>
+        <translation>buscando los segmentos</translation>
+    </message>
+    <message>
+        <source>Only {0} % of the vessels lie in the liver: check that both masks are of one scan.</source>
+        <translation>Solo el {0} % de los vasos está en el hígado: compruebe que ambas máscaras son del mismo estudio.</translation>
+    </message>
+    <message>
+        <source>The liver mask holds no voxels: mark the liver first.</source>
+        <translation>La máscara del hígado no contiene vóxeles: marque primero el hígado.</translation>
+    </message>
+    <message>
+        <source>The image ends within the liver, so that its segments cannot be told: take a scan that holds all of it.</source>
+        <translation>La imagen termina dentro del hígado, por lo que no se pueden determinar sus segmentos: tome un estudio que lo contenga entero.</translation>
+    </message>
+    <message>
+        <source>No branch of the {0} lies in the liver, so that no tissue can be told to be its: check that vessels and liver are of one scan.</source>
+        <translation>Ninguna rama ({0}) está en el hígado, por lo que no se le puede atribuir tejido: compruebe que vasos e hígado son del mismo estudio.</translation>
+    </message>
+    <message>
+        <source>The vessel trees cannot be read: {0} is missing or makes no sense.</source>
+        <translation>No se pueden leer los árboles vasculares: {0} falta o no tiene sentido.</translation>
+    </message>
+    <message>
+        <source>Find the vessels again.</source>
+        <translation>Busque de nuevo los vasos.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AlgorithmChoice</name>

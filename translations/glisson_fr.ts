@@ -4328,6 +4328,86 @@
         <source>there is no picture</source>
         <translation>il n’y a pas d’image</translation>
     </message>
+    <message>
+        <source>{0} and the liver lie on different grids.</source>
+        <translation>{0} et le foie sont sur des grilles différentes.</translation>
+    </message>
+    <message>
+        <source>Import one of them again: a case carries what it imports to one grid.</source>
+        <translation>Importez de nouveau l’un des deux : un cas met ce qu’il importe sur une seule grille.</translation>
+    </message>
+    <message>
+        <source>The case has no vessels to make trees of.</source>
+        <translation>Le cas n’a pas de vaisseaux dont faire des arbres.</translation>
+    </message>
+    <message>
+        <source>Mark the structures portal-vein and hepatic-vein, or both as one structure, vessels.</source>
+        <translation>Marquez les structures portal-vein et hepatic-vein, ou les deux en une seule structure, vessels.</translation>
+    </message>
+    <message>
+        <source>The case has no vessel trees.</source>
+        <translation>Le cas n’a pas d’arbres vasculaires.</translation>
+    </message>
+    <message>
+        <source>Find them first (vessels), or take the liver&apos;s shape alone (--from prior).</source>
+        <translation>Cherchez-les d’abord (vessels), ou prenez la seule forme du foie (--from prior).</translation>
+    </message>
+    <message>
+        <source>measuring the depth of the vessels</source>
+        <translation>mesure de la profondeur des vaisseaux</translation>
+    </message>
+    <message>
+        <source>following the vessels</source>
+        <translation>suivi des vaisseaux</translation>
+    </message>
+    <message>
+        <source>measuring the vessels</source>
+        <translation>mesure des vaisseaux</translation>
+    </message>
+    <message>
+        <source>The axes of the vessel mask are not at right angles: resample it.</source>
+        <translation>Les axes du masque des vaisseaux ne sont pas à angle droit : rééchantillonnez-le.</translation>
+    </message>
+    <message>
+        <source>The vessel mask holds no voxels: mark vessels first, or import another mask.</source>
+        <translation>Le masque des vaisseaux ne contient aucun voxel : marquez d’abord des vaisseaux, ou importez un autre masque.</translation>
+    </message>
+    <message>
+        <source>The vessel mask holds a piece of {0} mm width that is no vessel: mark vessels alone.</source>
+        <translation>Le masque des vaisseaux contient un morceau large de {0} mm qui n’est pas un vaisseau : ne marquez que des vaisseaux.</translation>
+    </message>
+    <message>
+        <source>looking at the liver</source>
+        <translation>examen du foie</translation>
+    </message>
+    <message>
+        <source>finding the segments</source>
+        <translation>recherche des segments</translation>
+    </message>
+    <message>
+        <source>Only {0} % of the vessels lie in the liver: check that both masks are of one scan.</source>
+        <translation>Seuls {0} % des vaisseaux sont dans le foie : vérifiez que les deux masques viennent du même examen.</translation>
+    </message>
+    <message>
+        <source>The liver mask holds no voxels: mark the liver first.</source>
+        <translation>Le masque du foie ne contient aucun voxel : marquez d’abord le foie.</translation>
+    </message>
+    <message>
+        <source>The image ends within the liver, so that its segments cannot be told: take a scan that holds all of it.</source>
+        <translation>L’image s’arrête dans le foie, dont les segments ne peuvent donc être déterminés : prenez un examen qui le contient en entier.</translation>
+    </message>
+    <message>
+        <source>No branch of the {0} lies in the liver, so that no tissue can be told to be its: check that vessels and liver are of one scan.</source>
+        <translation>Aucune branche ({0}) n’est dans le foie, de sorte qu’aucun tissu ne peut lui être attribué : vérifiez que vaisseaux et foie viennent du même examen.</translation>
+    </message>
+    <message>
+        <source>The vessel trees cannot be read: {0} is missing or makes no sense.</source>
+        <translation>Les arbres vasculaires ne peuvent être lus : {0} manque ou n’a pas de sens.</translation>
+    </message>
+    <message>
+        <source>Find the vessels again.</source>
+        <translation>Cherchez de nouveau les vaisseaux.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AlgorithmChoice</name>

@@ -25,6 +25,8 @@ using Action = std::function<Result<Outcome>(const Progress&)>;
 void add_scan(CLI::App& app, Action& chosen);
 void add_import(CLI::App& app, Action& chosen);
 void add_segment(CLI::App& app, Action& chosen);
+void add_vessels(CLI::App& app, Action& chosen);
+void add_territories(CLI::App& app, Action& chosen);
 void add_mesh(CLI::App& app, Action& chosen);
 void add_stiffness(CLI::App& app, Action& chosen);
 void add_invert(CLI::App& app, Action& chosen);

@@ -1,0 +1,71 @@
+// glisson-cli territories CASE [--from tree|prior] [--couinaud]: which tissue belongs to which branch.
+
+#include <fmt/format.h>
+
+#include "casefile/vascular.h"
+#include "command.h"
+
+namespace glisson::cli {
+namespace {
+
+struct Options {
+  std::string case_folder;
+  std::string from = "tree";
+  bool couinaud = false;
+};
+
+Outcome describe(const casefile::FoundTerritories& found, const std::string& file, bool couinaud_only) {
+  Json territories = Json::array(), segments = Json::array();
+  std::string text;
+  if (!couinaud_only) {
+    for (std::size_t b = 0; b < found.trees.branches.size(); ++b) {
+      const vasculature::TreeBranch& branch = found.trees.branches[b];
+      territories.push_back({{"id", b},
+                             {"branch", branch.name},
+                             {"system", vasculature::system_name(branch.system)},
+                             {"volume_ml", found.own_ml[b]},
+                             {"with_branches_ml", found.beyond_ml[b]}});
+    }
+  }
+  static constexpr std::array<const char*, 9> roman = {"", "I", "II", "III", "IV", "V", "VI", "VII", "VIII"};
+  for (std::size_t s = 1; s <= 8; ++s) {
+    const double ml = found.couinaud.volume_ml[s], confidence = found.couinaud.confidence[s];
+    segments.push_back({{"number", s}, {"volume_ml", ml}, {"confidence", confidence}});
+    text += fmt::format("{:>4}: {:6.1f} ml, {:4.1f} %, confidence {:.2f}\n", roman.at(s), ml,
+                        found.couinaud.volume_ml[0] > 0 ? 100 * ml / found.couinaud.volume_ml[0] : 0, confidence);
+  }
+  const bool by_shape = found.couinaud.from == vasculature::SegmentsFrom::shape;
+  text += by_shape ? "By the liver's shape alone.\n" : "By the liver's shape and its vessels.\n";
+  return {{{"from", by_shape ? "prior" : "tree"},
+           {"territories", std::move(territories)},
+           {"segments", std::move(segments)},
+           {"file", file}},
+          std::move(text)};
+}
+
+Result<Outcome> run(const Options& options, const Progress& progress) {
+  auto patient = casefile::Case::open(options.case_folder);
+  if (!patient) return failure(patient.error());
+  const auto by = options.from == "prior" ? casefile::SegmentsBy::shape : casefile::SegmentsBy::trees;
+  const auto found = casefile::find_territories(*patient, by, progress);
+  if (!found) return failure(found.error());
+  return describe(*found, patient->file_of("territories/couinaud")->string(), options.couinaud);
+}
+
+}  // namespace
+
+void add_territories(CLI::App& app, Action& chosen) {
+  CLI::App* command = app.add_subcommand(
+      "territories", "Tell which tissue belongs to which branch, and part the liver into Couinaud's eight segments");
+  auto options = std::make_shared<Options>();
+  command->add_option("case", options->case_folder, "The case")->required();
+  command
+      ->add_option("--from", options->from, "tree: the case's vessel trees (vessels); prior: the liver's shape alone")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"tree", "prior"}));
+  command->add_flag("--couinaud", options->couinaud, "The eight segments alone, no territories of branches");
+  command->callback(
+      [&chosen, options] { chosen = [options](const Progress& progress) { return run(*options, progress); }; });
+}
+
+}  // namespace glisson::cli

@@ -1,0 +1,87 @@
+// glisson-cli vessels CASE [--structure NAME] [--seed X,Y,Z ...]: the vessel trees of a case.
+
+#include <fmt/format.h>
+#include <algorithm>
+
+#include "casefile/vascular.h"
+#include "command.h"
+#include "shared_options.h"
+
+namespace glisson::cli {
+namespace {
+
+using vasculature::System;
+using vasculature::TreeBranch;
+
+struct Options {
+  std::string case_folder;
+  std::optional<std::string> structure;
+  std::vector<std::string> seeds;
+};
+
+Outcome describe(const vasculature::VesselTrees& trees, const std::string& file) {
+  Json branches = Json::array();
+  std::array<double, 2> length{}, sure{};
+  for (std::size_t b = 0; b < trees.branches.size(); ++b) {
+    const TreeBranch& branch = trees.branches[b];
+    branches.push_back({{"id", b},
+                        {"name", branch.name},
+                        {"parent", branch.parent},
+                        {"system", vasculature::system_name(branch.system)},
+                        {"radius_mm", branch.radius_mm},
+                        {"length_mm", branch.length_mm},
+                        {"confidence", branch.confidence}});
+    length.at(static_cast<std::size_t>(branch.system)) += branch.length_mm;
+    if (branch.confidence >= 0.8) sure.at(static_cast<std::size_t>(branch.system)) += branch.length_mm;
+  }
+  Outcome outcome{{{"branches", std::move(branches)},
+                   {"portal_entry_mm", json_of(trees.portal_entry_mm)},
+                   {"hepatic_entry_mm", json_of(trees.hepatic_entry_mm)},
+                   {"file", file}},
+                  {}};
+  for (const System system : {System::portal_vein, System::hepatic_vein}) {
+    const auto n = static_cast<std::size_t>(system);
+    const auto count = std::count_if(trees.branches.begin(), trees.branches.end(),
+                                     [&](const TreeBranch& branch) { return branch.system == system; });
+    outcome.text +=
+        fmt::format("{}: {} branches, {:.0f} mm, {:.0f} % of it without doubt\n", vasculature::system_name(system),
+                    count, length.at(n), length.at(n) > 0 ? 100 * sure.at(n) / length.at(n) : 0);
+  }
+  return outcome;
+}
+
+Result<Outcome> run(const Options& options, const Progress& progress) {
+  vasculature::Clicks clicks;
+  for (std::size_t n = 0; n < options.seeds.size(); ++n) {
+    const auto position = parse_position(options.seeds[n], "--seed");
+    if (!position) return failure(position.error());
+    (n == 0 ? clicks.portal_mm : clicks.hepatic_mm) = *position;
+  }
+  auto patient = casefile::Case::open(options.case_folder);
+  if (!patient) return failure(patient.error());
+  const auto trees = casefile::find_vessels(*patient, options.structure, clicks, progress);
+  if (!trees) return failure(trees.error());
+  return describe(*trees, patient->file_of("vessels/trees")->string());
+}
+
+}  // namespace
+
+void add_vessels(CLI::App& app, Action& chosen) {
+  CLI::App* command = app.add_subcommand(
+      "vessels",
+      "Make trees of the case's vessels: centre lines, radii, branches; portal and hepatic veins told apart");
+  auto options = std::make_shared<Options>();
+  command->add_option("case", options->case_folder, "The case")->required();
+  command->add_option("--structure", options->structure,
+                      "A structure that holds both systems (default: portal-vein and hepatic-vein, else vessels)");
+  command
+      ->add_option("--seed", options->seeds,
+                   "X,Y,Z in mm (LPS) where the portal vein divides; a second one where the hepatic veins meet")
+      ->allow_extra_args(false);
+  command->callback([&chosen, options] {
+    if (options->seeds.size() > 2) throw CLI::ValidationError("--seed", "one for each system, the portal vein's first");
+    chosen = [options](const Progress& progress) { return run(*options, progress); };
+  });
+}
+
+}  // namespace glisson::cli

@@ -1,0 +1,50 @@
+#pragma once
+// Couinaud's eight segments of a liver, from its vessel trees or, where there are none, from its shape alone.
+//
+// What parts the segments (internal/segment_planes.h) is fitted to one liver: near the mean of generated livers, with
+// segments of about published sizes, hepatic veins on the borders, portal branches off them. Most probable answer of a
+// model with 23 numbers; the doubt of a voxel is the share of other likely answers that call it otherwise.
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "imaging/image.h"
+#include "vasculature/systems.h"
+
+namespace glisson::vasculature {
+
+enum class SegmentsFrom { trees, shape };
+
+struct CouinaudSegments {
+  SegmentsFrom from = SegmentsFrom::shape;
+  imaging::LabelMap segment;           // 1 to 8 in the liver, 0 elsewhere
+  std::vector<std::uint8_t> doubt;     // of each voxel, percent
+  std::array<double, 9> volume_ml{};   // by segment; 0: all
+  std::array<double, 9> confidence{};  // one less the mean doubt
+};
+
+// Without trees (null, or none with branches) the liver's shape decides. Fails as liver_frame does, with
+// vessels-outside (most of the trees' length lies outside of the liver) and cancelled.
+Result<CouinaudSegments> couinaud_segments(const imaging::Mask& liver, const VesselTrees* trees = nullptr,
+                                           const Progress& progress = {});
+
+// Where vessels enter, by the liver's shape alone. Fails as liver_frame does.
+Result<VesselEntries> expected_entries(const imaging::Mask& liver);
+
+// Vessels of one class told apart, and the segments with them: of all that the places of entry may be, what makes the
+// segments most probable. Fails as couinaud_segments does.
+struct LiverAnatomy {
+  VesselTrees trees;
+  CouinaudSegments segments;
+};
+Result<LiverAnatomy> explain_vessels(const VesselGraph& graph, const imaging::Mask& liver, const Clicks& clicks = {},
+                                     const Progress& progress = {});
+
+// Gives each branch a stable name: system, side, sector, segment and, from the thickest on, a number, as far as the
+// branch has one of each: "portal/right/posterior/VI/2", "hepatic/middle/3".
+void name_branches(VesselTrees& trees, const CouinaudSegments& segments);
+
+}  // namespace glisson::vasculature

@@ -1,0 +1,81 @@
+#include "vasculature/internal/segment_planes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace glisson::vasculature {
+
+using Eigen::Vector3d;
+
+namespace {
+
+constexpr double degrees = 180 / std::numbers::pi;
+
+}  // namespace
+
+const PlaneParameters mean_planes = {12, 8, 0.1, 0,    104, 6, 167, -6, 73, 11, 0, 0,
+                                     12, 0, -26, -0.2, 0.8, 6, -14, 22, 22, 18, 40};
+const PlaneParameters plane_spread = {16, 12,  0.3, 0.2, 16,  20, 12, 16, 20, 24, 14, 0.2,
+                                      16, 0.2, 16,  0.4, 0.6, 12, 9,  18, 10, 8,  12};
+
+SegmentPlanes::SegmentPlanes(const LiverFrame& liver, const PlaneParameters& parameters)
+    : p_(parameters),
+      base_mm_(liver.at({0.45, 0.6, 0.45})),
+      left_normal_(Vector3d(p_[left_normal_x], 1, p_[left_normal_z]).normalized()),
+      scale_(liver.scale()) {}
+
+SegmentPlanes::Place SegmentPlanes::place(const Vector3d& patient_mm) const {
+  Place place;
+  place.from_base = (patient_mm - base_mm_) / scale_;
+  const double z = place.from_base.z();
+  place.x = place.from_base.x() - p_[cava_x] - p_[cava_lean_x] * z;
+  place.y = place.from_base.y() - p_[cava_y] - p_[cava_lean_y] * z;
+  place.azimuth_deg = std::atan2(-place.y, place.x) * degrees;
+  if (place.azimuth_deg < -90) place.azimuth_deg += 360;
+  place.away = std::hypot(place.x, place.y);
+  return place;
+}
+
+int SegmentPlanes::at(const Vector3d& patient_mm) const {
+  const Place place = this->place(patient_mm);
+  const double z = place.from_base.z();
+  const Vector3d in_caudate((place.x - p_[caudate_x]) / p_[caudate_width],
+                            (place.y - p_[caudate_y]) / p_[caudate_depth], (z - p_[caudate_z]) / p_[caudate_height]);
+  if (in_caudate.squaredNorm() < 1) return 1;
+  const double up = z / 100;
+  if (place.azimuth_deg > p_[middle_deg] + p_[middle_tilt] * up) {
+    if (place.azimuth_deg > p_[right_deg] + p_[right_tilt] * up) {
+      return z > p_[posterior_height] + p_[posterior_slope] * place.away ? 7 : 6;
+    }
+    return z > p_[anterior_height] + p_[anterior_slope] * place.away ? 8 : 5;
+  }
+  if (place.azimuth_deg > p_[left_deg] + p_[left_tilt] * up) return 4;
+  return place.from_base.dot(left_normal_) > p_[left_offset] ? 2 : 3;
+}
+
+std::array<double, 4> SegmentPlanes::distances_mm(const Vector3d& patient_mm) const {
+  const Place place = this->place(patient_mm);
+  const double up = place.from_base.z() / 100;
+  const auto from = [&](double azimuth) {
+    const double angle = std::clamp((place.azimuth_deg - azimuth) / degrees, -1.5, 1.5);
+    return scale_ * place.away * std::sin(angle);
+  };
+  return {from(p_[middle_deg] + p_[middle_tilt] * up), from(p_[right_deg] + p_[right_tilt] * up),
+          from(p_[left_deg] + p_[left_tilt] * up), scale_ * (place.from_base.dot(left_normal_) - p_[left_offset])};
+}
+
+Vector3d SegmentPlanes::on_surface_mm(Surface surface, double turned_deg, double height, double away) const {
+  static constexpr std::array<std::pair<Parameter, Parameter>, 3> angle_of = {
+      {{middle_deg, middle_tilt}, {right_deg, right_tilt}, {left_deg, left_tilt}}};
+  const auto [azimuth, tilt] = angle_of.at(surface);
+  const double angle = (p_[azimuth] + p_[tilt] * height / 100 + turned_deg) / degrees;
+  return on_axis_mm(height) + scale_ * away * Vector3d(std::cos(angle), -std::sin(angle), 0);
+}
+
+Vector3d SegmentPlanes::on_axis_mm(double height) const {
+  return base_mm_ +
+         scale_ * Vector3d(p_[cava_x] + p_[cava_lean_x] * height, p_[cava_y] + p_[cava_lean_y] * height, height);
+}
+
+}  // namespace glisson::vasculature

@@ -1,0 +1,340 @@
+#include "vasculature/systems.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <queue>
+#include <tuple>
+
+namespace glisson::vasculature {
+
+using Eigen::Vector3d;
+
+namespace {
+
+constexpr std::array<System, 2> systems = {System::portal_vein, System::hepatic_vein};
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+// What it costs: chosen, and looked at on generated patients 1 to 3.
+constexpr double of_turn = 1.0, of_widening = 2.0, of_contact = 0.5, of_gap_per_mm = 0.05, of_length_per_mm = 0.005,
+                 of_entry_distance_per_mm = 0.05, of_entry_thinness = 1.0;
+
+// A branch in one of its two directions.
+struct Way {
+  const VesselGraph* graph;
+  int branch;
+  bool backwards;
+
+  [[nodiscard]] const GraphBranch& of() const { return graph->branches[static_cast<std::size_t>(branch)]; }
+  [[nodiscard]] int head() const { return backwards ? of().from : of().to; }
+  [[nodiscard]] int tail() const { return backwards ? of().to : of().from; }
+  [[nodiscard]] const CenterPoint& point(std::size_t i) const {
+    return of().points[backwards ? of().points.size() - 1 - i : i];
+  }
+  [[nodiscard]] Vector3d direction(bool at_head) const;
+  // The most that it widens on its way, as a logarithm, along radii meant over five points.
+  [[nodiscard]] double widening() const;
+};
+
+// Costs of reaching each way (2 branch + backwards) of a system, and the way before.
+struct Reached {
+  std::vector<double> cost;
+  std::vector<int> before;
+};
+
+class Growth {
+ public:
+  Growth(const VesselGraph& graph, const std::array<Vector3d, 2>& entries_mm, const std::array<bool, 2>& allowed);
+
+  // Both systems at once: each branch goes to the first.
+  struct Claim {
+    int system = -1;
+    int way = -1, before = -1;  // before: a way
+    double added = 0;           // to the cost of the way before
+  };
+  [[nodiscard]] std::vector<Claim> claims() const;
+  // Cost of each branch for a system that has the graph to itself.
+  [[nodiscard]] std::vector<double> costs(int system) const;
+
+ private:
+  [[nodiscard]] Way way(int w) const { return {&graph_, w / 2, w % 2 == 1}; }
+  [[nodiscard]] double start_cost(int system, int w) const;
+  [[nodiscard]] double own_cost(int w) const;
+  [[nodiscard]] double turn_cost(int from, int to) const;
+  // Calls visit(way) for those that leave where `w` arrives.
+  template <typename Visit>
+  void for_next(int w, const Visit& visit) const;
+
+  const VesselGraph& graph_;
+  std::array<Vector3d, 2> entries_mm_;
+  std::array<bool, 2> allowed_;
+  std::vector<int> cluster_;               // of each vertex: those joined by stretches shorter than they are wide
+  std::vector<std::vector<int>> leaving_;  // ways that leave each cluster
+  std::vector<double> own_;
+  std::array<double, 2> widest_{};  // radius near the entry
+};
+
+Vector3d Way::direction(bool at_head) const {
+  const std::size_t count = of().points.size();
+  const Vector3d end = point(at_head ? count - 1 : 0).position_mm;
+  const double reach = std::max(6.0, 2.5 * of().radius_mm);
+  Vector3d inner = end;
+  for (std::size_t i = 1; i < count && (inner - end).norm() < reach; ++i) {
+    inner = point(at_head ? count - 1 - i : i).position_mm;
+  }
+  const Vector3d along = at_head ? Vector3d(end - inner) : Vector3d(inner - end);
+  return along.norm() > 0 ? along.normalized() : Vector3d::Zero();
+}
+
+double Way::widening() const {
+  const std::size_t count = of().points.size();
+  double narrowest = infinite, most = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    double sum = 0;
+    const std::size_t low = i < 2 ? 0 : i - 2, high = std::min(count - 1, i + 2);
+    for (std::size_t n = low; n <= high; ++n) sum += point(n).radius_mm;
+    const double radius = std::log(std::max(0.5, sum / static_cast<double>(high - low + 1)));
+    narrowest = std::min(narrowest, radius);
+    most = std::max(most, radius - narrowest);
+  }
+  return most;
+}
+
+Growth::Growth(const VesselGraph& graph, const std::array<Vector3d, 2>& entries_mm, const std::array<bool, 2>& allowed)
+    : graph_(graph), entries_mm_(entries_mm), allowed_(allowed), cluster_(graph.vertices_mm.size()) {
+  for (std::size_t v = 0; v < cluster_.size(); ++v) cluster_[v] = static_cast<int>(v);
+  const auto root = [&](int v) {
+    while (cluster_[static_cast<std::size_t>(v)] != v) v = cluster_[static_cast<std::size_t>(v)];
+    return v;
+  };
+  const auto at = graph.branches_at_vertices();
+  for (const GraphBranch& branch : graph.branches) {
+    const bool inner =
+        at[static_cast<std::size_t>(branch.from)].size() > 1 && at[static_cast<std::size_t>(branch.to)].size() > 1;
+    const int a = root(branch.from), b = root(branch.to);
+    if (inner && branch.joint == Joint::vessel && branch.length_mm < 0.8 * branch.radius_mm) {
+      cluster_[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+    }
+  }
+  for (std::size_t v = 0; v < cluster_.size(); ++v) cluster_[v] = root(static_cast<int>(v));
+  leaving_.resize(cluster_.size());
+  for (int w = 0; w < 2 * static_cast<int>(graph.branches.size()); ++w) {
+    leaving_[static_cast<std::size_t>(cluster_[static_cast<std::size_t>(way(w).tail())])].push_back(w);
+    const GraphBranch& branch = way(w).of();
+    double cost = of_length_per_mm * branch.length_mm;
+    if (branch.joint == Joint::contact) cost += of_contact;
+    if (branch.joint == Joint::gap) cost += of_gap_per_mm * branch.length_mm;
+    own_.push_back(cost + of_widening * way(w).widening());
+  }
+  for (const GraphBranch& branch : graph.branches) {
+    for (std::size_t s = 0; s < 2; ++s) {
+      for (const CenterPoint& point : branch.points) {
+        if ((point.position_mm - entries_mm_[s]).norm() < 30) widest_[s] = std::max(widest_[s], point.radius_mm);
+      }
+    }
+  }
+}
+
+double Growth::start_cost(int system, int w) const {
+  const auto s = static_cast<std::size_t>(system);
+  if (!allowed_[s]) return infinite;
+  const Way start = way(w);
+  const double away = (start.point(0).position_mm - entries_mm_[s]).norm();
+  const double thin = std::log(std::max(1.0, std::max(widest_[s], 3.0) / std::max(0.5, start.of().radius_mm)));
+  return of_entry_distance_per_mm * away + of_entry_thinness * thin + own_[static_cast<std::size_t>(w)];
+}
+
+double Growth::own_cost(int w) const { return own_[static_cast<std::size_t>(w)]; }
+
+double Growth::turn_cost(int from, int to) const {
+  const Way a = way(from), b = way(to);
+  const double straight = a.direction(true).dot(b.direction(false));
+  const double wider = std::log(std::max(0.5, b.of().radius_mm) / std::max(0.5, a.of().radius_mm));
+  return of_turn * (1 - straight) * (1 - straight) + of_widening * std::max(0.0, wider);
+}
+
+template <typename Visit>
+void Growth::for_next(int w, const Visit& visit) const {
+  for (const int next : leaving_[static_cast<std::size_t>(cluster_[static_cast<std::size_t>(way(w).head())])]) {
+    if (next / 2 != w / 2) visit(next);
+  }
+}
+
+std::vector<double> Growth::costs(int system) const {
+  std::vector<double> cost(own_.size(), infinite);
+  using Waiting = std::pair<double, int>;
+  std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>> queue;
+  for (int w = 0; w < static_cast<int>(own_.size()); ++w) {
+    cost[static_cast<std::size_t>(w)] = start_cost(system, w);
+    if (cost[static_cast<std::size_t>(w)] < infinite) queue.emplace(cost[static_cast<std::size_t>(w)], w);
+  }
+  while (!queue.empty()) {
+    const auto [reached, w] = queue.top();
+    queue.pop();
+    if (reached > cost[static_cast<std::size_t>(w)]) continue;
+    for_next(w, [&, from = w, so_far = reached](int next) {
+      const double offered = so_far + turn_cost(from, next) + own_cost(next);
+      if (offered >= cost[static_cast<std::size_t>(next)]) return;
+      cost[static_cast<std::size_t>(next)] = offered;
+      queue.emplace(offered, next);
+    });
+  }
+  std::vector<double> of_branch(own_.size() / 2);
+  for (std::size_t b = 0; b < of_branch.size(); ++b) of_branch[b] = std::min(cost[2 * b], cost[2 * b + 1]);
+  return of_branch;
+}
+
+std::vector<Growth::Claim> Growth::claims() const {
+  struct Waiting {
+    double cost;
+    int system, way, before;
+    double added;
+    bool operator>(const Waiting& other) const {
+      return std::tie(cost, system, way) > std::tie(other.cost, other.system, other.way);
+    }
+  };
+  std::vector<Claim> claims(own_.size() / 2);
+  std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>> queue;
+  for (int system = 0; system < 2; ++system) {
+    for (int w = 0; w < static_cast<int>(own_.size()); ++w) {
+      const double cost = start_cost(system, w);
+      if (cost < infinite) queue.push({cost, system, w, -1, cost});
+    }
+  }
+  while (!queue.empty()) {
+    const Waiting first = queue.top();
+    queue.pop();
+    Claim& claim = claims[static_cast<std::size_t>(first.way / 2)];
+    if (claim.system >= 0) continue;
+    claim = {first.system, first.way, first.before, first.added};
+    for_next(first.way, [&](int next) {
+      if (claims[static_cast<std::size_t>(next / 2)].system >= 0) return;
+      const double added = turn_cost(first.way, next) + own_cost(next);
+      queue.push({first.cost + added, first.system, next, first.way, added});
+    });
+  }
+  return claims;
+}
+
+// Thick places near where one is expected, the best first.
+std::vector<Vector3d> thick_places(const VesselGraph& graph, const Vector3d& expected_mm, double spread_mm, int count) {
+  std::vector<std::pair<double, Vector3d>> scored;
+  for (const GraphBranch& branch : graph.branches) {
+    for (const CenterPoint& point : branch.points) {
+      const double away = (point.position_mm - expected_mm).norm() / spread_mm;
+      scored.emplace_back(2 * std::log(std::max(0.5, point.radius_mm)) - 0.5 * away * away, point.position_mm);
+    }
+  }
+  std::stable_sort(scored.begin(), scored.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::vector<Vector3d> places;
+  for (const auto& [score, place] : scored) {
+    if (static_cast<int>(places.size()) == count) break;
+    const auto near = [&, here = place](const Vector3d& other) { return (other - here).norm() < spread_mm; };
+    if (std::none_of(places.begin(), places.end(), near)) places.push_back(place);
+  }
+  if (places.empty()) places.push_back(expected_mm);
+  return places;
+}
+
+// Trees of claimed branches, parents first. Contacts and bridges that lead nowhere are left out.
+void add_trees(const VesselGraph& graph, const std::vector<Growth::Claim>& claims,
+               const std::vector<double>& confidence, VesselTrees& trees) {
+  std::vector<std::vector<int>> children(claims.size());
+  std::vector<int> roots;
+  for (std::size_t b = 0; b < claims.size(); ++b) {
+    if (claims[b].system < 0) continue;
+    if (claims[b].before < 0) {
+      roots.push_back(static_cast<int>(b));
+    } else {
+      children[static_cast<std::size_t>(claims[b].before / 2)].push_back(static_cast<int>(b));
+    }
+  }
+  // Deepest first, so that what leads nowhere goes with all that leads there alone.
+  std::vector<int> order = roots;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const auto& next = children[static_cast<std::size_t>(order[i])];
+    order.insert(order.end(), next.begin(), next.end());
+  }
+  std::vector<char> kept(claims.size(), 0);
+  for (auto b = order.rbegin(); b != order.rend(); ++b) {
+    const auto& next = children[static_cast<std::size_t>(*b)];
+    kept[static_cast<std::size_t>(*b)] =
+        graph.branches[static_cast<std::size_t>(*b)].joint == Joint::vessel ||
+                std::any_of(next.begin(), next.end(), [&](int c) { return kept[static_cast<std::size_t>(c)] != 0; })
+            ? 1
+            : 0;
+  }
+  std::vector<int> index(claims.size(), -1);
+  for (const int b : order) {
+    const auto i = static_cast<std::size_t>(b);
+    if (kept[i] == 0) continue;
+    index[i] = static_cast<int>(trees.branches.size());
+    const GraphBranch& from = graph.branches[i];
+    TreeBranch branch;
+    branch.system = systems.at(static_cast<std::size_t>(claims[i].system));
+    branch.confidence = confidence[i];
+    branch.parent = claims[i].before < 0 ? -1 : index[static_cast<std::size_t>(claims[i].before / 2)];
+    if (branch.parent >= 0) {
+      const std::size_t siblings = children[static_cast<std::size_t>(claims[i].before / 2)].size();
+      branch.generation = trees.branches[static_cast<std::size_t>(branch.parent)].generation + (siblings > 1 ? 1 : 0);
+    }
+    branch.points = from.points;
+    if (claims[i].way % 2 == 1) std::reverse(branch.points.begin(), branch.points.end());
+    branch.joint = from.joint;
+    branch.length_mm = from.length_mm;
+    branch.radius_mm = from.radius_mm;
+    trees.branches.push_back(std::move(branch));
+  }
+}
+
+}  // namespace
+
+const char* system_name(System system) { return system == System::portal_vein ? "portal-vein" : "hepatic-vein"; }
+
+std::vector<VesselEntries> possible_entries(const VesselGraph& graph, const VesselEntries& expected,
+                                            const Clicks& clicks, int each) {
+  const double spread_mm = 18 * expected.scale;
+  const auto places = [&](const std::optional<Vector3d>& click, const Vector3d& expected_mm) {
+    return click ? std::vector<Vector3d>{*click} : thick_places(graph, expected_mm, spread_mm, each);
+  };
+  std::vector<VesselEntries> entries;
+  for (const Vector3d& portal : places(clicks.portal_mm, expected.portal_mm)) {
+    for (const Vector3d& hepatic : places(clicks.hepatic_mm, expected.hepatic_mm)) {
+      if ((portal - hepatic).norm() > 15 * expected.scale) entries.push_back({portal, hepatic, expected.scale});
+    }
+  }
+  if (entries.empty()) entries.push_back(expected);
+  return entries;
+}
+
+VesselTrees classify_vessels(const VesselGraph& graph, const VesselEntries& entries) {
+  VesselTrees trees{entries.portal_mm, entries.hepatic_mm, {}, 0};
+  const Growth growth(graph, {entries.portal_mm, entries.hepatic_mm}, {true, true});
+  const std::vector<double> portal = growth.costs(0), hepatic = growth.costs(1);
+  std::vector<double> confidence(portal.size());
+  for (std::size_t b = 0; b < portal.size(); ++b) confidence[b] = 1 / (1 + std::exp(-std::abs(portal[b] - hepatic[b])));
+  const std::vector<Growth::Claim> claims = growth.claims();
+  add_trees(graph, claims, confidence, trees);
+  double volume = 0;
+  for (std::size_t b = 0; b < claims.size(); ++b) {
+    const GraphBranch& branch = graph.branches[b];
+    const double weight = branch.length_mm * branch.radius_mm * branch.radius_mm;
+    trees.strain += weight * claims[b].added;
+    volume += weight;
+  }
+  if (volume > 0) trees.strain /= volume;
+  return trees;
+}
+
+VesselTrees known_vessels(const VesselGraph& portal, const VesselGraph& hepatic, const VesselEntries& entries) {
+  VesselTrees trees{entries.portal_mm, entries.hepatic_mm, {}, 0};
+  const std::array<Vector3d, 2> places = {entries.portal_mm, entries.hepatic_mm};
+  add_trees(portal, Growth(portal, places, {true, false}).claims(), std::vector<double>(portal.branches.size(), 1.0),
+            trees);
+  add_trees(hepatic, Growth(hepatic, places, {false, true}).claims(), std::vector<double>(hepatic.branches.size(), 1.0),
+            trees);
+  return trees;
+}
+
+}  // namespace glisson::vasculature

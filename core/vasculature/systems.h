@@ -1,0 +1,62 @@
+#pragma once
+// Portal and hepatic veins told apart, and each as a tree from where it enters.
+//
+// Both grow at once from where they may enter, along the graph. It costs a vessel to turn sharply, to grow wider on its
+// way out and to pass a neck; whoever reaches a branch at less cost has it. So loops are opened where vessels touch: a
+// vessel goes straight on and thins out, while the way into a touching one turns and widens. Where they enter follows
+// from the liver's shape, drawn to the thickest vessels there, or from a click.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "vasculature/vessel_graph.h"
+
+namespace glisson::vasculature {
+
+enum class System { portal_vein, hepatic_vein };
+[[nodiscard]] const char* system_name(System system);  // "portal-vein", as the structure is called
+
+// One branch of a tree, its points from where it leaves its parent outwards.
+struct TreeBranch {
+  System system = System::portal_vein;
+  double confidence = 1;  // of the system, 0.5 to 1
+  int parent = -1;        // an earlier branch; -1 where a tree, or a piece that hangs on none, begins
+  int generation = 0;     // divisions before it
+  std::string name;       // "portal/right/posterior/VI/2"; set by name_branches (couinaud.h)
+  std::vector<CenterPoint> points;
+  Joint joint = Joint::vessel;
+  double length_mm = 0, radius_mm = 0;
+};
+
+struct VesselTrees {
+  Eigen::Vector3d portal_entry_mm{0, 0, 0}, hepatic_entry_mm{0, 0, 0};
+  std::vector<TreeBranch> branches;  // parents first
+  double strain = 0;  // how much the trees turn, widen and jump, a mean over the vessels' volume; less is likelier
+};
+
+// Where the portal vein divides and where the hepatic veins meet the vena cava, as far as the liver's shape says
+// (expected_entries in couinaud.h); scale: 1 for a liver of 1500 ml.
+struct VesselEntries {
+  Eigen::Vector3d portal_mm{0, 0, 0}, hepatic_mm{0, 0, 0};
+  double scale = 1;
+};
+
+// A click on each, where the first guess is wrong: anywhere on the main stem of the system.
+struct Clicks {
+  std::optional<Eigen::Vector3d> portal_mm, hepatic_mm;
+};
+
+// Guesses at where vessels really enter, the best first: the thickest places near where they are expected, those of
+// one system 20 mm apart at least, each with each of the other system; a click leaves no choice.
+[[nodiscard]] std::vector<VesselEntries> possible_entries(const VesselGraph& graph, const VesselEntries& expected,
+                                                          const Clicks& clicks = {}, int each = 3);
+
+[[nodiscard]] VesselTrees classify_vessels(const VesselGraph& graph, const VesselEntries& entries);
+
+// The same where each system has a graph of its own.
+[[nodiscard]] VesselTrees known_vessels(const VesselGraph& portal, const VesselGraph& hepatic,
+                                        const VesselEntries& entries);
+
+}  // namespace glisson::vasculature

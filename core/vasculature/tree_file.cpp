@@ -1,0 +1,122 @@
+#include "vasculature/tree_file.h"
+
+#include <cmath>
+
+#include "base/json.h"
+#include "base/json_value.h"
+
+namespace glisson::vasculature {
+namespace {
+
+constexpr const char* format_name = "glisson-vessel-trees/1";
+
+double rounded(double value) { return std::round(value * 1000) / 1000; }
+Json json_of_place(const Eigen::Vector3d& p) { return {rounded(p.x()), rounded(p.y()), rounded(p.z())}; }
+
+const char* joint_name(Joint joint) {
+  return joint == Joint::vessel ? "vessel" : joint == Joint::gap ? "gap" : "contact";
+}
+
+bool read_place(const Json* value, Eigen::Vector3d& place) {
+  if (value == nullptr || !value->is_array() || value->size() < 3) return false;
+  for (std::size_t a = 0; a < 3; ++a) {
+    if (!(*value)[a].is_number()) return false;
+    place[static_cast<Eigen::Index>(a)] = (*value)[a].get<double>();
+  }
+  return true;
+}
+
+double number_in(const Json& object, const char* key, double otherwise) {
+  const Json* value = value_in(object, key);
+  return value != nullptr && value->is_number() ? value->get<double>() : otherwise;
+}
+
+// One branch; false where something of it is missing or makes no sense.
+bool read_branch(const Json& object, std::size_t index, TreeBranch& branch) {
+  const auto system = string_in(object, "system"), name = string_in(object, "name"), joint = string_in(object, "joint");
+  const Json* points = value_in(object, "points");
+  if (!system || !name || !joint || points == nullptr || !points->is_array() || points->size() < 2) return false;
+  if (*system != "portal-vein" && *system != "hepatic-vein") return false;
+  branch.system = *system == "portal-vein" ? System::portal_vein : System::hepatic_vein;
+  branch.name = *name;
+  branch.joint = *joint == "gap" ? Joint::gap : *joint == "contact" ? Joint::contact : Joint::vessel;
+  branch.confidence = number_in(object, "confidence", 1);
+  const double parent = number_in(object, "parent", -1);
+  if (!(parent >= -1) || !(parent < static_cast<double>(index))) return false;
+  branch.parent = static_cast<int>(parent);
+  branch.generation = static_cast<int>(number_in(object, "generation", 0));
+  branch.length_mm = number_in(object, "length_mm", 0);
+  branch.radius_mm = number_in(object, "radius_mm", 0);
+  for (const Json& point : *points) {
+    CenterPoint read;
+    if (!read_place(&point, read.position_mm) || point.size() != 4 || !point[3].is_number()) return false;
+    read.radius_mm = point[3].get<double>();
+    if (!(read.radius_mm >= 0)) return false;
+    branch.points.push_back(read);
+  }
+  return true;
+}
+
+}  // namespace
+
+Json trees_json(const VesselTrees& trees) {
+  Json document{{"format", format_name},
+                {"frame", "patient coordinates, LPS, mm"},
+                {"portal_entry_mm", json_of_place(trees.portal_entry_mm)},
+                {"hepatic_entry_mm", json_of_place(trees.hepatic_entry_mm)},
+                {"branches", Json::array()}};
+  for (std::size_t b = 0; b < trees.branches.size(); ++b) {
+    const TreeBranch& branch = trees.branches[b];
+    Json points = Json::array();
+    for (const CenterPoint& point : branch.points) {
+      Json values = json_of_place(point.position_mm);
+      values.push_back(rounded(point.radius_mm));
+      points.push_back(std::move(values));
+    }
+    document["branches"].push_back({{"id", b},
+                                    {"name", branch.name},
+                                    {"parent", branch.parent},
+                                    {"system", system_name(branch.system)},
+                                    {"radius_mm", rounded(branch.radius_mm)},
+                                    {"length_mm", rounded(branch.length_mm)},
+                                    {"confidence", rounded(branch.confidence)},
+                                    {"generation", branch.generation},
+                                    {"joint", joint_name(branch.joint)},
+                                    {"points", std::move(points)}});
+  }
+  return document;
+}
+
+Result<void> write_trees(const std::filesystem::path& file, const VesselTrees& trees) {
+  return write_json_file(file, trees_json(trees));
+}
+
+Result<VesselTrees> read_trees(const std::filesystem::path& file) {
+  const auto document = read_json_file(file);
+  if (!document) return failure(document.error());
+  const auto unreadable = [&](const std::string& what) {
+    return failure(Error{"trees-unreadable",
+                         GLISSON_TEXT("The vessel trees cannot be read: {0} is missing or makes no sense."),
+                         {what},
+                         GLISSON_TEXT("Find the vessels again."),
+                         file});
+  };
+  if (!says(*document, "format", format_name)) return unreadable("format");
+  VesselTrees trees;
+  if (!read_place(value_in(*document, "portal_entry_mm"), trees.portal_entry_mm)) return unreadable("portal_entry_mm");
+  if (!read_place(value_in(*document, "hepatic_entry_mm"), trees.hepatic_entry_mm)) {
+    return unreadable("hepatic_entry_mm");
+  }
+  const Json* branches = value_in(*document, "branches");
+  if (branches == nullptr || !branches->is_array()) return unreadable("branches");
+  for (const Json& object : *branches) {
+    TreeBranch branch;
+    if (!read_branch(object, trees.branches.size(), branch)) {
+      return unreadable("branches[" + std::to_string(trees.branches.size()) + "]");
+    }
+    trees.branches.push_back(std::move(branch));
+  }
+  return trees;
+}
+
+}  // namespace glisson::vasculature

@@ -1,0 +1,80 @@
+// From masks to trees and segments through the program itself, on a generated patient.
+
+#include <gmock/gmock.h>
+
+#include "base/files.h"
+#include "imaging/label_names.h"
+#include "imaging/volume_file.h"
+#include "support/process.h"
+
+namespace glisson::test {
+namespace {
+
+class GeneratedCase : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = new TemporaryFolder;
+    answer({"study", "anatomy", "--seed", "31", "--label-spacing-mm", "1.5", "--out", file("anatomy")});
+    const auto liver = imaging::read_mask_file(label("liver"));
+    ASSERT_TRUE(liver);
+    imaging::Volume scan;
+    scan.grid = liver->mask.grid;
+    for (const std::uint8_t inside : liver->mask.values) scan.values.push_back(inside != 0 ? 110.0F : 20.0F);
+    ASSERT_TRUE(imaging::write_volume_file(file("scan.nrrd"), scan));
+    answer({"import", file("scan.nrrd"), "--case", patient()});
+    answer({"segment", patient(), "--structure", "liver", "--labels", label("liver")});
+  }
+  static void TearDownTestSuite() { delete folder_; }
+
+  static Json answer(std::vector<std::string> arguments) {
+    arguments.insert(arguments.end(), {"--json", "--quiet"});
+    const Finished finished = glisson_cli(arguments);
+    EXPECT_EQ(finished.exit_code, 0) << arguments.front() << ": " << finished.err;
+    return finished.json();
+  }
+  static std::string file(const std::string& name) { return (folder_->path() / name).string(); }
+  static std::string label(const std::string& name) { return file("anatomy/labels/" + name + ".nrrd"); }
+  static std::string patient() { return file("generated.glisson"); }
+
+  static TemporaryFolder* folder_;
+};
+TemporaryFolder* GeneratedCase::folder_ = nullptr;
+
+TEST_F(GeneratedCase, GoesFromVesselsToTreesToSegments) {
+  const Finished early = glisson_cli({"territories", patient(), "--json", "--quiet"});
+  EXPECT_EQ(early.exit_code, 1);
+  EXPECT_EQ(early.json().at("error").at("code"), "vessels-missing");
+  const Json prior = answer({"territories", patient(), "--from", "prior", "--couinaud"});
+  EXPECT_EQ(prior.at("from"), "prior");
+  EXPECT_EQ(prior.at("segments").size(), 8u);
+
+  answer({"segment", patient(), "--structure", "portal-vein", "--labels", label("portal-vein")});
+  answer({"segment", patient(), "--structure", "hepatic-vein", "--labels", label("hepatic-vein")});
+  answer({"segment", patient(), "--structure", "vessels", "--unite", "portal-vein"});
+  answer({"segment", patient(), "--structure", "vessels", "--unite", "hepatic-vein"});
+  const Json together = answer({"vessels", patient(), "--structure", "vessels"});
+  EXPECT_GT(together.at("branches").size(), 50u);
+  const Json apart = answer({"vessels", patient()});
+  EXPECT_GT(apart.at("branches").size(), 50u);
+  for (const Json& branch : apart.at("branches")) EXPECT_EQ(branch.at("confidence"), 1.0);
+
+  const Json found = answer({"territories", patient()});
+  EXPECT_EQ(found.at("from"), "tree");
+  EXPECT_EQ(found.at("territories").size(), apart.at("branches").size());
+  double portal_ml = 0, all_ml = 0;
+  for (const Json& territory : found.at("territories")) {
+    if (territory.at("system") == "portal-vein") portal_ml += territory.at("volume_ml").get<double>();
+  }
+  for (const Json& segment : found.at("segments")) all_ml += segment.at("volume_ml").get<double>();
+  EXPECT_NEAR(portal_ml, all_ml, 0.01 * all_ml);
+  const auto map = imaging::read_labels_file(found.at("file").get<std::string>());
+  ASSERT_TRUE(map) << map.error().message();
+  EXPECT_EQ(*std::max_element(map->values.begin(), map->values.end()), 8);
+  const imaging::LabelNames names = imaging::label_names(found.at("file").get<std::string>());
+  EXPECT_EQ(names.by, imaging::NamedBy::slicer_fields);
+  EXPECT_EQ(names.name_of.at(8), "segment VIII");
+  EXPECT_EQ(glisson_cli({"vessels", patient(), "--seed", "1,2,3", "--seed", "1,2,3", "--seed", "1,2,3"}).exit_code, 2);
+}
+
+}  // namespace
+}  // namespace glisson::test

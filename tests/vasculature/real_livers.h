@@ -1,0 +1,38 @@
+#pragma once
+// Real livers with segments that somebody drew (livers_couinaud, read only), and how far ours are from them.
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "vasculature/couinaud.h"
+
+namespace glisson::test {
+
+// Which half a liver belongs to, by a rule that stood before anything was tuned: the names of the livers with segments
+// and vessels in ascending order of their bytes, counted from 0; even ones for tuning, odd ones for judging. The livers
+// with segments and no vessels are counted by themselves in the same way.
+enum class Half { tuning, judging };
+enum class Kind { with_vessels, without_vessels };
+[[nodiscard]] std::vector<std::string> real_livers(Kind kind, Half half);
+
+struct RealLiver {
+  imaging::LabelMap segments;
+  imaging::Mask liver, vessels;  // vessels: empty where there are none
+};
+[[nodiscard]] RealLiver read_real_liver(const std::string& name);
+
+// Where somebody who can tell the veins apart would click: of the thick places around where stems are expected (five of
+// each system), those that let most hepatic veins run on the drawn borders of the sectors, and most portal branches off
+// them.
+[[nodiscard]] vasculature::Clicks clicks_by_truth(const RealLiver& liver, const vasculature::VesselGraph& graph);
+
+struct SegmentScore {
+  std::array<double, 9> dice{};          // by segment; 0: their mean
+  std::array<double, 9> volume_error{};  // share of the true volume, absolute
+};
+[[nodiscard]] SegmentScore score_of(const imaging::LabelMap& found, const imaging::LabelMap& truth);
+
+[[nodiscard]] double median(std::vector<double> values);
+
+}  // namespace glisson::test

@@ -1,0 +1,100 @@
+// Segments of real livers beside those that somebody drew. The halves are parted in real_livers.h, by a rule.
+//
+// What docs/territories.md says of real livers is printed with GLISSON_JUDGE=judging (or tuning).
+
+#include "real_livers.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <chrono>
+#include <cstdlib>
+#include <iostream>
+
+#include "support/data.h"
+#include "vasculature/center_lines.h"
+
+namespace glisson::test {
+namespace {
+
+TEST(RealLivers, ThreeOfTheTuningHalfAreToldByTheirShape) {
+  GLISSON_NEEDS_DATA("livers_couinaud");
+  std::vector<double> dice;
+  const std::vector<std::string> names = real_livers(Kind::with_vessels, Half::tuning);
+  ASSERT_GE(names.size(), 3u);
+  for (std::size_t n = 0; n < 3; ++n) {
+    const RealLiver liver = read_real_liver(names[n]);
+    const auto found = vasculature::couinaud_segments(liver.liver);
+    ASSERT_TRUE(found) << names[n] << ": " << found.error().message();
+    const SegmentScore score = score_of(found->segment, liver.segments);
+    dice.insert(dice.end(), score.dice.begin() + 1, score.dice.end());
+  }
+  EXPECT_GT(median(dice), 0.6);
+}
+
+TEST(RealLivers, VesselsOfOneClassBecomeTwoTrees) {
+  GLISSON_NEEDS_DATA("livers_couinaud");
+  const RealLiver liver = read_real_liver(real_livers(Kind::with_vessels, Half::tuning).front());
+  const auto graph = vasculature::center_lines(liver.vessels);
+  ASSERT_TRUE(graph) << graph.error().message();
+  const auto found = vasculature::explain_vessels(*graph, liver.liver);
+  ASSERT_TRUE(found) << found.error().message();
+  std::array<double, 2> length{};
+  for (const auto& branch : found->trees.branches) {
+    length.at(static_cast<std::size_t>(branch.system)) += branch.length_mm;
+    EXPECT_FALSE(branch.name.empty());
+  }
+  EXPECT_GT(length[0], 500);
+  EXPECT_GT(length[1], 500);
+  EXPECT_EQ(found->segments.from, vasculature::SegmentsFrom::trees);
+}
+
+struct Scores {
+  std::vector<double> dice, volume_errors;
+  void add(const vasculature::CouinaudSegments& found, const RealLiver& liver) {
+    const SegmentScore score = score_of(found.segment, liver.segments);
+    dice.insert(dice.end(), score.dice.begin() + 1, score.dice.end());
+    volume_errors.insert(volume_errors.end(), score.volume_error.begin() + 1, score.volume_error.end());
+  }
+  void print(const std::string& what) const {
+    fmt::print("{}: livers {}, median Dice {:.3f}, volume error {:.1f} %, by segment", what, dice.size() / 8,
+               median(dice), 100 * median(volume_errors));
+    for (std::size_t s = 0; s < 8; ++s) {
+      std::vector<double> of_segment;
+      for (std::size_t i = s; i < dice.size(); i += 8) of_segment.push_back(dice[i]);
+      fmt::print(" {:.2f}", median(of_segment));
+    }
+    fmt::print("\n");
+  }
+};
+
+TEST(RealLivers, Judged) {
+  const char* which = std::getenv("GLISSON_JUDGE");
+  if (which == nullptr) GTEST_SKIP() << "set GLISSON_JUDGE=judging (or tuning): takes minutes";
+  GLISSON_NEEDS_DATA("livers_couinaud");
+  const Half half = std::string(which) == "tuning" ? Half::tuning : Half::judging;
+  Scores shape_alone, shape, trees, clicked;
+  for (const std::string& name : real_livers(Kind::without_vessels, half)) {
+    const RealLiver liver = read_real_liver(name);
+    shape_alone.add(vasculature::couinaud_segments(liver.liver).value(), liver);
+  }
+  double slowest_s = 0;
+  for (const std::string& name : real_livers(Kind::with_vessels, half)) {
+    const RealLiver liver = read_real_liver(name);
+    shape.add(vasculature::couinaud_segments(liver.liver).value(), liver);
+    const auto start = std::chrono::steady_clock::now();
+    const auto graph = vasculature::center_lines(liver.vessels).value();
+    trees.add(vasculature::explain_vessels(graph, liver.liver).value().segments, liver);
+    slowest_s = std::max(slowest_s, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    clicked.add(vasculature::explain_vessels(graph, liver.liver, clicks_by_truth(liver, graph)).value().segments,
+                liver);
+  }
+  shape_alone.print("shape, livers without vessels");
+  shape.print("shape, livers with vessels");
+  trees.print("vessels, no click");
+  clicked.print("vessels, two clicks");
+  fmt::print("slowest liver from mask to segments: {:.1f} s\n", slowest_s);
+  EXPECT_GT(median(shape_alone.dice), 0.5);
+}
+
+}  // namespace
+}  // namespace glisson::test

@@ -1,0 +1,58 @@
+#include "vasculature/tree_file.h"
+
+#include <gmock/gmock.h>
+#include <fstream>
+
+#include "base/files.h"
+#include "base/json.h"
+
+namespace glisson::vasculature {
+namespace {
+
+VesselTrees two_branches() {
+  VesselTrees trees;
+  trees.portal_entry_mm = {1, 2, 3};
+  trees.hepatic_entry_mm = {4, 5, 6};
+  TreeBranch stem;
+  stem.name = "portal/stem";
+  stem.confidence = 0.9;
+  stem.points = {{{0, 0, 0}, 5}, {{10, 0, 0}, 4.5}};
+  stem.length_mm = 10;
+  stem.radius_mm = 4.5;
+  TreeBranch right = stem;
+  right.name = "portal/right";
+  right.parent = 0;
+  right.generation = 1;
+  right.joint = Joint::gap;
+  trees.branches = {stem, right};
+  return trees;
+}
+
+TEST(TreeFile, ComesBackAsItWasWritten) {
+  const TemporaryFolder folder;
+  ASSERT_TRUE(write_trees(folder.path() / "trees.json", two_branches()));
+  const auto read = read_trees(folder.path() / "trees.json");
+  ASSERT_TRUE(read) << read.error().message();
+  EXPECT_EQ(trees_json(*read), trees_json(two_branches()));
+}
+
+TEST(TreeFile, WhatIsDamagedIsNamed) {
+  const TemporaryFolder folder;
+  const auto file = folder.path() / "trees.json";
+  for (const auto& [what, text] :
+       {std::pair{"format", R"({"format": "another/1"})"},
+        std::pair{"branches",
+                  R"({"format": "glisson-vessel-trees/1", "portal_entry_mm": [0,0,0], "hepatic_entry_mm": [0,0,0]})"},
+        std::pair{"branches[0]", R"({"format": "glisson-vessel-trees/1", "portal_entry_mm": [0,0,0],
+          "hepatic_entry_mm": [0,0,0], "branches": [{"system": "portal-vein", "name": "a", "joint": "vessel",
+          "parent": 5, "points": [[0,0,0,1],[1,0,0,1]]}]})"}}) {
+    std::ofstream(file) << text;
+    const auto read = read_trees(file);
+    ASSERT_FALSE(read);
+    EXPECT_EQ(read.error().code, "trees-unreadable");
+    EXPECT_THAT(read.error().message(), testing::HasSubstr(what));
+  }
+}
+
+}  // namespace
+}  // namespace glisson::vasculature
