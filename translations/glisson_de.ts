@@ -7159,6 +7159,14 @@ figures</source>
         <source>Remove landmark</source>
         <translation>Landmarke entfernen</translation>
     </message>
+    <message>
+        <source>▲ The image cuts the liver off here, towards %1. The tool touches a cap where the liver goes on: place it elsewhere.</source>
+        <translation>▲ Das Bild schneidet die Leber hier ab, %1 hin. Das Instrument berührt eine Kappe, wo die Leber weitergeht: setzen Sie es anderswo an.</translation>
+    </message>
+    <message>
+        <source>There are no landmarks: put the crosshair where one is to be, then press Set.</source>
+        <translation>Es gibt keine Landmarken: setzen Sie das Fadenkreuz an den Ort und drücken Sie Setzen.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::ReportView</name>

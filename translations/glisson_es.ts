@@ -7162,6 +7162,14 @@ supuestas</translation>
         <source>Remove landmark</source>
         <translation>Quitar punto de referencia</translation>
     </message>
+    <message>
+        <source>▲ The image cuts the liver off here, towards %1. The tool touches a cap where the liver goes on: place it elsewhere.</source>
+        <translation>▲ La imagen corta aquí el hígado, hacia %1. El instrumento toca una tapa donde el hígado continúa: colóquelo en otro lugar.</translation>
+    </message>
+    <message>
+        <source>There are no landmarks: put the crosshair where one is to be, then press Set.</source>
+        <translation>No hay puntos de referencia: coloque la cruz donde haya de estar uno y pulse Colocar.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::ReportView</name>

@@ -7162,6 +7162,14 @@ supposés</translation>
         <source>Remove landmark</source>
         <translation>Retirer le repère</translation>
     </message>
+    <message>
+        <source>▲ The image cuts the liver off here, towards %1. The tool touches a cap where the liver goes on: place it elsewhere.</source>
+        <translation>▲ L’image coupe le foie ici, vers %1. L’instrument touche une face plane là où le foie continue : placez-le ailleurs.</translation>
+    </message>
+    <message>
+        <source>There are no landmarks: put the crosshair where one is to be, then press Set.</source>
+        <translation>Il n’y a pas de repères : placez le réticule à l’endroit voulu, puis appuyez sur Placer.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::ReportView</name>
