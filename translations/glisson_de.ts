@@ -8784,6 +8784,10 @@ Von Hand: mit der rechten Taste ziehen</translation>
         <source>Save the picture of this view</source>
         <translation>Das Bild dieser Ansicht speichern</translation>
     </message>
+    <message>
+        <source>What there is no room for here</source>
+        <translation>Wofür hier kein Platz ist</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::WaveView</name>

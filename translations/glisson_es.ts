@@ -8787,6 +8787,10 @@ A mano: arrastre con el botón derecho</translation>
         <source>Save the picture of this view</source>
         <translation>Guardar la imagen de esta vista</translation>
     </message>
+    <message>
+        <source>What there is no room for here</source>
+        <translation>Lo que no cabe aquí</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::WaveView</name>

@@ -8787,6 +8787,10 @@ By hand: drag with the right button</source>
         <source>Save the picture of this view</source>
         <translation>Enregistrer l’image de cette vue</translation>
     </message>
+    <message>
+        <source>What there is no room for here</source>
+        <translation>Ce qui ne tient pas ici</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::WaveView</name>
