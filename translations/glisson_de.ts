@@ -4709,6 +4709,14 @@
         <translation>angenommen</translation>
     </message>
     <message>
+        <source>Left out of the label map: {0} and {1} more.</source>
+        <translation>Aus der Labelkarte weggelassen: {0} und {1} weitere.</translation>
+    </message>
+    <message>
+        <source>{0} lies outside of the liver and has no cells of its own.</source>
+        <translation>{0} liegt außerhalb der Leber und hat keine eigenen Zellen.</translation>
+    </message>
+    <message>
         <source>No landmark was set.</source>
         <translation>Es wurde keine Landmarke gesetzt.</translation>
     </message>
@@ -6372,6 +6380,14 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Griffe am Fad
     <message>
         <source>Build the model</source>
         <translation>Modell erstellen</translation>
+    </message>
+    <message>
+        <source>Its elastography has not been inverted: until then the stiffness is assumed.</source>
+        <translation>Seine Elastographie ist noch nicht ausgewertet: bis dahin ist die Steifigkeit angenommen.</translation>
+    </message>
+    <message>
+        <source>Elastography waves...</source>
+        <translation>Elastographie-Wellen …</translation>
     </message>
 </context>
 <context>

@@ -4709,6 +4709,14 @@
         <translation>aceptado</translation>
     </message>
     <message>
+        <source>Left out of the label map: {0} and {1} more.</source>
+        <translation>Omitidos del mapa de etiquetas: {0} y {1} más.</translation>
+    </message>
+    <message>
+        <source>{0} lies outside of the liver and has no cells of its own.</source>
+        <translation>{0} queda fuera del hígado y no tiene celdas propias.</translation>
+    </message>
+    <message>
         <source>No landmark was set.</source>
         <translation>No se fijó ningún punto de referencia.</translation>
     </message>
@@ -6374,6 +6382,14 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar. Ctrl+arrastrar: girar. Tiradores 
     <message>
         <source>Build the model</source>
         <translation>Construir el modelo</translation>
+    </message>
+    <message>
+        <source>Its elastography has not been inverted: until then the stiffness is assumed.</source>
+        <translation>Su elastografía no se ha invertido: hasta entonces la rigidez es supuesta.</translation>
+    </message>
+    <message>
+        <source>Elastography waves...</source>
+        <translation>Ondas de elastografía…</translation>
     </message>
 </context>
 <context>

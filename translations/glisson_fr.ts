@@ -4709,6 +4709,14 @@
         <translation>accepté</translation>
     </message>
     <message>
+        <source>Left out of the label map: {0} and {1} more.</source>
+        <translation>Laissés de côté dans la carte d’étiquettes : {0} et {1} autres.</translation>
+    </message>
+    <message>
+        <source>{0} lies outside of the liver and has no cells of its own.</source>
+        <translation>{0} se trouve hors du foie et n’a pas de cellules propres.</translation>
+    </message>
+    <message>
         <source>No landmark was set.</source>
         <translation>Aucun repère n’a été placé.</translation>
     </message>
@@ -6374,6 +6382,14 @@ Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: déplacer. Ctrl+glisser&#xa0;: tour
     <message>
         <source>Build the model</source>
         <translation>Construire le modèle</translation>
+    </message>
+    <message>
+        <source>Its elastography has not been inverted: until then the stiffness is assumed.</source>
+        <translation>Son élastographie n’a pas été inversée : d’ici là, la rigidité est supposée.</translation>
+    </message>
+    <message>
+        <source>Elastography waves...</source>
+        <translation>Ondes d’élastographie…</translation>
     </message>
 </context>
 <context>

@@ -330,6 +330,7 @@ void MainWindow::connect_parts() {
   connect(tour_, &TourCard::arrived, this, &MainWindow::go_to);
   connect(&stalls_, &StallWatch::stood_still, this, [this](double ms) { diary_.note_stall(ms); });
   connect(next_step_, &NextStepBox::wanted, this, &MainWindow::take_next_step);
+  connect(next_step_, &NextStepBox::waves_wanted, this, &MainWindow::show_waves);
   connect(&work_, &BackgroundWork::started, this, [this] { undo_.set_held_up(true); });
   connect(&work_, &BackgroundWork::finished, this, [this] { undo_.set_held_up(false); });
   connect(&undo_, &Undo::failed, this, &MainWindow::show_error);
@@ -486,11 +487,12 @@ void MainWindow::load(const QString& title, Loader loader, std::function<void()>
   });
 }
 
-void MainWindow::change(const QString& title, std::function<Result<Patient>(const Progress&)> loader) {
+void MainWindow::change(const QString& title, std::function<Result<Patient>(const Progress&)> loader,
+                        std::function<void()> once_shown) {
   if (!may_change()) return;
   last_change_ = title;  // it may have to wait for other work to give up
-  load(title, [this, name = Sentence{title.toStdString(), {}}, loader = std::move(loader)](
-                  const Progress& progress, const FirstLook& /*first_look*/) {
+  auto change_recorded = [this, name = Sentence{title.toStdString(), {}}, loader = std::move(loader)](
+                             const Progress& progress, const FirstLook& /*first_look*/) {
     Result<Patient> patient = failure("cancelled", {});
     undo_.wait();  // what was drawn before belongs to what is worked on now
     const auto recorded = undo_.recorded(name, [&]() -> Result<void> {
@@ -499,7 +501,8 @@ void MainWindow::change(const QString& title, std::function<Result<Patient>(cons
     });
     if (patient && !recorded) patient->remarks.push_back({recorded.error().message(), {}});
     return patient;
-  });
+  };
+  load(title, std::move(change_recorded), std::move(once_shown));
 }
 
 bool MainWindow::may_change() {
@@ -535,7 +538,9 @@ void MainWindow::take_next_step(NextStep step) {
       return outline_liver(folder, inside_mm, progress);
     });
   } else {
-    change(tr("Building the model"), [folder](const Progress& progress) { return build_model(folder, progress); });
+    change(
+        tr("Building the model"), [folder](const Progress& progress) { return build_model(folder, progress); },
+        [this] { go_to("rehearse"); });
   }
 }
 

@@ -8,6 +8,7 @@
 #include "casefile/import.h"
 #include "casefile/model.h"
 #include "casefile/structures.h"
+#include "casefile/waves.h"
 #include "mechanics/simulation.h"
 #include "studies/demo.h"
 
@@ -174,6 +175,11 @@ NextStep next_step(const fs::path& case_folder) {
   if (!opened || opened->find("meshes/model") != nullptr) return NextStep::none;
   if (opened->find("volumes/anatomy") == nullptr) return NextStep::none;
   return opened->find("labels/liver") != nullptr ? NextStep::build_model : NextStep::outline_liver;
+}
+
+bool has_waves_to_invert(const fs::path& case_folder) {
+  const auto opened = casefile::Case::open(case_folder);
+  return opened && opened->find("volumes/stiffness") == nullptr && casefile::has_waves(*opened);
 }
 
 Result<Patient> outline_liver(const fs::path& case_folder, const Eigen::Vector3d& inside_mm, const Progress& progress) {
