@@ -121,6 +121,7 @@ class Walk {
       line->selectAll();
       QTest::keyClicks(line, QString::fromStdString(file.string()));
       QTest::keyClick(line, Qt::Key_Return);
+      if (QApplication::activeModalWidget() == dialog) name_the_file(file);  // a list of proposals took the key
     });
   }
 
