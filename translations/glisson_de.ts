@@ -4133,10 +4133,6 @@
         <translation>Organ wird eingepasst</translation>
     </message>
     <message>
-        <source>The folder cannot be made: {0}</source>
-        <translation>Der Ordner kann nicht angelegt werden: {0}</translation>
-    </message>
-    <message>
         <source>In {0}: {1}.</source>
         <translation>In {0}: {1}.</translation>
     </message>
@@ -4151,10 +4147,6 @@
     <message>
         <source>Line {0} must hold an id and three numbers.</source>
         <translation>Zeile {0} muss eine Kennung und drei Zahlen enthalten.</translation>
-    </message>
-    <message>
-        <source>Frame {0} has no pose_guess, and {1} points on its features are too few to find where the organ is.</source>
-        <translation>Bild {0} hat keine pose_guess, und {1} Punkte auf seinen Merkmalen sind zu wenige, um das Organ zu finden.</translation>
     </message>
     <message>
         <source>Give a pose_guess, or mark ridges or the falciform ligament.</source>
@@ -4329,6 +4321,398 @@
         <translation>es gibt kein Bild</translation>
     </message>
     <message>
+        <source>Patient: name withheld</source>
+        <translation>Patient: Name zurückgehalten</translation>
+    </message>
+    <message>
+        <source>What was planned and rehearsed</source>
+        <translation>Was geplant und geprobt wurde</translation>
+    </message>
+    <message>
+        <source>Not a medical device.</source>
+        <translation>Kein Medizinprodukt.</translation>
+    </message>
+    <message>
+        <source>Glisson {0}. Not a medical device: not for diagnosis or treatment.</source>
+        <translation>Glisson {0}. Kein Medizinprodukt: nicht für Diagnose oder Behandlung.</translation>
+    </message>
+    <message>
+        <source>Images</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Aus</translation>
+    </message>
+    <message>
+        <source>Made by</source>
+        <translation>Entstanden durch</translation>
+    </message>
+    <message>
+        <source>the case</source>
+        <translation>dem Fall</translation>
+    </message>
+    <message>
+        <source>files: {0}</source>
+        <translation>Dateien: {0}</translation>
+    </message>
+    <message>
+        <source>The case holds no images.</source>
+        <translation>Der Fall enthält keine Bilder.</translation>
+    </message>
+    <message>
+        <source>Structures</source>
+        <translation>Strukturen</translation>
+    </message>
+    <message>
+        <source>Nothing is outlined yet.</source>
+        <translation>Noch ist nichts umrissen.</translation>
+    </message>
+    <message>
+        <source>Structure</source>
+        <translation>Struktur</translation>
+    </message>
+    <message>
+        <source>Outlined by</source>
+        <translation>Umrissen durch</translation>
+    </message>
+    <message>
+        <source>{0} with {1} N over {2} mm radius</source>
+        <translation>{0} mit {1} N auf {2} mm Radius</translation>
+    </message>
+    <message>
+        <source>Rehearsed retraction</source>
+        <translation>Geprobte Retraktion</translation>
+    </message>
+    <message>
+        <source>No tool is on the liver: nothing is being rehearsed.</source>
+        <translation>An der Leber ist kein Instrument: nichts wird geprobt.</translation>
+    </message>
+    <message>
+        <source>Tools: {0}.</source>
+        <translation>Instrumente: {0}.</translation>
+    </message>
+    <message>
+        <source>The liver moves by up to {0} mm.</source>
+        <translation>Die Leber bewegt sich um bis zu {0} mm.</translation>
+    </message>
+    <message>
+        <source>5 mm or more matters to a surgeon and is marked !.</source>
+        <translation>Ab 5 mm ist es für Chirurgen von Bedeutung und mit ! bezeichnet.</translation>
+    </message>
+    <message>
+        <source>Landmark</source>
+        <translation>Landmarke</translation>
+    </message>
+    <message>
+        <source>Moves (mm)</source>
+        <translation>Bewegung (mm)</translation>
+    </message>
+    <message>
+        <source>Atlas off (mm)</source>
+        <translation>Fehler des Atlas (mm)</translation>
+    </message>
+    <message>
+        <source>What can be worn</source>
+        <translation>Was sich tragen lässt</translation>
+    </message>
+    <message>
+        <source>For a liver of {0} cm3, {1} mm accuracy, {2} frames a second, {3} h at {4} deg C: {5}.</source>
+        <translation>Für eine Leber von {0} cm³, {1} mm Genauigkeit, {2} Bilder je Sekunde, {3} h bei {4} °C: {5}.</translation>
+    </message>
+    <message>
+        <source>the least obtrusive that holds is {0}</source>
+        <translation>das unauffälligste, das genügt, ist {0}</translation>
+    </message>
+    <message>
+        <source>none of the known platforms holds</source>
+        <translation>keine der bekannten Plattformen genügt</translation>
+    </message>
+    <message>
+        <source>Platform</source>
+        <translation>Plattform</translation>
+    </message>
+    <message>
+        <source>Frames/s</source>
+        <translation>Bilder/s</translation>
+    </message>
+    <message>
+        <source>Battery (h)</source>
+        <translation>Akku (h)</translation>
+    </message>
+    <message>
+        <source>Surface (deg C)</source>
+        <translation>Oberfläche (°C)</translation>
+    </message>
+    <message>
+        <source>Holds</source>
+        <translation>Genügt</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>current</source>
+        <translation>aktuell</translation>
+    </message>
+    <message>
+        <source>stale: made from something that has changed</source>
+        <translation>veraltet: die Grundlage hat sich geändert</translation>
+    </message>
+    <message>
+        <source>changed by another program</source>
+        <translation>von einem anderen Programm geändert</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>Where it comes from</source>
+        <translation>Woher es kommt</translation>
+    </message>
+    <message>
+        <source>Each file of the case, the beginning of its SHA-256, and what made it.</source>
+        <translation>Jede Datei des Falls, der Anfang ihrer SHA-256 und wodurch sie entstand.</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>When (UTC)</source>
+        <translation>Wann (UTC)</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>assumed: one value for all cells, {0} kPa</source>
+        <translation>angenommen: ein Wert für alle Zellen, {0} kPa</translation>
+    </message>
+    <message>
+        <source>assumed: the atlas&apos;s one value, {0} kPa</source>
+        <translation>angenommen: der eine Wert des Atlas, {0} kPa</translation>
+    </message>
+    <message>
+        <source>the patient&apos;s own, from MR elastography</source>
+        <translation>die des Patienten, aus MR-Elastographie</translation>
+    </message>
+    <message>
+        <source>cut through: R1 !</source>
+        <translation>durchschnitten: R1 !</translation>
+    </message>
+    <message>
+        <source>left in place !</source>
+        <translation>bleibt zurück !</translation>
+    </message>
+    <message>
+        <source>under 5 mm !</source>
+        <translation>unter 5 mm !</translation>
+    </message>
+    <message>
+        <source>Smallest distance to the cut. Under 1 mm counts as R1, under 5 mm is narrow; both are marked !.</source>
+        <translation>Kleinster Abstand zum Schnitt. Unter 1 mm gilt als R1, unter 5 mm ist knapp; beides ist mit ! bezeichnet.</translation>
+    </message>
+    <message>
+        <source>Tumour</source>
+        <translation>Tumor</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>Margin (mm)</source>
+        <translation>Abstand (mm)</translation>
+    </message>
+    <message>
+        <source>Caution</source>
+        <translation>Vorsicht</translation>
+    </message>
+    <message>
+        <source>Moved by the tools (mm)</source>
+        <translation>Von Instrumenten bewegt (mm)</translation>
+    </message>
+    <message>
+        <source>cut through</source>
+        <translation>durchschnitten</translation>
+    </message>
+    <message>
+        <source>removed</source>
+        <translation>entfernt</translation>
+    </message>
+    <message>
+        <source>stays</source>
+        <translation>bleibt</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>There is no model yet.</source>
+        <translation>Es gibt noch kein Modell.</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>Zellen</translation>
+    </message>
+    <message>
+        <source>Smallest dihedral angle</source>
+        <translation>Kleinster Diederwinkel</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>Steifigkeit</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus</source>
+        <translation>Elastizitätsmodul</translation>
+    </message>
+    <message>
+        <source>{0} kPa on average, sd {1}</source>
+        <translation>im Mittel {0} kPa, Standardabweichung {1}</translation>
+    </message>
+    <message>
+        <source>Cells without data of their own</source>
+        <translation>Zellen ohne eigene Daten</translation>
+    </message>
+    <message>
+        <source>{0} % (filled from inside)</source>
+        <translation>{0} % (von innen ergänzt)</translation>
+    </message>
+    <message>
+        <source>Held by</source>
+        <translation>Gehalten von</translation>
+    </message>
+    <message>
+        <source>the bare area near the vena cava, and springs under the diaphragm (assumed)</source>
+        <translation>der Area nuda an der Hohlvene und Federn unter dem Zwerchfell (angenommen)</translation>
+    </message>
+    <message>
+        <source>Planned resection</source>
+        <translation>Geplante Resektion</translation>
+    </message>
+    <message>
+        <source>No resection was saved.</source>
+        <translation>Es wurde keine Resektion gesichert.</translation>
+    </message>
+    <message>
+        <source>The cut removes {0} ml and leaves {1} ml, {2} % of the liver.</source>
+        <translation>Der Schnitt entfernt {0} ml und lässt {1} ml, {2} % der Leber.</translation>
+    </message>
+    <message>
+        <source>Planned on the liver as tools hold it, an answer within the model: strains reach {0} %.</source>
+        <translation>Geplant an der Leber, wie Instrumente sie halten, eine Antwort innerhalb des Modells: Dehnungen erreichen {0} %.</translation>
+    </message>
+    <message>
+        <source>Planned on the liver as tools hold it, an answer outside of the model: strains reach {0} %.</source>
+        <translation>Geplant an der Leber, wie Instrumente sie halten, eine Antwort außerhalb des Modells: Dehnungen erreichen {0} %.</translation>
+    </message>
+    <message>
+        <source>Vessels that the cut crosses.</source>
+        <translation>Gefäße, die der Schnitt kreuzt.</translation>
+    </message>
+    <message>
+        <source>Vessel</source>
+        <translation>Gefäß</translation>
+    </message>
+    <message>
+        <source>Diameter (mm)</source>
+        <translation>Durchmesser (mm)</translation>
+    </message>
+    <message>
+        <source>Vena cava, by its width</source>
+        <translation>Hohlvene, der Weite nach</translation>
+    </message>
+    <message>
+        <source>The saved resection cannot be read: its file is damaged.</source>
+        <translation>Die gesicherte Resektion ist nicht lesbar: ihre Datei ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>Evidence accepted</source>
+        <translation>Angenommene Belege</translation>
+    </message>
+    <message>
+        <source>None: the model is as declared.</source>
+        <translation>Keine: das Modell ist wie angegeben.</translation>
+    </message>
+    <message>
+        <source>Changes the model: {0}</source>
+        <translation>Ändert das Modell: {0}</translation>
+    </message>
+    <message>
+        <source>Accepted, but left out: {0}</source>
+        <translation>Angenommen, aber ausgelassen: {0}</translation>
+    </message>
+    <message>
+        <source>Cells of the liver</source>
+        <translation>Zellen der Leber</translation>
+    </message>
+    <message>
+        <source>Model: stiffness of each cell</source>
+        <translation>Modell: Steifigkeit jeder Zelle</translation>
+    </message>
+    <message>
+        <source>Images: {0}</source>
+        <translation>Bilder: {0}</translation>
+    </message>
+    <message>
+        <source>Outline: {0}</source>
+        <translation>Umriss: {0}</translation>
+    </message>
+    <message>
+        <source>Smooth surface: {0}</source>
+        <translation>Glatte Oberfläche: {0}</translation>
+    </message>
+    <message>
+        <source>imported</source>
+        <translation>importiert</translation>
+    </message>
+    <message>
+        <source>outlined</source>
+        <translation>umrissen</translation>
+    </message>
+    <message>
+        <source>made into cells</source>
+        <translation>in Zellen zerlegt</translation>
+    </message>
+    <message>
+        <source>stiffness given</source>
+        <translation>mit Steifigkeit versehen</translation>
+    </message>
+    <message>
+        <source>waves inverted</source>
+        <translation>aus Wellen berechnet</translation>
+    </message>
+    <message>
+        <source>accepted</source>
+        <translation>angenommen</translation>
+    </message>
+    <message>
+        <source>Left out of the label map: {0} and {1} more.</source>
+        <translation>Aus der Labelkarte weggelassen: {0} und {1} weitere.</translation>
+    </message>
+    <message>
+        <source>{0} lies outside of the liver and has no cells of its own.</source>
+        <translation>{0} liegt außerhalb der Leber und hat keine eigenen Zellen.</translation>
+    </message>
+    <message>
+        <source>No landmark was set.</source>
+        <translation>Es wurde keine Landmarke gesetzt.</translation>
+    </message>
+    <message>
         <source>{0} and the liver lie on different grids.</source>
         <translation>{0} und die Leber liegen auf verschiedenen Gittern.</translation>
     </message>
@@ -4351,6 +4735,10 @@
     <message>
         <source>Find them first (vessels), or take the liver&apos;s shape alone (--from prior).</source>
         <translation>Suchen Sie sie zuerst (vessels), oder nehmen Sie allein die Form der Leber (--from prior).</translation>
+    </message>
+    <message>
+        <source>What frame {0} saw fits the organ in more than one place: its shape alone does not say where.</source>
+        <translation>Was Bild {0} zeigt, passt an mehr als einer Stelle auf das Organ: Die Form allein sagt nicht, wo.</translation>
     </message>
     <message>
         <source>measuring the depth of the vessels</source>
@@ -4407,6 +4795,14 @@
     <message>
         <source>Find the vessels again.</source>
         <translation>Suchen Sie die Gefäße erneut.</translation>
+    </message>
+    <message>
+        <source>--pose {0} is no rigid motion: 16 numbers with commas, row by row.</source>
+        <translation>--pose {0} ist keine starre Bewegung: 16 Zahlen mit Kommas, Zeile für Zeile.</translation>
+    </message>
+    <message>
+        <source>The pose takes a point of the scan (mm) to the camera&apos;s frame.</source>
+        <translation>Die Lage bringt einen Punkt der Aufnahme (mm) ins System der Kamera.</translation>
     </message>
 </context>
 <context>
@@ -6069,6 +6465,14 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Griffe am Fad
         <source>Build the model</source>
         <translation>Modell erstellen</translation>
     </message>
+    <message>
+        <source>Its elastography has not been inverted: until then the stiffness is assumed.</source>
+        <translation>Seine Elastographie ist noch nicht ausgewertet: bis dahin ist die Steifigkeit angenommen.</translation>
+    </message>
+    <message>
+        <source>Elastography waves...</source>
+        <translation>Elastographie-Wellen …</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::Notices</name>
@@ -6855,6 +7259,14 @@ figures</source>
         <source>Remove landmark</source>
         <translation>Landmarke entfernen</translation>
     </message>
+    <message>
+        <source>▲ The image cuts the liver off here, towards %1. The tool touches a cap where the liver goes on: place it elsewhere.</source>
+        <translation>▲ Das Bild schneidet die Leber hier ab, %1 hin. Das Instrument berührt eine Kappe, wo die Leber weitergeht: setzen Sie es anderswo an.</translation>
+    </message>
+    <message>
+        <source>There are no landmarks: put the crosshair where one is to be, then press Set.</source>
+        <translation>Es gibt keine Landmarken: setzen Sie das Fadenkreuz an den Ort und drücken Sie Setzen.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::ReportView</name>
@@ -6941,6 +7353,26 @@ figures</source>
     <message>
         <source>Adds which wearable computers can do this case, as planned in Platform</source>
         <translation>Fügt hinzu, welche tragbaren Rechner diesen Fall leisten, wie in Plattform geplant</translation>
+    </message>
+    <message>
+        <source>The planned cut.</source>
+        <translation>Der geplante Schnitt.</translation>
+    </message>
+    <message>
+        <source>The patient as shown in the window.</source>
+        <translation>Der Patient, wie ihn das Fenster zeigt.</translation>
+    </message>
+    <message>
+        <source>Transverse</source>
+        <translation>Transversal</translation>
+    </message>
+    <message>
+        <source>Coronal</source>
+        <translation>Koronar</translation>
+    </message>
+    <message>
+        <source>Sagittal</source>
+        <translation>Sagittal</translation>
     </message>
 </context>
 <context>
@@ -8451,6 +8883,10 @@ Von Hand: mit der rechten Taste ziehen</translation>
     <message>
         <source>Save the picture of this view</source>
         <translation>Das Bild dieser Ansicht speichern</translation>
+    </message>
+    <message>
+        <source>What there is no room for here</source>
+        <translation>Wofür hier kein Platz ist</translation>
     </message>
 </context>
 <context>

@@ -4133,10 +4133,6 @@
         <translation>Situando el órgano</translation>
     </message>
     <message>
-        <source>The folder cannot be made: {0}</source>
-        <translation>No se puede crear la carpeta: {0}</translation>
-    </message>
-    <message>
         <source>In {0}: {1}.</source>
         <translation>En {0}: {1}.</translation>
     </message>
@@ -4151,10 +4147,6 @@
     <message>
         <source>Line {0} must hold an id and three numbers.</source>
         <translation>La línea {0} debe contener un identificador y tres números.</translation>
-    </message>
-    <message>
-        <source>Frame {0} has no pose_guess, and {1} points on its features are too few to find where the organ is.</source>
-        <translation>La imagen {0} no tiene pose_guess, y {1} puntos en sus referencias son muy pocos para encontrar el órgano.</translation>
     </message>
     <message>
         <source>Give a pose_guess, or mark ridges or the falciform ligament.</source>
@@ -4329,6 +4321,398 @@
         <translation>no hay ninguna imagen</translation>
     </message>
     <message>
+        <source>Patient: name withheld</source>
+        <translation>Paciente: nombre reservado</translation>
+    </message>
+    <message>
+        <source>What was planned and rehearsed</source>
+        <translation>Lo que se planificó y ensayó</translation>
+    </message>
+    <message>
+        <source>Not a medical device.</source>
+        <translation>No es un producto sanitario.</translation>
+    </message>
+    <message>
+        <source>Glisson {0}. Not a medical device: not for diagnosis or treatment.</source>
+        <translation>Glisson {0}. No es un producto sanitario: ni para diagnóstico ni para tratamiento.</translation>
+    </message>
+    <message>
+        <source>Images</source>
+        <translation>Imágenes</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Origen</translation>
+    </message>
+    <message>
+        <source>Made by</source>
+        <translation>Obtenido por</translation>
+    </message>
+    <message>
+        <source>the case</source>
+        <translation>el caso</translation>
+    </message>
+    <message>
+        <source>files: {0}</source>
+        <translation>archivos: {0}</translation>
+    </message>
+    <message>
+        <source>The case holds no images.</source>
+        <translation>El caso no contiene imágenes.</translation>
+    </message>
+    <message>
+        <source>Structures</source>
+        <translation>Estructuras</translation>
+    </message>
+    <message>
+        <source>Nothing is outlined yet.</source>
+        <translation>Aún no se ha delimitado nada.</translation>
+    </message>
+    <message>
+        <source>Structure</source>
+        <translation>Estructura</translation>
+    </message>
+    <message>
+        <source>Outlined by</source>
+        <translation>Delimitado por</translation>
+    </message>
+    <message>
+        <source>{0} with {1} N over {2} mm radius</source>
+        <translation>{0} con {1} N sobre {2} mm de radio</translation>
+    </message>
+    <message>
+        <source>Rehearsed retraction</source>
+        <translation>Retracción ensayada</translation>
+    </message>
+    <message>
+        <source>No tool is on the liver: nothing is being rehearsed.</source>
+        <translation>No hay ningún instrumento sobre el hígado: no se ensaya nada.</translation>
+    </message>
+    <message>
+        <source>Tools: {0}.</source>
+        <translation>Instrumentos: {0}.</translation>
+    </message>
+    <message>
+        <source>The liver moves by up to {0} mm.</source>
+        <translation>El hígado se mueve hasta {0} mm.</translation>
+    </message>
+    <message>
+        <source>5 mm or more matters to a surgeon and is marked !.</source>
+        <translation>A partir de 5 mm importa al cirujano y se marca con !.</translation>
+    </message>
+    <message>
+        <source>Landmark</source>
+        <translation>Punto de referencia</translation>
+    </message>
+    <message>
+        <source>Moves (mm)</source>
+        <translation>Movimiento (mm)</translation>
+    </message>
+    <message>
+        <source>Atlas off (mm)</source>
+        <translation>Error del atlas (mm)</translation>
+    </message>
+    <message>
+        <source>What can be worn</source>
+        <translation>Lo que se puede llevar puesto</translation>
+    </message>
+    <message>
+        <source>For a liver of {0} cm3, {1} mm accuracy, {2} frames a second, {3} h at {4} deg C: {5}.</source>
+        <translation>Para un hígado de {0} cm³, {1} mm de exactitud, {2} imágenes por segundo, {3} h a {4} °C: {5}.</translation>
+    </message>
+    <message>
+        <source>the least obtrusive that holds is {0}</source>
+        <translation>el menos molesto que basta es {0}</translation>
+    </message>
+    <message>
+        <source>none of the known platforms holds</source>
+        <translation>ninguna de las plataformas conocidas basta</translation>
+    </message>
+    <message>
+        <source>Platform</source>
+        <translation>Plataforma</translation>
+    </message>
+    <message>
+        <source>Frames/s</source>
+        <translation>Imágenes/s</translation>
+    </message>
+    <message>
+        <source>Battery (h)</source>
+        <translation>Batería (h)</translation>
+    </message>
+    <message>
+        <source>Surface (deg C)</source>
+        <translation>Superficie (°C)</translation>
+    </message>
+    <message>
+        <source>Holds</source>
+        <translation>Basta</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>sí</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>no</translation>
+    </message>
+    <message>
+        <source>current</source>
+        <translation>al día</translation>
+    </message>
+    <message>
+        <source>stale: made from something that has changed</source>
+        <translation>obsoleto: cambió aquello de lo que procede</translation>
+    </message>
+    <message>
+        <source>changed by another program</source>
+        <translation>modificado por otro programa</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>falta</translation>
+    </message>
+    <message>
+        <source>Where it comes from</source>
+        <translation>De dónde procede</translation>
+    </message>
+    <message>
+        <source>Each file of the case, the beginning of its SHA-256, and what made it.</source>
+        <translation>Cada archivo del caso, el comienzo de su SHA-256 y cómo se obtuvo.</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Archivo</translation>
+    </message>
+    <message>
+        <source>When (UTC)</source>
+        <translation>Cuándo (UTC)</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Estado</translation>
+    </message>
+    <message>
+        <source>assumed: one value for all cells, {0} kPa</source>
+        <translation>supuesta: un valor para todas las celdas, {0} kPa</translation>
+    </message>
+    <message>
+        <source>assumed: the atlas&apos;s one value, {0} kPa</source>
+        <translation>supuesta: el valor único del atlas, {0} kPa</translation>
+    </message>
+    <message>
+        <source>the patient&apos;s own, from MR elastography</source>
+        <translation>la del paciente, por elastografía RM</translation>
+    </message>
+    <message>
+        <source>cut through: R1 !</source>
+        <translation>cortado: R1 !</translation>
+    </message>
+    <message>
+        <source>left in place !</source>
+        <translation>queda dentro !</translation>
+    </message>
+    <message>
+        <source>under 5 mm !</source>
+        <translation>menos de 5 mm !</translation>
+    </message>
+    <message>
+        <source>Smallest distance to the cut. Under 1 mm counts as R1, under 5 mm is narrow; both are marked !.</source>
+        <translation>Menor distancia al corte. Menos de 1 mm cuenta como R1, menos de 5 mm es escaso; ambos se marcan con !.</translation>
+    </message>
+    <message>
+        <source>Tumour</source>
+        <translation>Tumor</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Lado</translation>
+    </message>
+    <message>
+        <source>Margin (mm)</source>
+        <translation>Margen (mm)</translation>
+    </message>
+    <message>
+        <source>Caution</source>
+        <translation>Atención</translation>
+    </message>
+    <message>
+        <source>Moved by the tools (mm)</source>
+        <translation>Movido por los instrumentos (mm)</translation>
+    </message>
+    <message>
+        <source>cut through</source>
+        <translation>cortado</translation>
+    </message>
+    <message>
+        <source>removed</source>
+        <translation>retirado</translation>
+    </message>
+    <message>
+        <source>stays</source>
+        <translation>queda</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modelo</translation>
+    </message>
+    <message>
+        <source>There is no model yet.</source>
+        <translation>Aún no hay modelo.</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>Celdas</translation>
+    </message>
+    <message>
+        <source>Smallest dihedral angle</source>
+        <translation>Menor ángulo diedro</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>Rigidez</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus</source>
+        <translation>Módulo de Young</translation>
+    </message>
+    <message>
+        <source>{0} kPa on average, sd {1}</source>
+        <translation>{0} kPa de media, desviación típica {1}</translation>
+    </message>
+    <message>
+        <source>Cells without data of their own</source>
+        <translation>Celdas sin datos propios</translation>
+    </message>
+    <message>
+        <source>{0} % (filled from inside)</source>
+        <translation>{0} % (completadas desde dentro)</translation>
+    </message>
+    <message>
+        <source>Held by</source>
+        <translation>Sujeto por</translation>
+    </message>
+    <message>
+        <source>the bare area near the vena cava, and springs under the diaphragm (assumed)</source>
+        <translation>el área desnuda junto a la vena cava y muelles bajo el diafragma (supuesto)</translation>
+    </message>
+    <message>
+        <source>Planned resection</source>
+        <translation>Resección planificada</translation>
+    </message>
+    <message>
+        <source>No resection was saved.</source>
+        <translation>No se guardó ninguna resección.</translation>
+    </message>
+    <message>
+        <source>The cut removes {0} ml and leaves {1} ml, {2} % of the liver.</source>
+        <translation>El corte retira {0} ml y deja {1} ml, {2} % del hígado.</translation>
+    </message>
+    <message>
+        <source>Planned on the liver as tools hold it, an answer within the model: strains reach {0} %.</source>
+        <translation>Planificado sobre el hígado tal como lo sujetan los instrumentos, una respuesta dentro del modelo: las deformaciones alcanzan {0} %.</translation>
+    </message>
+    <message>
+        <source>Planned on the liver as tools hold it, an answer outside of the model: strains reach {0} %.</source>
+        <translation>Planificado sobre el hígado tal como lo sujetan los instrumentos, una respuesta fuera del modelo: las deformaciones alcanzan {0} %.</translation>
+    </message>
+    <message>
+        <source>Vessels that the cut crosses.</source>
+        <translation>Vasos que el corte atraviesa.</translation>
+    </message>
+    <message>
+        <source>Vessel</source>
+        <translation>Vaso</translation>
+    </message>
+    <message>
+        <source>Diameter (mm)</source>
+        <translation>Diámetro (mm)</translation>
+    </message>
+    <message>
+        <source>Vena cava, by its width</source>
+        <translation>Vena cava, por su anchura</translation>
+    </message>
+    <message>
+        <source>The saved resection cannot be read: its file is damaged.</source>
+        <translation>La resección guardada no se puede leer: su archivo está dañado.</translation>
+    </message>
+    <message>
+        <source>Evidence accepted</source>
+        <translation>Pruebas aceptadas</translation>
+    </message>
+    <message>
+        <source>None: the model is as declared.</source>
+        <translation>Ninguna: el modelo es como se declaró.</translation>
+    </message>
+    <message>
+        <source>Changes the model: {0}</source>
+        <translation>Cambia el modelo: {0}</translation>
+    </message>
+    <message>
+        <source>Accepted, but left out: {0}</source>
+        <translation>Aceptada, pero omitida: {0}</translation>
+    </message>
+    <message>
+        <source>Cells of the liver</source>
+        <translation>Celdas del hígado</translation>
+    </message>
+    <message>
+        <source>Model: stiffness of each cell</source>
+        <translation>Modelo: rigidez de cada celda</translation>
+    </message>
+    <message>
+        <source>Images: {0}</source>
+        <translation>Imágenes: {0}</translation>
+    </message>
+    <message>
+        <source>Outline: {0}</source>
+        <translation>Contorno: {0}</translation>
+    </message>
+    <message>
+        <source>Smooth surface: {0}</source>
+        <translation>Superficie lisa: {0}</translation>
+    </message>
+    <message>
+        <source>imported</source>
+        <translation>importado</translation>
+    </message>
+    <message>
+        <source>outlined</source>
+        <translation>delimitado</translation>
+    </message>
+    <message>
+        <source>made into cells</source>
+        <translation>dividido en celdas</translation>
+    </message>
+    <message>
+        <source>stiffness given</source>
+        <translation>rigidez asignada</translation>
+    </message>
+    <message>
+        <source>waves inverted</source>
+        <translation>ondas invertidas</translation>
+    </message>
+    <message>
+        <source>accepted</source>
+        <translation>aceptado</translation>
+    </message>
+    <message>
+        <source>Left out of the label map: {0} and {1} more.</source>
+        <translation>Omitidos del mapa de etiquetas: {0} y {1} más.</translation>
+    </message>
+    <message>
+        <source>{0} lies outside of the liver and has no cells of its own.</source>
+        <translation>{0} queda fuera del hígado y no tiene celdas propias.</translation>
+    </message>
+    <message>
+        <source>No landmark was set.</source>
+        <translation>No se fijó ningún punto de referencia.</translation>
+    </message>
+    <message>
         <source>{0} and the liver lie on different grids.</source>
         <translation>{0} y el hígado están en rejillas distintas.</translation>
     </message>
@@ -4351,6 +4735,10 @@
     <message>
         <source>Find them first (vessels), or take the liver&apos;s shape alone (--from prior).</source>
         <translation>Búsquelos primero (vessels), o tome solo la forma del hígado (--from prior).</translation>
+    </message>
+    <message>
+        <source>What frame {0} saw fits the organ in more than one place: its shape alone does not say where.</source>
+        <translation>Lo que se vio en la imagen {0} encaja en el órgano en más de un lugar: la forma sola no dice dónde.</translation>
     </message>
     <message>
         <source>measuring the depth of the vessels</source>
@@ -4407,6 +4795,14 @@
     <message>
         <source>Find the vessels again.</source>
         <translation>Busque de nuevo los vasos.</translation>
+    </message>
+    <message>
+        <source>--pose {0} is no rigid motion: 16 numbers with commas, row by row.</source>
+        <translation>--pose {0} no es un movimiento rígido: 16 números con comas, fila por fila.</translation>
+    </message>
+    <message>
+        <source>The pose takes a point of the scan (mm) to the camera&apos;s frame.</source>
+        <translation>La pose lleva un punto del estudio (mm) al sistema de la cámara.</translation>
     </message>
 </context>
 <context>
@@ -6071,6 +6467,14 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar. Ctrl+arrastrar: girar. Tiradores 
         <source>Build the model</source>
         <translation>Construir el modelo</translation>
     </message>
+    <message>
+        <source>Its elastography has not been inverted: until then the stiffness is assumed.</source>
+        <translation>Su elastografía no se ha invertido: hasta entonces la rigidez es supuesta.</translation>
+    </message>
+    <message>
+        <source>Elastography waves...</source>
+        <translation>Ondas de elastografía…</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::Notices</name>
@@ -6858,6 +7262,14 @@ supuestas</translation>
         <source>Remove landmark</source>
         <translation>Quitar punto de referencia</translation>
     </message>
+    <message>
+        <source>▲ The image cuts the liver off here, towards %1. The tool touches a cap where the liver goes on: place it elsewhere.</source>
+        <translation>▲ La imagen corta aquí el hígado, hacia %1. El instrumento toca una tapa donde el hígado continúa: colóquelo en otro lugar.</translation>
+    </message>
+    <message>
+        <source>There are no landmarks: put the crosshair where one is to be, then press Set.</source>
+        <translation>No hay puntos de referencia: coloque la cruz donde haya de estar uno y pulse Colocar.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::ReportView</name>
@@ -6944,6 +7356,26 @@ supuestas</translation>
     <message>
         <source>Adds which wearable computers can do this case, as planned in Platform</source>
         <translation>Añade qué ordenadores portables pueden con este caso, como se planificó en Plataforma</translation>
+    </message>
+    <message>
+        <source>The planned cut.</source>
+        <translation>El corte planificado.</translation>
+    </message>
+    <message>
+        <source>The patient as shown in the window.</source>
+        <translation>El paciente tal como lo muestra la ventana.</translation>
+    </message>
+    <message>
+        <source>Transverse</source>
+        <translation>Transversal</translation>
+    </message>
+    <message>
+        <source>Coronal</source>
+        <translation>Coronal</translation>
+    </message>
+    <message>
+        <source>Sagittal</source>
+        <translation>Sagital</translation>
     </message>
 </context>
 <context>
@@ -8454,6 +8886,10 @@ A mano: arrastre con el botón derecho</translation>
     <message>
         <source>Save the picture of this view</source>
         <translation>Guardar la imagen de esta vista</translation>
+    </message>
+    <message>
+        <source>What there is no room for here</source>
+        <translation>Lo que no cabe aquí</translation>
     </message>
 </context>
 <context>

@@ -4133,10 +4133,6 @@
         <translation>Placement de l&apos;organe</translation>
     </message>
     <message>
-        <source>The folder cannot be made: {0}</source>
-        <translation>Impossible de créer le dossier : {0}</translation>
-    </message>
-    <message>
         <source>In {0}: {1}.</source>
         <translation>Dans {0} : {1}.</translation>
     </message>
@@ -4151,10 +4147,6 @@
     <message>
         <source>Line {0} must hold an id and three numbers.</source>
         <translation>La ligne {0} doit contenir un identifiant et trois nombres.</translation>
-    </message>
-    <message>
-        <source>Frame {0} has no pose_guess, and {1} points on its features are too few to find where the organ is.</source>
-        <translation>L&apos;image {0} n&apos;a pas de pose_guess, et {1} points sur ses repères sont trop peu pour trouver l&apos;organe.</translation>
     </message>
     <message>
         <source>Give a pose_guess, or mark ridges or the falciform ligament.</source>
@@ -4318,7 +4310,7 @@
     </message>
     <message>
         <source>SIMULATED: a generated liver, breathing and pressed by a tool as a formula says. The registration called &quot;given&quot; is the true one with a fault put into it on the left of the picture.</source>
-        <translation>SIMULÉ : un foie engendré, qui respire et qu’un instrument enfonce selon une formule. Le recalage dit « fourni » est le vrai, dans lequel une erreur a été mise à gauche de l’image.</translation>
+        <translation>SIMULÉ&#xa0;: un foie engendré, qui respire et qu’un instrument enfonce selon une formule. Le recalage dit «&#xa0;fourni&#xa0;» est le vrai, dans lequel une erreur a été mise à gauche de l’image.</translation>
     </message>
     <message>
         <source>--study serves a DICOM SEG alone (--format dicom-seg).</source>
@@ -4327,6 +4319,398 @@
     <message>
         <source>there is no picture</source>
         <translation>il n’y a pas d’image</translation>
+    </message>
+    <message>
+        <source>Patient: name withheld</source>
+        <translation>Patient : nom non communiqué</translation>
+    </message>
+    <message>
+        <source>What was planned and rehearsed</source>
+        <translation>Ce qui a été planifié et répété</translation>
+    </message>
+    <message>
+        <source>Not a medical device.</source>
+        <translation>Pas un dispositif médical.</translation>
+    </message>
+    <message>
+        <source>Glisson {0}. Not a medical device: not for diagnosis or treatment.</source>
+        <translation>Glisson {0}. Pas un dispositif médical : ni pour le diagnostic ni pour le traitement.</translation>
+    </message>
+    <message>
+        <source>Images</source>
+        <translation>Images</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volume</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Provenance</translation>
+    </message>
+    <message>
+        <source>Made by</source>
+        <translation>Obtenu par</translation>
+    </message>
+    <message>
+        <source>the case</source>
+        <translation>le dossier</translation>
+    </message>
+    <message>
+        <source>files: {0}</source>
+        <translation>fichiers : {0}</translation>
+    </message>
+    <message>
+        <source>The case holds no images.</source>
+        <translation>Le dossier ne contient pas d’images.</translation>
+    </message>
+    <message>
+        <source>Structures</source>
+        <translation>Structures</translation>
+    </message>
+    <message>
+        <source>Nothing is outlined yet.</source>
+        <translation>Rien n’est encore délimité.</translation>
+    </message>
+    <message>
+        <source>Structure</source>
+        <translation>Structure</translation>
+    </message>
+    <message>
+        <source>Outlined by</source>
+        <translation>Délimité par</translation>
+    </message>
+    <message>
+        <source>{0} with {1} N over {2} mm radius</source>
+        <translation>{0} avec {1} N sur {2} mm de rayon</translation>
+    </message>
+    <message>
+        <source>Rehearsed retraction</source>
+        <translation>Rétraction répétée</translation>
+    </message>
+    <message>
+        <source>No tool is on the liver: nothing is being rehearsed.</source>
+        <translation>Aucun instrument n’est sur le foie : rien n’est répété.</translation>
+    </message>
+    <message>
+        <source>Tools: {0}.</source>
+        <translation>Instruments : {0}.</translation>
+    </message>
+    <message>
+        <source>The liver moves by up to {0} mm.</source>
+        <translation>Le foie se déplace de {0} mm au plus.</translation>
+    </message>
+    <message>
+        <source>5 mm or more matters to a surgeon and is marked !.</source>
+        <translation>À partir de 5 mm, cela compte pour le chirurgien et porte un !.</translation>
+    </message>
+    <message>
+        <source>Landmark</source>
+        <translation>Repère</translation>
+    </message>
+    <message>
+        <source>Moves (mm)</source>
+        <translation>Déplacement (mm)</translation>
+    </message>
+    <message>
+        <source>Atlas off (mm)</source>
+        <translation>Écart de l’atlas (mm)</translation>
+    </message>
+    <message>
+        <source>What can be worn</source>
+        <translation>Ce qui peut être porté</translation>
+    </message>
+    <message>
+        <source>For a liver of {0} cm3, {1} mm accuracy, {2} frames a second, {3} h at {4} deg C: {5}.</source>
+        <translation>Pour un foie de {0} cm³, {1} mm de précision, {2} images par seconde, {3} h à {4} °C : {5}.</translation>
+    </message>
+    <message>
+        <source>the least obtrusive that holds is {0}</source>
+        <translation>le moins encombrant qui suffit est {0}</translation>
+    </message>
+    <message>
+        <source>none of the known platforms holds</source>
+        <translation>aucune des plateformes connues ne suffit</translation>
+    </message>
+    <message>
+        <source>Platform</source>
+        <translation>Plateforme</translation>
+    </message>
+    <message>
+        <source>Frames/s</source>
+        <translation>Images/s</translation>
+    </message>
+    <message>
+        <source>Battery (h)</source>
+        <translation>Batterie (h)</translation>
+    </message>
+    <message>
+        <source>Surface (deg C)</source>
+        <translation>Surface (°C)</translation>
+    </message>
+    <message>
+        <source>Holds</source>
+        <translation>Suffit</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>oui</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>non</translation>
+    </message>
+    <message>
+        <source>current</source>
+        <translation>à jour</translation>
+    </message>
+    <message>
+        <source>stale: made from something that has changed</source>
+        <translation>périmé : ce dont il provient a changé</translation>
+    </message>
+    <message>
+        <source>changed by another program</source>
+        <translation>modifié par un autre programme</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>manquant</translation>
+    </message>
+    <message>
+        <source>Where it comes from</source>
+        <translation>D’où cela vient</translation>
+    </message>
+    <message>
+        <source>Each file of the case, the beginning of its SHA-256, and what made it.</source>
+        <translation>Chaque fichier du dossier, le début de son SHA-256 et ce qui l’a produit.</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Fichier</translation>
+    </message>
+    <message>
+        <source>When (UTC)</source>
+        <translation>Quand (UTC)</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>État</translation>
+    </message>
+    <message>
+        <source>assumed: one value for all cells, {0} kPa</source>
+        <translation>supposée : une valeur pour toutes les cellules, {0} kPa</translation>
+    </message>
+    <message>
+        <source>assumed: the atlas&apos;s one value, {0} kPa</source>
+        <translation>supposée : la valeur unique de l’atlas, {0} kPa</translation>
+    </message>
+    <message>
+        <source>the patient&apos;s own, from MR elastography</source>
+        <translation>celle du patient, par élastographie IRM</translation>
+    </message>
+    <message>
+        <source>cut through: R1 !</source>
+        <translation>coupée : R1 !</translation>
+    </message>
+    <message>
+        <source>left in place !</source>
+        <translation>laissée en place !</translation>
+    </message>
+    <message>
+        <source>under 5 mm !</source>
+        <translation>moins de 5 mm !</translation>
+    </message>
+    <message>
+        <source>Smallest distance to the cut. Under 1 mm counts as R1, under 5 mm is narrow; both are marked !.</source>
+        <translation>Plus petite distance à la coupe. Moins de 1 mm compte comme R1, moins de 5 mm est étroit ; les deux portent un !.</translation>
+    </message>
+    <message>
+        <source>Tumour</source>
+        <translation>Tumeur</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Côté</translation>
+    </message>
+    <message>
+        <source>Margin (mm)</source>
+        <translation>Marge (mm)</translation>
+    </message>
+    <message>
+        <source>Caution</source>
+        <translation>Attention</translation>
+    </message>
+    <message>
+        <source>Moved by the tools (mm)</source>
+        <translation>Déplacée par les instruments (mm)</translation>
+    </message>
+    <message>
+        <source>cut through</source>
+        <translation>coupée</translation>
+    </message>
+    <message>
+        <source>removed</source>
+        <translation>retirée</translation>
+    </message>
+    <message>
+        <source>stays</source>
+        <translation>reste</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modèle</translation>
+    </message>
+    <message>
+        <source>There is no model yet.</source>
+        <translation>Il n’y a pas encore de modèle.</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>Cellules</translation>
+    </message>
+    <message>
+        <source>Smallest dihedral angle</source>
+        <translation>Plus petit angle dièdre</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>Rigidité</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus</source>
+        <translation>Module d’Young</translation>
+    </message>
+    <message>
+        <source>{0} kPa on average, sd {1}</source>
+        <translation>{0} kPa en moyenne, écart type {1}</translation>
+    </message>
+    <message>
+        <source>Cells without data of their own</source>
+        <translation>Cellules sans données propres</translation>
+    </message>
+    <message>
+        <source>{0} % (filled from inside)</source>
+        <translation>{0} % (complétées de l’intérieur)</translation>
+    </message>
+    <message>
+        <source>Held by</source>
+        <translation>Tenu par</translation>
+    </message>
+    <message>
+        <source>the bare area near the vena cava, and springs under the diaphragm (assumed)</source>
+        <translation>l’area nuda près de la veine cave, et des ressorts sous le diaphragme (supposé)</translation>
+    </message>
+    <message>
+        <source>Planned resection</source>
+        <translation>Résection planifiée</translation>
+    </message>
+    <message>
+        <source>No resection was saved.</source>
+        <translation>Aucune résection n’a été enregistrée.</translation>
+    </message>
+    <message>
+        <source>The cut removes {0} ml and leaves {1} ml, {2} % of the liver.</source>
+        <translation>La coupe retire {0} ml et laisse {1} ml, {2} % du foie.</translation>
+    </message>
+    <message>
+        <source>Planned on the liver as tools hold it, an answer within the model: strains reach {0} %.</source>
+        <translation>Planifié sur le foie tel que les instruments le tiennent, une réponse dans le modèle : les déformations atteignent {0} %.</translation>
+    </message>
+    <message>
+        <source>Planned on the liver as tools hold it, an answer outside of the model: strains reach {0} %.</source>
+        <translation>Planifié sur le foie tel que les instruments le tiennent, une réponse hors du modèle : les déformations atteignent {0} %.</translation>
+    </message>
+    <message>
+        <source>Vessels that the cut crosses.</source>
+        <translation>Vaisseaux que la coupe traverse.</translation>
+    </message>
+    <message>
+        <source>Vessel</source>
+        <translation>Vaisseau</translation>
+    </message>
+    <message>
+        <source>Diameter (mm)</source>
+        <translation>Diamètre (mm)</translation>
+    </message>
+    <message>
+        <source>Vena cava, by its width</source>
+        <translation>Veine cave, par sa largeur</translation>
+    </message>
+    <message>
+        <source>The saved resection cannot be read: its file is damaged.</source>
+        <translation>La résection enregistrée est illisible : son fichier est endommagé.</translation>
+    </message>
+    <message>
+        <source>Evidence accepted</source>
+        <translation>Preuves acceptées</translation>
+    </message>
+    <message>
+        <source>None: the model is as declared.</source>
+        <translation>Aucune : le modèle est tel que déclaré.</translation>
+    </message>
+    <message>
+        <source>Changes the model: {0}</source>
+        <translation>Change le modèle : {0}</translation>
+    </message>
+    <message>
+        <source>Accepted, but left out: {0}</source>
+        <translation>Acceptée, mais laissée de côté : {0}</translation>
+    </message>
+    <message>
+        <source>Cells of the liver</source>
+        <translation>Cellules du foie</translation>
+    </message>
+    <message>
+        <source>Model: stiffness of each cell</source>
+        <translation>Modèle : rigidité de chaque cellule</translation>
+    </message>
+    <message>
+        <source>Images: {0}</source>
+        <translation>Images : {0}</translation>
+    </message>
+    <message>
+        <source>Outline: {0}</source>
+        <translation>Contour : {0}</translation>
+    </message>
+    <message>
+        <source>Smooth surface: {0}</source>
+        <translation>Surface lisse : {0}</translation>
+    </message>
+    <message>
+        <source>imported</source>
+        <translation>importé</translation>
+    </message>
+    <message>
+        <source>outlined</source>
+        <translation>délimité</translation>
+    </message>
+    <message>
+        <source>made into cells</source>
+        <translation>découpé en cellules</translation>
+    </message>
+    <message>
+        <source>stiffness given</source>
+        <translation>rigidité attribuée</translation>
+    </message>
+    <message>
+        <source>waves inverted</source>
+        <translation>ondes inversées</translation>
+    </message>
+    <message>
+        <source>accepted</source>
+        <translation>accepté</translation>
+    </message>
+    <message>
+        <source>Left out of the label map: {0} and {1} more.</source>
+        <translation>Laissés de côté dans la carte d’étiquettes : {0} et {1} autres.</translation>
+    </message>
+    <message>
+        <source>{0} lies outside of the liver and has no cells of its own.</source>
+        <translation>{0} se trouve hors du foie et n’a pas de cellules propres.</translation>
+    </message>
+    <message>
+        <source>No landmark was set.</source>
+        <translation>Aucun repère n’a été placé.</translation>
     </message>
     <message>
         <source>{0} and the liver lie on different grids.</source>
@@ -4351,6 +4735,10 @@
     <message>
         <source>Find them first (vessels), or take the liver&apos;s shape alone (--from prior).</source>
         <translation>Cherchez-les d’abord (vessels), ou prenez la seule forme du foie (--from prior).</translation>
+    </message>
+    <message>
+        <source>What frame {0} saw fits the organ in more than one place: its shape alone does not say where.</source>
+        <translation>Ce que montre l’image {0} s’ajuste à l’organe à plus d’un endroit : la forme seule ne dit pas où.</translation>
     </message>
     <message>
         <source>measuring the depth of the vessels</source>
@@ -4407,6 +4795,14 @@
     <message>
         <source>Find the vessels again.</source>
         <translation>Cherchez de nouveau les vaisseaux.</translation>
+    </message>
+    <message>
+        <source>--pose {0} is no rigid motion: 16 numbers with commas, row by row.</source>
+        <translation>--pose {0} n’est pas un mouvement rigide : 16 nombres séparés par des virgules, ligne par ligne.</translation>
+    </message>
+    <message>
+        <source>The pose takes a point of the scan (mm) to the camera&apos;s frame.</source>
+        <translation>La pose amène un point de l’examen (mm) dans le repère de la caméra.</translation>
     </message>
 </context>
 <context>
@@ -4556,7 +4952,7 @@
     </message>
     <message>
         <source>out of the running: %1</source>
-        <translation>hors course : %1</translation>
+        <translation>hors course&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -5268,7 +5664,7 @@ L&apos;organe répété change :
     </message>
     <message>
         <source>A sample of tissue, compressed: simulated, and it does something that its file does not declare</source>
-        <translation>Un échantillon de tissu, comprimé : simulé, et il fait quelque chose que son fichier ne déclare pas</translation>
+        <translation>Un échantillon de tissu, comprimé&#xa0;: simulé, et il fait quelque chose que son fichier ne déclare pas</translation>
     </message>
     <message>
         <source>Open measurements of a palpation, a material test or a wearable computer.
@@ -5278,7 +5674,7 @@ No measurements at hand? Try the example: a simulated sample of tissue that does
         <translation>Ouvrez des mesures d’une palpation, d’un essai de matériau ou d’un ordinateur porté.
 Glisson dit de combien le modèle déclaré se trompe, ce qui lui manque et avec quelle certitude.
 
-Pas de mesures sous la main ? Essayez l’exemple : un échantillon de tissu simulé qui fait quelque chose de non déclaré.</translation>
+Pas de mesures sous la main&#xa0;? Essayez l’exemple&#xa0;: un échantillon de tissu simulé qui fait quelque chose de non déclaré.</translation>
     </message>
 </context>
 <context>
@@ -6071,6 +6467,14 @@ Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: déplacer. Ctrl+glisser&#xa0;: tour
         <source>Build the model</source>
         <translation>Construire le modèle</translation>
     </message>
+    <message>
+        <source>Its elastography has not been inverted: until then the stiffness is assumed.</source>
+        <translation>Son élastographie n’a pas été inversée : d’ici là, la rigidité est supposée.</translation>
+    </message>
+    <message>
+        <source>Elastography waves...</source>
+        <translation>Ondes d’élastographie…</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::Notices</name>
@@ -6858,6 +7262,14 @@ supposés</translation>
         <source>Remove landmark</source>
         <translation>Retirer le repère</translation>
     </message>
+    <message>
+        <source>▲ The image cuts the liver off here, towards %1. The tool touches a cap where the liver goes on: place it elsewhere.</source>
+        <translation>▲ L’image coupe le foie ici, vers %1. L’instrument touche une face plane là où le foie continue : placez-le ailleurs.</translation>
+    </message>
+    <message>
+        <source>There are no landmarks: put the crosshair where one is to be, then press Set.</source>
+        <translation>Il n’y a pas de repères : placez le réticule à l’endroit voulu, puis appuyez sur Placer.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::ReportView</name>
@@ -6944,6 +7356,26 @@ supposés</translation>
     <message>
         <source>Adds which wearable computers can do this case, as planned in Platform</source>
         <translation>Ajoute quels ordinateurs portés peuvent traiter ce cas, comme prévu dans Plateforme</translation>
+    </message>
+    <message>
+        <source>The planned cut.</source>
+        <translation>La coupe planifiée.</translation>
+    </message>
+    <message>
+        <source>The patient as shown in the window.</source>
+        <translation>Le patient tel que la fenêtre le montre.</translation>
+    </message>
+    <message>
+        <source>Transverse</source>
+        <translation>Transversale</translation>
+    </message>
+    <message>
+        <source>Coronal</source>
+        <translation>Coronale</translation>
+    </message>
+    <message>
+        <source>Sagittal</source>
+        <translation>Sagittale</translation>
     </message>
 </context>
 <context>
@@ -8454,6 +8886,10 @@ By hand: drag with the right button</source>
     <message>
         <source>Save the picture of this view</source>
         <translation>Enregistrer l’image de cette vue</translation>
+    </message>
+    <message>
+        <source>What there is no room for here</source>
+        <translation>Ce qui ne tient pas ici</translation>
     </message>
 </context>
 <context>

@@ -113,6 +113,7 @@ void MainWindow::make_workspaces() {
                  .show_patient =
                      [this](const Patient& patient) {
                        rehearse_panel_->set_ready(patient.rehearsal != nullptr);
+                       rehearse_panel_->show_image(patient.anatomy);
                        rehearse_panel_->show_evidence(patient.evidence);
                        rehearse_panel_->show_assumed_stiffness(patient.assumed_stiffness);
                      },

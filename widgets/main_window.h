@@ -102,7 +102,8 @@ class MainWindow : public QMainWindow {
   using Loader = std::function<Result<Patient>(const Progress&, const FirstLook&)>;
   void load(const QString& title, Loader loader, std::function<void()> once_shown = {});
   // The same for work that changes the case: one step of undo.
-  void change(const QString& title, std::function<Result<Patient>(const Progress&)> loader);
+  void change(const QString& title, std::function<Result<Patient>(const Progress&)> loader,
+              std::function<void()> once_shown = {});
   void show_moved_entries(const QStringList& ids);
   void take_next_step(NextStep step);
   void keep_landmarks(const QString& what, const std::vector<mechanics::Landmark>& landmarks);

@@ -44,6 +44,7 @@ void MainWindow::connect_case() {
   });
   connect(tour_, &TourCard::arrived, this, &MainWindow::go_to);
   connect(next_step_, &NextStepBox::wanted, this, &MainWindow::take_next_step);
+  connect(next_step_, &NextStepBox::waves_wanted, this, &MainWindow::show_waves);
   connect(&undo_, &Undo::failed, this, &MainWindow::show_error);
   connect(&undo_, &Undo::moved, this, [this](const QString& what) { status_->say(what); });
   connect(&undo_, &Undo::entries_moved, this, &MainWindow::show_moved_entries);

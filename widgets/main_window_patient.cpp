@@ -137,11 +137,12 @@ void MainWindow::word_patient() {
   setWindowTitle(patient_.name.empty() ? tr("Glisson") : tr("%1 - Glisson").arg(patient_label(patient_.name)));
 }
 
-void MainWindow::change(const QString& title, std::function<Result<Patient>(const Progress&)> loader) {
+void MainWindow::change(const QString& title, std::function<Result<Patient>(const Progress&)> loader,
+                        std::function<void()> once_shown) {
   if (!may_change()) return;
   last_change_ = title;  // it may have to wait for other work to give up
-  load(title, [this, name = Sentence{title.toStdString(), {}}, loader = std::move(loader)](
-                  const Progress& progress, const FirstLook& /*first_look*/) {
+  auto change_recorded = [this, name = Sentence{title.toStdString(), {}}, loader = std::move(loader)](
+                             const Progress& progress, const FirstLook& /*first_look*/) {
     Result<Patient> patient = failure("cancelled", {});
     undo_.wait();  // what was drawn before belongs to what is worked on now
     const auto recorded = undo_.recorded(name, [&]() -> Result<void> {
@@ -150,7 +151,8 @@ void MainWindow::change(const QString& title, std::function<Result<Patient>(cons
     });
     if (patient && !recorded) patient->remarks.push_back({recorded.error().message(), {}});
     return patient;
-  });
+  };
+  load(title, std::move(change_recorded), std::move(once_shown));
 }
 
 bool MainWindow::may_change() {
@@ -186,7 +188,9 @@ void MainWindow::take_next_step(NextStep step) {
       return outline_liver(folder, inside_mm, progress);
     });
   } else {
-    change(tr("Building the model"), [folder](const Progress& progress) { return build_model(folder, progress); });
+    change(
+        tr("Building the model"), [folder](const Progress& progress) { return build_model(folder, progress); },
+        [this] { go_to("rehearse"); });
   }
 }
 

@@ -66,7 +66,8 @@ Result<casefile::PlannedCut> cut_of(const Options& options) {
 struct Liver {
   geometry::TetMesh mesh;
   std::vector<rehearsal::NamedStructure> structures;
-  std::vector<Sentence> remarks;  // on the case's files
+  std::vector<Sentence> remarks;     // on the case's files
+  std::optional<double> outline_ml;  // of a case
 };
 
 Result<Liver> liver_of(const Options& options) {
@@ -81,6 +82,7 @@ Result<Liver> liver_of(const Options& options) {
     auto model = casefile::read_model(*patient);
     if (!model) return failure(model.error());
     liver.mesh = std::move(model->mesh);
+    liver.outline_ml = model->liver.volume_ml;
     liver.remarks = casefile::model_remarks(*patient);
     for (auto& structure : model->structures) {
       liver.structures.push_back(
@@ -195,6 +197,7 @@ Result<Outcome> resect(const Options& options, const Progress& progress) {
   if (!lies) return failure(lies.error());
   auto plan = rehearsal::plan_resection(lies->liver, *surface, lies->structures, specimen_mm);
   if (!plan) return failure(plan.error());
+  if (liver->outline_ml) casefile::measure_as_outlined(*plan, *liver->outline_ml);
   for (const Sentence& said : liver->remarks) plan->notes.push_back(said.message());
   if (auto written = casefile::write_resection(options.out, *cut, *plan); !written) {
     return failure(std::move(written.error()));

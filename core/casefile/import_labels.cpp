@@ -144,16 +144,25 @@ std::string value_and_volume(const LabelledPart& part) {
   return fmt::format("{} ({:.1f} ml{}{})", part.value, part.volume_ml, part.written.empty() ? "" : ", ", part.written);
 }
 
+// A few by name: a whole-body map has a hundred.
+Sentence left_out(const std::vector<LabelledPart>& parts) {
+  constexpr std::size_t named = 5;
+  std::string names;
+  for (std::size_t k = 0; k < std::min(named, parts.size()); ++k) {
+    const LabelledPart& part = parts[k];
+    names += (k == 0 ? "" : ", ") + (part.written.empty() ? std::to_string(part.value) : part.written);
+  }
+  if (parts.size() <= named) return {GLISSON_TEXT("Left out of the label map: {0}."), {names}};
+  return {GLISSON_TEXT("Left out of the label map: {0} and {1} more."), {names, std::to_string(parts.size() - named)}};
+}
+
 Result<Read> read_map(const WantedLabels& wanted) {
   const Series& series = *wanted.series;
   const auto map = read_label_map(series.files.front(), wanted.names);
   if (!map) return failure(map.error());
   Read read;
-  std::string left_out;
   for (const LabelledPart& part : map->parts) {
-    if (!part.structure.empty()) continue;
-    read.unnamed.push_back(part);
-    left_out += (left_out.empty() ? "" : ", ") + (part.written.empty() ? std::to_string(part.value) : part.written);
+    if (part.structure.empty()) read.unnamed.push_back(part);
   }
   for (const LabelledPart& part : map->parts) {
     const auto same = [&](const Brought& one) { return one.name == part.structure; };
@@ -161,7 +170,7 @@ Result<Read> read_map(const WantedLabels& wanted) {
     Provenance made = made_from(series);
     made.options["label-value"] = std::to_string(part.value);
     if (!map->named_by.text.empty()) made.notes.push_back(map->named_by);
-    if (!left_out.empty()) made.notes.push_back({GLISSON_TEXT("Left out of the label map: {0}."), {left_out}});
+    if (!read.unnamed.empty()) made.notes.push_back(left_out(read.unnamed));
     read.structures.push_back({part.structure, mask_of(*map, part.structure),
                                segmentation::known_structure(part.structure).color_rgb, std::move(made)});
   }

@@ -48,8 +48,15 @@ Result<meshing::LiverMesh> mesh_liver(Case& patient, const meshing::MeshOptions&
   const auto composed = segmentation::compose_labels(*structures, segmentation::Extent::liver);
   if (!composed) return failure(composed.error());
   meshing::MeshOptions named = options;
+  std::vector<std::string> outside;  // a portal vein as some programs outline it: its stem alone
   for (std::size_t i = 0; i < composed->names.size(); ++i) {
-    named.names.push_back({static_cast<std::uint16_t>(i + 1), composed->names[i]});
+    const auto label = static_cast<std::uint16_t>(i + 1);
+    const auto& voxels = composed->labels.values;
+    if (std::find(voxels.begin(), voxels.end(), label) == voxels.end()) {
+      outside.push_back(composed->names[i]);
+    } else {
+      named.names.push_back({label, composed->names[i]});
+    }
   }
   auto meshed = meshing::mesh_labels(composed->labels, named, progress.part(0.05, 0.85));
   if (!meshed) return failure(meshed.error());
@@ -58,6 +65,9 @@ Result<meshing::LiverMesh> mesh_liver(Case& patient, const meshing::MeshOptions&
   for (const Structure& structure : *structures) made.from.push_back("labels/" + structure.name);
   for (const std::string& lesion : whole.added) {
     made.notes.push_back({GLISSON_TEXT("{0} was not wholly inside the liver; it was meshed as part of it."), {lesion}});
+  }
+  for (const std::string& name : outside) {
+    made.notes.push_back({GLISSON_TEXT("{0} lies outside of the liver and has no cells of its own."), {name}});
   }
   for (const meshing::LabelName& region : named.names) {
     made.options[fmt::format("region-{}", region.label)] = region.name;

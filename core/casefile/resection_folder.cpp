@@ -1,5 +1,6 @@
 #include "casefile/resection_folder.h"
 
+#include <cmath>
 #include <utility>
 
 #include "base/json.h"
@@ -39,6 +40,11 @@ Result<rehearsal::Resection> plan_resection(const rehearsal::LyingLiver& liver, 
     specimen_mm = on_cut_mm + (volume.above_mm3 < volume.below_mm3 ? -1.0 : 1.0) * surface->normal();
   }
   return rehearsal::plan_resection(liver, *surface, structures, specimen_mm);
+}
+
+void measure_as_outlined(rehearsal::Resection& plan, double outline_ml) {
+  const double meshed_ml = plan.specimen_ml + plan.remnant_ml;
+  if (std::abs(outline_ml / meshed_ml - 1) <= 0.2) rehearsal::measure_as(plan, outline_ml);
 }
 
 rehearsal::StructureKind resection_kind(const std::string& structure) {

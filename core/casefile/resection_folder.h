@@ -31,6 +31,10 @@ Result<rehearsal::Resection> plan_resection(const geometry::TetMesh& liver, cons
 Result<rehearsal::Resection> plan_resection(const rehearsal::LyingLiver& liver, const PlannedCut& cut,
                                             const std::vector<rehearsal::NamedStructure>& structures);
 
+// Gives the plan's parts the volume of the liver's outline. Not where that is another liver than was meshed, by more
+// than a fifth: the model is out of date then, and said to be.
+void measure_as_outlined(rehearsal::Resection& plan, double outline_ml);
+
 // By its name in a case: "portal-vein" is a vessel, "cyst-2" a cyst, anything else a tumour.
 [[nodiscard]] rehearsal::StructureKind resection_kind(const std::string& structure);
 

@@ -1,6 +1,7 @@
 #include "casefile/waves.h"
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <map>
 
 #include "casefile/motion_options.h"
@@ -57,6 +58,13 @@ Result<void> accept_waves(Case& patient, const InvertedWaves& inverted) {
     }
     if (auto saved = save("volumes/confidence", map.confidence); !saved) return saved;
     return save("volumes/stiffness", map.magnitude_kPa);
+  });
+}
+
+bool has_waves(const Case& patient) {
+  const auto& entries = patient.entries();
+  return std::any_of(entries.begin(), entries.end(), [](const Entry& entry) {
+    return entry.id.starts_with("volumes/phase") || entry.id.starts_with("volumes/wave");
   });
 }
 

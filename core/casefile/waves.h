@@ -7,6 +7,9 @@
 
 namespace glisson::casefile {
 
+// Whether a case holds raw elastography.
+[[nodiscard]] bool has_waves(const Case& patient);
+
 // The phase images of a case as they were imported (volumes/phase...; where there are none, the vendor's
 // volumes/wave...) with the mean of volumes/magnitude.... Fails with "waves-none", or as elastography::sort_waves does.
 Result<elastography::SortedWaves> read_waves(const Case& patient, const elastography::AskedFor& asked = {});

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "base/units.h"
+#include "meshing/image_end.h"
 
 namespace glisson::meshing {
 namespace {
@@ -22,16 +23,6 @@ struct IndexBox {
 
 Result<void> check_grid(const LabelMap& labels);
 IndexBox box_of_labelled(const LabelMap& labels);
-// LPS: x to the patient's left, y to the back, z to the head.
-const char* side_of_patient(const Eigen::Vector3d& towards) {
-  Eigen::Index axis = 0;
-  towards.cwiseAbs().maxCoeff(&axis);
-  const bool onwards = towards[axis] > 0;
-  if (axis == 0) return onwards ? GLISSON_TEXT("the patient's left") : GLISSON_TEXT("the patient's right");
-  if (axis == 1) return onwards ? GLISSON_TEXT("the back") : GLISSON_TEXT("the front");
-  return onwards ? GLISSON_TEXT("the head") : GLISSON_TEXT("the feet");
-}
-
 std::vector<Sentence> notes_on_cuts(const Grid& grid, const IndexBox& box);
 LabelMap cropped(const LabelMap& labels, const IndexBox& box, int margin);
 

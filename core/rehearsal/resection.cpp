@@ -32,6 +32,11 @@ VesselCrossing crossing_of(const std::string& name, const std::vector<Vector3d>&
 
 }  // namespace
 
+void measure_as(Resection& plan, double liver_ml) {
+  const double scale = liver_ml / (plan.specimen_ml + plan.remnant_ml);
+  for (double* volume_ml : {&plan.specimen_ml, &plan.remnant_ml, &plan.volume_error_ml}) *volume_ml *= scale;
+}
+
 std::string to_string(ResectionSide side) {
   switch (side) {
     case ResectionSide::specimen: return "specimen";

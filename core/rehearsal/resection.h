@@ -84,4 +84,8 @@ Result<Resection> plan_resection(const LyingLiver& liver, const geometry::CutSur
                                  const std::vector<NamedStructure>& structures,
                                  const std::optional<Eigen::Vector3d>& specimen_mm = {});
 
+// The two parts of a liver of that volume, each by its share of the mesh, and what is uncertain of them: a mesh is one
+// or two per cent off the outline that it was made from, and a liver has one volume.
+void measure_as(Resection& plan, double liver_ml);
+
 }  // namespace glisson::rehearsal

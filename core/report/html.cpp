@@ -106,12 +106,12 @@ struct BlockWriter {
 
 Result<void> write_html(const std::filesystem::path& file, const Page& page) {
   std::string html = fmt::format(
-      "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
+      "<!doctype html>\n<html lang=\"{4}\"><head><meta charset=\"utf-8\">"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"><title>{0}</title><style>{1}</style>"
       "</head>\n<body>{2}<main><h1>{0}</h1><p class=\"subtitle\">{3}</p>\n",
       escaped(page.title), style,
       page.warning.empty() ? "" : fmt::format("<div class=\"warning\">{}</div>", escaped(page.warning)),
-      escaped(page.subtitle));
+      escaped(page.subtitle), escaped(page.language));
   for (const Block& block : page.blocks) {
     auto made = std::visit(BlockWriter{}, block);
     if (!made) return failure(made.error());

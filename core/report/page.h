@@ -59,6 +59,7 @@ struct Page {
   std::string warning;  // on a band at the top: "SIMULATED ..."; empty for none
   std::vector<Block> blocks;
   std::string footer;
+  std::string language = "en";  // as HTML has it
 };
 
 }  // namespace glisson::report

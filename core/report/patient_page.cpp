@@ -8,7 +8,6 @@
 #include "casefile/structures.h"
 #include "rehearsal/tool_presets.h"
 #include "report/internal/patient_sections.h"
-#include "report/plain_names.h"
 
 namespace glisson::report {
 namespace {
@@ -18,32 +17,37 @@ using casefile::Entry;
 using casefile::Freshness;
 
 void add_figures(Page& page, const std::vector<Figure>& figures);
-void add_images(Page& page, const Case& patient);
-Result<void> add_structures(Page& page, const Case& patient);
-void add_retraction(Page& page, const Case& patient, const std::optional<RehearsedRetraction>& retraction);
-void add_plan(Page& page, const std::optional<hardware::Plan>& plan);
-void add_files(Page& page, const Case& patient);
+void add_images(Page& page, const Case& patient, const Words& words);
+Result<void> add_structures(Page& page, const Case& patient, const Words& words);
+void add_retraction(Page& page, const Case& patient, const PatientPageContent& content);
+void add_plan(Page& page, const std::optional<hardware::Plan>& plan, const Words& words);
+void add_files(Page& page, const Case& patient, const Words& words);
 
 }  // namespace
 
 Result<Page> patient_page(const Case& patient, const PatientPageContent& content, const Progress& progress) {
   progress.report(0, GLISSON_TEXT("Reading the case"));
+  const Words& words = content.words;
   Page page;
-  page.title = content.name ? *content.name : "Patient: name withheld";
-  page.subtitle = "What was planned and rehearsed" + (content.when.empty() ? "" : ", " + content.when);
-  page.warning = (patient.origin().empty() ? "" : patient.origin() + ". ") + "Not a medical device.";
-  page.footer = fmt::format("Glisson {}. Not a medical device: not for diagnosis or treatment.", version());
+  page.language = words.language;
+  page.title = content.name ? *content.name : words.say(GLISSON_TEXT("Patient: name withheld"));
+  page.subtitle = words.say(GLISSON_TEXT("What was planned and rehearsed"));
+  if (!content.when.empty()) page.subtitle += ", " + content.when;
+  page.warning = (patient.origin().empty() ? "" : words.sentence({patient.origin(), {}}) + ". ") +
+                 words.say(GLISSON_TEXT("Not a medical device."));
+  page.footer =
+      words.say(GLISSON_TEXT("Glisson {0}. Not a medical device: not for diagnosis or treatment."), {version()});
   add_figures(page, content.figures);
-  add_resection(page, patient);
-  add_retraction(page, patient, content.retraction);
-  if (auto added = add_structures(page, patient); !added) return failure(std::move(added.error()));
-  add_plan(page, content.plan);
+  add_resection(page, patient, words);
+  add_retraction(page, patient, content);
+  if (auto added = add_structures(page, patient, words); !added) return failure(std::move(added.error()));
+  add_plan(page, content.plan, words);
   progress.report(0.3, GLISSON_TEXT("Reading the model"));
-  add_images(page, patient);
-  if (auto added = add_model(page, patient); !added) return failure(std::move(added.error()));
-  if (auto added = add_evidence(page, patient); !added) return failure(std::move(added.error()));
+  add_images(page, patient, words);
+  if (auto added = add_model(page, patient, words); !added) return failure(std::move(added.error()));
+  if (auto added = add_evidence(page, patient, words); !added) return failure(std::move(added.error()));
   progress.report(0.7, GLISSON_TEXT("Comparing the files with what they were made from"));
-  add_files(page, patient);
+  add_files(page, patient, words);
   return page;
 }
 
@@ -61,67 +65,85 @@ void add_figures(Page& page, const std::vector<Figure>& figures) {
   if (figures.size() > 1) page.blocks.push_back(FigureRow{{figures.begin() + 1, figures.end()}});
 }
 
-void add_images(Page& page, const Case& patient) {
-  page.blocks.push_back(Heading{"Images"});
-  Table table{"", {"Volume", "From", "Made by"}, {}};
+void add_images(Page& page, const Case& patient, const Words& words) {
+  page.blocks.push_back(Heading{words.say(GLISSON_TEXT("Images"))});
+  Table table{
+      "", {words.say(GLISSON_TEXT("Volume")), words.say(GLISSON_TEXT("From")), words.say(GLISSON_TEXT("Made by"))}, {}};
   for (const Entry& entry : patient.entries()) {
     if (!entry.id.starts_with("volumes/")) continue;
-    std::vector<Cell> row{
-        {plain_name(entry.id.substr(std::string("volumes/").size()))},
-        {entry.made.sources.empty() ? "the case" : fmt::format("{} files", entry.made.sources.size())},
-        {plain_way(entry.made.by)}};
-    table.rows.push_back(std::move(row));
+    const std::size_t files = entry.made.sources.size();
+    table.rows.push_back({{words.name(entry.id.substr(std::string("volumes/").size()))},
+                          {files == 0 ? words.say(GLISSON_TEXT("the case"))
+                                      : words.say(GLISSON_TEXT("files: {0}"), {std::to_string(files)})},
+                          {words.way(entry.made.by)}});
   }
   if (table.rows.empty()) {
-    page.blocks.push_back(Paragraph{"The case holds no images."});
+    page.blocks.push_back(Paragraph{words.say(GLISSON_TEXT("The case holds no images."))});
   } else {
     page.blocks.push_back(std::move(table));
   }
 }
 
-Result<void> add_structures(Page& page, const Case& patient) {
-  page.blocks.push_back(Heading{"Structures"});
+Result<void> add_structures(Page& page, const Case& patient, const Words& words) {
+  page.blocks.push_back(Heading{words.say(GLISSON_TEXT("Structures"))});
   const auto structures = casefile::read_structures(patient);
   if (!structures) return failure(structures.error());
   if (structures->empty()) {
-    page.blocks.push_back(Paragraph{"Nothing is outlined yet."});
+    page.blocks.push_back(Paragraph{words.say(GLISSON_TEXT("Nothing is outlined yet."))});
     return {};
   }
-  Table table{"", {"Structure", "ml", "Outlined by"}, {}};
+  Table table{"", {words.say(GLISSON_TEXT("Structure")), "ml", words.say(GLISSON_TEXT("Outlined by"))}, {}};
   for (const auto& structure : *structures) {
     const Entry* entry = patient.find("labels/" + structure.name);
-    table.rows.push_back({{plain_name(structure.name)},
+    table.rows.push_back({{words.name(structure.name)},
                           {fmt::format("{:.1f}", segmentation::volume_ml(structure.mask))},
-                          {entry != nullptr ? plain_way(entry->made.by) : ""}});
+                          {entry != nullptr ? words.way(entry->made.by) : ""}});
   }
   page.blocks.push_back(std::move(table));
   return {};
 }
 
-void add_retraction(Page& page, const Case& patient, const std::optional<RehearsedRetraction>& retraction) {
-  page.blocks.push_back(Heading{"Rehearsed retraction"});
-  if (!retraction) {
-    page.blocks.push_back(Paragraph{"No tool is on the liver: nothing is being rehearsed."});
+// "Retractor with 2.0 N over 15 mm radius"
+std::string tool_words(const RehearsedTool& tool, const Words& words) {
+  const auto preset = rehearsal::tool_preset(tool.name);
+  return words.say(GLISSON_TEXT("{0} with {1} N over {2} mm radius"),
+                   {preset ? words.sentence({preset->name, {}}) : tool.name, fmt::format("{:.1f}", tool.force_N),
+                    fmt::format("{:.0f}", tool.radius_mm)});
+}
+
+void add_retraction(Page& page, const Case& patient, const PatientPageContent& content) {
+  const Words& words = content.words;
+  page.blocks.push_back(Heading{words.say(GLISSON_TEXT("Rehearsed retraction"))});
+  if (!content.retraction) {
+    page.blocks.push_back(Paragraph{words.say(GLISSON_TEXT("No tool is on the liver: nothing is being rehearsed."))});
     return;
   }
-  std::string sentence;
-  for (const RehearsedTool& tool : retraction->tools) {
-    const auto preset = rehearsal::tool_preset(tool.name);
-    sentence += fmt::format("{} {} with {:.1f} N over {:.0f} mm radius", sentence.empty() ? "Tools:" : ",",
-                            preset ? preset->name : tool.name, tool.force_N, tool.radius_mm);
+  const RehearsedRetraction& retraction = *content.retraction;
+  std::string tools;
+  for (const RehearsedTool& tool : retraction.tools) tools += (tools.empty() ? "" : ", ") + tool_words(tool, words);
+  const mechanics::Validity& validity = retraction.validity;
+  std::string told = words.say(GLISSON_TEXT("Tools: {0}."), {tools});
+  if (validity.usable()) {
+    told += " " + words.say(GLISSON_TEXT("The liver moves by up to {0} mm."),
+                            {fmt::format("{:.1f}", retraction.max_displacement_mm)});
   }
-  const mechanics::Validity& validity = retraction->validity;
-  const std::string moves =
-      validity.usable() ? fmt::format("The liver moves by up to {:.1f} mm. ", retraction->max_displacement_mm) : "";
-  page.blocks.push_back(Paragraph{fmt::format("{}. {}{}", sentence, moves, validity.sentence().message())});
-  if (const auto assumed = casefile::assumed_stiffness(patient)) page.blocks.push_back(Paragraph{assumed->message()});
+  page.blocks.push_back(Paragraph{told + " " + words.sentence(validity.sentence())});
+  if (const auto assumed = casefile::assumed_stiffness(patient)) {
+    page.blocks.push_back(Paragraph{words.sentence(*assumed)});
+  }
+  if (retraction.landmarks.empty()) {
+    page.blocks.push_back(Paragraph{words.say(GLISSON_TEXT("No landmark was set."))});
+    return;
+  }
   const bool compared =
-      std::any_of(retraction->landmarks.begin(), retraction->landmarks.end(),
+      std::any_of(retraction.landmarks.begin(), retraction.landmarks.end(),
                   [](const RehearsedLandmark& landmark) { return landmark.atlas_off_mm.has_value(); });
-  Table table{"5 mm or more matters to a surgeon and is marked !.", {"Landmark", "Moves (mm)"}, {}};
-  if (compared) table.columns.emplace_back("Atlas off (mm)");
-  for (const RehearsedLandmark& landmark : retraction->landmarks) {
-    std::vector<Cell> row{{plain_name(landmark.id)}, validity.usable() ? length_mm(landmark.moves_mm) : Cell{"-"}};
+  Table table{words.say(GLISSON_TEXT("5 mm or more matters to a surgeon and is marked !.")),
+              {words.say(GLISSON_TEXT("Landmark")), words.say(GLISSON_TEXT("Moves (mm)"))},
+              {}};
+  if (compared) table.columns.push_back(words.say(GLISSON_TEXT("Atlas off (mm)")));
+  for (const RehearsedLandmark& landmark : retraction.landmarks) {
+    std::vector<Cell> row{{words.name(landmark.id)}, validity.usable() ? length_mm(landmark.moves_mm) : Cell{"-"}};
     const bool known = validity.usable() && landmark.atlas_off_mm;
     if (compared) row.push_back(known ? length_mm(*landmark.atlas_off_mm) : Cell{"-"});
     table.rows.push_back(std::move(row));
@@ -129,50 +151,57 @@ void add_retraction(Page& page, const Case& patient, const std::optional<Rehears
   page.blocks.push_back(std::move(table));
 }
 
-void add_plan(Page& page, const std::optional<hardware::Plan>& plan) {
+void add_plan(Page& page, const std::optional<hardware::Plan>& plan, const Words& words) {
   if (!plan) return;
-  page.blocks.push_back(Heading{"What can be worn"});
-  page.blocks.push_back(Paragraph{fmt::format(
-      "For a liver of {:.0f} cm3, {:.1f} mm accuracy, {:.1f} frames a second, {:.1f} h at {:.0f} deg C: {}.",
-      plan->request.liver_volume_cm3, plan->request.accuracy_mm, plan->request.frames_per_s, plan->request.duration_h,
-      plan->request.ambient_C,
-      plan->recommended ? "the least obtrusive that holds is " + *plan->recommended
-                        : "none of the known platforms holds")});
-  Table table{"", {"Platform", "Frames/s", "Battery (h)", "Surface (deg C)", "Holds"}, {}};
+  page.blocks.push_back(Heading{words.say(GLISSON_TEXT("What can be worn"))});
+  const auto& asked = plan->request;
+  page.blocks.push_back(Paragraph{words.say(
+      GLISSON_TEXT("For a liver of {0} cm3, {1} mm accuracy, {2} frames a second, {3} h at {4} deg C: {5}."),
+      {fmt::format("{:.0f}", asked.liver_volume_cm3), fmt::format("{:.1f}", asked.accuracy_mm),
+       fmt::format("{:.1f}", asked.frames_per_s), fmt::format("{:.1f}", asked.duration_h),
+       fmt::format("{:.0f}", asked.ambient_C),
+       plan->recommended ? words.say(GLISSON_TEXT("the least obtrusive that holds is {0}"), {*plan->recommended})
+                         : words.say(GLISSON_TEXT("none of the known platforms holds"))})});
+  Table table{
+      "",
+      {words.say(GLISSON_TEXT("Platform")), words.say(GLISSON_TEXT("Frames/s")), words.say(GLISSON_TEXT("Battery (h)")),
+       words.say(GLISSON_TEXT("Surface (deg C)")), words.say(GLISSON_TEXT("Holds"))},
+      {}};
   for (const hardware::PlatformAnswer& answer : plan->platforms) {
-    table.rows.push_back(
-        {{answer.name},
-         {fmt::format("{:.1f}", answer.fps)},
-         {fmt::format("{:.1f}", answer.battery_h)},
-         {fmt::format("{:.0f}", answer.temperature_C)},
-         {answer.feasible ? "yes" : "no", answer.feasible ? Cell::Emphasis::good : Cell::Emphasis::none}});
+    table.rows.push_back({{answer.name},
+                          {fmt::format("{:.1f}", answer.fps)},
+                          {fmt::format("{:.1f}", answer.battery_h)},
+                          {fmt::format("{:.0f}", answer.temperature_C)},
+                          {words.say(answer.feasible ? GLISSON_TEXT("yes") : GLISSON_TEXT("no")),
+                           answer.feasible ? Cell::Emphasis::good : Cell::Emphasis::none}});
   }
   page.blocks.push_back(std::move(table));
 }
 
-std::string freshness_word(Freshness freshness) {
+const char* freshness_word(Freshness freshness) {
   switch (freshness) {
-    case Freshness::current: return "current";
-    case Freshness::stale: return "stale: made from something that has changed";
-    case Freshness::changed_outside: return "changed by another program";
-    case Freshness::missing: return "missing";
+    case Freshness::current: return GLISSON_TEXT("current");
+    case Freshness::stale: return GLISSON_TEXT("stale: made from something that has changed");
+    case Freshness::changed_outside: return GLISSON_TEXT("changed by another program");
+    case Freshness::missing: return GLISSON_TEXT("missing");
   }
   GLISSON_ASSERT(false);
 }
 
-void add_files(Page& page, const Case& patient) {
-  page.blocks.push_back(Heading{"Where it comes from"});
-  Table table{"Each file of the case, the beginning of its SHA-256, and what made it.",
-              {"File", "SHA-256", "Made by", "When (UTC)", "State"},
+void add_files(Page& page, const Case& patient, const Words& words) {
+  page.blocks.push_back(Heading{words.say(GLISSON_TEXT("Where it comes from"))});
+  Table table{words.say(GLISSON_TEXT("Each file of the case, the beginning of its SHA-256, and what made it.")),
+              {words.say(GLISSON_TEXT("File")), "SHA-256", words.say(GLISSON_TEXT("Made by")),
+               words.say(GLISSON_TEXT("When (UTC)")), words.say(GLISSON_TEXT("State"))},
               {}};
   for (const Entry& entry : patient.entries()) {
     const Freshness freshness = patient.freshness(entry.id);
-    table.rows.push_back(
-        {{plain_entry(entry.id)},
-         {entry.sha256.substr(0, 12)},
-         {fmt::format("{} (Glisson {})", plain_way(entry.made.by), entry.version)},
-         {entry.when_utc},
-         {freshness_word(freshness), freshness == Freshness::current ? Cell::Emphasis::none : Cell::Emphasis::flag}});
+    table.rows.push_back({{words.entry(entry.id)},
+                          {entry.sha256.substr(0, 12)},
+                          {fmt::format("{} (Glisson {})", words.way(entry.made.by), entry.version)},
+                          {entry.when_utc},
+                          {words.say(freshness_word(freshness)),
+                           freshness == Freshness::current ? Cell::Emphasis::none : Cell::Emphasis::flag}});
   }
   page.blocks.push_back(std::move(table));
 }

@@ -15,6 +15,7 @@
 #include "hardware/plan.h"
 #include "mechanics/statics/validity.h"
 #include "report/page.h"
+#include "report/words.h"
 
 namespace glisson::report {
 
@@ -43,6 +44,7 @@ struct PatientPageContent {
   std::optional<RehearsedRetraction> retraction;
   std::optional<hardware::Plan> plan;  // where it was asked for
   std::string when;                    // as a person reads it; empty for none
+  Words words = {};                    // English unless others are given
 };
 
 // Fails where a file of the case cannot be read, naming it. What is missing in the case is said on the page.

@@ -9,7 +9,6 @@
 #include "geometry/mesh_file.h"
 #include "mechanics/scenario/scenario.h"
 #include "report/internal/patient_sections.h"
-#include "report/plain_names.h"
 
 namespace glisson::report {
 namespace {
@@ -18,36 +17,41 @@ using casefile::Case;
 using casefile::Entry;
 
 // Whose stiffness the model has, by how it was made.
-std::string stiffness_source(const Entry& model) {
+std::string stiffness_source(const Entry& model, const Words& words) {
   const auto& options = model.made.options;
   if (const auto uniform = options.find("uniform_kPa"); uniform != options.end()) {
-    return "assumed: one value for all cells, " + uniform->second + " kPa";
+    return words.say(GLISSON_TEXT("assumed: one value for all cells, {0} kPa"), {uniform->second});
   }
   if (const auto atlas = options.find("atlas_kPa"); atlas != options.end()) {
-    return "assumed: the atlas's one value, " + atlas->second + " kPa";
+    return words.say(GLISSON_TEXT("assumed: the atlas's one value, {0} kPa"), {atlas->second});
   }
-  return "the patient's own, from MR elastography";
+  return words.say(GLISSON_TEXT("the patient's own, from MR elastography"));
 }
 
-Table resection_table(const Json& json) {
-  Table table{"Smallest distance to the cut. Under 1 mm counts as R1, under 5 mm is narrow; both are marked !.",
-              {"Tumour", "Side", "Margin (mm)", "Caution"},
+// What a surgeon must not overlook; empty for nothing.
+std::string caution(const std::string& side, bool r1, bool narrow, const Words& words) {
+  if (side == "both") return words.say(GLISSON_TEXT("cut through: R1 !"));
+  if (side == "remnant") return words.say(GLISSON_TEXT("left in place !"));
+  if (r1) return "R1 !";
+  return narrow ? words.say(GLISSON_TEXT("under 5 mm !")) : "";
+}
+
+Table resection_table(const Json& json, const Words& words) {
+  Table table{words.say(GLISSON_TEXT(
+                  "Smallest distance to the cut. Under 1 mm counts as R1, under 5 mm is narrow; both are marked !.")),
+              {words.say(GLISSON_TEXT("Tumour")), words.say(GLISSON_TEXT("Side")),
+               words.say(GLISSON_TEXT("Margin (mm)")), words.say(GLISSON_TEXT("Caution"))},
               {}};
   const bool moved = std::any_of(json.at("tumours").begin(), json.at("tumours").end(),
                                  [](const Json& tumour) { return tumour.contains("shift_mm"); });
-  if (moved) table.columns.insert(table.columns.begin() + 2, "Moved by the tools (mm)");
+  if (moved) table.columns.insert(table.columns.begin() + 2, words.say(GLISSON_TEXT("Moved by the tools (mm)")));
   for (const Json& tumour : json.at("tumours")) {
     const auto side = tumour.at("side").get<std::string>();
-    const bool r1 = tumour.at("r1").get<bool>(), narrow = tumour.at("narrow").get<bool>();
-    const std::string mind = side == "both"      ? "cut through: R1 !"
-                             : side == "remnant" ? "left in place !"
-                             : r1                ? "R1 !"
-                             : narrow            ? "under 5 mm !"
-                                                 : "";
-    table.rows.push_back({{plain_name(tumour.at("name").get<std::string>())},
-                          {side == "both"       ? "cut through"
-                           : side == "specimen" ? "removed"
-                                                : "stays"},
+    const std::string mind = caution(side, tumour.at("r1").get<bool>(), tumour.at("narrow").get<bool>(), words);
+    table.rows.push_back({{words.name(tumour.at("name").get<std::string>())},
+                          {words.say(side == "both"       ? GLISSON_TEXT("cut through")
+                                     : side == "specimen" ? GLISSON_TEXT("removed")
+                                                          : GLISSON_TEXT("stays"))},
                           {fmt::format("{:.1f}", tumour.at("margin_mm").get<double>())},
                           {mind, mind.empty() ? Cell::Emphasis::none : Cell::Emphasis::flag}});
     if (!moved) continue;
@@ -59,11 +63,11 @@ Table resection_table(const Json& json) {
 
 }  // namespace
 
-Result<void> add_model(Page& page, const Case& patient) {
-  page.blocks.push_back(Heading{"Model"});
+Result<void> add_model(Page& page, const Case& patient, const Words& words) {
+  page.blocks.push_back(Heading{words.say(GLISSON_TEXT("Model"))});
   const Entry* entry = patient.find("meshes/model");
   if (entry == nullptr) {
-    page.blocks.push_back(Paragraph{"There is no model yet."});
+    page.blocks.push_back(Paragraph{words.say(GLISSON_TEXT("There is no model yet."))});
     return {};
   }
   const auto mesh =
@@ -76,80 +80,93 @@ Result<void> add_model(Page& page, const Case& patient) {
   const auto row = [&](std::string name, std::string value) {
     table.rows.push_back({{std::move(name)}, {std::move(value)}});
   };
-  row("Cells", fmt::format("{}", mesh->cells.size()));
-  row("Smallest dihedral angle", fmt::format("{:.1f} deg", quality.min_dihedral_deg));
-  row("Stiffness", stiffness_source(*entry));
+  row(words.say(GLISSON_TEXT("Cells")), fmt::format("{}", mesh->cells.size()));
+  row(words.say(GLISSON_TEXT("Smallest dihedral angle")), fmt::format("{:.1f} deg", quality.min_dihedral_deg));
+  row(words.say(GLISSON_TEXT("Stiffness")), stiffness_source(*entry, words));
   if (youngs != nullptr && !youngs->values.empty()) {
     const auto count = static_cast<double>(youngs->values.size());
     const double mean = std::accumulate(youngs->values.begin(), youngs->values.end(), 0.0) / count;
     double square = 0;
     for (const double value : youngs->values) square += (value - mean) * (value - mean);
-    row("Young's modulus", fmt::format("{:.2f} kPa on average, sd {:.2f}", mean, std::sqrt(square / count)));
+    row(words.say(GLISSON_TEXT("Young's modulus")),
+        words.say(GLISSON_TEXT("{0} kPa on average, sd {1}"),
+                  {fmt::format("{:.2f}", mean), fmt::format("{:.2f}", std::sqrt(square / count))}));
   }
   if (source != nullptr && !source->values.empty()) {
     const auto filled = std::count(source->values.begin(), source->values.end(),
                                    static_cast<double>(elastography::StiffnessSource::filled));
+    const double percent = 100.0 * static_cast<double>(filled) / static_cast<double>(source->values.size());
     if (filled > 0) {
-      row("Cells without data of their own",
-          fmt::format("{:.0f} % (filled from inside)",
-                      100.0 * static_cast<double>(filled) / static_cast<double>(source->values.size())));
+      row(words.say(GLISSON_TEXT("Cells without data of their own")),
+          words.say(GLISSON_TEXT("{0} % (filled from inside)"), {fmt::format("{:.0f}", percent)}));
     }
   }
-  row("Held by", "the bare area near the vena cava, and springs under the diaphragm (assumed)");
+  row(words.say(GLISSON_TEXT("Held by")),
+      words.say(GLISSON_TEXT("the bare area near the vena cava, and springs under the diaphragm (assumed)")));
   page.blocks.push_back(std::move(table));
   for (const char* id : {"meshes/liver", "meshes/model"}) {
     const Entry* made = patient.find(id);
     if (made == nullptr) continue;
-    for (const Sentence& note : made->made.notes) page.blocks.push_back(Paragraph{note.message()});
+    for (const Sentence& note : made->made.notes) page.blocks.push_back(Paragraph{words.sentence(note)});
   }
   return {};
 }
 
-void add_resection(Page& page, const Case& patient) {
-  page.blocks.push_back(Heading{"Planned resection"});
+void add_resection(Page& page, const Case& patient, const Words& words) {
+  page.blocks.push_back(Heading{words.say(GLISSON_TEXT("Planned resection"))});
   const auto json = read_json_file(patient.folder() / "results" / "resection" / "resection.json");
   if (!json) {
-    page.blocks.push_back(Paragraph{"No resection was saved."});
+    page.blocks.push_back(Paragraph{words.say(GLISSON_TEXT("No resection was saved."))});
     return;
   }
   try {
-    page.blocks.push_back(Paragraph{fmt::format(
-        "The cut removes {:.0f} ml and leaves {:.0f} ml, {:.1f} % of the liver.", json->at("specimen_ml").get<double>(),
-        json->at("remnant_ml").get<double>(), json->at("remnant_percent").get<double>())});
+    const auto figure = [&](const char* key, int decimals) {
+      return fmt::format("{:.{}f}", json->at(key).get<double>(), decimals);
+    };
+    page.blocks.push_back(
+        Paragraph{words.say(GLISSON_TEXT("The cut removes {0} ml and leaves {1} ml, {2} % of the liver."),
+                            {figure("specimen_ml", 0), figure("remnant_ml", 0), figure("remnant_percent", 1)})});
     if (json->contains("retraction")) {
       const Json& worth = json->at("retraction");
-      page.blocks.push_back(Paragraph{fmt::format(
-          "Planned on the liver as tools hold it, an answer {} the model: strains reach {:.0f} %.",
-          worth.at("state") == "within" ? "within" : "outside of", 100 * worth.at("largest_strain").get<double>())});
+      const std::string strain_percent = fmt::format("{:.0f}", 100 * worth.at("largest_strain").get<double>());
+      page.blocks.push_back(Paragraph{words.say(
+          worth.at("state") == "within"
+              ? GLISSON_TEXT("Planned on the liver as tools hold it, an answer within the model: strains reach {0} %.")
+              : GLISSON_TEXT(
+                    "Planned on the liver as tools hold it, an answer outside of the model: strains reach {0} %."),
+          {strain_percent})});
     }
-    if (!json->at("tumours").empty()) page.blocks.push_back(resection_table(*json));
-    Table crossed{"Vessels that the cut crosses.", {"Vessel", "Diameter (mm)"}, {}};
+    if (!json->at("tumours").empty()) page.blocks.push_back(resection_table(*json, words));
+    Table crossed{words.say(GLISSON_TEXT("Vessels that the cut crosses.")),
+                  {words.say(GLISSON_TEXT("Vessel")), words.say(GLISSON_TEXT("Diameter (mm)"))},
+                  {}};
     for (const Json& crossing : json->at("crossings")) {
       const bool cava = crossing.value("by_calibre", "") == "vena-cava";
-      crossed.rows.push_back({{cava ? "Vena cava, by its width" : plain_name(crossing.at("name").get<std::string>())},
+      crossed.rows.push_back({{cava ? words.say(GLISSON_TEXT("Vena cava, by its width"))
+                                    : words.name(crossing.at("name").get<std::string>())},
                               {fmt::format("{:.1f}", crossing.at("diameter_mm").get<double>())}});
     }
     if (!crossed.rows.empty()) page.blocks.push_back(std::move(crossed));
   } catch (const Json::exception&) {
-    page.blocks.push_back(Paragraph{"The saved resection cannot be read: its file is damaged."});
+    page.blocks.push_back(
+        Paragraph{words.say(GLISSON_TEXT("The saved resection cannot be read: its file is damaged."))});
   }
 }
 
-Result<void> add_evidence(Page& page, const Case& patient) {
-  page.blocks.push_back(Heading{"Evidence accepted"});
+Result<void> add_evidence(Page& page, const Case& patient, const Words& words) {
+  page.blocks.push_back(Heading{words.say(GLISSON_TEXT("Evidence accepted"))});
   if (patient.find("evidence/model") == nullptr) {
-    page.blocks.push_back(Paragraph{"None: the model is as declared."});
+    page.blocks.push_back(Paragraph{words.say(GLISSON_TEXT("None: the model is as declared."))});
     return {};
   }
   const auto model = casefile::read_model(patient);
   if (!model) return failure(model.error());
   for (const closedloop::LearntEffect& effect : model->evidence.effects) {
-    page.blocks.push_back(
-        Paragraph{(effect.carried ? "Changes the model: " : "Accepted, but left out: ") + effect.sentence.message()});
+    page.blocks.push_back(Paragraph{
+        words.say(effect.carried ? GLISSON_TEXT("Changes the model: {0}") : GLISSON_TEXT("Accepted, but left out: {0}"),
+                  {words.sentence(effect.sentence)})});
   }
-  for (const Sentence& remark : model->evidence.remarks) {
-    page.blocks.push_back(Paragraph{remark.message()});
-  }
+  for (const Sentence& remark : model->evidence.remarks) page.blocks.push_back(Paragraph{words.sentence(remark)});
   return {};
 }
 

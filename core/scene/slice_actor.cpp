@@ -9,6 +9,7 @@
 #include <vtkPoints.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
+#include <algorithm>
 #include <cmath>
 #include <Eigen/Geometry>
 
@@ -120,6 +121,10 @@ std::vector<Eigen::Vector3d> cut(const geometry::Surface& surface, const Plane& 
   for (std::size_t p = 0; p < height_mm.size(); ++p) {
     height_mm[p] = plane.normal.dot(surface.points_mm[p] - plane.center_mm);
   }
+  // A sheet that lies in the plane has no line in it, whatever side rounding puts its points on.
+  constexpr double in_the_plane_mm = 0.01;
+  const auto [lowest, highest] = std::minmax_element(height_mm.begin(), height_mm.end());
+  if (lowest == height_mm.end() || (*highest<in_the_plane_mm&& * lowest> - in_the_plane_mm)) return {};
   return sign_changes(surface.points_mm, surface.triangles, height_mm);
 }
 

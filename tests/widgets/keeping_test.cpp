@@ -146,6 +146,25 @@ class KeepingTest : public QObject {
     QVERIFY(!file.take_lost());  // handed out once
   }
 
+  // Started by a program that does not look after what it started.
+  void finds_it_though_nobody_asked_after_the_window_that_was_killed() {
+    const fs::path open = folder_.path() / "open3";
+    const OpenWork work{
+        .case_folder = empty_case(folder_.path() / "unasked.glisson"), .workspace = "evidence", .tool = {}};
+    const pid_t child = fork();
+    if (child == 0) {
+      OpenWorkFile file(open);
+      if (!file.keep(work)) _exit(1);
+      raise(SIGKILL);
+    }
+    siginfo_t ended{};
+    QCOMPARE(waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOWAIT), 0);
+    OpenWorkFile file(open);
+    const auto lost = file.take_lost();
+    QVERIFY(lost && lost->workspace == "evidence");
+    QCOMPARE(waitpid(child, nullptr, 0), child);
+  }
+
   void takes_nothing_from_a_window_that_runs_or_ended_well_or_whose_case_is_gone() {
     const fs::path open = folder_.path() / "open2";
     const OpenWork work{

@@ -15,6 +15,7 @@
 #include "shown.h"
 #include "widgets/main_window.h"
 #include "widgets/report/report_view.h"
+#include "widgets/words/language.h"
 
 namespace glisson::widgets {
 namespace {
@@ -107,6 +108,26 @@ class ReportViewTest : public QObject {
     QVERIFY(file.open(QIODevice::ReadOnly));
     QVERIFY(file.read(5) == "%PDF-");
     QVERIFY(file.size() > 10000);
+  }
+
+  // Headings, sentences and names; what is saved is what is read.
+  void speaks_the_language_of_the_window() {
+    choose_language("de");
+    QTRY_VERIFY_WITH_TIMEOUT(text().contains("Geplante Resektion"), patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(!window_->work().busy(), patience_ms);
+    for (const char* said : {"Kein Medizinprodukt.", "Geprobte Retraktion", "Palpationssonde mit", "Landmarke",
+                             "im Mittel 6.00 kPa", "Elastizitätsmodul", "Leber", "umrissen", "Woher es kommt"}) {
+      QVERIFY2(text().contains(said), qPrintable(QString("\"%1\" is not in: %2").arg(said, text())));
+    }
+    for (const char* left : {"Planned", "Rehearsed", "The stiffness", "Liver", "outlined", "Where", "The patient"}) {
+      QVERIFY2(!text().contains(left), qPrintable(QString("\"%1\" is in: %2").arg(left, text())));
+    }
+    const QString html = temporary_.filePath("bericht.html");
+    QVERIFY(bool(view_->save_html(html.toStdString())));
+    QVERIFY(read_text_file(html.toStdString(), 1 << 26)->find("<html lang=\"de\">") != std::string::npos);
+    QVERIFY(window_->grab().save(glisson::test::kept_picture("report_de.png")));
+    choose_language("en");
+    QTRY_VERIFY_WITH_TIMEOUT(text().contains("Planned resection"), patience_ms);
   }
 
   void leaves_a_picture_to_look_at() {

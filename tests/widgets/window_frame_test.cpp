@@ -102,6 +102,30 @@ class WindowFrameTest : public QObject {
     QVERIFY(!notice->isVisible());
   }
 
+  // Half of the work took 3.2 s, and the other half says nothing while it is done.
+  void the_time_left_goes_down_while_nothing_is_reported() {
+    BackgroundWork work;
+    StatusLine line(work);
+    line.show();
+    const auto told = [&] {
+      const auto labels = line.findChildren<QLabel*>();
+      return std::any_of(labels.begin(), labels.end(), [](const QLabel* one) { return one->text().contains("left"); })
+                 ? labels.front()->text()
+                 : QString();
+    };
+    work.start("Building", [](const Progress& progress) -> BackgroundWork::Then {
+      progress.report(0.01, "Meshing");
+      QThread::msleep(3200);
+      progress.report(0.5, "Factorising");
+      QThread::msleep(3200);
+      return [] {};
+    });
+    QTRY_COMPARE_WITH_TIMEOUT(told(), QString("Factorising, about 4 s left"), 5000);
+    QTRY_COMPARE_WITH_TIMEOUT(told(), QString("Factorising, about 2 s left"), 2500);
+    QTRY_VERIFY_WITH_TIMEOUT(!work.busy(), 5000);
+    QCOMPARE(told(), QString());
+  }
+
   void f1_opens_the_page_of_the_workspace() {
     const auto window = shown_window();
     press_key(*window, Qt::Key_F1);

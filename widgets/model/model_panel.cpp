@@ -284,9 +284,9 @@ void ModelPanel::rebuild(const std::optional<int>& target_cells) {
                    upkeep = casefile::Upkeep{target_cells, choice()}](const Progress& progress) -> Result<Patient> {
                     auto patient = casefile::Case::open(folder);
                     if (!patient) return failure(patient.error());
-                    auto made = casefile::bring_model_up_to_date(*patient, upkeep, progress.part(0, 0.7));
+                    auto made = casefile::bring_model_up_to_date(*patient, upkeep, progress.part(0, 0.22));
                     if (!made) return failure(std::move(made.error()));
-                    return load_patient(folder, progress.part(0.7, 1));
+                    return load_patient(folder, progress.part(0.22, 1));
                   });
 }
 

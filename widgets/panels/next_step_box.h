@@ -20,6 +20,7 @@ class NextStepBox : public QWidget {
 
  Q_SIGNALS:
   void wanted(NextStep step);
+  void waves_wanted();
 
  private:
   void word();
@@ -27,6 +28,8 @@ class NextStepBox : public QWidget {
   NextStep next_ = NextStep::none;
   QLabel* text_;
   QPushButton* button_;
+  QLabel* waves_text_;  // raw elastography that nobody has inverted yet
+  QPushButton* waves_;
 };
 
 }  // namespace glisson::widgets

@@ -9,10 +9,10 @@
 namespace glisson::widgets {
 namespace {
 
-// "about 2 min left", once there is something to go by.
-QString time_left(double fraction, qint64 elapsed_ms) {
-  if (fraction < 0.05 || elapsed_ms < 3000) return {};
-  const int left_s = static_cast<int>(std::ceil(static_cast<double>(elapsed_ms) / 1000 * (1 - fraction) / fraction));
+// "about 2 min left"; nothing where it should have been done by now.
+QString time_left(double left_ms) {
+  const int left_s = static_cast<int>(std::ceil(1e-3 * left_ms));
+  if (left_s <= 0) return {};
   return left_s < 60 ? StatusLine::tr("about %1 s left").arg(left_s)
                      : StatusLine::tr("about %1 min left").arg((left_s + 30) / 60);
 }
@@ -39,6 +39,8 @@ StatusLine::StatusLine(BackgroundWork& work, QWidget* parent) : QStatusBar(paren
   connect(&work_, &BackgroundWork::started, this, &StatusLine::begin);
   connect(&work_, &BackgroundWork::progressed, this, &StatusLine::show_progress);
   connect(&work_, &BackgroundWork::finished, this, &StatusLine::end);
+  every_second_.setInterval(1000);
+  connect(&every_second_, &QTimer::timeout, this, &StatusLine::tell_stage);
   connect(cancel_, &QPushButton::clicked, this, [this] {
     cancel_->setEnabled(false);
     work_.cancel();
@@ -52,6 +54,9 @@ StatusLine::StatusLine(BackgroundWork& work, QWidget* parent) : QStatusBar(paren
 
 void StatusLine::begin(const QString& title) {
   since_.start();
+  every_second_.start();
+  stage_.clear();
+  takes_ms_.reset();
   say(title);
   progress_->setValue(0);
   progress_->show();
@@ -61,12 +66,21 @@ void StatusLine::begin(const QString& title) {
 
 void StatusLine::show_progress(double fraction, const QString& stage) {
   progress_->setValue(static_cast<int>(1000 * fraction));
-  if (stage.isEmpty()) return;
-  const QString left = time_left(fraction, since_.elapsed());
-  say(left.isEmpty() ? translated_stage(stage) : tr("%1, %2").arg(translated_stage(stage), left));
+  if (!stage.isEmpty()) stage_ = stage;
+  // Once there is something to go by.
+  const auto elapsed_ms = static_cast<double>(since_.elapsed());
+  if (fraction >= 0.15 && elapsed_ms >= 3000) takes_ms_ = elapsed_ms / fraction;
+  tell_stage();
+}
+
+void StatusLine::tell_stage() {
+  if (stage_.isEmpty()) return;
+  const QString left = takes_ms_ ? time_left(*takes_ms_ - static_cast<double>(since_.elapsed())) : QString();
+  say(left.isEmpty() ? translated_stage(stage_) : tr("%1, %2").arg(translated_stage(stage_), left));
 }
 
 void StatusLine::end() {
+  every_second_.stop();
   text_->clear();
   progress_->hide();
   cancel_->hide();

@@ -1,11 +1,13 @@
 #pragma once
 // The bottom line of the window: what was just done, long work with its time left and Cancel.
 
+#include <optional>
 #include <QElapsedTimer>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QStatusBar>
+#include <QTimer>
 
 #include "widgets/work/background_work.h"
 
@@ -25,9 +27,13 @@ class StatusLine : public QStatusBar {
   void begin(const QString& title);
   void show_progress(double fraction, const QString& stage);
   void end();
+  void tell_stage();
 
   BackgroundWork& work_;
   QElapsedTimer since_;
+  QTimer every_second_;  // a long step reports nothing on its way
+  QString stage_;
+  std::optional<double> takes_ms_;  // the whole work, as far as it can be told
   QLabel* text_;
   QProgressBar* progress_;
   QPushButton* cancel_;

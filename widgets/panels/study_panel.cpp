@@ -127,7 +127,8 @@ void StudyPanel::word_patient() {
     const QString label = structure_label(row->data(0, Qt::UserRole).toString().toStdString());
     const bool fixed = row->data(0, fixed_role).toBool();
     row->setText(0, fixed ? tr("%1 (fixed)").arg(label) : label);
-    row->setToolTip(0, fixed ? tr("No part of the model: drawn where it was outlined, it does not move.") : label);
+    row->setToolTip(
+        0, fixed ? label + "\n" + tr("No part of the model: drawn where it was outlined, it does not move.") : label);
   }
 }
 

@@ -18,6 +18,7 @@ QLabel* centred(const char* name) {
   auto* label = new QLabel;
   label->setObjectName(name);
   label->setAlignment(Qt::AlignCenter);
+  label->setWordWrap(true);  // one long sentence made the window wider than a small screen
   return label;
 }
 

@@ -8,6 +8,7 @@
 
 #include "base/files.h"
 #include "casefile/placed_landmarks.h"
+#include "meshing/image_end.h"
 #include "widgets/panels/ask_path.h"
 #include "widgets/panels/parts.h"
 #include "widgets/words/keep_translated.h"
@@ -41,6 +42,9 @@ RehearsePanel::RehearsePanel(LiveRehearsal& rehearsal, QWidget* parent) : QWidge
   inner->addWidget(tool_);
   light_ = new SolvingLight(rehearsal, this);
   inner->addWidget(light_);
+  on_cap_ = wrapped_label("tool_on_cap", this);
+  on_cap_->hide();
+  inner->addWidget(on_cap_);
   QLabel* look_title = heading(this);
   inner->addWidget(look_title);
   inner->addWidget(make_look_group());
@@ -79,7 +83,8 @@ RehearsePanel::RehearsePanel(LiveRehearsal& rehearsal, QWidget* parent) : QWidge
   inner->addWidget(answers, 1);
   // On a small screen the panel scrolls, so that nothing in it is cut off.
   controls_->setObjectName("panel");
-  column->addWidget(scrolled(controls_), 1);
+  room_ = scrolled(controls_);
+  column->addWidget(room_, 1);
 
   connect(tool_, &ToolControls::placing_changed, this, &RehearsePanel::placing_changed);
   connect(tool_, &ToolControls::place_at_crosshair, this, &RehearsePanel::place_at_crosshair);
@@ -207,6 +212,7 @@ void RehearsePanel::show_assumed_stiffness(const std::optional<Sentence>& assume
 void RehearsePanel::set_ready(bool ready) {
   missing_->setVisible(!ready);
   controls_->setVisible(ready);
+  room_->setVerticalScrollBarPolicy(ready ? Qt::ScrollBarAsNeeded : Qt::ScrollBarAlwaysOff);  // nothing to scroll to
   tool_->stop_placing();
   comparison_->choose(Bodies::patient);
   by_displacement_->setChecked(false);
@@ -248,8 +254,29 @@ std::vector<ToolInView> RehearsePanel::tools_in_view() const {
   return shown;
 }
 
+void RehearsePanel::show_image(std::shared_ptr<const imaging::Volume> image) {
+  image_ = std::move(image);
+  show_frame();
+}
+
+// What a tool does where the liver only seems to end, no liver does.
+void RehearsePanel::tell_cap() {
+  const char* side = nullptr;
+  if (image_ && rehearsal_.body() != nullptr && rehearsal_.has_tool()) {
+    const PlacedTool& tool = rehearsal_.tools().back();
+    side = meshing::cut_off_under(rehearsal_.body()->surface(), image_->grid, tool.center_mm, tool.radius_mm);
+  }
+  on_cap_->setVisible(side != nullptr);
+  if (side == nullptr) return;
+  on_cap_->setText(
+      tr("▲ The image cuts the liver off here, towards %1. The tool touches a cap where the liver goes on: "
+         "place it elsewhere.")
+          .arg(translated(side)));
+}
+
 void RehearsePanel::show_frame() {
   const auto& frame = rehearsal_.frame();
+  tell_cap();
   table_->show_frame(frame ? &*frame : nullptr);
   tool_->follow();
   allow_for_landmarks();
@@ -262,6 +289,9 @@ void RehearsePanel::show_frame() {
     return;
   }
   QString text = tr("The liver moves by up to %1 mm.").arg(frame->patient.max_displacement_mm, 0, 'f', 1);
+  if (frame->patient.landmarks.empty()) {
+    text += " " + tr("There are no landmarks: put the crosshair where one is to be, then press Set.");
+  }
   if (frame->atlas) text += " " + tr("The atlas is off by up to %1 mm.").arg(frame->max_difference_mm, 0, 'f', 1);
   summary_->setText(text);
 }

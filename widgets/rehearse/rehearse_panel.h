@@ -4,9 +4,11 @@
 #include <QCheckBox>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QWidget>
 
 #include "casefile/evidence.h"
+#include "imaging/image.h"
 #include "widgets/rehearse/comparison_choice.h"
 #include "widgets/rehearse/landmark_table.h"
 #include "widgets/rehearse/solving_light.h"
@@ -28,6 +30,8 @@ class RehearsePanel : public QWidget {
   void show_evidence(const casefile::Evidence& evidence);
   // What stiffness was assumed, where none was measured.
   void show_assumed_stiffness(const std::optional<Sentence>& assumed);
+  // What the model was outlined in: where it ends, a liver that goes on is cut off.
+  void show_image(std::shared_ptr<const imaging::Volume> image);
   // The landmarks that were set by hand.
   void show_placed_landmarks(std::vector<mechanics::Landmark> landmarks);
   [[nodiscard]] bool placing() const { return tool_->placing(); }
@@ -68,6 +72,7 @@ class RehearsePanel : public QWidget {
   void word_evidence();
   QWidget* make_look_group();
   void show_frame();
+  void tell_cap();
   void save_landmarks();
   void rename_landmark(const std::string& id, const QString& typed);
   void remove_landmark();
@@ -81,8 +86,11 @@ class RehearsePanel : public QWidget {
   QLabel* assumed_text_;
   std::optional<Sentence> assumed_;
   QWidget* controls_;
+  QScrollArea* room_;  // of the controls
   ToolControls* tool_;
   SolvingLight* light_;
+  std::shared_ptr<const imaging::Volume> image_;
+  QLabel* on_cap_;
   ComparisonChoice* comparison_;
   QCheckBox* by_displacement_;
   QLabel* summary_;

@@ -16,6 +16,7 @@
 #include "widgets/resect/resection_scene.h"
 #include "widgets/settings/settings.h"
 #include "widgets/words/keep_translated.h"
+#include "widgets/words/language.h"
 #include "widgets/words/paths.h"
 #include "widgets/words/translated.h"
 
@@ -38,6 +39,13 @@ std::optional<report::RehearsedRetraction> retraction_of(const LiveRehearsal& re
     if (k < frame->differences.size()) made.landmarks.back().atlas_off_mm = frame->differences[k].difference_mm;
   }
   return made;
+}
+
+// The window's language and names, for what the core writes.
+report::Words words_of_the_window() {
+  return {.language = spoken_language().toStdString(),
+          .sentence = [](const Sentence& said) { return translated(said).toStdString(); },
+          .name = [](const std::string& id) { return structure_label(id).toStdString(); }};
 }
 
 }  // namespace
@@ -106,6 +114,10 @@ ReportView::ReportView(WorkspaceContext context, PlanOfNow plan, QWidget* parent
     pdf_->setText(tr("Print to PDF..."));
     paper_->setAccessibleName(tr("Report"));
     word_state();
+    if (page_ && page_->language != spoken_language().toStdString()) {
+      stale_ = true;
+      if (isVisible()) refresh();
+    }
   });
 }
 
@@ -152,6 +164,7 @@ void ReportView::refresh() {
   report::PatientPageContent content;
   if (name_->isChecked()) content.name = patient_label(patient_.name).toStdString();
   content.when = QDateTime::currentDateTime().toString(Qt::ISODate).replace('T', ' ').left(16).toStdString();
+  content.words = words_of_the_window();
   content.retraction = retraction_of(context_.rehearsal);
   if (boards_->isChecked()) content.plan = plan_();
   std::vector<Taken> taken;
@@ -182,14 +195,11 @@ std::vector<ReportView::Taken> ReportView::pictures() {
     context_.patient_views.set_workspace_scene(std::move(scene));
   }
   std::vector<Taken> taken;
-  const auto keep = [&](RenderWidget& view, const QString& name, const char* caption) {
-    taken.push_back({view.smooth_picture(), {path_of(scratch_.filePath(name)), caption}});
+  const auto keep = [&](RenderWidget& view, const QString& name, const QString& caption) {
+    taken.push_back({view.smooth_picture(), {path_of(scratch_.filePath(name)), caption.toStdString()}});
   };
-  // Reports speak English: not translated.
-  const char* in_space = cut ? "The planned cut." : "The patient as shown in the window.";
-  keep(context_.views.space(), "space.png", in_space);
-  // These are not translated either.
-  constexpr std::array<const char*, 3> slices{"Transverse", "Coronal", "Sagittal"};
+  keep(context_.views.space(), "space.png", cut ? tr("The planned cut.") : tr("The patient as shown in the window."));
+  const std::array<QString, 3> slices{tr("Transverse"), tr("Coronal"), tr("Sagittal")};
   for (std::size_t k = 0; patient_.anatomy && k < slices.size(); ++k) {
     keep(context_.views.slice(static_cast<SliceDirection>(k)), QString("slice-%1.png").arg(k), slices[k]);
   }

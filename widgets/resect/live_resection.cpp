@@ -90,6 +90,9 @@ Outcome planned(std::shared_ptr<const LyingPatient> lying, const casefile::Plann
   if (!surface) return failure(std::move(surface.error()));
   auto plan = casefile::plan_resection(lying->liver, cut, lying->inside);
   if (!plan) return failure(std::move(plan.error()));
+  for (const PatientStructure& structure : lying->structures) {
+    if (structure.name == "liver") casefile::measure_as_outlined(*plan, structure.volume_ml);
+  }
   auto result = std::make_shared<LiveResectionResult>();
   result->cut = cut;
   result->pieces = pieces_of(lying->structures, *surface, plan->specimen_is_above);

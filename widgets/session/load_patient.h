@@ -33,6 +33,9 @@ Result<Patient> import_patient(const imaging::Study& study, const std::vector<ca
 enum class NextStep { outline_liver, build_model, none };
 [[nodiscard]] NextStep next_step(const std::filesystem::path& case_folder);
 
+// Whether it holds raw elastography of which no stiffness was made yet.
+[[nodiscard]] bool has_waves_to_invert(const std::filesystem::path& case_folder);
+
 // Grows the liver from a point inside it; then the model: tetrahedra, and stiffness from MR elastography or, without
 // it, from the atlas. Both load the case anew.
 Result<Patient> outline_liver(const std::filesystem::path& case_folder, const Eigen::Vector3d& inside_mm,

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <csignal>
+#include <fstream>
 #include <utility>
 #include <vector>
 
@@ -19,7 +20,19 @@ constexpr std::uint64_t longest_file_bytes = 1 << 16;
 
 fs::path file_of(const fs::path& folder, long process) { return folder / (std::to_string(process) + ".json"); }
 
-bool runs(long process) { return kill(static_cast<pid_t>(process), 0) == 0 || errno == EPERM; }
+// Killed, and its parent has not asked after it yet: the system still knows its number.
+bool only_its_number_is_left(long process) {
+  std::ifstream file("/proc/" + std::to_string(process) + "/stat");
+  std::string state;
+  std::getline(file, state);  // "4711 (glisson) Z 1 ..."
+  const std::size_t name_ends = state.rfind(')');
+  return name_ends != std::string::npos && state.compare(name_ends, 3, ") Z") == 0;
+}
+
+bool runs(long process) {
+  const bool known = kill(static_cast<pid_t>(process), 0) == 0 || errno == EPERM;
+  return known && !only_its_number_is_left(process);
+}
 
 Json json_of(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 

@@ -176,10 +176,10 @@ void CaseOverview::recompute() {
     auto opened = casefile::Case::open(folder);
     if (!opened) return failure(opened.error());
     const casefile::Upkeep upkeep{std::nullopt, casefile::stiffness_choice_of(*opened)};
-    if (auto made = casefile::bring_model_up_to_date(*opened, upkeep, progress.part(0, 0.7)); !made) {
+    if (auto made = casefile::bring_model_up_to_date(*opened, upkeep, progress.part(0, 0.22)); !made) {
       return failure(made.error());
     }
-    return load_patient(folder, progress.part(0.7, 1));
+    return load_patient(folder, progress.part(0.22, 1));
   });
 }
 

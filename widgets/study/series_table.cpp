@@ -7,6 +7,7 @@
 #include <QtConcurrentRun>
 #include <QVBoxLayout>
 
+#include "imaging/dicom_seg.h"
 #include "imaging/read_series.h"
 #include "segmentation/structures.h"
 #include "widgets/views/grey_window.h"
@@ -74,6 +75,25 @@ std::vector<Role> proposed(const imaging::Study& study) {
   if (roles.size() == 1 && roles.front() == Role::other) roles.front() = Role::anatomy;
   leave_out_others_labels(study, roles);
   return roles;
+}
+
+// Of a DICOM SEG, whose segments are masks on one grid: the slice that most of them fill.
+QImage segment_slice(const std::filesystem::path& file, int side) {
+  const auto segments = imaging::read_dicom_seg(file);
+  if (!segments || segments->empty()) return {};
+  const imaging::Grid& grid = segments->front().mask.grid;
+  casefile::ReadLabelMap map;
+  map.labels.grid = grid;
+  map.labels.values.assign(grid.voxels(), 0);
+  for (std::size_t k = 0; k < segments->size(); ++k) {
+    const imaging::SegmentedMask& segment = (*segments)[k];
+    const auto value = static_cast<std::uint16_t>(k + 1);
+    for (std::size_t voxel = 0; voxel < segment.mask.values.size(); ++voxel) {
+      if (segment.mask.values[voxel] != 0) map.labels.values[voxel] = value;
+    }
+    map.parts.push_back({value, segment.info.name, casefile::usual_structure_name(segment.info.name), 0});
+  }
+  return label_slice(map, side);
 }
 
 }  // namespace
@@ -235,7 +255,7 @@ void SeriesTable::make_pictures() {
         const auto map = casefile::read_label_map(series.files.front());
         return map ? label_slice(*map, picture_side) : QImage();
       }
-      if (series.role == Role::segmentation) return {};
+      if (series.role == Role::segmentation) return segment_slice(series.files.front(), picture_side);
       const auto volume = imaging::read_series(series, 0, Progress({}, stop->get_token()));
       return volume ? middle_slice(*volume, picture_side) : QImage();
     }));

@@ -146,7 +146,8 @@ void StudyPage::show_patient(const Patient& patient) {
   show_state();
   if (importing_into_.empty() || importing_into_ != case_) return;
   importing_into_.clear();
-  if (patient.anatomy != nullptr && patient.structures.empty()) context_.go_to("segment");
+  // There the images are seen with what is outlined on them, and beside them what comes next.
+  if (patient.anatomy != nullptr) context_.go_to("segment");
 }
 
 void StudyPage::showEvent(QShowEvent* event) {

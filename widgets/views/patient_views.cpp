@@ -288,6 +288,7 @@ scene::Scene PatientViews::space_scene(Bodies bodies) const {
     }
   }
   // What lies inside is drawn first, so that it shows through the clear liver around it.
+  if (scene.surfaces.empty()) scene.annotations.scale_bar = scene::Annotations::ScaleBar::hidden;  // of nothing
   std::stable_sort(scene.surfaces.begin(), scene.surfaces.end(),
                    [](const auto& a, const auto& b) { return a.opacity > b.opacity; });
   if (bodies == Bodies::both) {

@@ -1,6 +1,8 @@
 #include "widgets/views/view_frame.h"
 
+#include <QMenu>
 #include <QMouseEvent>
+#include <QTimer>
 #include <QVBoxLayout>
 
 #include "widgets/views/render_widget.h"
@@ -16,6 +18,7 @@ ViewFrame::ViewFrame(const QColor& accent, QWidget* view, QWidget* parent) : QFr
   auto* bar = new QWidget(this);
   bar->setObjectName("view_header");
   bar->setFixedHeight(28);
+  bar->setMinimumWidth(1);  // the views share their room evenly, whatever stands in their headers
   header_ = new QHBoxLayout(bar);
   header_->setContentsMargins(10, 0, 4, 0);
   header_->setSpacing(2);
@@ -30,6 +33,20 @@ ViewFrame::ViewFrame(const QColor& accent, QWidget* view, QWidget* parent) : QFr
   name_->setObjectName("view_name");
   header_->addWidget(name_);
   header_->addStretch();
+  more_ = new QToolButton(bar);
+  more_->setObjectName("more");
+  more_->setText("»");
+  more_->setAutoRaise(true);
+  more_->setPopupMode(QToolButton::InstantPopup);
+  more_->setMenu(new QMenu(more_));
+  more_->hide();
+  header_->addWidget(more_);
+  connect(more_->menu(), &QMenu::aboutToShow, this, [this] {
+    more_->menu()->clear();
+    for (QToolButton* button : buttons_) {
+      more_->menu()->addAction(button->text(), button, &QToolButton::click)->setToolTip(button->toolTip());
+    }
+  });
   picture_ = new QToolButton(bar);
   picture_->setObjectName("save_picture");
   picture_->setAutoRaise(true);
@@ -44,6 +61,8 @@ ViewFrame::ViewFrame(const QColor& accent, QWidget* view, QWidget* parent) : QFr
   column->addWidget(bar);
   column->addWidget(view, 1);
   keep_translated(this, [this] {
+    more_->setToolTip(tr("What there is no room for here"));
+    QTimer::singleShot(0, this, [this] { fold_buttons(); });  // once all of them have their words
     picture_->setToolTip(tr("Save the picture of this view"));
     show_maximised(maximised_);
   });
@@ -57,8 +76,24 @@ void ViewFrame::set_name(const QString& name) {
 QToolButton* ViewFrame::add_button() {
   auto* button = new QToolButton(this);
   button->setAutoRaise(true);
-  header_->insertWidget(header_->count() - 2, button);
+  header_->insertWidget(header_->count() - 3, button);
+  buttons_.push_back(button);
   return button;
+}
+
+void ViewFrame::resizeEvent(QResizeEvent* event) {
+  QFrame::resizeEvent(event);
+  fold_buttons();
+}
+
+void ViewFrame::fold_buttons() {
+  if (buttons_.empty()) return;
+  int wanted = header_->contentsMargins().left() + header_->contentsMargins().right() + name_->sizeHint().width() +
+               picture_->sizeHint().width() + maximise_->sizeHint().width() + 6 * header_->spacing();
+  for (const QToolButton* button : buttons_) wanted += button->sizeHint().width() + header_->spacing();
+  const bool folded = wanted > width();
+  more_->setVisible(folded);
+  for (QToolButton* button : buttons_) button->setVisible(!folded);
 }
 
 void ViewFrame::show_maximised(bool maximised) {

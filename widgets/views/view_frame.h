@@ -5,6 +5,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QToolButton>
+#include <vector>
 
 namespace glisson::widgets {
 
@@ -16,7 +17,7 @@ class ViewFrame : public QFrame {
   ViewFrame(const QColor& accent, QWidget* view, QWidget* parent = nullptr);
 
   void set_name(const QString& name);
-  // A small button in the header, for a text.
+  // A small button in the header, for a text. Where the view is too narrow for all of them, they stand in a menu.
   QToolButton* add_button();
   void show_maximised(bool maximised);
 
@@ -26,11 +27,16 @@ class ViewFrame : public QFrame {
 
  protected:
   void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
+  void fold_buttons();
+
   QHBoxLayout* header_;
   QLabel* name_;
   bool maximised_ = false;
+  std::vector<QToolButton*> buttons_;
+  QToolButton* more_;
   QToolButton* picture_;
   QToolButton* maximise_;
 };

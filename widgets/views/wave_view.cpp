@@ -92,11 +92,7 @@ WaveView::WaveView(fs::path case_folder, QWidget* parent) : QWidget(parent), fol
 
 bool WaveView::has_waves(const fs::path& case_folder) {
   const auto opened = casefile::Case::open(case_folder);
-  if (!opened) return false;
-  const auto& entries = opened->entries();
-  return std::any_of(entries.begin(), entries.end(), [](const casefile::Entry& entry) {
-    return entry.id.starts_with("volumes/phase") || entry.id.starts_with("volumes/wave");
-  });
+  return opened && casefile::has_waves(*opened);
 }
 
 void WaveView::invert() {

@@ -6,21 +6,10 @@
 
 #include "base/parallel.h"
 #include "mechanics/materials/linear_elasticity.h"
+#include "mechanics/statics/displacements.h"
 
 namespace glisson::mechanics {
 namespace {
-
-// 3 a node, in the order of the layout.
-Eigen::VectorXd of_nodes(const NodeLayout& layout, const StaticResult& result) {
-  Eigen::VectorXd u_mm(3 * Eigen::Index{layout.nodes()});
-  for (std::size_t p = 0; p < result.displacement_mm.size(); ++p) {
-    if (layout.node_of_point[p] >= 0) u_mm.segment<3>(3 * layout.node_of_point[p]) = result.displacement_mm[p];
-  }
-  for (std::size_t e = 0; e < result.mid_side_displacement_mm.size(); ++e) {
-    u_mm.segment<3>(3 * (layout.corner_nodes + static_cast<int>(e))) = result.mid_side_displacement_mm[e];
-  }
-  return u_mm;
-}
 
 double largest_principal(const Eigen::Matrix3d& strain) {
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal;
@@ -28,34 +17,33 @@ double largest_principal(const Eigen::Matrix3d& strain) {
   return principal.eigenvalues().cwiseAbs().maxCoeff();
 }
 
+// Corner k of the list: of cell k / 4.
+Eigen::Matrix3d gradient_at(const StaticModel& model, Eigen::Index corner, const Eigen::VectorXd& u_mm) {
+  return displacement_gradient(model.mesh(), model.nodes(), static_cast<std::size_t>(corner / 4),
+                               Eigen::Vector4d::Unit(corner % 4), u_mm);
+}
+
 }  // namespace
 
 LiveStrain::LiveStrain(const StaticModel& model, const StaticResult& standing,
                        const std::array<const StaticResult*, 3>& per_N)
-    : corners_(4 * model.mesh().cells.size()), standing_bound_(corners_.size()), per_N_bound_(corners_.size()) {
-  const NodeLayout& layout = model.nodes();
-  const Eigen::VectorXd u_standing = of_nodes(layout, standing);
-  std::array<Eigen::VectorXd, 3> u_per_N;
-  for (std::size_t axis = 0; axis < 3; ++axis) u_per_N[axis] = of_nodes(layout, *per_N[axis]);
+    : model_(model),
+      standing_mm_(nodal_displacements(model.nodes(), standing)),
+      standing_bound_(4 * static_cast<Eigen::Index>(model.mesh().cells.size())),
+      per_N_bound_(standing_bound_.size()) {
+  for (std::size_t axis = 0; axis < 3; ++axis) per_N_mm_[axis] = nodal_displacements(model.nodes(), *per_N[axis]);
   parallel_for(model.mesh().cells.size(), 512, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = 4 * begin; k < 4 * end; ++k) {
-      const auto gradient_of = [&](const Eigen::VectorXd& u_mm) {
-        return displacement_gradient(model.mesh(), layout, k / 4,
-                                     Eigen::Vector4d::Unit(static_cast<Eigen::Index>(k % 4)), u_mm);
-      };
-      Corner& corner = corners_[k];
-      corner.standing = gradient_of(u_standing);
+    for (auto k = static_cast<Eigen::Index>(4 * begin); k < static_cast<Eigen::Index>(4 * end); ++k) {
       Eigen::Matrix3d products;
       std::array<Eigen::Matrix3d, 3> strain_per_N;
       for (int a = 0; a < 3; ++a) {
-        corner.per_N[a] = gradient_of(u_per_N[a]);
-        strain_per_N[a] = small_strain(corner.per_N[a]);
+        strain_per_N[a] = small_strain(gradient_at(model_, k, per_N_mm_[a]));
         for (int b = 0; b <= a; ++b) {
           products(a, b) = products(b, a) = strain_per_N[a].cwiseProduct(strain_per_N[b]).sum();
         }
       }
-      standing_bound_[static_cast<Eigen::Index>(k)] = largest_principal(small_strain(corner.standing));
-      per_N_bound_[static_cast<Eigen::Index>(k)] = std::sqrt(largest_principal(products));
+      standing_bound_[k] = largest_principal(small_strain(gradient_at(model_, k, standing_mm_)));
+      per_N_bound_[k] = std::sqrt(largest_principal(products));
     }
   });
 }
@@ -65,11 +53,9 @@ Eigen::ArrayXd LiveStrain::bounds(const Eigen::Vector3d& force_N) const {
 }
 
 double LiveStrain::largest(const Eigen::Vector3d& force_N) const {
-  if (corners_.empty()) return 0;
+  if (standing_bound_.size() == 0) return 0;
   const Eigen::ArrayXd bound = bounds(force_N);
-  const auto largest_at = [&](Eigen::Index k) {
-    return largest_principal(small_strain(corners_[static_cast<std::size_t>(k)].gradient(force_N)));
-  };
+  const auto largest_at = [&](Eigen::Index k) { return largest_principal(small_strain(gradient(k, force_N))); };
   Eigen::Index worst = 0;
   bound.maxCoeff(&worst);
   double largest = largest_at(worst);
@@ -83,19 +69,20 @@ StrainRange LiveStrain::under(const Eigen::Vector3d& force_N) const {
   StrainRange range{largest(force_N), 0};
   if (range.largest_strain < 1) return range;
   const Eigen::ArrayXd bound = bounds(force_N);
-  for (std::size_t cell = 0; 4 * cell < corners_.size(); ++cell) {
+  for (Eigen::Index first = 0; first < bound.size(); first += 4) {
     bool inverted = false;
-    for (std::size_t k = 4 * cell; k < 4 * cell + 4 && !inverted; ++k) {
-      inverted = bound[static_cast<Eigen::Index>(k)] >= 1 &&
-                 (Eigen::Matrix3d::Identity() + corners_[k].gradient(force_N)).determinant() <= 0;
+    for (Eigen::Index k = first; k < first + 4 && !inverted; ++k) {
+      inverted = bound[k] >= 1 && (Eigen::Matrix3d::Identity() + gradient(k, force_N)).determinant() <= 0;
     }
     range.inverted_cells += inverted ? 1 : 0;
   }
   return range;
 }
 
-Eigen::Matrix3d LiveStrain::Corner::gradient(const Eigen::Vector3d& force_N) const {
-  return standing + force_N[0] * per_N[0] + force_N[1] * per_N[1] + force_N[2] * per_N[2];
+Eigen::Matrix3d LiveStrain::gradient(Eigen::Index corner, const Eigen::Vector3d& force_N) const {
+  Eigen::Matrix3d sum = gradient_at(model_, corner, standing_mm_);
+  for (int axis = 0; axis < 3; ++axis) sum += force_N[axis] * gradient_at(model_, corner, per_N_mm_[axis]);
+  return sum;
 }
 
 }  // namespace glisson::mechanics

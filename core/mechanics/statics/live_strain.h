@@ -9,7 +9,6 @@
 
 #include <array>
 #include <Eigen/Core>
-#include <vector>
 
 #include "mechanics/elements/strain.h"
 #include "mechanics/statics/static_model.h"
@@ -26,15 +25,13 @@ class LiveStrain {
   [[nodiscard]] double largest(const Eigen::Vector3d& force_N) const;
 
  private:
-  struct Corner {  // displacement gradients
-    Eigen::Matrix3d standing;
-    std::array<Eigen::Matrix3d, 3> per_N;
-
-    [[nodiscard]] Eigen::Matrix3d gradient(const Eigen::Vector3d& force_N) const;
-  };
+  [[nodiscard]] Eigen::Matrix3d gradient(Eigen::Index corner, const Eigen::Vector3d& force_N) const;
   [[nodiscard]] Eigen::ArrayXd bounds(const Eigen::Vector3d& force_N) const;
-  std::vector<Corner> corners_;
-  Eigen::ArrayXd standing_bound_, per_N_bound_;  // |eps_0| and k of each
+
+  StaticModel model_;  // shared with whoever else has it
+  Eigen::VectorXd standing_mm_;
+  std::array<Eigen::VectorXd, 3> per_N_mm_;      // of the nodes, 3 each
+  Eigen::ArrayXd standing_bound_, per_N_bound_;  // |eps_0| and k of each corner, 4 a cell
 };
 
 }  // namespace glisson::mechanics

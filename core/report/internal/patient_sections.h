@@ -4,11 +4,12 @@
 #include "base/result.h"
 #include "casefile/case.h"
 #include "report/page.h"
+#include "report/words.h"
 
 namespace glisson::report {
 
-Result<void> add_model(Page& page, const casefile::Case& patient);
-void add_resection(Page& page, const casefile::Case& patient);
-Result<void> add_evidence(Page& page, const casefile::Case& patient);
+Result<void> add_model(Page& page, const casefile::Case& patient, const Words& words);
+void add_resection(Page& page, const casefile::Case& patient, const Words& words);
+Result<void> add_evidence(Page& page, const casefile::Case& patient, const Words& words);
 
 }  // namespace glisson::report
