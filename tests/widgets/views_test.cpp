@@ -264,13 +264,13 @@ class ViewsTest : public QObject {
     space.frame_all();
     QTest::qWait(50);
     const double before_mm = space.view().camera().visible_height_mm;
-    views().show_twin(true);
+    views().show_second_space(true);
     QTRY_VERIFY(space.width() < space.height());
     space.setFocus();
     QTest::keyClick(&space, Qt::Key_Left);
     const double beside_mm = space.view().camera().visible_height_mm;
     QVERIFY(beside_mm > 1.2 * before_mm);
-    views().show_twin(false);
+    views().show_second_space(false);
     QTRY_VERIFY(space.width() > space.height());
     QTest::qWait(50);
     QVERIFY2(std::abs(space.view().camera().visible_height_mm / before_mm - 1) < 0.25,
