@@ -25,11 +25,6 @@ Failure invalid(const fs::path& folder) {
 
 Result<void> write_quality(const fs::path& folder, const StoredQuality& stored) {
   std::error_code problem;
-  fs::create_directories(folder, problem);
-  if (problem) {
-    return failure("folder-not-made", GLISSON_TEXT("The folder {0} cannot be made: {1}."),
-                   {folder.string(), problem.message()});
-  }
   geometry::Surface mesh = stored.quality.mesh;
   for (std::size_t t = 0; t < stored.quality.mesh_in_frames_mm.size(); ++t) {
     geometry::Field places{frame_field(t), 3, {}};

@@ -18,7 +18,7 @@ struct StoredQuality {
   Quality quality;  // mesh, correlation, error_mm, frames_seen, mesh_in_frames_mm, rmse_mm, tre_mm and mean_correlation
 };
 
-// The folder is made where there is none. Failures: "folder-not-made", those of write_surface and write_json_file.
+// The folder is made where there is none. Failures: those of write_surface and write_json_file.
 Result<void> write_quality(const std::filesystem::path& folder, const StoredQuality& stored);
 
 // Failures: those of read_surface and read_json_file; "quality-invalid" (not what write_quality wrote).

@@ -167,8 +167,6 @@ void note_contradictions(const std::vector<CompressedSample>& samples, std::vect
 
 Result<void> write_outcome(const fs::path& out, const StiffnessValidation& validation,
                            const std::vector<CompressedSample>& samples) {
-  std::error_code problem;
-  fs::create_directories(out, problem);
   std::string csv = "material,mre_kPa,machine_median_kPa,machine_min_kPa,machine_max_kPa,samples,difference_percent\n";
   Json document{{"materials", Json::array()},
                 {"largest_difference_percent", validation.largest_difference_percent},

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 """Makes palpation experiments with an undeclared effect: make_palpation.py OUT [--kinds a,b] [--sizes 2,4,8,20] [--seed N]
-[--specimens block,pillar,lobe]. A case is named by its specimen, effect, size and seed."""
+[--specimens block,pillar,lobe,liver-SEED]. liver-SEED is cut from a generated liver, which wants glisson-cli. A case is named by its specimen, effect, size and seed."""
 
 import os
 import sys
@@ -12,6 +12,7 @@ import numpy as np
 import calculix
 from asked_cases import asked_cases
 from palpation import Effects, setting, size_mm, write_case
+from generated_liver import liver
 from specimens import block, lobe, pillar
 
 # Each with the grids of its truth: usually (within 1 % of a much finer one), and at large strain, which takes many solves.
@@ -21,7 +22,8 @@ SPECIMENS = {"block": (lambda: block((60, 60, 40), (6, 6, 4)), (10, 10, 7), (7, 
              "tiny": (lambda: block((45, 45, 30), (4, 4, 3)), (6, 6, 5), (6, 6, 4)),
              "small": (lambda: block((45, 45, 30), (5, 5, 3)), (10, 10, 7), (7, 7, 5)),
              "large": (lambda: block((90, 90, 60), (10, 10, 10)), (12, 12, 8), (7, 7, 5))}
-LEAST_NOISE_MM = 0.04  # below this the flat faces and elements of either mesh show
+LIVER_GRIDS = ((12, 10, 7), (8, 7, 5))
+MINIMUM_NOISE_MM = 0.04  # below this the flat faces and elements of either mesh show
 REACH_MM = 6.0         # what a tool moves of a marker at most
 
 
@@ -123,7 +125,7 @@ def make(folder, specimen, kinds, size, seed):
     else:
         effects = together(*parts) if len(parts) == 2 else parts[0]
         effect = added_mm(scene, parts)
-        noise = round(max(effect / size, LEAST_NOISE_MM), 4)
+        noise = round(max(effect / size, MINIMUM_NOISE_MM), 4)
         if effect / noise < 0.7 * size:
             return print(f"{folder.name}: is not made, it would take a noise of {effect / size:.3f} mm", flush=True)
         size = effect / noise
@@ -138,8 +140,12 @@ SCENES = {}
 
 def scene_of(specimen, grid):
     if (specimen, grid) not in SCENES:
-        maker, *grids = SPECIMENS[specimen]
-        SCENES[specimen, grid] = setting(maker(), seed=len(specimen), truth_cells=grids[grid], reach_mm=REACH_MM)
+        if specimen.startswith("liver-"):
+            body, grids = liver(int(specimen.removeprefix("liver-")), (10, 9, 5)), LIVER_GRIDS
+        else:
+            maker, *grids = SPECIMENS[specimen]
+            body = maker()
+        SCENES[specimen, grid] = setting(body, seed=len(specimen), truth_cells=grids[grid], reach_mm=REACH_MM)
     return SCENES[specimen, grid]
 
 
