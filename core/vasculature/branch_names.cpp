@@ -1,0 +1,89 @@
+// Stable names of branches, by the segments that each and what grows from it run through.
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "vasculature/couinaud.h"
+
+namespace glisson::vasculature {
+
+using Eigen::Vector3d;
+using imaging::Grid;
+
+void name_branches(VesselTrees& trees, const CouinaudSegments& segments) {
+  static constexpr std::array<const char*, 9> portal_place = {"",
+                                                              "left/caudate/I",
+                                                              "left/lateral/II",
+                                                              "left/lateral/III",
+                                                              "left/medial/IV",
+                                                              "right/anterior/V",
+                                                              "right/posterior/VI",
+                                                              "right/posterior/VII",
+                                                              "right/anterior/VIII"};
+  const Grid& grid = segments.segment.grid;
+  // Where a branch and what grows from it run: millimetres in each segment.
+  std::vector<std::array<double, 9>> in(trees.branches.size());
+  for (std::size_t b = trees.branches.size(); b-- > 0;) {
+    const TreeBranch& branch = trees.branches[b];
+    for (const CenterPoint& point : branch.points) {
+      const Vector3d at = grid.index_of(point.position_mm);
+      const int x = static_cast<int>(std::lround(at.x())), y = static_cast<int>(std::lround(at.y())),
+                z = static_cast<int>(std::lround(at.z()));
+      if (grid.contains(x, y, z)) ++in[b][segments.segment.at(x, y, z)];
+    }
+    if (branch.parent >= 0) {
+      for (std::size_t s = 0; s <= 8; ++s) in[static_cast<std::size_t>(branch.parent)][s] += in[b][s];
+    }
+  }
+  std::map<std::string, std::vector<std::size_t>> of_name;
+  for (std::size_t b = 0; b < trees.branches.size(); ++b) {
+    const auto share = [&](std::initializer_list<std::size_t> some) {
+      double sum = 0, all = 0;
+      for (std::size_t s = 1; s <= 8; ++s) all += in[b][s];
+      for (const std::size_t s : some) sum += in[b][s];
+      return all > 0 ? sum / all : 0;
+    };
+    constexpr double nearly_all = 0.8;
+    std::string name;
+    if (trees.branches[b].system == System::portal_vein) {
+      name = "portal";
+      const auto largest = std::max_element(in[b].begin() + 1, in[b].end()) - in[b].begin();
+      if (share({static_cast<std::size_t>(largest)}) >= nearly_all) {
+        name += std::string("/") + portal_place.at(static_cast<std::size_t>(largest));
+      } else if (share({5, 8}) >= nearly_all) {
+        name += "/right/anterior";
+      } else if (share({6, 7}) >= nearly_all) {
+        name += "/right/posterior";
+      } else if (share({5, 6, 7, 8}) >= nearly_all) {
+        name += "/right";
+      } else if (share({2, 3}) >= nearly_all) {
+        name += "/left/lateral";
+      } else if (share({1, 2, 3, 4}) >= nearly_all) {
+        name += "/left";
+      } else {
+        name += "/stem";
+      }
+    } else {
+      // By what it drains: the right vein V to VIII, the middle one IV with V and VIII, the left one II and III.
+      const double left = share({2, 3}), posterior = share({6, 7});
+      name = share({1}) > 0.6                  ? "hepatic/caudate"
+             : left > 0.4                      ? "hepatic/left"
+             : posterior > 0.25                ? "hepatic/right"
+             : share({4}) > 0.1 || left > 0.05 ? "hepatic/middle"
+                                               : "hepatic/right";
+    }
+    of_name[name].push_back(b);
+  }
+  for (auto& [name, branches] : of_name) {
+    std::stable_sort(branches.begin(), branches.end(), [&](std::size_t a, std::size_t b) {
+      return trees.branches[a].radius_mm > trees.branches[b].radius_mm;
+    });
+    for (std::size_t n = 0; n < branches.size(); ++n) {
+      trees.branches[branches[n]].name = n == 0 ? name : fmt::format("{}/{}", name, n + 1);
+    }
+  }
+}
+
+}  // namespace glisson::vasculature

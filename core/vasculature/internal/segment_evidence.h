@@ -1,0 +1,46 @@
+#pragma once
+// What is known of one liver and its vessels, and how probable a model of what parts its segments is under it. Inside
+// of this room.
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "base/result.h"
+#include "imaging/image.h"
+#include "vasculature/internal/segment_planes.h"
+#include "vasculature/systems.h"
+
+namespace glisson::vasculature {
+
+// Where the portal vein divides, from the vena cava's axis and the middle of the borders of V and VI, and where the
+// hepatic veins meet, from the axis and the base point: means of generated patients 1 to 10, mm at scale 1.
+inline const Eigen::Vector3d portal_from_axis(-5, -27, 0), hepatic_from_axis(-10, -34, 57);
+
+// A piece of vessel with what it counts as one of each system.
+struct VesselSample {
+  Eigen::Vector3d position_mm;
+  double hepatic_weight, portal_weight;
+  bool left_portal;  // thick, and to the left of where the portal vein divides
+};
+
+// What is known of one liver.
+struct Evidence {
+  LiverFrame liver;
+  std::vector<Eigen::Vector3d> places_mm;  // spread over the liver
+  std::vector<VesselSample> vessels;
+  Eigen::Vector3d portal_mm{0, 0, 0}, hepatic_mm{0, 0, 0};
+  imaging::Mask coarse;  // the liver in cubes of 3 mm along the patient's axes
+
+  [[nodiscard]] bool is_liver(const Eigen::Vector3d& patient_mm) const;
+};
+
+// Failures: those of liver_frame.
+Result<Evidence> evidence_of(const imaging::Mask& liver);
+
+// Failure: "vessels-outside" (less than half of them lie in the liver).
+Result<void> add_vessels(const imaging::Mask& liver, const VesselTrees& trees, Evidence& evidence);
+
+// Minus the logarithm of the probability, but for a constant.
+double energy(const Evidence& evidence, const PlaneParameters& parameters);
+
+}  // namespace glisson::vasculature
