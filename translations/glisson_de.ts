@@ -4804,6 +4804,10 @@
         <source>The pose takes a point of the scan (mm) to the camera&apos;s frame.</source>
         <translation>Die Lage bringt einen Punkt der Aufnahme (mm) ins System der Kamera.</translation>
     </message>
+    <message>
+        <source>What is removed and the territories lie on different grids.</source>
+        <translation>Was entfernt wird und die Gebiete liegen auf verschiedenen Gittern.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AlgorithmChoice</name>

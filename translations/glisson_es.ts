@@ -4804,6 +4804,10 @@
         <source>The pose takes a point of the scan (mm) to the camera&apos;s frame.</source>
         <translation>La pose lleva un punto del estudio (mm) al sistema de la cámara.</translation>
     </message>
+    <message>
+        <source>What is removed and the territories lie on different grids.</source>
+        <translation>Lo que se extirpa y los territorios están en rejillas distintas.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AlgorithmChoice</name>

@@ -4804,6 +4804,10 @@
         <source>The pose takes a point of the scan (mm) to the camera&apos;s frame.</source>
         <translation>La pose amène un point de l’examen (mm) dans le repère de la caméra.</translation>
     </message>
+    <message>
+        <source>What is removed and the territories lie on different grids.</source>
+        <translation>Ce qui est retiré et les territoires sont sur des grilles différentes.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AlgorithmChoice</name>

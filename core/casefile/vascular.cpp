@@ -1,8 +1,10 @@
 #include "casefile/vascular.h"
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <array>
 
+#include "casefile/used_entries.h"
 #include "imaging/segments_file.h"
 #include "imaging/volume_file.h"
 #include "vasculature/center_lines.h"
@@ -162,6 +164,40 @@ Result<FoundTerritories> find_territories(Case& patient, SegmentsBy by, const Pr
   });
   if (!added) return failure(std::move(added.error()));
   return found;
+}
+
+Result<std::optional<LivingRemnant>> living_remnant(const Case& patient, const geometry::CutSurface& cut,
+                                                    bool specimen_is_above) {
+  if (patient.find(trees_id) == nullptr) return std::nullopt;
+  const auto file = patient.file_of(trees_id);
+  if (!file) return failure(file.error());
+  auto trees = vasculature::read_trees(*file);
+  if (!trees) return failure(std::move(trees.error()));
+  const auto liver = structure_mask(patient, "liver");
+  if (!liver) return failure(liver.error());
+  std::array<vasculature::Territories, 2> territories;
+  for (const System system : {System::portal_vein, System::hepatic_vein}) {
+    const auto& branches = trees->branches;
+    if (std::none_of(branches.begin(), branches.end(), [&](const auto& b) { return b.system == system; })) {
+      return std::nullopt;
+    }
+    auto found = vasculature::territories_of(*trees, system, *liver);
+    if (!found) return failure(std::move(found.error()));
+    territories.at(static_cast<std::size_t>(system)) = std::move(*found);
+  }
+  Mask removed = *liver;
+  const auto& size = removed.grid.size;
+  for (int k = 0; k < size[2]; ++k) {
+    for (int j = 0; j < size[1]; ++j) {
+      for (int i = 0; i < size[0]; ++i) {
+        std::uint8_t& value = removed.values[removed.grid.offset(i, j, k)];
+        if (value != 0 && (cut.height_mm(removed.grid.position_mm(i, j, k)) > 0) != specimen_is_above) value = 0;
+      }
+    }
+  }
+  auto remnant = vasculature::remnant_of(*trees, territories[0], territories[1], removed);
+  if (!remnant) return failure(std::move(remnant.error()));
+  return LivingRemnant{std::move(*remnant), std::move(*trees), remarks_on(patient, {trees_id})};
 }
 
 }  // namespace glisson::casefile

@@ -9,7 +9,9 @@
 
 #include "base/progress.h"
 #include "casefile/case.h"
+#include "geometry/cut_surface.h"
 #include "vasculature/couinaud.h"
+#include "vasculature/remnant.h"
 #include "vasculature/territories.h"
 
 namespace glisson::casefile {
@@ -28,5 +30,16 @@ struct FoundTerritories {
 };
 // By trees: those that find_vessels saved. Fails with vessels-missing and as the room vasculature says.
 Result<FoundTerritories> find_territories(Case& patient, SegmentsBy by, const Progress& progress = {});
+
+// What lives after a cut, and the trees that say so.
+struct LivingRemnant {
+  vasculature::Remnant remnant;
+  vasculature::VesselTrees trees;
+  std::vector<Sentence> remarks;  // on the trees' file: changed since, or by another program
+};
+// By the trees that find_vessels saved; nothing where the case has none, or those of one system alone. Fails as the
+// room vasculature says.
+Result<std::optional<LivingRemnant>> living_remnant(const Case& patient, const geometry::CutSurface& cut,
+                                                    bool specimen_is_above);
 
 }  // namespace glisson::casefile
