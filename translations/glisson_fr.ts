@@ -4330,11 +4330,11 @@
     </message>
     <message>
         <source>Not a medical device.</source>
-        <translation>Pas un dispositif médical.</translation>
+        <translation>N’est pas un dispositif médical.</translation>
     </message>
     <message>
         <source>Glisson {0}. Not a medical device: not for diagnosis or treatment.</source>
-        <translation>Glisson {0}. Pas un dispositif médical : ni pour le diagnostic ni pour le traitement.</translation>
+        <translation>Glisson {0}. N’est pas un dispositif médical : ni pour le diagnostic ni pour le traitement.</translation>
     </message>
     <message>
         <source>Images</source>
