@@ -4808,6 +4808,10 @@
         <source>What is removed and the territories lie on different grids.</source>
         <translation>Was entfernt wird und die Gebiete liegen auf verschiedenen Gittern.</translation>
     </message>
+    <message>
+        <source>nothing was written into it</source>
+        <translation>nichts wurde hineingeschrieben</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AlgorithmChoice</name>

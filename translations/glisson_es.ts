@@ -4808,6 +4808,10 @@
         <source>What is removed and the territories lie on different grids.</source>
         <translation>Lo que se extirpa y los territorios están en rejillas distintas.</translation>
     </message>
+    <message>
+        <source>nothing was written into it</source>
+        <translation>no se escribió nada en él</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AlgorithmChoice</name>

@@ -4808,6 +4808,10 @@
         <source>What is removed and the territories lie on different grids.</source>
         <translation>Ce qui est retiré et les territoires sont sur des grilles différentes.</translation>
     </message>
+    <message>
+        <source>nothing was written into it</source>
+        <translation>rien n’y a été écrit</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AlgorithmChoice</name>

@@ -195,7 +195,8 @@ Result<void> MemoryFile::write_to(const fs::path& target) const {
   struct stat facts {};
   if (::fstat(descriptor_, &facts) != 0) return file_not_writable(target, reason_of(errno));
   const auto size = static_cast<std::size_t>(facts.st_size);
-  if (size == 0) return write_file(target, {});
+  // No format is empty: a library that could not open the file did not say so.
+  if (size == 0) return file_not_writable(target, GLISSON_TEXT("nothing was written into it"));
   // A limit on the size of files (ulimit -f) cuts those in memory too, and a library did not notice.
   rlimit longest{};
   if (::getrlimit(RLIMIT_FSIZE, &longest) == 0 && size >= longest.rlim_cur) {

@@ -45,7 +45,7 @@ class MemoryFile {
   ~MemoryFile();
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-  // What stands in it, as the whole of `target`.
+  // What stands in it, as the whole of `target`; refused where nothing does.
   [[nodiscard]] Result<void> write_to(const std::filesystem::path& target) const;
 
  private:

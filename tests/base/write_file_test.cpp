@@ -79,6 +79,17 @@ TEST(WriteFile, AFullDiskIsNoticedWhereALibraryDoesNot) {
   EXPECT_EQ(files_in(folder.path()), 0u);
 }
 
+// Some libraries go on where they cannot open a file, and report success.
+TEST(WriteFile, AWriterThatWroteNothingIsAnError) {
+  const TemporaryFolder folder;
+  const fs::path target = folder.path() / "volume.nii.gz";
+  ASSERT_TRUE(write_file(target, "old"));
+  const auto written = write_atomically(target, [](const fs::path&) { return Result<void>(); });
+  ASSERT_FALSE(written);
+  EXPECT_THAT(written.error().message(), HasSubstr(target.string()));
+  EXPECT_EQ(read_text_file(target).value(), "old");
+}
+
 TEST(WriteFile, WhatAKilledWriterLeftIsTakenOverAndALivingOnesIsLeftAlone) {
   const TemporaryFolder folder;
   const fs::path target = folder.path() / "case.json", part = folder.path() / ".part-case.json";
