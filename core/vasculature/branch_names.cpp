@@ -2,14 +2,13 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 #include "vasculature/couinaud.h"
+#include "vasculature/internal/nearest_voxel.h"
 
 namespace glisson::vasculature {
 
-using Eigen::Vector3d;
 using imaging::Grid;
 
 void name_branches(VesselTrees& trees, const CouinaudSegments& segments) {
@@ -28,10 +27,7 @@ void name_branches(VesselTrees& trees, const CouinaudSegments& segments) {
   for (std::size_t b = trees.branches.size(); b-- > 0;) {
     const TreeBranch& branch = trees.branches[b];
     for (const CenterPoint& point : branch.points) {
-      const Vector3d at = grid.index_of(point.position_mm);
-      const int x = static_cast<int>(std::lround(at.x())), y = static_cast<int>(std::lround(at.y())),
-                z = static_cast<int>(std::lround(at.z()));
-      if (grid.contains(x, y, z)) ++in[b][segments.segment.at(x, y, z)];
+      if (const auto voxel = nearest_voxel(grid, point.position_mm)) ++in[b][segments.segment.values[*voxel]];
     }
     if (branch.parent >= 0) {
       for (std::size_t s = 0; s <= 8; ++s) in[static_cast<std::size_t>(branch.parent)][s] += in[b][s];

@@ -1,8 +1,9 @@
 #include "vasculature/remnant.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
+
+#include "vasculature/internal/nearest_voxel.h"
 
 namespace glisson::vasculature {
 namespace {
@@ -78,10 +79,8 @@ Result<Remnant> remnant_of(const VesselTrees& trees, const Territories& portal, 
 namespace {
 
 bool is_removed(const Mask& removed, const Vector3d& position_mm) {
-  const Vector3d at = removed.grid.index_of(position_mm);
-  const int i = static_cast<int>(std::lround(at.x())), j = static_cast<int>(std::lround(at.y())),
-            k = static_cast<int>(std::lround(at.z()));
-  return removed.grid.contains(i, j, k) && removed.at(i, j, k) != 0;
+  const auto voxel = nearest_voxel(removed.grid, position_mm);
+  return voxel && removed.values[*voxel] != 0;
 }
 
 // Parents stand before their branches.

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "segmentation/resample.h"
+#include "vasculature/internal/nearest_voxel.h"
 
 namespace glisson::vasculature {
 
@@ -171,7 +172,6 @@ Result<Evidence> evidence_of(const Mask& liver) {
 }
 
 Result<void> add_vessels(const Mask& liver, const VesselTrees& trees, Evidence& evidence) {
-  const Grid& grid = liver.grid;
   const double scale = evidence.liver.scale();
   evidence.portal_mm = trees.portal_entry_mm;
   evidence.hepatic_mm = trees.hepatic_entry_mm;
@@ -193,11 +193,9 @@ Result<void> add_vessels(const Mask& liver, const VesselTrees& trees, Evidence& 
                              (point.position_mm - evidence.portal_mm).norm() < 75 * scale;
       }
       if (counts > 0) evidence.vessels.push_back(sample);
-      const Vector3d at = grid.index_of(point.position_mm);
-      const int x = static_cast<int>(std::lround(at.x())), y = static_cast<int>(std::lround(at.y())),
-                z = static_cast<int>(std::lround(at.z()));
+      const auto voxel = nearest_voxel(liver.grid, point.position_mm);
       all += length;
-      if (grid.contains(x, y, z) && liver.at(x, y, z) != 0) inside += length;
+      if (voxel && liver.values[*voxel] != 0) inside += length;
     }
   }
   double hepatic = 0, portal = 0;
