@@ -22,6 +22,14 @@ namespace fs = std::filesystem;
 namespace {
 
 const std::string part_prefix = ".part-";
+constexpr int maximum_writers = 100;  // of one target at one time
+
+// Where that writer of the target works until it is done.
+fs::path part_path(const fs::path& target, int writer) {
+  constexpr std::size_t longest_name = 200;  // a system takes 255 bytes
+  const std::string count = writer == 0 ? "" : std::to_string(writer) + "-";
+  return target.parent_path() / (part_prefix + count + target.filename().string().substr(0, longest_name));
+}
 
 // A file beside the target that this writer alone writes, known by a lock that ends with the process.
 class Part {
@@ -230,12 +238,8 @@ Result<void> write_bytes(const fs::path& target, std::string_view bytes, bool at
 }
 
 Result<Part> Part::begin(const fs::path& target) {
-  constexpr std::size_t longest_name = 200;  // a system takes 255 bytes
-  const std::string name = target.filename().string().substr(0, longest_name);
-  constexpr int maximum_writers = 100;  // of one target at one time
   for (int number = 0; number < maximum_writers; ++number) {
-    const std::string count = number == 0 ? "" : std::to_string(number) + "-";
-    fs::path path = target.parent_path() / (part_prefix + count + name);
+    fs::path path = part_path(target, number);
     int descriptor = -1;
     do descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
     while (descriptor < 0 && errno == EINTR);
@@ -293,12 +297,8 @@ int Part::exchange_with(const fs::path& target) {
 }
 
 Result<NewFolder> NewFolder::begin(const fs::path& target) {
-  constexpr std::size_t longest_name = 200;  // a system takes 255 bytes
-  const std::string name = target.filename().string().substr(0, longest_name);
-  constexpr int maximum_writers = 100;  // of one target at one time
   for (int number = 0; number < maximum_writers; ++number) {
-    const std::string count = number == 0 ? "" : std::to_string(number) + "-";
-    fs::path path = target.parent_path() / (part_prefix + count + name);
+    fs::path path = part_path(target, number);
     if (::mkdir(path.c_str(), 0777) != 0 && errno != EEXIST) return file_not_writable(target, reason_of(errno));
     const int descriptor = ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC | O_NOFOLLOW);
     if (descriptor < 0) continue;  // a file, or left by another person, or planted
