@@ -22,7 +22,7 @@ std::string describe(const guidance::GuidanceAnswer& answer) {
   for (const guidance::FrameAnswer& frame : answer.frames) {
     const guidance::ElasticPlacement& placed = frame.placement;
     if (!placed.converged) {
-      text += fmt::format("{}: not answered. {}\n", frame.id, placed.why_not);
+      text += fmt::format("{}: not answered. {}\n", frame.id, placed.why_not.message());
       continue;
     }
     double sd_mm = 0;

@@ -271,12 +271,12 @@ ElasticPlacement ElasticFit::outcome(const std::vector<mechanics::PointInMesh>& 
                             std::sqrt(covariance.block<3, 3>(in_covariance, in_covariance).trace() / 3)});
   }
   if (placed.visible_share < 0.05) {
-    placed.why_not = GLISSON_TEXT("Less than 5 % of the organ is seen: too little to say where the rest is.");
+    placed.why_not = {GLISSON_TEXT("Less than 5 % of the organ is seen: too little to say where the rest is."), {}};
   } else if (seen_.trusted_share < 0.5 || seen_.rms_mm > 3 * seen_.noise_mm) {
-    placed.why_not =
-        GLISSON_TEXT("What is seen does not fit this organ: more than half of the points lie far from it.");
+    placed.why_not = {
+        GLISSON_TEXT("What is seen does not fit this organ: more than half of the points lie far from it."), {}};
   }
-  placed.converged = placed.why_not.empty();
+  placed.converged = placed.why_not.text.empty();
   return placed;
 }
 

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "base/result.h"
+#include "base/sentence.h"
 #include "guidance/force_modes.h"
 #include "guidance/frame.h"
 #include "mechanics/elements/point_location.h"
@@ -39,7 +39,7 @@ struct FoundTool {
 
 struct ElasticPlacement {
   bool converged = false;
-  std::string why_not;                                     // a sentence, where it did not
+  Sentence why_not;                                        // where it did not
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  // scan to camera
   std::vector<Eigen::Vector3d> displacement_mm;  // one a point of the mesh, in the scan's frame: x -> pose (x + u)
   double residual_rms_mm = 0;                    // of the points that belong to the organ, along the normal
@@ -47,6 +47,8 @@ struct ElasticPlacement {
   double elastic_rms_mm = 0;                     // of the displacement over the surface
   std::vector<Eigen::Vector3d> target_mm;        // in the camera's frame
   std::vector<double> target_sd_mm;              // of each coordinate
+  std::vector<Eigen::Vector3d> further_mm;       // the same of GuidanceCase::further_mm
+  std::vector<double> further_sd_mm;
   std::vector<FoundTool> tools;
 };
 

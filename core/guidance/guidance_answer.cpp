@@ -16,27 +16,28 @@ using Eigen::Vector3d;
 
 namespace {
 
-ElasticPlacement unanswered(std::string why) {
+ElasticPlacement unanswered(Sentence why) {
   ElasticPlacement placement;
   placement.why_not = std::move(why);
   return placement;
 }
 
 // What no registration should be tried on: a sentence, or nothing.
-std::string problem_of(const SeenFrame& frame, const geometry::Surface& organ) {
+std::optional<Sentence> problem_of(const SeenFrame& frame, const geometry::Surface& organ) {
   if (frame.points_mm.size() < 20) {
-    return GLISSON_TEXT("Fewer than 20 points of the surface were seen.");
+    return Sentence{GLISSON_TEXT("Fewer than 20 points of the surface were seen."), {}};
   }
   const double seen_mm = geometry::bounding_box(frame.points_mm).diagonal_mm();
   const double organ_mm = geometry::bounding_box(organ.points_mm).diagonal_mm();
   if (seen_mm < 0.05 * organ_mm) {
-    return GLISSON_TEXT(
-        "What was seen is twenty times smaller than the organ: lengths are in mm, are these in metres?");
+    return Sentence{
+        GLISSON_TEXT("What was seen is twenty times smaller than the organ: lengths are in mm, are these in metres?"),
+        {}};
   }
   if (seen_mm > 5 * organ_mm) {
-    return GLISSON_TEXT("What was seen is five times larger than the organ: lengths are in mm.");
+    return Sentence{GLISSON_TEXT("What was seen is five times larger than the organ: lengths are in mm."), {}};
   }
-  return {};
+  return std::nullopt;
 }
 
 // Where on the organ the tracked points lie, told by the frames that were answered.
@@ -92,7 +93,7 @@ class TrackedPlaces {
 ElasticPlacement place(const ForceModes& modes, const SeenFrame& frame, const GuidanceCase& guidance,
                        const std::vector<mechanics::PointInMesh>& targets,
                        const std::optional<Eigen::Isometry3d>& before) {
-  if (std::string problem = problem_of(frame, modes.surface()); !problem.empty()) return unanswered(std::move(problem));
+  if (auto problem = problem_of(frame, modes.surface())) return unanswered(*std::move(problem));
   RegistrationOptions options;
   Eigen::Isometry3d from = Eigen::Isometry3d::Identity();
   if (frame.pose_guess) {
@@ -101,10 +102,22 @@ ElasticPlacement place(const ForceModes& modes, const SeenFrame& frame, const Gu
     from = *before;
   } else {
     const auto found = find_pose(modes.surface(), frame);
-    if (!found) return unanswered(found.error().message());
+    if (!found) return unanswered({found.error().text, found.error().arguments});
     from = *found;
   }
   return register_elastic(modes, frame, from, targets, guidance.gravity_mm_s2, options);
+}
+
+// What was answered together: the targets, then the further places.
+void part_further(ElasticPlacement& placement, std::size_t targets) {
+  if (!placement.converged) return;
+  const auto part = [&](auto& all, auto& further) {
+    const auto from = all.begin() + static_cast<std::ptrdiff_t>(targets);
+    further.assign(from, all.end());
+    all.erase(from, all.end());
+  };
+  part(placement.target_mm, placement.further_mm);
+  part(placement.target_sd_mm, placement.further_sd_mm);
 }
 
 Result<void> write_frames(const std::filesystem::path& folder, const GuidanceCase& guidance,
@@ -119,7 +132,7 @@ Json json_of_frame(const GuidanceCase& guidance, const FrameAnswer& frame) {
             {"visible_share", placed.visible_share},
             {"elastic_rms_mm", placed.elastic_rms_mm}};
   if (!placed.converged) {
-    json["note"] = placed.why_not;
+    json["note"] = placed.why_not.message();
     json["targets"] = Json::array();
     return json;
   }
@@ -148,25 +161,33 @@ Result<GuidanceAnswer> answer(const GuidanceCase& guidance, const Progress& prog
   const auto modes =
       ForceModes::create(guidance.mesh, guidance.youngs_kPa, guidance.poisson_ratio, {}, progress.part(0.0, 0.3));
   if (!modes) return failure(modes.error());
+  return answer(*modes, guidance, progress.part(0.3, 1.0));
+}
+
+Result<GuidanceAnswer> answer(const ForceModes& modes, const GuidanceCase& guidance, const Progress& progress,
+                              const FrameHeard& heard) {
   std::vector<Vector3d> at_rest_mm;
   for (const Target& target : guidance.targets) at_rest_mm.push_back(target.at_rest_mm);
-  const auto targets = mechanics::locate_points(modes->mesh(), at_rest_mm);
+  at_rest_mm.insert(at_rest_mm.end(), guidance.further_mm.begin(), guidance.further_mm.end());
+  const auto targets = mechanics::locate_points(modes.mesh(), at_rest_mm);
   GuidanceAnswer answer{{}, guidance.notes};
   std::optional<Eigen::Isometry3d> before;
-  TrackedPlaces tracked(*modes);
+  TrackedPlaces tracked(modes);
   for (std::size_t f = 0; f < guidance.frames.size(); ++f) {
     if (progress.cancelled()) return cancelled();
-    progress.report(0.3 + 0.7 * static_cast<double>(f) / static_cast<double>(guidance.frames.size()),
+    progress.report(static_cast<double>(f) / static_cast<double>(guidance.frames.size()),
                     GLISSON_TEXT("Placing the organ"));
     const Stopwatch watch;
     SeenFrame frame = guidance.frames[f];
     frame.known_points = tracked.known_in(frame);
-    ElasticPlacement placement = place(*modes, frame, guidance, targets, frame.time_s ? before : std::nullopt);
+    ElasticPlacement placement = place(modes, frame, guidance, targets, frame.time_s ? before : std::nullopt);
     if (placement.converged && frame.time_s) {
       before = placement.pose;
       tracked.learn(frame, placement);
     }
+    part_further(placement, guidance.targets.size());
     answer.frames.push_back({frame.id, watch.seconds(), std::move(placement)});
+    if (heard) heard(f, answer.frames.back());
   }
   return answer;
 }

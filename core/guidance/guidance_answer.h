@@ -10,6 +10,7 @@
 // `sd_mm` is the standard deviation of each coordinate of the error: 90 % of the targets lie within 2.5 of it.
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -32,9 +33,16 @@ struct GuidanceAnswer {
   std::vector<std::string> notes;
 };
 
+// Called with each frame as soon as it is answered, on the thread that answers.
+using FrameHeard = std::function<void(std::size_t frame, const FrameAnswer& answer)>;
+
 // A frame that cannot be answered says why and does not keep the others from theirs. Failures: those of
 // ForceModes::create; "cancelled".
 Result<GuidanceAnswer> answer(const GuidanceCase& guidance, const Progress& progress = {});
+
+// The same with modes that are there already, of the same mesh. Failure: "cancelled".
+Result<GuidanceAnswer> answer(const ForceModes& modes, const GuidanceCase& guidance, const Progress& progress = {},
+                              const FrameHeard& heard = {});
 
 // The document as it is written.
 [[nodiscard]] Json answer_json(const GuidanceCase& guidance, const GuidanceAnswer& answer);

@@ -42,7 +42,8 @@ struct GuidanceCase {
   Eigen::Vector3d gravity_mm_s2{0, 0, 0};  // in the scan's frame, beyond that of the scan itself
   std::vector<SeenFrame> frames;
   std::vector<Target> targets;
-  std::vector<std::string> notes;  // what the file says and this version leaves out
+  std::vector<Eigen::Vector3d> further_mm;  // at rest: places without a name whose error is wanted too, as of outlines
+  std::vector<std::string> notes;           // what the file says and this version leaves out
 };
 
 // 16 numbers, row by row, as a rigid motion; nothing where they are none (mirrored, stretched, another count).

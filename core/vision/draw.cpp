@@ -55,18 +55,29 @@ void draw_triangles(Frame& frame, const std::vector<FlatTriangle>& triangles, do
   cv::addWeighted(layer, opacity, picture, 1 - opacity, 0, picture);
 }
 
-void draw_outline(Frame& frame, const std::vector<std::array<Eigen::Vector2d, 3>>& triangles_px, Rgb colour,
-                  int width_px) {
-  cv::Mat covered(frame.height, frame.width, CV_8UC1, cv::Scalar(0));
+std::vector<std::vector<Eigen::Vector2d>> outlines(int width, int height,
+                                                   const std::vector<std::array<Eigen::Vector2d, 3>>& triangles_px) {
+  cv::Mat covered(height, width, CV_8UC1, cv::Scalar(0));
   for (const auto& triangle : triangles_px) {
     const std::array<cv::Point, 3> corners{in_sixteenths(triangle[0]), in_sixteenths(triangle[1]),
                                            in_sixteenths(triangle[2])};
     cv::fillConvexPoly(covered, corners.data(), 3, cv::Scalar(255), cv::LINE_8, shift);
   }
-  std::vector<std::vector<cv::Point>> outlines;
-  cv::findContours(covered, outlines, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE);
+  std::vector<std::vector<cv::Point>> found;
+  cv::findContours(covered, found, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE);
+  std::vector<std::vector<Eigen::Vector2d>> lines;
+  for (const auto& contour : found) {
+    auto& line = lines.emplace_back();
+    for (const cv::Point& pixel : contour) line.emplace_back(pixel.x, pixel.y);
+  }
+  return lines;
+}
+
+void draw_line(Frame& frame, const std::vector<Eigen::Vector2d>& points_px, Rgb colour, int width_px) {
+  std::vector<cv::Point> points;
+  for (const Eigen::Vector2d& point : points_px) points.push_back(in_sixteenths(point));
   cv::Mat picture = pixels_of(frame);
-  cv::polylines(picture, outlines, true, scalar(colour), width_px, cv::LINE_AA);
+  cv::polylines(picture, points, false, scalar(colour), width_px, cv::LINE_AA, shift);
 }
 
 void draw_rectangle(Frame& frame, int x, int y, int width, int height, Rgb colour) {

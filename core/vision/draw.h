@@ -27,9 +27,13 @@ struct FlatTriangle {
 // edges as thin darker lines.
 void draw_triangles(Frame& frame, const std::vector<FlatTriangle>& triangles, double opacity);
 
-// The outline of what the triangles cover together, as a line, drawn over the frame; nothing where they are empty.
-void draw_outline(Frame& frame, const std::vector<std::array<Eigen::Vector2d, 3>>& triangles_px, Rgb colour,
-                  int width_px);
+// The outlines of what the triangles cover together in a picture of that size: closed lines from pixel to neighbouring
+// pixel, without those around holes.
+std::vector<std::vector<Eigen::Vector2d>> outlines(int width, int height,
+                                                   const std::vector<std::array<Eigen::Vector2d, 3>>& triangles_px);
+
+// A line from point to point, open.
+void draw_line(Frame& frame, const std::vector<Eigen::Vector2d>& points_px, Rgb colour, int width_px);
 
 // A filled rectangle, and a line of text (ASCII) whose capitals are `height_px` tall, from its lower left corner.
 void draw_rectangle(Frame& frame, int x, int y, int width, int height, Rgb colour);

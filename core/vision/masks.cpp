@@ -131,6 +131,12 @@ cv::Mat smoke(const cv::Mat& bgr, const Colours& colours, const MaskOptions& opt
 
 }  // namespace
 
+std::vector<std::uint8_t> tool_pixels(const Frame& frame, const MaskOptions& options) {
+  const Colours colours = colours_of(to_opencv(frame));
+  const cv::Mat tool = tools(colours, scope_border(colours, options), options);
+  return {tool.datastart, tool.dataend};
+}
+
 UsablePixels usable_pixels(const Frame& frame, const MaskOptions& options) {
   const cv::Mat bgr = to_opencv(frame);
   const Colours colours = colours_of(bgr);

@@ -45,6 +45,9 @@ struct UsablePixels {
   MaskedShares shares;
 };
 
+// 255 for a tool, 0 for anything else, by the same rule.
+[[nodiscard]] std::vector<std::uint8_t> tool_pixels(const Frame& frame, const MaskOptions& options = {});
+
 // A picture without colours (a grey camera's) has no tools by this rule.
 [[nodiscard]] UsablePixels usable_pixels(const Frame& frame, const MaskOptions& options = {});
 
