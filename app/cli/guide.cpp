@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "base/write_file.h"
-#include "casefile/guided_sequence.h"
+#include "casefile/guided_plan.h"
 #include "command.h"
 #include "guidance/guidance_answer.h"
 #include "guidance/guidance_file.h"
@@ -89,8 +89,9 @@ Result<Outcome> guide_case(const Asked& asked, const Progress& progress) {
   if (!model) return failure(model.error());
   const auto sequence = registration_quality::read_sequence(asked.sequence);
   if (!sequence) return failure(sequence.error());
-  const auto guided = casefile::guided_sequence(*model, *sequence, *pose, asked.noise_mm);
+  auto guided = casefile::guided_sequence(*model, *sequence, *pose, asked.noise_mm);
   if (!guided) return failure(guided.error());
+  casefile::add_plans(*guided, *patient);
   const auto answer = guidance::answer(guided->guidance, progress.part(0.0, 0.9));
   if (!answer) return failure(Error(answer.error()).in_file(asked.input));
   std::vector<guidance::ElasticPlacement> placements;

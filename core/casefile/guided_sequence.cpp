@@ -61,17 +61,13 @@ Result<GuidedSequence> guided_sequence(const PatientModel& model, const registra
   for (const mechanics::Landmark& landmark : model.landmarks) {
     guided.guidance.targets.push_back({landmark.id, landmark.position_mm});
   }
-  guided.frame_of = order_from(first_frame, sequence.clouds.size());
-  for (const std::size_t f : guided.frame_of) {
+  for (std::size_t f = 0; f < sequence.clouds.size(); ++f) {
     auto cloud = registration_quality::read_cloud(sequence.clouds[f]);
     if (!cloud) return failure(std::move(cloud.error()));
     guidance::SeenFrame frame;
     frame.id = frame_id(f);
     frame.points_mm = std::move(cloud->points_mm);
     frame.noise_mm = noise_mm;
-    // A sequence does not say how fast it was taken; the order matters.
-    frame.time_s = static_cast<double>(guided.guidance.frames.size());
-    if (f == first_frame || f + 1 == first_frame) frame.pose_guess = first_pose;
     for (const registration_quality::LandmarkTrack& track : sequence.landmarks) {
       if (track.positions_mm[f]) frame.tracked.push_back({track.id, *track.positions_mm[f]});
     }
@@ -89,6 +85,21 @@ Result<GuidedSequence> guided_sequence(const PatientModel& model, const registra
   };
   add(model.liver, judged_on_organ);
   for (const StructureSurface& structure : model.structures) add(structure, judged_on_structure);
+  return begun_at(std::move(guided), first_frame, first_pose);
+}
+
+GuidedSequence begun_at(GuidedSequence guided, std::size_t first_frame,
+                        const std::optional<Eigen::Isometry3d>& first_pose) {
+  const std::vector<guidance::SeenFrame> all = std::move(guided.guidance.frames);
+  guided.guidance.frames.clear();
+  guided.frame_of = order_from(first_frame, all.size());
+  for (const std::size_t f : guided.frame_of) {
+    guidance::SeenFrame frame = all[f];
+    // A sequence does not say how fast it was taken; the order matters.
+    frame.time_s = static_cast<double>(guided.guidance.frames.size());
+    frame.pose_guess = f == first_frame || f + 1 == first_frame ? first_pose : std::nullopt;
+    guided.guidance.frames.push_back(std::move(frame));
+  }
   return guided;
 }
 

@@ -28,6 +28,10 @@ Result<GuidedSequence> guided_sequence(const PatientModel& model, const registra
                                        const std::optional<Eigen::Isometry3d>& first_pose, double noise_mm = 0.5,
                                        std::size_t first_frame = 0);
 
+// The same to be answered from that frame on. `guided` holds the frames in the sequence's order.
+[[nodiscard]] GuidedSequence begun_at(GuidedSequence guided, std::size_t first_frame,
+                                      const std::optional<Eigen::Isometry3d>& first_pose);
+
 // What is drawn over one frame, as lines in its picture.
 struct FrameOverlay {
   int width = 0, height = 0;  // of the picture, px

@@ -119,6 +119,52 @@ struct JudgedPlaces {
   }
 };
 
+std::vector<OutlinePiece> pieces_around(const vision::Camera& camera, int width, int height,
+                                        const std::vector<Vector3d>& points_mm,
+                                        const std::vector<std::array<int, 3>>& triangles, const Canvas& canvas,
+                                        const JudgedPlaces& judged) {
+  std::vector<OutlinePiece> pieces;
+  for (const auto& line : vision::outlines(width, height, projected(camera, points_mm, triangles))) {
+    if (line.size() < shortest_outline_px) continue;
+    for (auto& part : shown_parts(line, canvas)) {
+      OutlinePiece piece{std::move(part), {}};
+      for (const Vector2d& pixel : piece.line_px) piece.sd_mm.push_back(judged.sd_at_mm(pixel));
+      pieces.push_back(std::move(piece));
+    }
+  }
+  return pieces;
+}
+
+// What of a line on the organ's surface is turned to the camera and shown.
+std::vector<OutlinePiece> pieces_on_organ(const std::vector<SurfaceLine>& lines, const vision::Camera& camera,
+                                          const std::vector<Vector3d>& organ_mm,
+                                          const std::vector<std::array<int, 3>>& triangles, const Canvas& canvas,
+                                          const JudgedPlaces& judged) {
+  const auto faces_camera = [&](int triangle) {
+    const auto& [a, b, c] = triangles[static_cast<std::size_t>(triangle)];
+    const Vector3d& corner = organ_mm[static_cast<std::size_t>(a)];
+    const Vector3d normal =
+        (organ_mm[static_cast<std::size_t>(b)] - corner).cross(organ_mm[static_cast<std::size_t>(c)] - corner);
+    return normal.dot(corner) < 0;
+  };
+  std::vector<OutlinePiece> pieces;
+  for (const SurfaceLine& line : lines) {
+    const auto pixels = vision::project(camera, places_of(line, organ_mm));
+    bool open = false;
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+      const bool shown = pixels[i] && canvas.shows(*pixels[i]);
+      if (!open && shown) pieces.emplace_back();
+      if (shown) {
+        pieces.back().line_px.push_back(*pixels[i]);
+        pieces.back().sd_mm.push_back(judged.sd_at_mm(*pixels[i]));
+      }
+      open = shown && i < line.triangles.size() && faces_camera(line.triangles[i]);
+    }
+  }
+  std::erase_if(pieces, [](const OutlinePiece& piece) { return piece.line_px.size() < 2; });
+  return pieces;
+}
+
 // How far behind the organ's front each of the places lies; the least, or nothing where the front is before none.
 std::optional<double> least_deep_mm(const std::vector<Vector3d>& organ_mm,
                                     const std::vector<std::array<int, 3>>& triangles,
@@ -196,6 +242,13 @@ std::vector<Vector3d> placed_points_mm(const EmbeddedStructure& structure, const
   return points_mm;
 }
 
+std::vector<OutlinePiece> outlines_of(const vision::Camera& camera, int width, int height,
+                                      const geometry::Surface& seen_mm) {
+  const std::vector<std::uint8_t> nothing_hidden;
+  return pieces_around(camera, width, height, seen_mm.points_mm, seen_mm.triangles,
+                       Canvas(width, height, nothing_hidden), JudgedPlaces(camera, {}, {}));
+}
+
 std::vector<PlacedOutline> placed_outlines(const vision::Camera& camera, int width, int height,
                                            const geometry::TetMesh& mesh,
                                            const std::vector<EmbeddedStructure>& structures,
@@ -204,23 +257,26 @@ std::vector<PlacedOutline> placed_outlines(const vision::Camera& camera, int wid
   if (!placement.converged || structures.empty()) return outlines;
   const Canvas canvas(width, height, hidden);
   const std::vector<Vector3d> organ_mm = placed_points_mm(structures.front(), mesh, placement);
+  const JudgedPlaces judged_organ(camera, structures.front(), placement);
   for (std::size_t s = 0; s < structures.size(); ++s) {
     const EmbeddedStructure& structure = structures[s];
+    if (!structure.on_organ.empty()) {
+      PlacedOutline lines{s, 0, 0, {}, {}};
+      lines.pieces = pieces_on_organ(structure.on_organ, camera, organ_mm, structures.front().at_rest.triangles, canvas,
+                                     judged_organ);
+      for (const OutlinePiece& piece : lines.pieces) {
+        lines.sd_mm = std::max(lines.sd_mm, *std::max_element(piece.sd_mm.begin(), piece.sd_mm.end()));
+      }
+      outlines.push_back(std::move(lines));
+      continue;
+    }
     const std::vector<Vector3d> points_mm = s == 0 ? organ_mm : placed_points_mm(structure, mesh, placement);
     const JudgedPlaces judged(camera, structure, placement);
     PlacedOutline outline{s, mean_depth_mm(points_mm), judged.largest_mm, {}, {}};
     if (s > 0) {
       outline.deep_mm = least_deep_mm(organ_mm, structures.front().at_rest.triangles, some_of(points_mm));
     }
-    for (const auto& line :
-         vision::outlines(width, height, projected(camera, points_mm, structure.at_rest.triangles))) {
-      if (line.size() < shortest_outline_px) continue;
-      for (auto& part : shown_parts(line, canvas)) {
-        OutlinePiece piece{std::move(part), {}};
-        for (const Vector2d& pixel : piece.line_px) piece.sd_mm.push_back(judged.sd_at_mm(pixel));
-        outline.pieces.push_back(std::move(piece));
-      }
-    }
+    outline.pieces = pieces_around(camera, width, height, points_mm, structure.at_rest.triangles, canvas, judged);
     outlines.push_back(std::move(outline));
   }
   std::stable_sort(outlines.begin(), outlines.end(),

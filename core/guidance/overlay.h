@@ -11,6 +11,7 @@
 #include "geometry/surface.h"
 #include "geometry/tetrahedra.h"
 #include "guidance/elastic_registration.h"
+#include "guidance/surface_lines.h"
 #include "mechanics/elements/point_location.h"
 #include "vision/calibration.h"
 #include "vision/draw.h"
@@ -25,6 +26,8 @@ struct EmbeddedStructure {
   std::vector<mechanics::PointInMesh> places;  // one a point of the surface
   // Which of GuidanceCase::further_mm lie on it: from the first, so many. Their error is the outline's.
   std::size_t first_judged = 0, judged = 0;
+  // In place of a surface of its own: lines on the organ's, such as a planned cut. Their error is the organ's there.
+  std::vector<SurfaceLine> on_organ = {};
 };
 
 [[nodiscard]] EmbeddedStructure embedded(std::string name, const vision::Rgb& colour, geometry::Surface at_rest,
@@ -52,9 +55,13 @@ struct PlacedOutline {
   std::vector<OutlinePiece> pieces;
 };
 
-// The outlines in a picture of that size, the deepest first. The first structure is the organ itself. What `hidden`
-// covers (one a pixel, not 0: an instrument; may be empty) and what only ends at the picture's edge is left out.
-// Nothing under a placement that did not converge.
+// Around a surface that lies before the camera, with nothing known of its error.
+[[nodiscard]] std::vector<OutlinePiece> outlines_of(const vision::Camera& camera, int width, int height,
+                                                    const geometry::Surface& seen_mm);
+
+// The outlines in a picture of that size, the deepest first, what lies on the organ's front last. The first structure
+// is the organ itself. What `hidden` covers (one a pixel, not 0: an instrument; may be empty) and what only ends at the
+// picture's edge is left out. Nothing under a placement that did not converge.
 [[nodiscard]] std::vector<PlacedOutline> placed_outlines(const vision::Camera& camera, int width, int height,
                                                          const geometry::TetMesh& mesh,
                                                          const std::vector<EmbeddedStructure>& structures,

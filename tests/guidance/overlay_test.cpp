@@ -120,6 +120,41 @@ TEST_F(Overlay, DrawsItsLinesAndLeavesTheRestOfTheFrame) {
   EXPECT_LT(changed, frame.rgb.size() / 3 / 10);
 }
 
+TEST_F(Overlay, LinesOnTheOrganGoWhereItsFrontGoes) {
+  const geometry::Surface& organ = structures_.front().at_rest;
+  std::vector<double> heights_mm;
+  std::vector<int> labels;
+  for (const Vector3d& point : organ.points_mm) {
+    heights_mm.push_back(point.x() - 25);
+    labels.push_back(point.y() < 15 ? 0 : point.y() < 25 ? 1 : 2);
+  }
+  EmbeddedStructure cut{"planned-cut", {90, 255, 120}, {}, {}}, segments{"segments", {255, 160, 70}, {}, {}};
+  cut.on_organ = zero_lines(organ, heights_mm);
+  segments.on_organ = border_lines(organ, labels);
+  ASSERT_EQ(cut.on_organ.size(), 1u);  // once around the block
+  EXPECT_EQ(cut.on_organ.front().places.size(), cut.on_organ.front().triangles.size() + 1);
+  structures_.push_back(cut);
+  structures_.push_back(segments);
+  ElasticPlacement moved = placed();
+  for (Vector3d& u : moved.displacement_mm) u = Vector3d(4, 0, 0);
+  const auto drawn = outlines(moved);
+  EXPECT_EQ(drawn.back().structure, 3u);  // over all that lies inside
+  // On the block's front, at z = 180: the cut at x = 25 + 4 - 30, the border half-way between 20 and 30.
+  Eigen::AlignedBox2d of_cut, of_border;
+  for (const OutlinePiece& piece : of(drawn, 2).pieces) {
+    for (const Vector2d& pixel : piece.line_px) of_cut.extend(pixel);
+  }
+  for (const OutlinePiece& piece : of(drawn, 3).pieces) {
+    for (const Vector2d& pixel : piece.line_px) of_border.extend(pixel);
+  }
+  const double scale = 300.0 / 180;
+  EXPECT_NEAR(of_cut.min().x(), width / 2.0 - scale, 0.5);
+  EXPECT_NEAR(of_cut.max().x(), width / 2.0 - scale, 0.5);
+  EXPECT_NEAR(of_cut.sizes().y(), scale * 40, 1);
+  EXPECT_NEAR(of_border.center().y(), height / 2.0 + scale * 5, scale * 5.1);  // along triangles of 10 mm
+  EXPECT_NEAR(of_border.sizes().x(), scale * 60, 1);
+}
+
 class HandPose : public Overlay {
  protected:
   [[nodiscard]] Vector2d seen(const Isometry3d& pose, const Vector3d& at_rest_mm) const {
