@@ -4812,6 +4812,34 @@
         <source>nothing was written into it</source>
         <translation>nichts wurde hineingeschrieben</translation>
     </message>
+    <message>
+        <source>Writing the video</source>
+        <translation>Video wird geschrieben</translation>
+    </message>
+    <message>
+        <source>Place the liver by hand</source>
+        <translation>Leber von Hand einpassen</translation>
+    </message>
+    <message>
+        <source>Reading the sequence</source>
+        <translation>Sequenz wird gelesen</translation>
+    </message>
+    <message>
+        <source>Reading the clouds</source>
+        <translation>Punktwolken werden gelesen</translation>
+    </message>
+    <message>
+        <source>Make the demo anew.</source>
+        <translation>Erstellen Sie die Demo neu.</translation>
+    </message>
+    <message>
+        <source>{0} has no tumour to be found.</source>
+        <translation>{0} hat keinen Tumor, der zu finden wäre.</translation>
+    </message>
+    <message>
+        <source>The liver of {0} was found in no frame of its own video.</source>
+        <translation>Die Leber von {0} wurde in keinem Bild ihres eigenen Videos gefunden.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AlgorithmChoice</name>
@@ -5832,6 +5860,279 @@ Keine Messungen zur Hand? Probieren Sie das Beispiel: eine simulierte Gewebeprob
     <message>
         <source>changes nothing in the rehearsal</source>
         <translation>ändert an der Probe nichts</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::GuidePage</name>
+    <message>
+        <source>Guide</source>
+        <translation>Führen</translation>
+    </message>
+    <message>
+        <source>See on a laparoscope&apos;s frames where tumours and vessels lie, and how far to trust it.</source>
+        <translation>Auf den Bildern eines Laparoskops sehen, wo Tumoren und Gefäße liegen und wie weit dem zu trauen ist.</translation>
+    </message>
+    <message>
+        <source>Open another...</source>
+        <translation>Andere öffnen …</translation>
+    </message>
+    <message>
+        <source>Another sequence.json in place of this one</source>
+        <translation>Eine andere sequence.json anstelle dieser</translation>
+    </message>
+    <message>
+        <source>A defect in Glisson stopped this: %1</source>
+        <translation>Ein Fehler in Glisson hat dies beendet: %1</translation>
+    </message>
+    <message>
+        <source>Opening the sequence</source>
+        <translation>Die Sequenz wird geöffnet</translation>
+    </message>
+    <message>
+        <source>Making an example sequence</source>
+        <translation>Eine Beispielsequenz wird erstellt</translation>
+    </message>
+    <message>
+        <source>Placing the liver</source>
+        <translation>Leber wird eingepasst</translation>
+    </message>
+    <message>
+        <source>SIMULATED</source>
+        <translation>SIMULIERT</translation>
+    </message>
+    <message>
+        <source>Frame %1</source>
+        <translation>Bild %1</translation>
+    </message>
+    <message>
+        <source>dashed: may be off by more than %1 mm</source>
+        <translation>gestrichelt: vielleicht mehr als %1 mm daneben</translation>
+    </message>
+    <message>
+        <source>not placed</source>
+        <translation>nicht eingepasst</translation>
+    </message>
+    <message>
+        <source>Writing the video</source>
+        <translation>Video wird geschrieben</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Geschrieben: %1</translation>
+    </message>
+    <message>
+        <source>Open a sequence</source>
+        <translation>Eine Sequenz öffnen</translation>
+    </message>
+    <message>
+        <source>Sequences (*.json)</source>
+        <translation>Sequenzen (*.json)</translation>
+    </message>
+    <message>
+        <source>Save a video of the frames</source>
+        <translation>Video der Bilder speichern</translation>
+    </message>
+    <message>
+        <source>Movies (*.mp4);;Folder of pictures (*)</source>
+        <translation>Filme (*.mp4);;Ordner mit Bildern (*)</translation>
+    </message>
+    <message>
+        <source>do not trust here</source>
+        <translation>hier nicht trauen</translation>
+    </message>
+    <message>
+        <source>%1 ±%2 mm, %3 mm deep</source>
+        <translation>%1 ±%2 mm, %3 mm tief</translation>
+    </message>
+    <message>
+        <source>%1: do not trust, ±%2 mm</source>
+        <translation>%1: nicht trauen, ±%2 mm</translation>
+    </message>
+    <message>
+        <source>The sequence names no camera, so that nothing can be drawn over the video.</source>
+        <translation>Die Sequenz nennt keine Kamera, sodass über dem Video nichts gezeichnet werden kann.</translation>
+    </message>
+    <message>
+        <source>By hand: nothing is known of the error yet. When it lies about right, press &quot;Refine&quot;.</source>
+        <translation>Von Hand: Über den Fehler ist noch nichts bekannt. Wenn sie etwa richtig liegt, drücken Sie „Verfeinern“.</translation>
+    </message>
+    <message>
+        <source>Not placed yet: it is being computed.</source>
+        <translation>Noch nicht eingepasst: wird gerade berechnet.</translation>
+    </message>
+    <message>
+        <source>Not placed yet: press &quot;Place the liver&quot;.</source>
+        <translation>Noch nicht eingepasst: Drücken Sie „Leber einpassen“.</translation>
+    </message>
+    <message>
+        <source>Place it by hand, then press &quot;Refine&quot;.</source>
+        <translation>Passen Sie sie von Hand ein, und drücken Sie dann „Verfeinern“.</translation>
+    </message>
+    <message>
+        <source>All outlines lie within %1 mm of the truth, 90 times of 100.</source>
+        <translation>Alle Umrisse liegen in 90 von 100 Fällen höchstens %1 mm neben der Wahrheit.</translation>
+    </message>
+    <message>
+        <source>Trust no outline of this frame to %1 mm.</source>
+        <translation>Trauen Sie auf %1 mm genau keinem Umriss dieses Bildes.</translation>
+    </message>
+    <message>
+        <source>%1 % of the liver&apos;s surface is seen; it is deformed by %2 mm.</source>
+        <translation>%1 % der Leberoberfläche sind zu sehen; sie ist um %2 mm verformt.</translation>
+    </message>
+    <message>
+        <source>One moment...</source>
+        <translation>Einen Augenblick …</translation>
+    </message>
+    <message>
+        <source>%1: %2 frames</source>
+        <translation>%1: %2 Bilder</translation>
+    </message>
+    <message>
+        <source>%1: placed in %2 of %3 frames</source>
+        <translation>%1: in %2 von %3 Bildern eingepasst</translation>
+    </message>
+    <message>
+        <source>Frame %1 with outlines</source>
+        <translation>Bild %1 mit Umrissen</translation>
+    </message>
+    <message>
+        <source>%1 ±%2 mm</source>
+        <translation>%1 ±%2 mm</translation>
+    </message>
+    <message>
+        <source>The liver in space, with what was seen of it</source>
+        <translation>Die Leber im Raum, mit dem, was von ihr gesehen wurde</translation>
+    </message>
+    <message>
+        <source>Not to be trusted everywhere to %1 mm: %2.</source>
+        <translation>Nicht überall auf %1 mm genau: %2.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::GuidePanel</name>
+    <message>
+        <source>The liver on the frames</source>
+        <translation>Die Leber auf den Bildern</translation>
+    </message>
+    <message>
+        <source>Place the liver</source>
+        <translation>Leber einpassen</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Stops here; frames that are placed already stay</source>
+        <translation>Hört hier auf; was schon eingepasst ist, bleibt</translation>
+    </message>
+    <message>
+        <source>Place by hand</source>
+        <translation>Von Hand einpassen</translation>
+    </message>
+    <message>
+        <source>Lay the liver over the frame yourself, where it is not found or found wrong</source>
+        <translation>Die Leber selbst über das Bild legen, wo sie nicht oder falsch gefunden wird</translation>
+    </message>
+    <message>
+        <source>Refine</source>
+        <translation>Verfeinern</translation>
+    </message>
+    <message>
+        <source>Drag: move. Right drag or Shift: turn. Wheel: nearer, farther. Ctrl and wheel: turn in the picture. Arrow keys, + and - do the same in steps.</source>
+        <translation>Ziehen: verschieben. Rechts ziehen oder Umschalt: drehen. Rad: näher, ferner. Strg und Rad: im Bild drehen. Pfeiltasten, + und - tun dasselbe in Schritten.</translation>
+    </message>
+    <message>
+        <source>Outlines</source>
+        <translation>Umrisse</translation>
+    </message>
+    <message>
+        <source>Shows or hides what is drawn over the frame (O)</source>
+        <translation>Zeigt oder verbirgt, was über dem Bild gezeichnet ist (O)</translation>
+    </message>
+    <message>
+        <source>Opacity of the outlines</source>
+        <translation>Deckkraft der Umrisse</translation>
+    </message>
+    <message>
+        <source>How strong the outlines stand on the frame</source>
+        <translation>Wie kräftig die Umrisse auf dem Bild stehen</translation>
+    </message>
+    <message>
+        <source>Trusted up to an error of</source>
+        <translation>Verlässlich bis zu einem Fehler von</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Outlines are dashed where 90 % of such places would be off by more than %1 mm</source>
+        <translation>Gestrichelt ist, wo es für 90 % solcher Stellen mehr als %1 mm braucht</translation>
+    </message>
+    <message>
+        <source>It is being computed</source>
+        <translation>Es wird gerade berechnet</translation>
+    </message>
+    <message>
+        <source>The sequence names no camera, so that nothing can be drawn over the video.</source>
+        <translation>Die Sequenz nennt keine Kamera, sodass über dem Video nichts gezeichnet werden kann.</translation>
+    </message>
+    <message>
+        <source>Finds where the liver lies in the first frame, without a guess, and follows it from frame to frame: one to two seconds a frame</source>
+        <translation>Findet ohne Vorgabe, wo die Leber im ersten Bild liegt, und folgt ihr von Bild zu Bild: ein bis zwei Sekunden je Bild</translation>
+    </message>
+    <message>
+        <source>Place the liver by hand first</source>
+        <translation>Zuerst die Leber von Hand einpassen</translation>
+    </message>
+    <message>
+        <source>Fits the liver from where you laid it, and follows it from there</source>
+        <translation>Passt die Leber von dort an, wo Sie sie hingelegt haben, und folgt ihr von da an</translation>
+    </message>
+    <message>
+        <source>Save a video...</source>
+        <translation>Video speichern …</translation>
+    </message>
+    <message>
+        <source>Place the liver first</source>
+        <translation>Zuerst die Leber einpassen</translation>
+    </message>
+    <message>
+        <source>All frames with their outlines as they are shown now, MP4 or pictures</source>
+        <translation>Alle Bilder mit ihren Umrissen, wie sie jetzt gezeigt werden, MP4 oder Bilder</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::GuideWelcome</name>
+    <message>
+        <source>Where is the tumour in this picture?</source>
+        <translation>Wo liegt der Tumor in diesem Bild?</translation>
+    </message>
+    <message>
+        <source>The liver of the open case is placed on a laparoscope&apos;s frames and follows them; its tumours and vessels are drawn where they are, with how far they may be off. This needs a sequence: a sequence.json that names the frames, a point cloud of each, the tracks of landmarks and the camera. glisson-cli sequence makes one of a stereo video. The example is simulated and shows the demo patient&apos;s liver.</source>
+        <translation>Die Leber des offenen Falls wird in die Bilder eines Laparoskops eingepasst und folgt ihnen; Tumoren und Gefäße werden gezeichnet, wo sie liegen, mit dem möglichen Fehler. Dafür braucht es eine Sequenz: eine sequence.json, die die Bilder, je eine Punktwolke, die Spuren von Landmarken und die Kamera nennt. glisson-cli sequence macht sie aus einem Stereovideo. Das Beispiel ist simuliert und zeigt die Leber des Demopatienten.</translation>
+    </message>
+    <message>
+        <source>Open a sequence...</source>
+        <translation>Eine Sequenz öffnen …</translation>
+    </message>
+    <message>
+        <source>Open the example</source>
+        <translation>Beispiel öffnen</translation>
+    </message>
+    <message>
+        <source>A sequence.json with its clouds, tracks and pictures beside it</source>
+        <translation>Eine sequence.json mit ihren Punktwolken, Spuren und Bildern daneben</translation>
+    </message>
+    <message>
+        <source>40 simulated frames, made in a few seconds the first time; 7 MB</source>
+        <translation>40 simulierte Bilder, beim ersten Mal in wenigen Sekunden erstellt; 7 MB</translation>
     </message>
 </context>
 <context>
@@ -8405,6 +8706,45 @@ Elastizitätsmodul %2 kPa (angenommen)</translation>
     </message>
 </context>
 <context>
+    <name>glisson::widgets::TargetTable</name>
+    <message>
+        <source>What is drawn, and how far it may be off</source>
+        <translation>Was gezeichnet ist und wie weit es danebenliegen kann</translation>
+    </message>
+    <message>
+        <source>Outline</source>
+        <translation>Umriss</translation>
+    </message>
+    <message>
+        <source>sd</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>90 %</source>
+        <translation>90 %</translation>
+    </message>
+    <message>
+        <source>deep</source>
+        <translation>tief</translation>
+    </message>
+    <message>
+        <source>Standard deviation of each coordinate of the error, mm: the largest over the structure</source>
+        <translation>Standardabweichung jeder Koordinate des Fehlers, mm: die größte der Struktur</translation>
+    </message>
+    <message>
+        <source>90 of 100 such places are off by this at most, mm: 2.5 sd</source>
+        <translation>90 von 100 solchen Stellen liegen höchstens so weit daneben, mm: 2.5 s</translation>
+    </message>
+    <message>
+        <source>How far its nearest place lies behind the liver&apos;s front, along the line of sight, mm</source>
+        <translation>Wie weit seine nächste Stelle in Blickrichtung hinter der Vorderseite der Leber liegt, mm</translation>
+    </message>
+    <message>
+        <source>Do not trust it at %1 mm</source>
+        <translation>Bei %1 mm nicht zu trauen</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::Timeline</name>
     <message>
         <source>Pause</source>
@@ -9175,6 +9515,14 @@ Von Hand: mit der rechten Taste ziehen</translation>
         <source>Adrenal gland right</source>
         <translation>Nebenniere rechts</translation>
     </message>
+    <message>
+        <source>Planned cut</source>
+        <translation>Geplanter Schnitt</translation>
+    </message>
+    <message>
+        <source>Segments</source>
+        <translation>Segmente</translation>
+    </message>
 </context>
 <context>
     <name>tour</name>
@@ -9249,6 +9597,14 @@ Von Hand: mit der rechten Taste ziehen</translation>
     <message>
         <source>A retractor hoists segment VI. Change the force, or place the tool elsewhere by a click: the table follows each tumour and vessel, and marks what is 5 mm or more off.</source>
         <translation>Ein Retraktor hebt Segment VI an. Ändern Sie die Kraft, oder setzen Sie das Instrument per Klick anderswo an: Die Tabelle folgt jedem Tumor und Gefäß und markiert, was 5 mm oder mehr abweicht.</translation>
+    </message>
+    <message>
+        <source>Guide: where the tumour is now</source>
+        <translation>Führen: wo der Tumor jetzt liegt</translation>
+    </message>
+    <message>
+        <source>The liver is found on the frames of a laparoscope&apos;s video and follows them. Tumours and vessels are drawn where they lie, dashed where they are not to be trusted.</source>
+        <translation>Die Leber wird auf den Bildern eines Laparoskops gefunden und folgt ihnen. Tumoren und Gefäße sind gezeichnet, wo sie liegen, gestrichelt, wo ihnen nicht zu trauen ist.</translation>
     </message>
 </context>
 </TS>

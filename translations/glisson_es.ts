@@ -4812,6 +4812,34 @@
         <source>nothing was written into it</source>
         <translation>no se escribió nada en él</translation>
     </message>
+    <message>
+        <source>Writing the video</source>
+        <translation>Escribiendo el vídeo</translation>
+    </message>
+    <message>
+        <source>Place the liver by hand</source>
+        <translation>Colocar el hígado a mano</translation>
+    </message>
+    <message>
+        <source>Reading the sequence</source>
+        <translation>Leyendo la secuencia</translation>
+    </message>
+    <message>
+        <source>Reading the clouds</source>
+        <translation>Leyendo las nubes de puntos</translation>
+    </message>
+    <message>
+        <source>Make the demo anew.</source>
+        <translation>Haga la demostración de nuevo.</translation>
+    </message>
+    <message>
+        <source>{0} has no tumour to be found.</source>
+        <translation>{0} no tiene ningún tumor que hallar.</translation>
+    </message>
+    <message>
+        <source>The liver of {0} was found in no frame of its own video.</source>
+        <translation>El hígado de {0} no se halló en ningún fotograma de su propio vídeo.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AlgorithmChoice</name>
@@ -5832,6 +5860,279 @@ Glisson dice cuánto se equivoca el modelo declarado, qué le falta y con qué c
     <message>
         <source>changes nothing in the rehearsal</source>
         <translation>no cambia nada en el ensayo</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::GuidePage</name>
+    <message>
+        <source>Guide</source>
+        <translation>Guiar</translation>
+    </message>
+    <message>
+        <source>See on a laparoscope&apos;s frames where tumours and vessels lie, and how far to trust it.</source>
+        <translation>Ver en los fotogramas de un laparoscopio dónde están tumores y vasos, y hasta dónde fiarse.</translation>
+    </message>
+    <message>
+        <source>Open another...</source>
+        <translation>Abrir otra…</translation>
+    </message>
+    <message>
+        <source>Another sequence.json in place of this one</source>
+        <translation>Otro sequence.json en lugar de este</translation>
+    </message>
+    <message>
+        <source>A defect in Glisson stopped this: %1</source>
+        <translation>Un defecto de Glisson ha interrumpido esto: %1</translation>
+    </message>
+    <message>
+        <source>Opening the sequence</source>
+        <translation>Abriendo la secuencia</translation>
+    </message>
+    <message>
+        <source>Making an example sequence</source>
+        <translation>Creando una secuencia de ejemplo</translation>
+    </message>
+    <message>
+        <source>Placing the liver</source>
+        <translation>Colocando el hígado</translation>
+    </message>
+    <message>
+        <source>SIMULATED</source>
+        <translation>SIMULADO</translation>
+    </message>
+    <message>
+        <source>Frame %1</source>
+        <translation>Fotograma %1</translation>
+    </message>
+    <message>
+        <source>dashed: may be off by more than %1 mm</source>
+        <translation>discontinuo: puede desviarse más de %1 mm</translation>
+    </message>
+    <message>
+        <source>not placed</source>
+        <translation>sin colocar</translation>
+    </message>
+    <message>
+        <source>Writing the video</source>
+        <translation>Escribiendo el vídeo</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Escrito: %1</translation>
+    </message>
+    <message>
+        <source>Open a sequence</source>
+        <translation>Abrir una secuencia</translation>
+    </message>
+    <message>
+        <source>Sequences (*.json)</source>
+        <translation>Secuencias (*.json)</translation>
+    </message>
+    <message>
+        <source>Save a video of the frames</source>
+        <translation>Guardar un vídeo de los fotogramas</translation>
+    </message>
+    <message>
+        <source>Movies (*.mp4);;Folder of pictures (*)</source>
+        <translation>Películas (*.mp4);;Carpeta de imágenes (*)</translation>
+    </message>
+    <message>
+        <source>do not trust here</source>
+        <translation>no fiarse aquí</translation>
+    </message>
+    <message>
+        <source>%1 ±%2 mm, %3 mm deep</source>
+        <translation>%1 ±%2 mm, a %3 mm de profundidad</translation>
+    </message>
+    <message>
+        <source>%1: do not trust, ±%2 mm</source>
+        <translation>%1: no fiarse, ±%2 mm</translation>
+    </message>
+    <message>
+        <source>The sequence names no camera, so that nothing can be drawn over the video.</source>
+        <translation>La secuencia no nombra ninguna cámara: no se puede dibujar nada sobre el vídeo.</translation>
+    </message>
+    <message>
+        <source>By hand: nothing is known of the error yet. When it lies about right, press &quot;Refine&quot;.</source>
+        <translation>A mano: aún no se sabe nada del error. Cuando esté más o menos en su sitio, pulse «Afinar».</translation>
+    </message>
+    <message>
+        <source>Not placed yet: it is being computed.</source>
+        <translation>Aún sin colocar: se está calculando.</translation>
+    </message>
+    <message>
+        <source>Not placed yet: press &quot;Place the liver&quot;.</source>
+        <translation>Aún sin colocar: pulse «Colocar el hígado».</translation>
+    </message>
+    <message>
+        <source>Place it by hand, then press &quot;Refine&quot;.</source>
+        <translation>Colóquelo a mano y pulse «Afinar».</translation>
+    </message>
+    <message>
+        <source>All outlines lie within %1 mm of the truth, 90 times of 100.</source>
+        <translation>Todos los contornos están a %1 mm como mucho de la verdad, 90 veces de 100.</translation>
+    </message>
+    <message>
+        <source>Trust no outline of this frame to %1 mm.</source>
+        <translation>No se fíe de ningún contorno de este fotograma a %1 mm.</translation>
+    </message>
+    <message>
+        <source>%1 % of the liver&apos;s surface is seen; it is deformed by %2 mm.</source>
+        <translation>Se ve el %1 % de la superficie del hígado; está deformado %2 mm.</translation>
+    </message>
+    <message>
+        <source>One moment...</source>
+        <translation>Un momento…</translation>
+    </message>
+    <message>
+        <source>%1: %2 frames</source>
+        <translation>%1: %2 fotogramas</translation>
+    </message>
+    <message>
+        <source>%1: placed in %2 of %3 frames</source>
+        <translation>%1: colocado en %2 de %3 fotogramas</translation>
+    </message>
+    <message>
+        <source>Frame %1 with outlines</source>
+        <translation>Fotograma %1 con contornos</translation>
+    </message>
+    <message>
+        <source>%1 ±%2 mm</source>
+        <translation>%1 ±%2 mm</translation>
+    </message>
+    <message>
+        <source>The liver in space, with what was seen of it</source>
+        <translation>El hígado en el espacio, con lo visto de él</translation>
+    </message>
+    <message>
+        <source>Not to be trusted everywhere to %1 mm: %2.</source>
+        <translation>No fiables en todas partes a %1 mm: %2.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::GuidePanel</name>
+    <message>
+        <source>The liver on the frames</source>
+        <translation>El hígado en los fotogramas</translation>
+    </message>
+    <message>
+        <source>Place the liver</source>
+        <translation>Colocar el hígado</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Progreso</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Stops here; frames that are placed already stay</source>
+        <translation>Se detiene aquí; lo ya colocado se queda</translation>
+    </message>
+    <message>
+        <source>Place by hand</source>
+        <translation>Colocar a mano</translation>
+    </message>
+    <message>
+        <source>Lay the liver over the frame yourself, where it is not found or found wrong</source>
+        <translation>Poner usted mismo el hígado sobre el fotograma, donde no se halla o se halla mal</translation>
+    </message>
+    <message>
+        <source>Refine</source>
+        <translation>Afinar</translation>
+    </message>
+    <message>
+        <source>Drag: move. Right drag or Shift: turn. Wheel: nearer, farther. Ctrl and wheel: turn in the picture. Arrow keys, + and - do the same in steps.</source>
+        <translation>Arrastrar: mover. Botón derecho o Mayús: girar. Rueda: más cerca, más lejos. Ctrl y rueda: girar en la imagen. Las flechas, + y - hacen lo mismo por pasos.</translation>
+    </message>
+    <message>
+        <source>Outlines</source>
+        <translation>Contornos</translation>
+    </message>
+    <message>
+        <source>Shows or hides what is drawn over the frame (O)</source>
+        <translation>Muestra u oculta lo dibujado sobre el fotograma (O)</translation>
+    </message>
+    <message>
+        <source>Opacity of the outlines</source>
+        <translation>Opacidad de los contornos</translation>
+    </message>
+    <message>
+        <source>How strong the outlines stand on the frame</source>
+        <translation>La intensidad de los contornos sobre el fotograma</translation>
+    </message>
+    <message>
+        <source>Trusted up to an error of</source>
+        <translation>Fiable hasta un error de</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Outlines are dashed where 90 % of such places would be off by more than %1 mm</source>
+        <translation>Discontinuo donde hacen falta más de %1 mm para contener el 90 % de tales puntos</translation>
+    </message>
+    <message>
+        <source>It is being computed</source>
+        <translation>Se está calculando</translation>
+    </message>
+    <message>
+        <source>The sequence names no camera, so that nothing can be drawn over the video.</source>
+        <translation>La secuencia no nombra ninguna cámara: no se puede dibujar nada sobre el vídeo.</translation>
+    </message>
+    <message>
+        <source>Finds where the liver lies in the first frame, without a guess, and follows it from frame to frame: one to two seconds a frame</source>
+        <translation>Halla sin indicación dónde está el hígado en el primer fotograma y lo sigue de uno a otro: uno o dos segundos cada uno</translation>
+    </message>
+    <message>
+        <source>Place the liver by hand first</source>
+        <translation>Coloque antes el hígado a mano</translation>
+    </message>
+    <message>
+        <source>Fits the liver from where you laid it, and follows it from there</source>
+        <translation>Ajusta el hígado desde donde usted lo puso y lo sigue desde ahí</translation>
+    </message>
+    <message>
+        <source>Save a video...</source>
+        <translation>Guardar un vídeo...</translation>
+    </message>
+    <message>
+        <source>Place the liver first</source>
+        <translation>Coloque antes el hígado</translation>
+    </message>
+    <message>
+        <source>All frames with their outlines as they are shown now, MP4 or pictures</source>
+        <translation>Todos los fotogramas con sus contornos tal como se ven, MP4 o imágenes</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::GuideWelcome</name>
+    <message>
+        <source>Where is the tumour in this picture?</source>
+        <translation>¿Dónde está el tumor en esta imagen?</translation>
+    </message>
+    <message>
+        <source>The liver of the open case is placed on a laparoscope&apos;s frames and follows them; its tumours and vessels are drawn where they are, with how far they may be off. This needs a sequence: a sequence.json that names the frames, a point cloud of each, the tracks of landmarks and the camera. glisson-cli sequence makes one of a stereo video. The example is simulated and shows the demo patient&apos;s liver.</source>
+        <translation>El hígado del caso abierto se coloca en los fotogramas de un laparoscopio y los sigue; tumores y vasos se dibujan donde están, con su posible error. Hace falta una secuencia: un sequence.json que nombra los fotogramas, una nube de puntos de cada uno, los puntos seguidos y la cámara. glisson-cli sequence la hace de un vídeo estéreo. El ejemplo es simulado y muestra el hígado del paciente de demostración.</translation>
+    </message>
+    <message>
+        <source>Open a sequence...</source>
+        <translation>Abrir una secuencia…</translation>
+    </message>
+    <message>
+        <source>Open the example</source>
+        <translation>Abrir el ejemplo</translation>
+    </message>
+    <message>
+        <source>A sequence.json with its clouds, tracks and pictures beside it</source>
+        <translation>Un sequence.json con sus nubes, trayectorias e imágenes al lado</translation>
+    </message>
+    <message>
+        <source>40 simulated frames, made in a few seconds the first time; 7 MB</source>
+        <translation>40 fotogramas simulados, hechos en unos segundos la primera vez; 7 MB</translation>
     </message>
 </context>
 <context>
@@ -8408,6 +8709,45 @@ Módulo de Young %2 kPa (supuesto)</translation>
     </message>
 </context>
 <context>
+    <name>glisson::widgets::TargetTable</name>
+    <message>
+        <source>What is drawn, and how far it may be off</source>
+        <translation>Lo dibujado y cuánto puede desviarse</translation>
+    </message>
+    <message>
+        <source>Outline</source>
+        <translation>Contorno</translation>
+    </message>
+    <message>
+        <source>sd</source>
+        <translation>σ</translation>
+    </message>
+    <message>
+        <source>90 %</source>
+        <translation>90 %</translation>
+    </message>
+    <message>
+        <source>deep</source>
+        <translation>prof.</translation>
+    </message>
+    <message>
+        <source>Standard deviation of each coordinate of the error, mm: the largest over the structure</source>
+        <translation>Desviación estándar de cada coordenada del error, mm: la mayor de la estructura</translation>
+    </message>
+    <message>
+        <source>90 of 100 such places are off by this at most, mm: 2.5 sd</source>
+        <translation>90 de cada 100 puntos así se desvían esto como mucho, mm: 2.5 σ</translation>
+    </message>
+    <message>
+        <source>How far its nearest place lies behind the liver&apos;s front, along the line of sight, mm</source>
+        <translation>A qué distancia está su punto más próximo detrás del frente del hígado, en la línea de visión, mm</translation>
+    </message>
+    <message>
+        <source>Do not trust it at %1 mm</source>
+        <translation>No fiarse a %1 mm</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::Timeline</name>
     <message>
         <source>Pause</source>
@@ -9178,6 +9518,14 @@ A mano: arrastre con el botón derecho</translation>
         <source>Adrenal gland right</source>
         <translation>Glándula suprarrenal derecha</translation>
     </message>
+    <message>
+        <source>Planned cut</source>
+        <translation>Corte previsto</translation>
+    </message>
+    <message>
+        <source>Segments</source>
+        <translation>Segmentos</translation>
+    </message>
 </context>
 <context>
     <name>tour</name>
@@ -9252,6 +9600,14 @@ A mano: arrastre con el botón derecho</translation>
     <message>
         <source>A retractor hoists segment VI. Change the force, or place the tool elsewhere by a click: the table follows each tumour and vessel, and marks what is 5 mm or more off.</source>
         <translation>Un separador eleva el segmento VI. Cambie la fuerza, o coloque el instrumento en otro lugar con un clic: la tabla sigue cada tumor y cada vaso, y marca lo que se desvía 5 mm o más.</translation>
+    </message>
+    <message>
+        <source>Guide: where the tumour is now</source>
+        <translation>Guiar: dónde está ahora el tumor</translation>
+    </message>
+    <message>
+        <source>The liver is found on the frames of a laparoscope&apos;s video and follows them. Tumours and vessels are drawn where they lie, dashed where they are not to be trusted.</source>
+        <translation>El hígado se halla en los fotogramas de un laparoscopio y los sigue. Tumores y vasos se dibujan donde están, discontinuos donde no hay que fiarse.</translation>
     </message>
 </context>
 </TS>

@@ -4812,6 +4812,34 @@
         <source>nothing was written into it</source>
         <translation>rien n’y a été écrit</translation>
     </message>
+    <message>
+        <source>Writing the video</source>
+        <translation>Écriture de la vidéo</translation>
+    </message>
+    <message>
+        <source>Place the liver by hand</source>
+        <translation>Placer le foie à la main</translation>
+    </message>
+    <message>
+        <source>Reading the sequence</source>
+        <translation>Lecture de la séquence</translation>
+    </message>
+    <message>
+        <source>Reading the clouds</source>
+        <translation>Lecture des nuages de points</translation>
+    </message>
+    <message>
+        <source>Make the demo anew.</source>
+        <translation>Refaites la démonstration.</translation>
+    </message>
+    <message>
+        <source>{0} has no tumour to be found.</source>
+        <translation>{0} n&apos;a pas de tumeur à trouver.</translation>
+    </message>
+    <message>
+        <source>The liver of {0} was found in no frame of its own video.</source>
+        <translation>Le foie de {0} n&apos;a été trouvé dans aucune image de sa propre vidéo.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AlgorithmChoice</name>
@@ -5832,6 +5860,279 @@ Pas de mesures sous la main&#xa0;? Essayez l’exemple&#xa0;: un échantillon de
     <message>
         <source>changes nothing in the rehearsal</source>
         <translation>ne change rien à la répétition</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::GuidePage</name>
+    <message>
+        <source>Guide</source>
+        <translation>Guider</translation>
+    </message>
+    <message>
+        <source>See on a laparoscope&apos;s frames where tumours and vessels lie, and how far to trust it.</source>
+        <translation>Voir sur les images d&apos;un laparoscope où sont tumeurs et vaisseaux, et jusqu&apos;où s&apos;y fier.</translation>
+    </message>
+    <message>
+        <source>Open another...</source>
+        <translation>En ouvrir une autre…</translation>
+    </message>
+    <message>
+        <source>Another sequence.json in place of this one</source>
+        <translation>Un autre sequence.json à la place de celui-ci</translation>
+    </message>
+    <message>
+        <source>A defect in Glisson stopped this: %1</source>
+        <translation>Un défaut de Glisson a interrompu cette opération&#xa0;:&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>Opening the sequence</source>
+        <translation>Ouverture de la séquence</translation>
+    </message>
+    <message>
+        <source>Making an example sequence</source>
+        <translation>Création d’une séquence d’exemple</translation>
+    </message>
+    <message>
+        <source>Placing the liver</source>
+        <translation>Placement du foie</translation>
+    </message>
+    <message>
+        <source>SIMULATED</source>
+        <translation>SIMULÉ</translation>
+    </message>
+    <message>
+        <source>Frame %1</source>
+        <translation>Image %1</translation>
+    </message>
+    <message>
+        <source>dashed: may be off by more than %1 mm</source>
+        <translation>tireté : peut être à plus de %1 mm</translation>
+    </message>
+    <message>
+        <source>not placed</source>
+        <translation>non placé</translation>
+    </message>
+    <message>
+        <source>Writing the video</source>
+        <translation>Écriture de la vidéo</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Écrit : %1</translation>
+    </message>
+    <message>
+        <source>Open a sequence</source>
+        <translation>Ouvrir une séquence</translation>
+    </message>
+    <message>
+        <source>Sequences (*.json)</source>
+        <translation>Séquences (*.json)</translation>
+    </message>
+    <message>
+        <source>Save a video of the frames</source>
+        <translation>Enregistrer une vidéo des images</translation>
+    </message>
+    <message>
+        <source>Movies (*.mp4);;Folder of pictures (*)</source>
+        <translation>Films (*.mp4);;Dossier d’images (*)</translation>
+    </message>
+    <message>
+        <source>do not trust here</source>
+        <translation>ne pas s&apos;y fier ici</translation>
+    </message>
+    <message>
+        <source>%1 ±%2 mm, %3 mm deep</source>
+        <translation>%1 ±%2 mm, à %3 mm de profondeur</translation>
+    </message>
+    <message>
+        <source>%1: do not trust, ±%2 mm</source>
+        <translation>%1 : ne pas s&apos;y fier, ±%2 mm</translation>
+    </message>
+    <message>
+        <source>The sequence names no camera, so that nothing can be drawn over the video.</source>
+        <translation>La séquence ne nomme pas de caméra : rien ne peut être dessiné sur la vidéo.</translation>
+    </message>
+    <message>
+        <source>By hand: nothing is known of the error yet. When it lies about right, press &quot;Refine&quot;.</source>
+        <translation>À la main : on ne sait encore rien de l&apos;erreur. Quand il est à peu près en place, appuyez sur « Affiner ».</translation>
+    </message>
+    <message>
+        <source>Not placed yet: it is being computed.</source>
+        <translation>Pas encore placé : calcul en cours.</translation>
+    </message>
+    <message>
+        <source>Not placed yet: press &quot;Place the liver&quot;.</source>
+        <translation>Pas encore placé : appuyez sur « Placer le foie ».</translation>
+    </message>
+    <message>
+        <source>Place it by hand, then press &quot;Refine&quot;.</source>
+        <translation>Placez-le à la main, puis appuyez sur « Affiner ».</translation>
+    </message>
+    <message>
+        <source>All outlines lie within %1 mm of the truth, 90 times of 100.</source>
+        <translation>Tous les contours sont à %1 mm au plus de la vérité, 90 fois sur 100.</translation>
+    </message>
+    <message>
+        <source>Trust no outline of this frame to %1 mm.</source>
+        <translation>Ne vous fiez à aucun contour de cette image à %1 mm près.</translation>
+    </message>
+    <message>
+        <source>%1 % of the liver&apos;s surface is seen; it is deformed by %2 mm.</source>
+        <translation>%1 % de la surface du foie sont vus ; il est déformé de %2 mm.</translation>
+    </message>
+    <message>
+        <source>One moment...</source>
+        <translation>Un instant…</translation>
+    </message>
+    <message>
+        <source>%1: %2 frames</source>
+        <translation>%1 : %2 images</translation>
+    </message>
+    <message>
+        <source>%1: placed in %2 of %3 frames</source>
+        <translation>%1 : placé dans %2 images sur %3</translation>
+    </message>
+    <message>
+        <source>Frame %1 with outlines</source>
+        <translation>Image %1 avec contours</translation>
+    </message>
+    <message>
+        <source>%1 ±%2 mm</source>
+        <translation>%1 ±%2 mm</translation>
+    </message>
+    <message>
+        <source>The liver in space, with what was seen of it</source>
+        <translation>Le foie dans l&apos;espace, avec ce qui en a été vu</translation>
+    </message>
+    <message>
+        <source>Not to be trusted everywhere to %1 mm: %2.</source>
+        <translation>Pas fiables partout à %1 mm près : %2.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::GuidePanel</name>
+    <message>
+        <source>The liver on the frames</source>
+        <translation>Le foie sur les images</translation>
+    </message>
+    <message>
+        <source>Place the liver</source>
+        <translation>Placer le foie</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Progression</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Stops here; frames that are placed already stay</source>
+        <translation>S&apos;arrête ici ; les images déjà placées restent</translation>
+    </message>
+    <message>
+        <source>Place by hand</source>
+        <translation>Placer à la main</translation>
+    </message>
+    <message>
+        <source>Lay the liver over the frame yourself, where it is not found or found wrong</source>
+        <translation>Poser vous-même le foie sur l&apos;image, s&apos;il n&apos;est pas trouvé ou mal trouvé</translation>
+    </message>
+    <message>
+        <source>Refine</source>
+        <translation>Affiner</translation>
+    </message>
+    <message>
+        <source>Drag: move. Right drag or Shift: turn. Wheel: nearer, farther. Ctrl and wheel: turn in the picture. Arrow keys, + and - do the same in steps.</source>
+        <translation>Glisser : déplacer. Bouton droit ou Maj : tourner. Molette : plus près, plus loin. Ctrl et molette : tourner dans l&apos;image. Les flèches, + et - font de même par pas.</translation>
+    </message>
+    <message>
+        <source>Outlines</source>
+        <translation>Contours</translation>
+    </message>
+    <message>
+        <source>Shows or hides what is drawn over the frame (O)</source>
+        <translation>Montre ou cache ce qui est dessiné sur l&apos;image (O)</translation>
+    </message>
+    <message>
+        <source>Opacity of the outlines</source>
+        <translation>Opacité des contours</translation>
+    </message>
+    <message>
+        <source>How strong the outlines stand on the frame</source>
+        <translation>La force des contours sur l&apos;image</translation>
+    </message>
+    <message>
+        <source>Trusted up to an error of</source>
+        <translation>Fiable jusqu&apos;à une erreur de</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Outlines are dashed where 90 % of such places would be off by more than %1 mm</source>
+        <translation>En tireté là où il faut plus de %1 mm pour contenir 90 % de tels points</translation>
+    </message>
+    <message>
+        <source>It is being computed</source>
+        <translation>Le calcul est en cours</translation>
+    </message>
+    <message>
+        <source>The sequence names no camera, so that nothing can be drawn over the video.</source>
+        <translation>La séquence ne nomme pas de caméra : rien ne peut être dessiné sur la vidéo.</translation>
+    </message>
+    <message>
+        <source>Finds where the liver lies in the first frame, without a guess, and follows it from frame to frame: one to two seconds a frame</source>
+        <translation>Trouve sans indication où est le foie dans la première image et le suit d&apos;image en image : une à deux secondes par image</translation>
+    </message>
+    <message>
+        <source>Place the liver by hand first</source>
+        <translation>Placez d&apos;abord le foie à la main</translation>
+    </message>
+    <message>
+        <source>Fits the liver from where you laid it, and follows it from there</source>
+        <translation>Ajuste le foie depuis l&apos;endroit où vous l&apos;avez posé et le suit à partir de là</translation>
+    </message>
+    <message>
+        <source>Save a video...</source>
+        <translation>Enregistrer une vidéo...</translation>
+    </message>
+    <message>
+        <source>Place the liver first</source>
+        <translation>Placez d&apos;abord le foie</translation>
+    </message>
+    <message>
+        <source>All frames with their outlines as they are shown now, MP4 or pictures</source>
+        <translation>Toutes les images avec leurs contours tels qu&apos;affichés, MP4 ou images</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::GuideWelcome</name>
+    <message>
+        <source>Where is the tumour in this picture?</source>
+        <translation>Où est la tumeur dans cette image ?</translation>
+    </message>
+    <message>
+        <source>The liver of the open case is placed on a laparoscope&apos;s frames and follows them; its tumours and vessels are drawn where they are, with how far they may be off. This needs a sequence: a sequence.json that names the frames, a point cloud of each, the tracks of landmarks and the camera. glisson-cli sequence makes one of a stereo video. The example is simulated and shows the demo patient&apos;s liver.</source>
+        <translation>Le foie du cas ouvert est placé sur les images d&apos;un laparoscope et les suit ; tumeurs et vaisseaux sont dessinés là où ils sont, avec leur erreur possible. Il faut une séquence : un sequence.json qui nomme les images, un nuage de points pour chacune, les suivis de points de repère et la caméra. glisson-cli sequence la tire d&apos;une vidéo stéréo. L&apos;exemple est simulé et montre le foie du patient de démonstration.</translation>
+    </message>
+    <message>
+        <source>Open a sequence...</source>
+        <translation>Ouvrir une séquence…</translation>
+    </message>
+    <message>
+        <source>Open the example</source>
+        <translation>Ouvrir l&apos;exemple</translation>
+    </message>
+    <message>
+        <source>A sequence.json with its clouds, tracks and pictures beside it</source>
+        <translation>Un sequence.json avec ses nuages, trajectoires et images à côté</translation>
+    </message>
+    <message>
+        <source>40 simulated frames, made in a few seconds the first time; 7 MB</source>
+        <translation>40 images simulées, créées en quelques secondes la première fois ; 7 Mo</translation>
     </message>
 </context>
 <context>
@@ -8408,6 +8709,45 @@ Module de Young %2 kPa (supposé)</translation>
     </message>
 </context>
 <context>
+    <name>glisson::widgets::TargetTable</name>
+    <message>
+        <source>What is drawn, and how far it may be off</source>
+        <translation>Ce qui est dessiné, et de combien il peut être écarté</translation>
+    </message>
+    <message>
+        <source>Outline</source>
+        <translation>Contour</translation>
+    </message>
+    <message>
+        <source>sd</source>
+        <translation>σ</translation>
+    </message>
+    <message>
+        <source>90 %</source>
+        <translation>90 %</translation>
+    </message>
+    <message>
+        <source>deep</source>
+        <translation>prof.</translation>
+    </message>
+    <message>
+        <source>Standard deviation of each coordinate of the error, mm: the largest over the structure</source>
+        <translation>Écart type de chaque coordonnée de l&apos;erreur, mm : le plus grand de la structure</translation>
+    </message>
+    <message>
+        <source>90 of 100 such places are off by this at most, mm: 2.5 sd</source>
+        <translation>90 de ces points sur 100 sont à cette distance au plus, mm : 2.5 σ</translation>
+    </message>
+    <message>
+        <source>How far its nearest place lies behind the liver&apos;s front, along the line of sight, mm</source>
+        <translation>À quelle distance son point le plus proche est derrière l&apos;avant du foie, dans l&apos;axe de vue, mm</translation>
+    </message>
+    <message>
+        <source>Do not trust it at %1 mm</source>
+        <translation>Ne pas s&apos;y fier à %1 mm</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::Timeline</name>
     <message>
         <source>Pause</source>
@@ -9178,6 +9518,14 @@ By hand: drag with the right button</source>
         <source>Adrenal gland right</source>
         <translation>Glande surrénale droite</translation>
     </message>
+    <message>
+        <source>Planned cut</source>
+        <translation>Coupe prévue</translation>
+    </message>
+    <message>
+        <source>Segments</source>
+        <translation>Segments</translation>
+    </message>
 </context>
 <context>
     <name>tour</name>
@@ -9252,6 +9600,14 @@ By hand: drag with the right button</source>
     <message>
         <source>A retractor hoists segment VI. Change the force, or place the tool elsewhere by a click: the table follows each tumour and vessel, and marks what is 5 mm or more off.</source>
         <translation>Un écarteur soulève le segment VI. Changez la force, ou placez l’instrument ailleurs d’un clic : le tableau suit chaque tumeur et chaque vaisseau, et marque ce qui s’écarte de 5 mm ou plus.</translation>
+    </message>
+    <message>
+        <source>Guide: where the tumour is now</source>
+        <translation>Guider : où est la tumeur maintenant</translation>
+    </message>
+    <message>
+        <source>The liver is found on the frames of a laparoscope&apos;s video and follows them. Tumours and vessels are drawn where they lie, dashed where they are not to be trusted.</source>
+        <translation>Le foie est trouvé sur les images d&apos;un laparoscope et les suit. Tumeurs et vaisseaux sont dessinés là où ils sont, en tireté là où il ne faut pas s&apos;y fier.</translation>
     </message>
 </context>
 </TS>

@@ -11,6 +11,7 @@
 
 #include "base/result.h"
 #include "widgets/evidence/evidence_view.h"
+#include "widgets/guide/guide_page.h"
 #include "widgets/hardware/platform_view.h"
 #include "widgets/model/model_panel.h"
 #include "widgets/register/register_page.h"
@@ -123,6 +124,7 @@ void MainWindow::make_workspaces() {
   add_workspace(ReportView::workspace(context(), [view = qobject_cast<PlatformView*>(platforms)] {
     return view != nullptr ? view->plan() : std::nullopt;
   }));
+  add_workspace(GuidePage::workspace(context()));
   add_workspace(RegisterPage::workspace(context()));
   add_workspace({.id = "platform",
                  .name = [] { return tr("Platform"); },
@@ -144,8 +146,8 @@ void MainWindow::add_workspace(Workspace workspace) {
   const int index = static_cast<int>(workspaces_.size());
   (workspace.place == Workspace::Place::whole_window ? pages_ : panels_)->addWidget(workspace.widget);
   bar_->add(workspace);
-  QAction* go = go_menu_->addAction({}, QKeySequence(Qt::CTRL | static_cast<Qt::Key>(Qt::Key_1 + index)), bar_,
-                                    [this, index] { bar_->choose(index); });
+  const auto key = static_cast<Qt::Key>(Qt::Key_0 + (index + 1) % 10);
+  QAction* go = go_menu_->addAction({}, QKeySequence(Qt::CTRL | key), bar_, [this, index] { bar_->choose(index); });
   keep_translated(go_menu_, [go, name = workspace.name] { go->setText(name()); });
   workspaces_.push_back(std::move(workspace));
 }

@@ -89,6 +89,7 @@ class MainWindow : public QMainWindow {
   void show_manual();
   void show_diary();
   void start_tour();
+  void begin_instead(const std::function<void()>& begin);
   void list_recent(QMenu& menu);
   void offer_lost_work();
   void open_lost_work();
@@ -116,7 +117,8 @@ class MainWindow : public QMainWindow {
   Diary diary_;
   StallWatch stalls_;
   OpenWorkFile open_work_;
-  std::optional<OpenWork> lost_work_;  // what a window before this one left open
+  std::optional<OpenWork> lost_work_;   // what a window before this one left open
+  std::function<void()> next_of_tour_;  // waits for what it takes the place of
   Patient patient_;
   std::vector<mechanics::Landmark> landmarks_;  // set by hand on the patient
   CaseHold hold_;

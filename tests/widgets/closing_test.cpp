@@ -16,6 +16,7 @@
 #include "run_test.h"
 #include "shown.h"
 #include "wave_case.h"
+#include "widgets/guide/guide_page.h"
 #include "widgets/main_window.h"
 #include "widgets/register/register_page.h"
 #include "widgets/segment/segment_panel.h"
@@ -144,6 +145,17 @@ class ClosingTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(page->has_sequence() && !window_->work().busy(), patience_ms);
     page->compute();
     close_once_work_goes_on();
+  }
+
+  void while_a_liver_is_placed_on_a_video() {
+    open(test::modelled_case(folder_->path()));
+    window_->go_to("guide");
+    auto* page = window_->findChild<GuidePage*>();
+    page->open_example();
+    QTRY_VERIFY_WITH_TIMEOUT(page->has_video() && !window_->work().busy(), patience_ms);
+    page->place();
+    QVERIFY(window_->work().busy());
+    close();
   }
 
   void while_a_report_is_collected() {

@@ -48,7 +48,7 @@ class FitsTest : public QObject {
   void each_workspace_data() { sizes(); }
   void each_workspace() {
     for (const char* workspace :
-         {"study", "segment", "model", "rehearse", "resect", "report", "register", "platform", "evidence"}) {
+         {"study", "segment", "model", "rehearse", "resect", "report", "guide", "register", "platform", "evidence"}) {
       window_->go_to(workspace);
       look(workspace);
     }

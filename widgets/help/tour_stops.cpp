@@ -38,6 +38,11 @@ constexpr Words all[] = {
      QT_TRANSLATE_NOOP("tour",
                        "All that was done for this patient, to read, save or print. The name is masked unless you "
                        "ask for it in the settings.")},
+    {"guide", QT_TRANSLATE_NOOP("tour", "Guide: where the tumour is now"),
+     QT_TRANSLATE_NOOP(
+         "tour",
+         "The liver is found on the frames of a laparoscope's video and follows them. Tumours and vessels "
+         "are drawn where they lie, dashed where they are not to be trusted.")},
     {"register", QT_TRANSLATE_NOOP("tour", "Register: can the overlay be trusted"),
      QT_TRANSLATE_NOOP("tour",
                        "Laparoscopic video is registered to the model, and SIRGn shows on each triangle how well, "

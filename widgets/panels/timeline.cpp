@@ -1,4 +1,4 @@
-#include "widgets/register/timeline.h"
+#include "widgets/panels/timeline.h"
 
 #include <algorithm>
 #include <QHBoxLayout>

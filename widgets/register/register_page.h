@@ -19,7 +19,7 @@
 #include "widgets/register/judged_sequence.h"
 #include "widgets/register/reading_panel.h"
 #include "widgets/register/register_welcome.h"
-#include "widgets/register/timeline.h"
+#include "widgets/panels/timeline.h"
 #include "widgets/register/triangle_history.h"
 #include "widgets/work/background_work.h"
 #include "widgets/workspaces/workspace.h"

@@ -11,6 +11,8 @@ namespace {
 // The structures of segmentation/structures.h and what the demo marks, for the translation tools to find.
 [[maybe_unused]] constexpr const char* known_structures[] = {
     QT_TRANSLATE_NOOP("structures", "Liver"),
+    QT_TRANSLATE_NOOP("structures", "Planned cut"),
+    QT_TRANSLATE_NOOP("structures", "Segments"),
     QT_TRANSLATE_NOOP("structures", "Tumour"),
     QT_TRANSLATE_NOOP("structures", "Cyst"),
     QT_TRANSLATE_NOOP("structures", "Portal vein"),

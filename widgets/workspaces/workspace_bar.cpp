@@ -53,7 +53,7 @@ void WorkspaceBar::word() {
     QToolButton* button = buttons_[k];
     const QString missing = workspace.missing(patient_);
     button->setText(workspace.name());
-    button->setToolTip(missing.isEmpty() ? tr("%1 (Ctrl+%2)").arg(workspace.about()).arg(k + 1) : missing);
+    button->setToolTip(missing.isEmpty() ? tr("%1 (Ctrl+%2)").arg(workspace.about()).arg((k + 1) % 10) : missing);
     button->setAccessibleDescription(missing.isEmpty() ? workspace.about() : missing);
     if (button->property("waiting").toBool() == !missing.isEmpty()) continue;
     button->setProperty("waiting", !missing.isEmpty());

@@ -1,0 +1,64 @@
+#pragma once
+// A frame of the laparoscope with outlines over it; and, where the liver is placed by hand, what the hand does to it:
+// drag to move, right drag (or Shift) to turn, the wheel for depth, Ctrl and the wheel to turn in the picture's plane;
+// arrow keys, + and - do the same.
+
+#include <optional>
+#include <QImage>
+#include <QWidget>
+
+#include "widgets/guide/overlay_painter.h"
+
+namespace glisson::widgets {
+
+class OverlayView : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit OverlayView(QWidget* parent = nullptr);
+
+  // A null image is drawn as an empty frame of its size in pixels.
+  void show_frame(const QImage& frame, QSize size_px);
+  void show_overlay(OverlayPicture picture);
+  void set_look(const OverlayLook& look);
+  // What is said over the picture's lower edge; empty for nothing.
+  void say(const QString& words);
+  void set_by_hand(bool by_hand);
+
+  [[nodiscard]] const OverlayPicture& overlay() const { return overlay_; }
+  [[nodiscard]] const OverlayLook& look() const { return look_; }
+  [[nodiscard]] const QString& said() const { return said_; }
+  // From the frame's pixels to the widget's.
+  [[nodiscard]] QTransform from_frame() const;
+
+  [[nodiscard]] QSize sizeHint() const override { return {640, 480}; }
+
+ Q_SIGNALS:
+  void shifted(const QPointF& by_px);  // of the frame
+  void turned(double right_deg, double down_deg);
+  void rolled(double clockwise_deg);
+  void moved_in_depth(double factor);
+  void let_go();  // a drag has ended
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  [[nodiscard]] QRectF place() const;  // of the frame on the widget
+
+  QImage frame_;
+  QSize size_px_;
+  OverlayPicture overlay_;
+  OverlayLook look_;
+  QString said_;
+  bool by_hand_ = false;
+  std::optional<QPointF> held_at_;
+  bool turning_ = false;
+};
+
+}  // namespace glisson::widgets
