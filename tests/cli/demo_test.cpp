@@ -1,4 +1,5 @@
-// The main job through the program itself: the demo's own DICOM files, read back, to moved landmarks and a report.
+// The main job through the program itself: the demo's own DICOM files, read back, to moved landmarks, a report, and the
+// tumour on the frames of a video.
 
 #include <gmock/gmock.h>
 
@@ -18,7 +19,7 @@ TEST(Demo, GoesFromDicomToAReportWithoutADisplay) {
   const char* display = std::getenv("DISPLAY");
   const std::string kept = display ? display : "";
   unsetenv("DISPLAY");
-  const Finished finished = glisson_cli({"demo", "--out", out.string(), "--json", "--quiet"});
+  const Finished finished = glisson_cli({"demo", "--guide", "--out", out.string(), "--json", "--quiet"});
   if (display) setenv("DISPLAY", kept.c_str(), 1);
   ASSERT_EQ(finished.exit_code, 0) << finished.err;
   const Json summary = finished.json();
@@ -38,6 +39,13 @@ TEST(Demo, GoesFromDicomToAReportWithoutADisplay) {
   for (const char* picture : {"anatomy", "liver", "stiffness", "model", "displacement", "comparison"}) {
     EXPECT_TRUE(fs::exists(out / "pictures" / (std::string(picture) + ".png"))) << picture;
   }
+
+  // Its tumour on a laparoscope's frames, beside where it truly is.
+  const Json& guided = summary.at("guided");
+  EXPECT_EQ(guided.at("frames").size(), 12u);
+  EXPECT_EQ(guided.at("structure"), "tumour-1");
+  EXPECT_LT(guided.at("mean_error_mm").get<double>(), 5.0);  // the line that matters
+  EXPECT_TRUE(fs::exists(out / "guided" / "tumour.png"));
 
   // The case is one for the other commands, and a second demo does not overwrite what is not a demo.
   const std::string patient = (out / "demo.glisson").string();
