@@ -4805,12 +4805,204 @@
         <translation>Die Lage bringt einen Punkt der Aufnahme (mm) ins System der Kamera.</translation>
     </message>
     <message>
-        <source>What is removed and the territories lie on different grids.</source>
-        <translation>Was entfernt wird und die Gebiete liegen auf verschiedenen Gittern.</translation>
-    </message>
-    <message>
         <source>nothing was written into it</source>
         <translation>nichts wurde hineingeschrieben</translation>
+    </message>
+    <message>
+        <source>The case has no plan {0}.</source>
+        <translation>Der Fall hat keinen Plan {0}.</translation>
+    </message>
+    <message>
+        <source>{0} must be whole numbers from 1 to 8, Couinaud&apos;s segments.</source>
+        <translation>{0} müssen ganze Zahlen von 1 bis 8 sein, die Segmente nach Couinaud.</translation>
+    </message>
+    <message>
+        <source>{0} needs one of plane, sheet, segments, territory, around.</source>
+        <translation>{0} braucht eines von plane, sheet, segments, territory, around.</translation>
+    </message>
+    <message>
+        <source>{0} is not of the format glisson-plan/1.</source>
+        <translation>{0} hat nicht das Format glisson-plan/1.</translation>
+    </message>
+    <message>
+        <source>{0} needs at least one cut in its list of cuts.</source>
+        <translation>{0} braucht mindestens einen Schnitt in der Liste cuts.</translation>
+    </message>
+    <message>
+        <source>A plan takes at most 255 tumours; there are {0}.</source>
+        <translation>Ein Plan fasst höchstens 255 Tumoren; es sind {0}.</translation>
+    </message>
+    <message>
+        <source>The liver&apos;s outline is empty.</source>
+        <translation>Der Umriss der Leber ist leer.</translation>
+    </message>
+    <message>
+        <source>looking what hangs on which vessel</source>
+        <translation>sucht, was an welchem Gefäß hängt</translation>
+    </message>
+    <message>
+        <source>looking at segments and stiffness</source>
+        <translation>sieht Segmente und Steifigkeit an</translation>
+    </message>
+    <message>
+        <source>looking around the tumours</source>
+        <translation>sieht um die Tumoren herum nach</translation>
+    </message>
+    <message>
+        <source>The plan holds no cut.</source>
+        <translation>Der Plan enthält keinen Schnitt.</translation>
+    </message>
+    <message>
+        <source>The plan takes the whole liver: nothing would be left.</source>
+        <translation>Der Plan nimmt die ganze Leber: Es bliebe nichts.</translation>
+    </message>
+    <message>
+        <source>The liver&apos;s segments are not known yet.</source>
+        <translation>Die Segmente der Leber sind noch nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Find them first (glisson-cli territories).</source>
+        <translation>Bestimmen Sie sie zuerst (glisson-cli territories).</translation>
+    </message>
+    <message>
+        <source>The plan names no segment to take: give numbers from 1 to 8.</source>
+        <translation>Der Plan nennt kein Segment: Geben Sie Nummern von 1 bis 8 an.</translation>
+    </message>
+    <message>
+        <source>There is no segment {0}: Couinaud&apos;s are 1 to 8.</source>
+        <translation>Es gibt kein Segment {0}: Die nach Couinaud sind 1 bis 8.</translation>
+    </message>
+    <message>
+        <source>Segment {0} holds no tissue of this liver.</source>
+        <translation>Segment {0} enthält kein Gewebe dieser Leber.</translation>
+    </message>
+    <message>
+        <source>There is no branch {0} in the vessel trees.</source>
+        <translation>Es gibt keinen Ast {0} in den Gefäßbäumen.</translation>
+    </message>
+    <message>
+        <source>glisson-cli vessels lists their names; portal/right/posterior stands for all that begin so.</source>
+        <translation>glisson-cli vessels nennt ihre Namen; portal/right/posterior steht für alle, die so beginnen.</translation>
+    </message>
+    <message>
+        <source>No tissue of the liver belongs to the branch {0}.</source>
+        <translation>Kein Gewebe der Leber gehört zum Ast {0}.</translation>
+    </message>
+    <message>
+        <source>Take a branch nearer to the stem.</source>
+        <translation>Nehmen Sie einen Ast näher am Stamm.</translation>
+    </message>
+    <message>
+        <source>There is no tumour {0} in the liver.</source>
+        <translation>Es gibt keinen Tumor {0} in der Leber.</translation>
+    </message>
+    <message>
+        <source>Give the name of a structure of the case that lies in the liver.</source>
+        <translation>Nennen Sie eine Struktur des Falls, die in der Leber liegt.</translation>
+    </message>
+    <message>
+        <source>The margin around {0} must be 0 to {1} mm.</source>
+        <translation>Der Abstand um {0} muss 0 bis {1} mm sein.</translation>
+    </message>
+    <message>
+        <source>Plans compared</source>
+        <translation>Pläne im Vergleich</translation>
+    </message>
+    <message>
+        <source>{0} no longer holds: {1}</source>
+        <translation>{0} gilt nicht mehr: {1}</translation>
+    </message>
+    <message>
+        <source>What {0} was made from has changed since it was kept.</source>
+        <translation>Woraus {0} gemacht wurde, hat sich seither geändert.</translation>
+    </message>
+    <message>
+        <source>Per cent are of the liver without its tumours. Thresholds are the surgeon&apos;s to set.</source>
+        <translation>Prozente gelten für die Leber ohne ihre Tumoren. Schwellen setzt der Chirurg.</translation>
+    </message>
+    <message>
+        <source>Removed (ml)</source>
+        <translation>Entfernt (ml)</translation>
+    </message>
+    <message>
+        <source>Left (ml)</source>
+        <translation>Bleibt (ml)</translation>
+    </message>
+    <message>
+        <source>Left (%)</source>
+        <translation>Bleibt (%)</translation>
+    </message>
+    <message>
+        <source>Left and alive: perfused and drained (ml)</source>
+        <translation>Bleibt lebend: durchblutet und drainiert (ml)</translation>
+    </message>
+    <message>
+        <source>Left and alive (%)</source>
+        <translation>Bleibt lebend (%)</translation>
+    </message>
+    <message>
+        <source>Left without inflow: ischaemic (ml)</source>
+        <translation>Bleibt ohne Zufluss: ischämisch (ml)</translation>
+    </message>
+    <message>
+        <source>Left without outflow: congested (ml)</source>
+        <translation>Bleibt ohne Abfluss: gestaut (ml)</translation>
+    </message>
+    <message>
+        <source>Smallest margin (mm)</source>
+        <translation>Kleinster Abstand (mm)</translation>
+    </message>
+    <message>
+        <source>Tumours cut through or left</source>
+        <translation>Tumoren durchschnitten oder belassen</translation>
+    </message>
+    <message>
+        <source>Stiffness of what is left (kPa)</source>
+        <translation>Steifigkeit des Bleibenden (kPa)</translation>
+    </message>
+    <message>
+        <source>Measured share of it (%)</source>
+        <translation>Davon gemessen (%)</translation>
+    </message>
+    <message>
+        <source>What stays of each segment, in ml.</source>
+        <translation>Was von jedem Segment bleibt, in ml.</translation>
+    </message>
+    <message>
+        <source>Segment</source>
+        <translation>Segment</translation>
+    </message>
+    <message>
+        <source>{0}: branches that are cut, with the tissue beyond the cut.</source>
+        <translation>{0}: Äste, die durchtrennt werden, mit dem Gewebe jenseits des Schnitts.</translation>
+    </message>
+    <message>
+        <source>Branch</source>
+        <translation>Ast</translation>
+    </message>
+    <message>
+        <source>Beyond it (ml)</source>
+        <translation>Dahinter (ml)</translation>
+    </message>
+    <message>
+        <source>Of that left (ml)</source>
+        <translation>Davon bleibt (ml)</translation>
+    </message>
+    <message>
+        <source>The case has no plan to compare.</source>
+        <translation>Der Fall hat keinen Plan zum Vergleichen.</translation>
+    </message>
+    <message>
+        <source>Add some first: glisson-cli plan CASE --add PLAN.json.</source>
+        <translation>Fügen Sie zuerst welche hinzu: glisson-cli plan CASE --add PLAN.json.</translation>
+    </message>
+    <message>
+        <source>Keep the plan {0}</source>
+        <translation>Den Plan {0} behalten</translation>
+    </message>
+    <message>
+        <source>Drop the plan {0}</source>
+        <translation>Den Plan {0} verwerfen</translation>
     </message>
 </context>
 <context>
@@ -6537,6 +6729,213 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Griffe am Fad
     <message>
         <source>One stiffness from the atlas</source>
         <translation>Eine Steifigkeit aus dem Atlas</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::PlanByAnatomy</name>
+    <message>
+        <source>Segments and tumours</source>
+        <translation>Segmente und Tumoren</translation>
+    </message>
+    <message>
+        <source>Find segments</source>
+        <translation>Segmente bestimmen</translation>
+    </message>
+    <message>
+        <source>By the portal and hepatic veins where both are outlined, else by the liver&apos;s shape alone</source>
+        <translation>Nach Pfortader und Lebervenen, wo beide umrissen sind, sonst nach der Form der Leber allein</translation>
+    </message>
+    <message>
+        <source>Segment</source>
+        <translation>Segment</translation>
+    </message>
+    <message>
+        <source>ml</source>
+        <translation>ml</translation>
+    </message>
+    <message>
+        <source>Stays, ml</source>
+        <translation>Bleibt, ml</translation>
+    </message>
+    <message>
+        <source>kPa</source>
+        <translation>kPa</translation>
+    </message>
+    <message>
+        <source>Mean stiffness (Young&apos;s modulus) of the tissue that was measured; faint under half of it</source>
+        <translation>Mittlere Steifigkeit (Elastizitätsmodul) des gemessenen Gewebes; blass unter der Hälfte</translation>
+    </message>
+    <message>
+        <source>Show segments</source>
+        <translation>Segmente zeigen</translation>
+    </message>
+    <message>
+        <source>Take these segments</source>
+        <translation>Diese Segmente nehmen</translation>
+    </message>
+    <message>
+        <source>Removes the segments that are ticked</source>
+        <translation>Entfernt die angehakten Segmente</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Around this tumour</source>
+        <translation>Um diesen Tumor</translation>
+    </message>
+    <message>
+        <source>Removes the tumour with all tissue up to this margin</source>
+        <translation>Entfernt den Tumor mit allem Gewebe bis zu diesem Abstand</translation>
+    </message>
+    <message>
+        <source>Branches cut</source>
+        <translation>Durchtrennte Äste</translation>
+    </message>
+    <message>
+        <source>Branch</source>
+        <translation>Ast</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Beyond, ml</source>
+        <translation>Dahinter, ml</translation>
+    </message>
+    <message>
+        <source>Left, ml</source>
+        <translation>Bleibt, ml</translation>
+    </message>
+    <message>
+        <source>Diameter where it is cut</source>
+        <translation>Durchmesser, wo er durchtrennt wird</translation>
+    </message>
+    <message>
+        <source>All tissue that it feeds or drains beyond the cut</source>
+        <translation>Alles Gewebe, das er jenseits des Schnitts versorgt oder drainiert</translation>
+    </message>
+    <message>
+        <source>What of that stays in the patient without it</source>
+        <translation>Was davon ohne ihn im Patienten bleibt</translation>
+    </message>
+    <message>
+        <source>Plans</source>
+        <translation>Pläne</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>Stays</source>
+        <translation>Bleibt</translation>
+    </message>
+    <message>
+        <source>Alive</source>
+        <translation>Lebend</translation>
+    </message>
+    <message>
+        <source>Margin</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Äste</translation>
+    </message>
+    <message>
+        <source>Of the liver without its tumours</source>
+        <translation>Von der Leber ohne ihre Tumoren</translation>
+    </message>
+    <message>
+        <source>What stays perfused and drained, of the same</source>
+        <translation>Was durchblutet und drainiert bleibt, ebenso</translation>
+    </message>
+    <message>
+        <source>Branches that are cut</source>
+        <translation>Äste, die durchtrennt werden</translation>
+    </message>
+    <message>
+        <source>Name of the plan</source>
+        <translation>Name des Plans</translation>
+    </message>
+    <message>
+        <source>Keep this plan</source>
+        <translation>Diesen Plan behalten</translation>
+    </message>
+    <message>
+        <source>Keeps it in the case under this name, beside the others</source>
+        <translation>Hält ihn im Fall unter diesem Namen, neben den anderen</translation>
+    </message>
+    <message>
+        <source>Drop</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Takes the plan that is marked out of the case</source>
+        <translation>Nimmt den markierten Plan aus dem Fall</translation>
+    </message>
+    <message>
+        <source>Finding vessels and segments</source>
+        <translation>Gefäße und Segmente werden bestimmt</translation>
+    </message>
+    <message>
+        <source>Plan %1</source>
+        <translation>Plan %1</translation>
+    </message>
+    <message>
+        <source>Looking at the liver&apos;s anatomy...</source>
+        <translation>Die Anatomie der Leber wird angesehen …</translation>
+    </message>
+    <message>
+        <source>By the liver&apos;s shape alone: it has no vessel trees.</source>
+        <translation>Nach der Form der Leber allein: Gefäßbäume gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>%1 % of the segment was measured.</source>
+        <translation>%1 % des Segments wurden gemessen.</translation>
+    </message>
+    <message>
+        <source>%1 % of the liver without tumours stay.</source>
+        <translation>%1 % der Leber ohne Tumoren bleiben.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1 ml&lt;/b&gt; removed, &lt;b&gt;%2 ml&lt;/b&gt; stay: %3 % of the liver without tumours.</source>
+        <translation>&lt;b&gt;%1 ml&lt;/b&gt; entfernt, &lt;b&gt;%2 ml&lt;/b&gt; bleiben: %3 % der Leber ohne Tumoren.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1 ml&lt;/b&gt; of it stay alive, perfused and drained (%2 %); without inflow %3 ml, without outflow %4 ml.</source>
+        <translation>&lt;b&gt;%1 ml&lt;/b&gt; davon bleiben am Leben, durchblutet und drainiert (%2 %); ohne Zufluss %3 ml, ohne Abfluss %4 ml.</translation>
+    </message>
+    <message>
+        <source>Smallest margin: at least %1 mm.</source>
+        <translation>Kleinster Abstand: mindestens %1 mm.</translation>
+    </message>
+    <message>
+        <source>Smallest margin: %1 mm.</source>
+        <translation>Kleinster Abstand: %1 mm.</translation>
+    </message>
+    <message>
+        <source>▲ %1 stays in the patient.</source>
+        <translation>▲ %1 bleibt im Patienten.</translation>
+    </message>
+    <message>
+        <source>▲ %1 is cut through.</source>
+        <translation>▲ %1 wird durchschnitten.</translation>
+    </message>
+    <message>
+        <source>What stays has %1 kPa; %2 % of it was measured.</source>
+        <translation>Was bleibt, hat %1 kPa; %2 % davon wurden gemessen.</translation>
+    </message>
+    <message>
+        <source>What it was made from has changed since; the figures are those of now.</source>
+        <translation>Woraus er gemacht wurde, hat sich seither geändert; die Zahlen sind die von jetzt.</translation>
+    </message>
+    <message>
+        <source>Removed</source>
+        <translation>Entfernt</translation>
     </message>
 </context>
 <context>
@@ -9249,6 +9648,53 @@ Von Hand: mit der rechten Taste ziehen</translation>
     <message>
         <source>A retractor hoists segment VI. Change the force, or place the tool elsewhere by a click: the table follows each tumour and vessel, and marks what is 5 mm or more off.</source>
         <translation>Ein Retraktor hebt Segment VI an. Ändern Sie die Kraft, oder setzen Sie das Instrument per Klick anderswo an: Die Tabelle folgt jedem Tumor und Gefäß und markiert, was 5 mm oder mehr abweicht.</translation>
+    </message>
+</context>
+<context>
+    <name>vessels</name>
+    <message>
+        <source>Portal vein</source>
+        <translation>Pfortader</translation>
+    </message>
+    <message>
+        <source>Hepatic vein</source>
+        <translation>Lebervene</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>middle</source>
+        <translation>mittlere</translation>
+    </message>
+    <message>
+        <source>anterior</source>
+        <translation>anterior</translation>
+    </message>
+    <message>
+        <source>posterior</source>
+        <translation>posterior</translation>
+    </message>
+    <message>
+        <source>lateral</source>
+        <translation>lateral</translation>
+    </message>
+    <message>
+        <source>medial</source>
+        <translation>medial</translation>
+    </message>
+    <message>
+        <source>caudate</source>
+        <translation>Caudatus</translation>
+    </message>
+    <message>
+        <source>stem</source>
+        <translation>Stamm</translation>
     </message>
 </context>
 </TS>

@@ -4805,12 +4805,204 @@
         <translation>La pose lleva un punto del estudio (mm) al sistema de la cámara.</translation>
     </message>
     <message>
-        <source>What is removed and the territories lie on different grids.</source>
-        <translation>Lo que se extirpa y los territorios están en rejillas distintas.</translation>
-    </message>
-    <message>
         <source>nothing was written into it</source>
         <translation>no se escribió nada en él</translation>
+    </message>
+    <message>
+        <source>The case has no plan {0}.</source>
+        <translation>El caso no tiene ningún plan {0}.</translation>
+    </message>
+    <message>
+        <source>{0} must be whole numbers from 1 to 8, Couinaud&apos;s segments.</source>
+        <translation>{0} deben ser números enteros de 1 a 8, los segmentos de Couinaud.</translation>
+    </message>
+    <message>
+        <source>{0} needs one of plane, sheet, segments, territory, around.</source>
+        <translation>{0} necesita uno de plane, sheet, segments, territory, around.</translation>
+    </message>
+    <message>
+        <source>{0} is not of the format glisson-plan/1.</source>
+        <translation>{0} no tiene el formato glisson-plan/1.</translation>
+    </message>
+    <message>
+        <source>{0} needs at least one cut in its list of cuts.</source>
+        <translation>{0} necesita al menos una sección en su lista cuts.</translation>
+    </message>
+    <message>
+        <source>A plan takes at most 255 tumours; there are {0}.</source>
+        <translation>Un plan admite como máximo 255 tumores; hay {0}.</translation>
+    </message>
+    <message>
+        <source>The liver&apos;s outline is empty.</source>
+        <translation>El contorno del hígado está vacío.</translation>
+    </message>
+    <message>
+        <source>looking what hangs on which vessel</source>
+        <translation>buscando qué depende de cada vaso</translation>
+    </message>
+    <message>
+        <source>looking at segments and stiffness</source>
+        <translation>examinando segmentos y rigidez</translation>
+    </message>
+    <message>
+        <source>looking around the tumours</source>
+        <translation>examinando alrededor de los tumores</translation>
+    </message>
+    <message>
+        <source>The plan holds no cut.</source>
+        <translation>El plan no contiene ninguna sección.</translation>
+    </message>
+    <message>
+        <source>The plan takes the whole liver: nothing would be left.</source>
+        <translation>El plan se lleva todo el hígado: no quedaría nada.</translation>
+    </message>
+    <message>
+        <source>The liver&apos;s segments are not known yet.</source>
+        <translation>Los segmentos del hígado aún no se conocen.</translation>
+    </message>
+    <message>
+        <source>Find them first (glisson-cli territories).</source>
+        <translation>Hállelos primero (glisson-cli territories).</translation>
+    </message>
+    <message>
+        <source>The plan names no segment to take: give numbers from 1 to 8.</source>
+        <translation>El plan no nombra ningún segmento: dé números de 1 a 8.</translation>
+    </message>
+    <message>
+        <source>There is no segment {0}: Couinaud&apos;s are 1 to 8.</source>
+        <translation>No hay segmento {0}: los de Couinaud son del 1 al 8.</translation>
+    </message>
+    <message>
+        <source>Segment {0} holds no tissue of this liver.</source>
+        <translation>El segmento {0} no contiene tejido de este hígado.</translation>
+    </message>
+    <message>
+        <source>There is no branch {0} in the vessel trees.</source>
+        <translation>No hay ninguna rama {0} en los árboles vasculares.</translation>
+    </message>
+    <message>
+        <source>glisson-cli vessels lists their names; portal/right/posterior stands for all that begin so.</source>
+        <translation>glisson-cli vessels da sus nombres; portal/right/posterior vale por todos los que empiezan así.</translation>
+    </message>
+    <message>
+        <source>No tissue of the liver belongs to the branch {0}.</source>
+        <translation>Ningún tejido del hígado pertenece a la rama {0}.</translation>
+    </message>
+    <message>
+        <source>Take a branch nearer to the stem.</source>
+        <translation>Tome una rama más cercana al tronco.</translation>
+    </message>
+    <message>
+        <source>There is no tumour {0} in the liver.</source>
+        <translation>No hay ningún tumor {0} en el hígado.</translation>
+    </message>
+    <message>
+        <source>Give the name of a structure of the case that lies in the liver.</source>
+        <translation>Dé el nombre de una estructura del caso situada en el hígado.</translation>
+    </message>
+    <message>
+        <source>The margin around {0} must be 0 to {1} mm.</source>
+        <translation>El margen alrededor de {0} debe ser de 0 a {1} mm.</translation>
+    </message>
+    <message>
+        <source>Plans compared</source>
+        <translation>Planes comparados</translation>
+    </message>
+    <message>
+        <source>{0} no longer holds: {1}</source>
+        <translation>{0} ya no es válido: {1}</translation>
+    </message>
+    <message>
+        <source>What {0} was made from has changed since it was kept.</source>
+        <translation>Aquello de lo que se hizo {0} ha cambiado desde entonces.</translation>
+    </message>
+    <message>
+        <source>Per cent are of the liver without its tumours. Thresholds are the surgeon&apos;s to set.</source>
+        <translation>Los porcentajes son del hígado sin sus tumores. Los umbrales los fija el cirujano.</translation>
+    </message>
+    <message>
+        <source>Removed (ml)</source>
+        <translation>Extirpado (ml)</translation>
+    </message>
+    <message>
+        <source>Left (ml)</source>
+        <translation>Queda (ml)</translation>
+    </message>
+    <message>
+        <source>Left (%)</source>
+        <translation>Queda (%)</translation>
+    </message>
+    <message>
+        <source>Left and alive: perfused and drained (ml)</source>
+        <translation>Queda vivo: perfundido y drenado (ml)</translation>
+    </message>
+    <message>
+        <source>Left and alive (%)</source>
+        <translation>Queda vivo (%)</translation>
+    </message>
+    <message>
+        <source>Left without inflow: ischaemic (ml)</source>
+        <translation>Queda sin aporte: isquémico (ml)</translation>
+    </message>
+    <message>
+        <source>Left without outflow: congested (ml)</source>
+        <translation>Queda sin drenaje: congestivo (ml)</translation>
+    </message>
+    <message>
+        <source>Smallest margin (mm)</source>
+        <translation>Menor margen (mm)</translation>
+    </message>
+    <message>
+        <source>Tumours cut through or left</source>
+        <translation>Tumores seccionados o dejados</translation>
+    </message>
+    <message>
+        <source>Stiffness of what is left (kPa)</source>
+        <translation>Rigidez de lo que queda (kPa)</translation>
+    </message>
+    <message>
+        <source>Measured share of it (%)</source>
+        <translation>Parte medida (%)</translation>
+    </message>
+    <message>
+        <source>What stays of each segment, in ml.</source>
+        <translation>Lo que queda de cada segmento, en ml.</translation>
+    </message>
+    <message>
+        <source>Segment</source>
+        <translation>Segmento</translation>
+    </message>
+    <message>
+        <source>{0}: branches that are cut, with the tissue beyond the cut.</source>
+        <translation>{0}: ramas seccionadas, con el tejido más allá de la sección.</translation>
+    </message>
+    <message>
+        <source>Branch</source>
+        <translation>Rama</translation>
+    </message>
+    <message>
+        <source>Beyond it (ml)</source>
+        <translation>Más allá (ml)</translation>
+    </message>
+    <message>
+        <source>Of that left (ml)</source>
+        <translation>De ello queda (ml)</translation>
+    </message>
+    <message>
+        <source>The case has no plan to compare.</source>
+        <translation>El caso no tiene ningún plan que comparar.</translation>
+    </message>
+    <message>
+        <source>Add some first: glisson-cli plan CASE --add PLAN.json.</source>
+        <translation>Añada antes alguno: glisson-cli plan CASE --add PLAN.json.</translation>
+    </message>
+    <message>
+        <source>Keep the plan {0}</source>
+        <translation>Conservar el plan {0}</translation>
+    </message>
+    <message>
+        <source>Drop the plan {0}</source>
+        <translation>Descartar el plan {0}</translation>
     </message>
 </context>
 <context>
@@ -6539,6 +6731,213 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar. Ctrl+arrastrar: girar. Tiradores 
     <message>
         <source>One stiffness from the atlas</source>
         <translation>Una sola rigidez, la del atlas</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::PlanByAnatomy</name>
+    <message>
+        <source>Segments and tumours</source>
+        <translation>Segmentos y tumores</translation>
+    </message>
+    <message>
+        <source>Find segments</source>
+        <translation>Hallar los segmentos</translation>
+    </message>
+    <message>
+        <source>By the portal and hepatic veins where both are outlined, else by the liver&apos;s shape alone</source>
+        <translation>Según la vena porta y las venas hepáticas donde ambas están delimitadas, si no según la forma del hígado sola</translation>
+    </message>
+    <message>
+        <source>Segment</source>
+        <translation>Segmento</translation>
+    </message>
+    <message>
+        <source>ml</source>
+        <translation>ml</translation>
+    </message>
+    <message>
+        <source>Stays, ml</source>
+        <translation>Queda, ml</translation>
+    </message>
+    <message>
+        <source>kPa</source>
+        <translation>kPa</translation>
+    </message>
+    <message>
+        <source>Mean stiffness (Young&apos;s modulus) of the tissue that was measured; faint under half of it</source>
+        <translation>Rigidez media (módulo de Young) del tejido medido; tenue por debajo de la mitad</translation>
+    </message>
+    <message>
+        <source>Show segments</source>
+        <translation>Mostrar los segmentos</translation>
+    </message>
+    <message>
+        <source>Take these segments</source>
+        <translation>Tomar estos segmentos</translation>
+    </message>
+    <message>
+        <source>Removes the segments that are ticked</source>
+        <translation>Extirpa los segmentos marcados</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Around this tumour</source>
+        <translation>Alrededor de este tumor</translation>
+    </message>
+    <message>
+        <source>Removes the tumour with all tissue up to this margin</source>
+        <translation>Extirpa el tumor con todo el tejido hasta este margen</translation>
+    </message>
+    <message>
+        <source>Branches cut</source>
+        <translation>Ramas seccionadas</translation>
+    </message>
+    <message>
+        <source>Branch</source>
+        <translation>Rama</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Beyond, ml</source>
+        <translation>Más allá, ml</translation>
+    </message>
+    <message>
+        <source>Left, ml</source>
+        <translation>Queda, ml</translation>
+    </message>
+    <message>
+        <source>Diameter where it is cut</source>
+        <translation>Diámetro donde se secciona</translation>
+    </message>
+    <message>
+        <source>All tissue that it feeds or drains beyond the cut</source>
+        <translation>Todo el tejido que irriga o drena más allá de la sección</translation>
+    </message>
+    <message>
+        <source>What of that stays in the patient without it</source>
+        <translation>Lo que de ello queda en el paciente sin ella</translation>
+    </message>
+    <message>
+        <source>Plans</source>
+        <translation>Planes</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>Stays</source>
+        <translation>Queda</translation>
+    </message>
+    <message>
+        <source>Alive</source>
+        <translation>Vivo</translation>
+    </message>
+    <message>
+        <source>Margin</source>
+        <translation>Margen</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Cortes</translation>
+    </message>
+    <message>
+        <source>Of the liver without its tumours</source>
+        <translation>Del hígado sin sus tumores</translation>
+    </message>
+    <message>
+        <source>What stays perfused and drained, of the same</source>
+        <translation>Lo que queda perfundido y drenado, igualmente</translation>
+    </message>
+    <message>
+        <source>Branches that are cut</source>
+        <translation>Ramas que se seccionan</translation>
+    </message>
+    <message>
+        <source>Name of the plan</source>
+        <translation>Nombre del plan</translation>
+    </message>
+    <message>
+        <source>Keep this plan</source>
+        <translation>Conservar este plan</translation>
+    </message>
+    <message>
+        <source>Keeps it in the case under this name, beside the others</source>
+        <translation>Lo conserva en el caso con este nombre, junto a los demás</translation>
+    </message>
+    <message>
+        <source>Drop</source>
+        <translation>Descartar</translation>
+    </message>
+    <message>
+        <source>Takes the plan that is marked out of the case</source>
+        <translation>Saca del caso el plan marcado</translation>
+    </message>
+    <message>
+        <source>Finding vessels and segments</source>
+        <translation>Hallando vasos y segmentos</translation>
+    </message>
+    <message>
+        <source>Plan %1</source>
+        <translation>Plan %1</translation>
+    </message>
+    <message>
+        <source>Looking at the liver&apos;s anatomy...</source>
+        <translation>Examinando la anatomía del hígado…</translation>
+    </message>
+    <message>
+        <source>By the liver&apos;s shape alone: it has no vessel trees.</source>
+        <translation>Según la forma del hígado sola: no hay árboles vasculares.</translation>
+    </message>
+    <message>
+        <source>%1 % of the segment was measured.</source>
+        <translation>Se midió el %1 % del segmento.</translation>
+    </message>
+    <message>
+        <source>%1 % of the liver without tumours stay.</source>
+        <translation>Queda el %1 % del hígado sin tumores.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1 ml&lt;/b&gt; removed, &lt;b&gt;%2 ml&lt;/b&gt; stay: %3 % of the liver without tumours.</source>
+        <translation>&lt;b&gt;%1 ml&lt;/b&gt; extirpados, &lt;b&gt;%2 ml&lt;/b&gt; permanecen: %3 % del hígado sin tumores.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1 ml&lt;/b&gt; of it stay alive, perfused and drained (%2 %); without inflow %3 ml, without outflow %4 ml.</source>
+        <translation>&lt;b&gt;%1 ml&lt;/b&gt; de ello siguen vivos, perfundidos y drenados (%2 %); sin aporte %3 ml, sin drenaje %4 ml.</translation>
+    </message>
+    <message>
+        <source>Smallest margin: at least %1 mm.</source>
+        <translation>Menor margen: al menos %1 mm.</translation>
+    </message>
+    <message>
+        <source>Smallest margin: %1 mm.</source>
+        <translation>Menor margen: %1 mm.</translation>
+    </message>
+    <message>
+        <source>▲ %1 stays in the patient.</source>
+        <translation>▲ %1 queda en el paciente.</translation>
+    </message>
+    <message>
+        <source>▲ %1 is cut through.</source>
+        <translation>▲ %1 queda seccionado.</translation>
+    </message>
+    <message>
+        <source>What stays has %1 kPa; %2 % of it was measured.</source>
+        <translation>Lo que queda tiene %1 kPa; se midió el %2 %.</translation>
+    </message>
+    <message>
+        <source>What it was made from has changed since; the figures are those of now.</source>
+        <translation>Aquello de lo que se hizo ha cambiado desde entonces; las cifras son las de ahora.</translation>
+    </message>
+    <message>
+        <source>Removed</source>
+        <translation>Extirpado</translation>
     </message>
 </context>
 <context>
@@ -9252,6 +9651,53 @@ A mano: arrastre con el botón derecho</translation>
     <message>
         <source>A retractor hoists segment VI. Change the force, or place the tool elsewhere by a click: the table follows each tumour and vessel, and marks what is 5 mm or more off.</source>
         <translation>Un separador eleva el segmento VI. Cambie la fuerza, o coloque el instrumento en otro lugar con un clic: la tabla sigue cada tumor y cada vaso, y marca lo que se desvía 5 mm o más.</translation>
+    </message>
+</context>
+<context>
+    <name>vessels</name>
+    <message>
+        <source>Portal vein</source>
+        <translation>Vena porta</translation>
+    </message>
+    <message>
+        <source>Hepatic vein</source>
+        <translation>Vena hepática</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>derecha</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>izquierda</translation>
+    </message>
+    <message>
+        <source>middle</source>
+        <translation>media</translation>
+    </message>
+    <message>
+        <source>anterior</source>
+        <translation>anterior</translation>
+    </message>
+    <message>
+        <source>posterior</source>
+        <translation>posterior</translation>
+    </message>
+    <message>
+        <source>lateral</source>
+        <translation>lateral</translation>
+    </message>
+    <message>
+        <source>medial</source>
+        <translation>medial</translation>
+    </message>
+    <message>
+        <source>caudate</source>
+        <translation>caudada</translation>
+    </message>
+    <message>
+        <source>stem</source>
+        <translation>tronco</translation>
     </message>
 </context>
 </TS>

@@ -4805,12 +4805,204 @@
         <translation>La pose amène un point de l’examen (mm) dans le repère de la caméra.</translation>
     </message>
     <message>
-        <source>What is removed and the territories lie on different grids.</source>
-        <translation>Ce qui est retiré et les territoires sont sur des grilles différentes.</translation>
-    </message>
-    <message>
         <source>nothing was written into it</source>
         <translation>rien n’y a été écrit</translation>
+    </message>
+    <message>
+        <source>The case has no plan {0}.</source>
+        <translation>Le cas n’a pas de plan {0}.</translation>
+    </message>
+    <message>
+        <source>{0} must be whole numbers from 1 to 8, Couinaud&apos;s segments.</source>
+        <translation>{0} doivent être des nombres entiers de 1 à 8, les segments de Couinaud.</translation>
+    </message>
+    <message>
+        <source>{0} needs one of plane, sheet, segments, territory, around.</source>
+        <translation>{0} a besoin de l’un de plane, sheet, segments, territory, around.</translation>
+    </message>
+    <message>
+        <source>{0} is not of the format glisson-plan/1.</source>
+        <translation>{0} n’est pas au format glisson-plan/1.</translation>
+    </message>
+    <message>
+        <source>{0} needs at least one cut in its list of cuts.</source>
+        <translation>{0} a besoin d’au moins une section dans sa liste cuts.</translation>
+    </message>
+    <message>
+        <source>A plan takes at most 255 tumours; there are {0}.</source>
+        <translation>Un plan prend au plus 255 tumeurs ; il y en a {0}.</translation>
+    </message>
+    <message>
+        <source>The liver&apos;s outline is empty.</source>
+        <translation>Le contour du foie est vide.</translation>
+    </message>
+    <message>
+        <source>looking what hangs on which vessel</source>
+        <translation>recherche de ce qui dépend de chaque vaisseau</translation>
+    </message>
+    <message>
+        <source>looking at segments and stiffness</source>
+        <translation>examen des segments et de la rigidité</translation>
+    </message>
+    <message>
+        <source>looking around the tumours</source>
+        <translation>examen autour des tumeurs</translation>
+    </message>
+    <message>
+        <source>The plan holds no cut.</source>
+        <translation>Le plan ne contient aucune section.</translation>
+    </message>
+    <message>
+        <source>The plan takes the whole liver: nothing would be left.</source>
+        <translation>Le plan prend tout le foie : il ne resterait rien.</translation>
+    </message>
+    <message>
+        <source>The liver&apos;s segments are not known yet.</source>
+        <translation>Les segments du foie ne sont pas encore connus.</translation>
+    </message>
+    <message>
+        <source>Find them first (glisson-cli territories).</source>
+        <translation>Trouvez-les d’abord (glisson-cli territories).</translation>
+    </message>
+    <message>
+        <source>The plan names no segment to take: give numbers from 1 to 8.</source>
+        <translation>Le plan ne nomme aucun segment : donnez des numéros de 1 à 8.</translation>
+    </message>
+    <message>
+        <source>There is no segment {0}: Couinaud&apos;s are 1 to 8.</source>
+        <translation>Il n’y a pas de segment {0} : ceux de Couinaud sont 1 à 8.</translation>
+    </message>
+    <message>
+        <source>Segment {0} holds no tissue of this liver.</source>
+        <translation>Le segment {0} ne contient aucun tissu de ce foie.</translation>
+    </message>
+    <message>
+        <source>There is no branch {0} in the vessel trees.</source>
+        <translation>Il n’y a pas de branche {0} dans les arbres vasculaires.</translation>
+    </message>
+    <message>
+        <source>glisson-cli vessels lists their names; portal/right/posterior stands for all that begin so.</source>
+        <translation>glisson-cli vessels en donne les noms ; portal/right/posterior vaut pour tous ceux qui commencent ainsi.</translation>
+    </message>
+    <message>
+        <source>No tissue of the liver belongs to the branch {0}.</source>
+        <translation>Aucun tissu du foie n’appartient à la branche {0}.</translation>
+    </message>
+    <message>
+        <source>Take a branch nearer to the stem.</source>
+        <translation>Prenez une branche plus proche du tronc.</translation>
+    </message>
+    <message>
+        <source>There is no tumour {0} in the liver.</source>
+        <translation>Il n’y a pas de tumeur {0} dans le foie.</translation>
+    </message>
+    <message>
+        <source>Give the name of a structure of the case that lies in the liver.</source>
+        <translation>Donnez le nom d’une structure du cas située dans le foie.</translation>
+    </message>
+    <message>
+        <source>The margin around {0} must be 0 to {1} mm.</source>
+        <translation>La marge autour de {0} doit être de 0 à {1} mm.</translation>
+    </message>
+    <message>
+        <source>Plans compared</source>
+        <translation>Plans comparés</translation>
+    </message>
+    <message>
+        <source>{0} no longer holds: {1}</source>
+        <translation>{0} ne tient plus : {1}</translation>
+    </message>
+    <message>
+        <source>What {0} was made from has changed since it was kept.</source>
+        <translation>Ce dont {0} a été fait a changé depuis.</translation>
+    </message>
+    <message>
+        <source>Per cent are of the liver without its tumours. Thresholds are the surgeon&apos;s to set.</source>
+        <translation>Les pourcentages portent sur le foie sans ses tumeurs. Les seuils reviennent au chirurgien.</translation>
+    </message>
+    <message>
+        <source>Removed (ml)</source>
+        <translation>Retiré (ml)</translation>
+    </message>
+    <message>
+        <source>Left (ml)</source>
+        <translation>Reste (ml)</translation>
+    </message>
+    <message>
+        <source>Left (%)</source>
+        <translation>Reste (%)</translation>
+    </message>
+    <message>
+        <source>Left and alive: perfused and drained (ml)</source>
+        <translation>Reste vivant : perfusé et drainé (ml)</translation>
+    </message>
+    <message>
+        <source>Left and alive (%)</source>
+        <translation>Reste vivant (%)</translation>
+    </message>
+    <message>
+        <source>Left without inflow: ischaemic (ml)</source>
+        <translation>Reste sans apport : ischémique (ml)</translation>
+    </message>
+    <message>
+        <source>Left without outflow: congested (ml)</source>
+        <translation>Reste sans drainage : congestif (ml)</translation>
+    </message>
+    <message>
+        <source>Smallest margin (mm)</source>
+        <translation>Plus petite marge (mm)</translation>
+    </message>
+    <message>
+        <source>Tumours cut through or left</source>
+        <translation>Tumeurs sectionnées ou laissées</translation>
+    </message>
+    <message>
+        <source>Stiffness of what is left (kPa)</source>
+        <translation>Rigidité de ce qui reste (kPa)</translation>
+    </message>
+    <message>
+        <source>Measured share of it (%)</source>
+        <translation>Part mesurée (%)</translation>
+    </message>
+    <message>
+        <source>What stays of each segment, in ml.</source>
+        <translation>Ce qui reste de chaque segment, en ml.</translation>
+    </message>
+    <message>
+        <source>Segment</source>
+        <translation>Segment</translation>
+    </message>
+    <message>
+        <source>{0}: branches that are cut, with the tissue beyond the cut.</source>
+        <translation>{0} : branches coupées, avec le tissu au-delà de la section.</translation>
+    </message>
+    <message>
+        <source>Branch</source>
+        <translation>Branche</translation>
+    </message>
+    <message>
+        <source>Beyond it (ml)</source>
+        <translation>Au-delà (ml)</translation>
+    </message>
+    <message>
+        <source>Of that left (ml)</source>
+        <translation>Dont reste (ml)</translation>
+    </message>
+    <message>
+        <source>The case has no plan to compare.</source>
+        <translation>Le cas n’a aucun plan à comparer.</translation>
+    </message>
+    <message>
+        <source>Add some first: glisson-cli plan CASE --add PLAN.json.</source>
+        <translation>Ajoutez-en d’abord : glisson-cli plan CASE --add PLAN.json.</translation>
+    </message>
+    <message>
+        <source>Keep the plan {0}</source>
+        <translation>Garder le plan {0}</translation>
+    </message>
+    <message>
+        <source>Drop the plan {0}</source>
+        <translation>Écarter le plan {0}</translation>
     </message>
 </context>
 <context>
@@ -6539,6 +6731,213 @@ Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: déplacer. Ctrl+glisser&#xa0;: tour
     <message>
         <source>One stiffness from the atlas</source>
         <translation>Une seule rigidité, celle de l’atlas</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::PlanByAnatomy</name>
+    <message>
+        <source>Segments and tumours</source>
+        <translation>Segments et tumeurs</translation>
+    </message>
+    <message>
+        <source>Find segments</source>
+        <translation>Trouver les segments</translation>
+    </message>
+    <message>
+        <source>By the portal and hepatic veins where both are outlined, else by the liver&apos;s shape alone</source>
+        <translation>D’après la veine porte et les veines hépatiques là où les deux sont délimitées, sinon d’après la seule forme du foie</translation>
+    </message>
+    <message>
+        <source>Segment</source>
+        <translation>Segment</translation>
+    </message>
+    <message>
+        <source>ml</source>
+        <translation>ml</translation>
+    </message>
+    <message>
+        <source>Stays, ml</source>
+        <translation>Reste, ml</translation>
+    </message>
+    <message>
+        <source>kPa</source>
+        <translation>kPa</translation>
+    </message>
+    <message>
+        <source>Mean stiffness (Young&apos;s modulus) of the tissue that was measured; faint under half of it</source>
+        <translation>Rigidité moyenne (module de Young) du tissu mesuré ; pâle en dessous de la moitié</translation>
+    </message>
+    <message>
+        <source>Show segments</source>
+        <translation>Montrer les segments</translation>
+    </message>
+    <message>
+        <source>Take these segments</source>
+        <translation>Prendre ces segments</translation>
+    </message>
+    <message>
+        <source>Removes the segments that are ticked</source>
+        <translation>Retire les segments cochés</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Around this tumour</source>
+        <translation>Autour de cette tumeur</translation>
+    </message>
+    <message>
+        <source>Removes the tumour with all tissue up to this margin</source>
+        <translation>Retire la tumeur avec tout le tissu jusqu’à cette marge</translation>
+    </message>
+    <message>
+        <source>Branches cut</source>
+        <translation>Branches coupées</translation>
+    </message>
+    <message>
+        <source>Branch</source>
+        <translation>Branche</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Beyond, ml</source>
+        <translation>Au-delà, ml</translation>
+    </message>
+    <message>
+        <source>Left, ml</source>
+        <translation>Reste, ml</translation>
+    </message>
+    <message>
+        <source>Diameter where it is cut</source>
+        <translation>Diamètre là où elle est coupée</translation>
+    </message>
+    <message>
+        <source>All tissue that it feeds or drains beyond the cut</source>
+        <translation>Tout le tissu qu’elle irrigue ou draine au-delà de la section</translation>
+    </message>
+    <message>
+        <source>What of that stays in the patient without it</source>
+        <translation>Ce qui en reste dans le patient sans elle</translation>
+    </message>
+    <message>
+        <source>Plans</source>
+        <translation>Plans</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>Stays</source>
+        <translation>Reste</translation>
+    </message>
+    <message>
+        <source>Alive</source>
+        <translation>Vivant</translation>
+    </message>
+    <message>
+        <source>Margin</source>
+        <translation>Marge</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Coupées</translation>
+    </message>
+    <message>
+        <source>Of the liver without its tumours</source>
+        <translation>Du foie sans ses tumeurs</translation>
+    </message>
+    <message>
+        <source>What stays perfused and drained, of the same</source>
+        <translation>Ce qui reste perfusé et drainé, de même</translation>
+    </message>
+    <message>
+        <source>Branches that are cut</source>
+        <translation>Branches qui sont coupées</translation>
+    </message>
+    <message>
+        <source>Name of the plan</source>
+        <translation>Nom du plan</translation>
+    </message>
+    <message>
+        <source>Keep this plan</source>
+        <translation>Garder ce plan</translation>
+    </message>
+    <message>
+        <source>Keeps it in the case under this name, beside the others</source>
+        <translation>Le garde dans le cas sous ce nom, à côté des autres</translation>
+    </message>
+    <message>
+        <source>Drop</source>
+        <translation>Écarter</translation>
+    </message>
+    <message>
+        <source>Takes the plan that is marked out of the case</source>
+        <translation>Ôte du cas le plan marqué</translation>
+    </message>
+    <message>
+        <source>Finding vessels and segments</source>
+        <translation>Recherche des vaisseaux et des segments</translation>
+    </message>
+    <message>
+        <source>Plan %1</source>
+        <translation>Plan %1</translation>
+    </message>
+    <message>
+        <source>Looking at the liver&apos;s anatomy...</source>
+        <translation>Examen de l’anatomie du foie…</translation>
+    </message>
+    <message>
+        <source>By the liver&apos;s shape alone: it has no vessel trees.</source>
+        <translation>D’après la seule forme du foie : il n’y a pas d’arbres vasculaires.</translation>
+    </message>
+    <message>
+        <source>%1 % of the segment was measured.</source>
+        <translation>%1 % du segment a été mesuré.</translation>
+    </message>
+    <message>
+        <source>%1 % of the liver without tumours stay.</source>
+        <translation>%1 % du foie sans tumeurs restent.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1 ml&lt;/b&gt; removed, &lt;b&gt;%2 ml&lt;/b&gt; stay: %3 % of the liver without tumours.</source>
+        <translation>&lt;b&gt;%1 ml&lt;/b&gt; retirés, &lt;b&gt;%2 ml&lt;/b&gt; restent : %3 % du foie sans tumeurs.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1 ml&lt;/b&gt; of it stay alive, perfused and drained (%2 %); without inflow %3 ml, without outflow %4 ml.</source>
+        <translation>&lt;b&gt;%1 ml&lt;/b&gt; en restent vivants, perfusés et drainés (%2 %) ; sans apport %3 ml, sans drainage %4 ml.</translation>
+    </message>
+    <message>
+        <source>Smallest margin: at least %1 mm.</source>
+        <translation>Plus petite marge : au moins %1 mm.</translation>
+    </message>
+    <message>
+        <source>Smallest margin: %1 mm.</source>
+        <translation>Plus petite marge : %1 mm.</translation>
+    </message>
+    <message>
+        <source>▲ %1 stays in the patient.</source>
+        <translation>▲ %1 reste dans le patient.</translation>
+    </message>
+    <message>
+        <source>▲ %1 is cut through.</source>
+        <translation>▲ %1 est sectionné.</translation>
+    </message>
+    <message>
+        <source>What stays has %1 kPa; %2 % of it was measured.</source>
+        <translation>Ce qui reste a %1 kPa ; %2 % en ont été mesurés.</translation>
+    </message>
+    <message>
+        <source>What it was made from has changed since; the figures are those of now.</source>
+        <translation>Ce dont il a été fait a changé depuis ; les chiffres sont ceux de maintenant.</translation>
+    </message>
+    <message>
+        <source>Removed</source>
+        <translation>Retiré</translation>
     </message>
 </context>
 <context>
@@ -9252,6 +9651,53 @@ By hand: drag with the right button</source>
     <message>
         <source>A retractor hoists segment VI. Change the force, or place the tool elsewhere by a click: the table follows each tumour and vessel, and marks what is 5 mm or more off.</source>
         <translation>Un écarteur soulève le segment VI. Changez la force, ou placez l’instrument ailleurs d’un clic : le tableau suit chaque tumeur et chaque vaisseau, et marque ce qui s’écarte de 5 mm ou plus.</translation>
+    </message>
+</context>
+<context>
+    <name>vessels</name>
+    <message>
+        <source>Portal vein</source>
+        <translation>Veine porte</translation>
+    </message>
+    <message>
+        <source>Hepatic vein</source>
+        <translation>Veine hépatique</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>droite</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>gauche</translation>
+    </message>
+    <message>
+        <source>middle</source>
+        <translation>médiane</translation>
+    </message>
+    <message>
+        <source>anterior</source>
+        <translation>antérieure</translation>
+    </message>
+    <message>
+        <source>posterior</source>
+        <translation>postérieure</translation>
+    </message>
+    <message>
+        <source>lateral</source>
+        <translation>latérale</translation>
+    </message>
+    <message>
+        <source>medial</source>
+        <translation>médiale</translation>
+    </message>
+    <message>
+        <source>caudate</source>
+        <translation>caudée</translation>
+    </message>
+    <message>
+        <source>stem</source>
+        <translation>tronc</translation>
     </message>
 </context>
 </TS>
