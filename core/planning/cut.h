@@ -25,6 +25,7 @@ struct SheetCut {
   Removed removed = Removed::smaller;
 };
 
+// This and the next spare vessels that only run through: a branch is cut where at least half of what hangs on it goes.
 struct SegmentsCut {
   std::vector<int> segments;  // Couinaud's, 1 to 8
 };

@@ -103,7 +103,20 @@ std::vector<std::uint32_t> nearest_points(const VesselTrees& trees, const TreePo
 }
 
 // Parents stand before their branches.
-CutOff cut_off(const VesselTrees& trees, const TreePoints& points, const std::vector<std::uint8_t>& removed) {
+std::vector<std::size_t> sum_beyond(const VesselTrees& trees, const TreePoints& points,
+                                    const std::vector<std::size_t>& at_points) {
+  std::vector<std::size_t> beyond = at_points;
+  for (std::size_t b = trees.branches.size(); b-- > 0;) {
+    for (std::size_t p = points.first[b + 1]; p-- > points.first[b] + 1;) beyond[p - 1] += beyond[p];
+    const int parent = trees.branches[b].parent;
+    if (parent < 0 || points.first[b] == points.first[b + 1]) continue;
+    const std::size_t joint = points.first[static_cast<std::size_t>(parent)] + points.joint[b];
+    if (joint < points.first[static_cast<std::size_t>(parent) + 1]) beyond[joint] += beyond[points.first[b]];
+  }
+  return beyond;
+}
+
+CutOff cut_off(const VesselTrees& trees, const TreePoints& points, const std::function<bool(std::size_t)>& is_cut) {
   CutOff off{std::vector<std::int32_t>(points.count() + 1, -1), {}};
   for (std::size_t b = 0; b < trees.branches.size(); ++b) {
     const TreeBranch& branch = trees.branches[b];
@@ -120,8 +133,7 @@ CutOff cut_off(const VesselTrees& trees, const TreePoints& points, const std::ve
     }
     for (auto point = begin; point != end; ++point) {
       const auto number = static_cast<std::size_t>(point - off.cause.begin());
-      const std::int32_t voxel = points.voxel[number];
-      if (voxel < 0 || removed[static_cast<std::size_t>(voxel)] == 0) continue;
+      if (!is_cut(number)) continue;
       std::fill(point, end, static_cast<std::int32_t>(off.cut.size()));
       off.cut.push_back({b, number - points.first[b]});
       break;

@@ -24,13 +24,17 @@ struct Planner::Liver {
   // Of each voxel.
   std::vector<std::uint8_t> segment, tumour;         // 0: none; tumour + 1
   std::array<std::vector<std::uint32_t>, 2> point;   // that it hangs on; points.count(): none
-  std::vector<float> youngs_kPa;                     // 0 where it is not to be trusted; empty without a map
+  std::vector<std::uint8_t> place;                   // in Counts::voxels, of what no cut changes
+  std::vector<float> trusted_kPa;                    // 0 where it is not to be trusted, and in tumours; empty: no map
   std::array<std::vector<std::uint32_t>, 2> tissue;  // how many voxels hang on each point
 
   [[nodiscard]] Cuttable cuttable() const {
     return {organ, nodes, segment, has_segments, trees, points, point, tumours};
   }
-  [[nodiscard]] float youngs_at(std::size_t voxel) const { return youngs_kPa.empty() ? 0.0F : youngs_kPa[voxel]; }
+  // Which vessels are cut, and what hangs on them. A cut along the anatomy spares a vessel that only runs through: one
+  // of which less than half of what hangs on it goes.
+  [[nodiscard]] CutOff cut_off_by(const Removal& removal) const;
+  [[nodiscard]] float youngs_at(std::size_t voxel) const { return trusted_kPa.empty() ? 0.0F : trusted_kPa[voxel]; }
 };
 
 namespace {
@@ -39,15 +43,13 @@ constexpr std::size_t segments_and_none = 9;
 
 // Voxels counted by segment, tumour, removed, and whether either vessel is cut off.
 struct Counts {
+  // What a place in `voxels` is made of.
+  static constexpr std::size_t segment = 16, tumour = 8, removed = 4, starved = 2, held_up = 1;
   struct Key {
-    std::size_t segment = 0;
-    bool tumour = false, removed = false, starved = false, held_up = false;
-    [[nodiscard]] std::size_t place() const {
-      return (((segment * 2 + (tumour ? 1U : 0U)) * 2 + (removed ? 1U : 0U)) * 2 + (starved ? 1U : 0U)) * 2 +
-             (held_up ? 1U : 0U);
-    }
+    std::size_t segment;
+    bool tumour, removed, starved, held_up;
   };
-  std::array<std::size_t, segments_and_none * 16> voxels{};
+  std::array<std::size_t, segments_and_none * segment> voxels{};
   std::array<double, segments_and_none> kPa{};  // summed over tissue that stays and is trusted
   std::array<std::size_t, segments_and_none> trusted{};
   std::vector<std::size_t> affected;  // of each place of a cut, what stays
@@ -65,7 +67,7 @@ struct Counts {
   [[nodiscard]] std::size_t of(const Asked& counts) const {
     std::size_t sum = 0;
     for (std::size_t n = 0; n < voxels.size(); ++n) {
-      const Key key{n / 16, (n & 8) != 0, (n & 4) != 0, (n & 2) != 0, (n & 1) != 0};
+      const Key key{n / segment, (n & tumour) != 0, (n & removed) != 0, (n & starved) != 0, (n & held_up) != 0};
       if (counts(key)) sum += voxels[n];
     }
     return sum;
@@ -142,10 +144,10 @@ Result<Planner> Planner::open(const LiverParts& parts, const Progress& progress)
     });
   }
   if (parts.youngs_kPa) {
-    liver->youngs_kPa.assign(organ.voxels, 0);
+    liver->trusted_kPa.assign(organ.voxels, 0);
     parallel_for(organ.runs.size(), 512, [&](std::size_t begin, std::size_t end) {
       sample(organ, *parts.youngs_kPa, begin, end, [&](std::size_t voxel, float value) {
-        if (std::isfinite(value) && value > 0) liver->youngs_kPa[voxel] = value;
+        if (std::isfinite(value) && value > 0) liver->trusted_kPa[voxel] = value;
       });
     });
   }
@@ -156,8 +158,14 @@ Result<Planner> Planner::open(const LiverParts& parts, const Progress& progress)
                     GLISSON_TEXT("looking around the tumours"));
     if (progress.cancelled()) return cancelled();
     liver->tumours.push_back(surroundings_of(parts.tumours[t].name, parts.tumours[t].mask, organ, numbers));
-    for (const std::uint32_t voxel : liver->tumours.back().voxels)
+    for (const std::uint32_t voxel : liver->tumours.back().voxels) {
       liver->tumour[voxel] = static_cast<std::uint8_t>(t + 1);
+      if (!liver->trusted_kPa.empty()) liver->trusted_kPa[voxel] = 0;
+    }
+  }
+  for (std::size_t v = 0; v < organ.voxels; ++v) {
+    const std::size_t place = liver->segment[v] * Counts::segment + (liver->tumour[v] != 0 ? Counts::tumour : 0);
+    liver->place.push_back(static_cast<std::uint8_t>(place));
   }
   progress.report(1, GLISSON_TEXT("done"));
   return Planner(liver);
@@ -167,35 +175,38 @@ Result<PlanAnswer> Planner::answer(const std::vector<Cut>& cuts) const {
   const Liver& liver = *liver_;
   const auto removal = removal_by(cuts, liver.cuttable());
   if (!removal) return failure(removal.error());
-  const CutOff off = cut_off(liver.trees, liver.points, removal->removed);
+  const CutOff off = liver.cut_off_by(*removal);
   const double voxel_ml = liver.organ.voxel_ml();
 
   Counts counts;
-  counts.affected.assign(off.cut.size(), 0);
+  counts.affected.assign(off.cut.size() + 1, 0);
+  std::vector<std::uint32_t> cause;  // of each point, the number of cuts where none
+  for (const std::int32_t one : off.cause) {
+    cause.push_back(static_cast<std::uint32_t>(one < 0 ? static_cast<std::int32_t>(off.cut.size()) : one));
+  }
   std::mutex adding;
   parallel_for(liver.organ.voxels, 1 << 16, [&](std::size_t begin, std::size_t end) {
     Counts here;
-    here.affected.assign(off.cut.size(), 0);
+    here.affected.assign(off.cut.size() + 1, 0);  // the last: those that hang on no cut
+    const auto nowhere = static_cast<std::uint32_t>(off.cut.size());
+    const auto cut_for = [&](std::size_t system, std::size_t voxel) {
+      return liver.has_system[system] ? cause[liver.point[system][voxel]] : nowhere;
+    };
     for (std::size_t v = begin; v < end; ++v) {
-      Counts::Key key{liver.segment[v], liver.tumour[v] != 0, removal->removed[v] != 0, false, false};
-      if (key.removed) {
-        ++here.voxels[key.place()];
+      std::size_t place = liver.place[v];
+      if (removal->removed[v] != 0) {
+        ++here.voxels[place | Counts::removed];
         continue;
       }
-      if (liver.has_system[0]) {
-        const std::int32_t cause = off.cause[liver.point[0][v]];
-        key.starved = cause >= 0;
-        if (key.starved) ++here.affected[static_cast<std::size_t>(cause)];
-      }
-      if (liver.has_system[1]) {
-        const std::int32_t cause = off.cause[liver.point[1][v]];
-        key.held_up = cause >= 0;
-        if (key.held_up) ++here.affected[static_cast<std::size_t>(cause)];
-      }
-      ++here.voxels[key.place()];
-      if (const float kPa = liver.youngs_at(v); kPa > 0 && !key.tumour) {
-        here.kPa[key.segment] += static_cast<double>(kPa);
-        ++here.trusted[key.segment];
+      const std::uint32_t starved = cut_for(0, v), held_up = cut_for(1, v);
+      ++here.affected[starved];
+      ++here.affected[held_up];
+      place |= (starved != nowhere ? Counts::starved : 0) | (held_up != nowhere ? Counts::held_up : 0);
+      ++here.voxels[place];
+      if (liver.trusted_kPa.empty()) continue;
+      if (const float kPa = liver.trusted_kPa[v]; kPa > 0) {
+        here.kPa[place / Counts::segment] += static_cast<double>(kPa);
+        ++here.trusted[place / Counts::segment];
       }
     }
     const std::lock_guard lock(adding);
@@ -263,6 +274,34 @@ Result<PlanAnswer> Planner::answer(const std::vector<Cut>& cuts) const {
   return answer;
 }
 
+CutOff Planner::Liver::cut_off_by(const Removal& removal) const {
+  const auto why = [&](std::size_t number) {
+    const std::int32_t voxel = points.voxel[number];
+    return voxel < 0 ? std::uint8_t{0} : removal.removed[static_cast<std::size_t>(voxel)];
+  };
+  if (!removal.along_anatomy) {
+    return cut_off(trees, points, [&](std::size_t number) { return why(number) != 0; });
+  }
+  std::vector<std::size_t> all(points.count() + 1, 0), gone(points.count() + 1, 0);
+  for (std::size_t s = 0; s < 2; ++s) {
+    if (!has_system[s]) continue;
+    for (std::size_t p = 0; p < all.size(); ++p) all[p] += tissue[s][p];
+    std::mutex adding;
+    parallel_for(organ.voxels, 1 << 16, [&](std::size_t begin, std::size_t end) {
+      std::vector<std::uint32_t> here(gone.size(), 0);
+      for (std::size_t v = begin; v < end; ++v) here[point[s][v]] += removal.removed[v] != 0 ? 1 : 0;
+      const std::lock_guard lock(adding);
+      for (std::size_t p = 0; p < gone.size(); ++p) gone[p] += here[p];
+    });
+  }
+  all = sum_beyond(trees, points, all);
+  gone = sum_beyond(trees, points, gone);
+  return cut_off(trees, points, [&](std::size_t number) {
+    const std::uint8_t because = why(number);
+    return (because & goes_with_vessels) != 0 || (because != 0 && all[number] > 0 && 2 * gone[number] >= all[number]);
+  });
+}
+
 Result<imaging::Mask> Planner::parts(const std::vector<Cut>& cuts) const {
   const Organ& organ = liver_->organ;
   const auto removal = removal_by(cuts, liver_->cuttable());
@@ -271,7 +310,7 @@ Result<imaging::Mask> Planner::parts(const std::vector<Cut>& cuts) const {
   for (const Run& run : organ.runs) {
     const std::uint8_t* from = removal->removed.data() + run.first;
     std::transform(from, from + run.length, mask.values.data() + organ.grid.offset(run.i, run.j, run.k),
-                   [](std::uint8_t goes) { return static_cast<std::uint8_t>(1 + goes); });
+                   [](std::uint8_t goes) { return static_cast<std::uint8_t>(goes != 0 ? 2 : 1); });
   }
   return mask;
 }

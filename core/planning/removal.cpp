@@ -39,7 +39,7 @@ class Taking {
  private:
   Result<void> take_side(CutSurface surface, Removed which);
   template <typename Taken>
-  std::size_t take_where(const Taken& taken);
+  std::size_t take_where(std::uint8_t why, const Taken& taken);
 
   const Cuttable& liver_;
   Removal& removal_;
@@ -94,13 +94,13 @@ Result<Removal> removal_by(const std::vector<Cut>& cuts, const Cuttable& liver) 
 namespace {
 
 template <typename Taken>
-std::size_t Taking::take_where(const Taken& taken) {
+std::size_t Taking::take_where(std::uint8_t why, const Taken& taken) {
   std::atomic<std::size_t> count = 0;
   parallel_for(liver_.organ.voxels, 1 << 16, [&](std::size_t begin, std::size_t end) {
     std::size_t here = 0;
     for (std::size_t v = begin; v < end; ++v) {
       const bool goes = taken(v);
-      removal_.removed[v] |= static_cast<std::uint8_t>(goes);
+      removal_.removed[v] |= goes ? why : std::uint8_t{0};
       here += goes ? 1 : 0;
     }
     count += here;
@@ -122,7 +122,7 @@ Result<void> Taking::take_side(CutSurface surface, Removed which) {
   const bool above_is_smaller = 2 * count <= liver_.organ.voxels;
   const bool above_goes = which == Removed::above || which == (above_is_smaller ? Removed::smaller : Removed::larger);
   const auto wanted = static_cast<std::uint8_t>(above_goes);
-  take_where([&](std::size_t v) { return above[v] == wanted; });
+  take_where(goes_with_vessels, [&](std::size_t v) { return above[v] == wanted; });
   removal_.cuts.push_back({std::move(surface), above_goes ? 1.0 : -1.0, {}, 0});
   return {};
 }
@@ -150,8 +150,9 @@ Result<void> Taking::operator()(const SegmentsCut& cut) {
     }
     goes.at(static_cast<std::size_t>(segment)) = true;
   }
-  take_where([&](std::size_t v) { return goes[liver_.segment[v]]; });
+  take_where(goes_by_anatomy, [&](std::size_t v) { return goes[liver_.segment[v]]; });
   removal_.cuts.emplace_back();
+  removal_.along_anatomy = true;
   return {};
 }
 
@@ -178,7 +179,8 @@ Result<void> Taking::operator()(const TerritoryCut& cut) {
     for (std::size_t p = liver_.points.first[b]; p < liver_.points.first[b + 1]; ++p) of_point[p] = taken[b] ? 1 : 0;
   }
   const auto& point = liver_.point.at(static_cast<std::size_t>(*system));
-  const std::size_t count = point.empty() ? 0 : take_where([&](std::size_t v) { return of_point[point[v]] != 0; });
+  const std::size_t count =
+      point.empty() ? 0 : take_where(goes_by_anatomy, [&](std::size_t v) { return of_point[point[v]] != 0; });
   if (count == 0) {
     return failure(Error{"territory-empty",
                          GLISSON_TEXT("No tissue of the liver belongs to the branch {0}."),
@@ -187,6 +189,7 @@ Result<void> Taking::operator()(const TerritoryCut& cut) {
                          {}});
   }
   removal_.cuts.emplace_back();
+  removal_.along_anatomy = true;
   return {};
 }
 
@@ -204,10 +207,10 @@ Result<void> Taking::operator()(const MarginCut& cut) {
     return failure("margin-invalid", GLISSON_TEXT("The margin around {0} must be 0 to {1} mm."),
                    {cut.tumour, fmt::format("{:g}", largest_margin_mm)});
   }
-  for (const std::uint32_t voxel : tumour->voxels) removal_.removed[voxel] = 1;
+  for (const std::uint32_t voxel : tumour->voxels) removal_.removed[voxel] |= goes_with_vessels;
   for (const auto& near : tumour->around) {
     if (near.distance_mm > cut.margin_mm + 0.05) break;  // in order but for a twentieth of a millimetre
-    if (near.distance_mm <= cut.margin_mm) removal_.removed[near.voxel] = 1;
+    if (near.distance_mm <= cut.margin_mm) removal_.removed[near.voxel] |= goes_with_vessels;
   }
   removal_.cuts.push_back({{}, 1, static_cast<std::size_t>(tumour - liver_.tumours.begin()), cut.margin_mm});
   return {};

@@ -100,27 +100,6 @@ LiverParts parts_of_ball() {
 
 using Goes = std::function<bool(const Vector3d&)>;
 
-// Walks from the point of a branch to the stem: whether any of it goes. Points stand for the voxels they fall into.
-bool is_cut_off(const VesselTrees& trees, const Mask& liver, const Goes& goes, int branch, int point) {
-  while (branch >= 0) {
-    const TreeBranch& here = trees.branches[static_cast<std::size_t>(branch)];
-    for (int p = point; p >= 0; --p) {
-      const Vector3d index = liver.grid.index_of(here.points[static_cast<std::size_t>(p)].position_mm);
-      if (goes(liver.grid.position_mm(Vector3d((index.array() + 0.5).floor())))) return true;
-    }
-    const Vector3d joint = here.points.front().position_mm;
-    branch = here.parent;
-    if (branch < 0) break;
-    const TreeBranch& parent = trees.branches[static_cast<std::size_t>(branch)];
-    double nearest_mm = 1e9;
-    for (int p = 0; p < static_cast<int>(parent.points.size()); ++p) {
-      const double away = (parent.points[static_cast<std::size_t>(p)].position_mm - joint).norm();
-      if (away < nearest_mm) nearest_mm = away, point = p;
-    }
-  }
-  return false;
-}
-
 struct Nearest {
   int branch = -1, point = 0;
 };
@@ -139,24 +118,100 @@ Nearest nearest_vessel(const VesselTrees& trees, System system, const Vector3d& 
   return nearest;
 }
 
+// Walks from the point of a branch to the stem, past every point on the way, until `visit` has seen enough.
+void walk_to_stem(const VesselTrees& trees, Nearest from, const std::function<bool(const Nearest&)>& visit) {
+  while (from.branch >= 0) {
+    const TreeBranch& here = trees.branches[static_cast<std::size_t>(from.branch)];
+    for (; from.point >= 0; --from.point) {
+      if (!visit(from)) return;
+    }
+    const Vector3d joint = here.points.front().position_mm;
+    from = {here.parent, 0};
+    if (from.branch < 0) return;
+    const TreeBranch& parent = trees.branches[static_cast<std::size_t>(from.branch)];
+    double nearest_mm = 1e9;
+    for (int p = 0; p < static_cast<int>(parent.points.size()); ++p) {
+      const double away = (parent.points[static_cast<std::size_t>(p)].position_mm - joint).norm();
+      if (away < nearest_mm) nearest_mm = away, from.point = p;
+    }
+  }
+}
+
+// Whether vessels that only run through are spared.
+enum class Along { surface, anatomy };
+
+// What a voxel hangs on. Where vessels are spared, by the territories that the planner is given: the half of a vessel's
+// tissue is reached at one of its points, and half a voxel more or less here and there would move it to the next.
+Nearest hangs_on(const LiverParts& parts, System system, Along along, int i, int j, int k) {
+  const Vector3d at = parts.liver.grid.position_mm(i, j, k);
+  if (along == Along::surface) return nearest_vessel(parts.trees, system, at);
+  const int branch = (system == System::portal_vein ? parts.portal : parts.hepatic)->at(i, j, k) - 1;
+  Nearest nearest{branch, 0};
+  double nearest_mm = 1e9;
+  const auto& points = parts.trees.branches[static_cast<std::size_t>(branch)].points;
+  for (int p = 0; p < static_cast<int>(points.size()); ++p) {
+    const double away = (points[static_cast<std::size_t>(p)].position_mm - at).norm();
+    if (away < nearest_mm) nearest_mm = away, nearest.point = p;
+  }
+  return nearest;
+}
+
+// Where vessels are cut. Points stand for the voxels they fall into.
+using IsCut = std::function<bool(const Nearest&)>;
+IsCut cutting(const LiverParts& parts, const Goes& goes, Along along) {
+  const auto goes_at = [&parts, goes](const Nearest& at) {
+    const auto& point =
+        parts.trees.branches[static_cast<std::size_t>(at.branch)].points[static_cast<std::size_t>(at.point)];
+    const Vector3d index = parts.liver.grid.index_of(point.position_mm);
+    return goes(parts.liver.grid.position_mm(Vector3d((index.array() + 0.5).floor())));
+  };
+  if (along == Along::surface) return goes_at;
+  std::map<std::pair<int, int>, std::pair<int, int>> hang;  // on each point: all voxels, and those that go
+  for (const System system : {System::portal_vein, System::hepatic_vein}) {
+    for_each_voxel(parts.liver, [&](int i, int j, int k, const Vector3d& at) {
+      const bool is_gone = goes(at);
+      walk_to_stem(parts.trees, hangs_on(parts, system, along, i, j, k), [&](const Nearest& passed) {
+        auto& [all, gone] = hang[{passed.branch, passed.point}];
+        ++all;
+        gone += is_gone ? 1 : 0;
+        return true;
+      });
+    });
+  }
+  return [goes_at, hang](const Nearest& at) {
+    const auto found = hang.find({at.branch, at.point});
+    return goes_at(at) && found != hang.end() && 2 * found->second.second >= found->second.first;
+  };
+}
+
+bool is_cut_off(const VesselTrees& trees, const Nearest& from, const IsCut& is_cut) {
+  bool found = false;
+  walk_to_stem(trees, from, [&](const Nearest& passed) {
+    found = is_cut(passed);
+    return !found;
+  });
+  return found;
+}
+
 // What the judge finds.
 struct Judged {
   double removed_ml = 0, left_ml = 0, functional_left_ml = 0, ischaemic_ml = 0, congested_ml = 0, living_ml = 0;
   std::array<double, 9> segment_left_ml{}, segment_kPa{}, segment_trusted_ml{};
 };
-Judged judged(const LiverParts& parts, const Goes& goes) {
+Judged judged(const LiverParts& parts, const Goes& goes, Along along) {
+  const IsCut is_cut = cutting(parts, goes, along);
   Judged judge;
   const double ml = parts.liver.grid.voxel_volume_mm3() / 1000;
-  for_each_voxel(parts.liver, [&](int, int, int, const Vector3d& at) {
+  for_each_voxel(parts.liver, [&](int i, int j, int k, const Vector3d& at) {
     if (goes(at)) {
       judge.removed_ml += ml;
       return;
     }
     judge.left_ml += ml;
-    const Nearest portal = nearest_vessel(parts.trees, System::portal_vein, at);
-    const Nearest hepatic = nearest_vessel(parts.trees, System::hepatic_vein, at);
-    const bool starved = is_cut_off(parts.trees, parts.liver, goes, portal.branch, portal.point);
-    const bool held_up = is_cut_off(parts.trees, parts.liver, goes, hepatic.branch, hepatic.point);
+    const Nearest portal = hangs_on(parts, System::portal_vein, along, i, j, k);
+    const Nearest hepatic = hangs_on(parts, System::hepatic_vein, along, i, j, k);
+    const bool starved = is_cut_off(parts.trees, portal, is_cut);
+    const bool held_up = is_cut_off(parts.trees, hepatic, is_cut);
     judge.ischaemic_ml += starved ? ml : 0;
     judge.congested_ml += held_up ? ml : 0;
     judge.living_ml += starved || held_up ? 0 : ml;
@@ -171,12 +226,13 @@ Judged judged(const LiverParts& parts, const Goes& goes) {
   return judge;
 }
 
-void expect_as_judged(const LiverParts& parts, const std::vector<Cut>& cuts, const Goes& goes) {
+void expect_as_judged(const LiverParts& parts, const std::vector<Cut>& cuts, const Goes& goes,
+                      Along along = Along::surface) {
   const auto planner = Planner::open(parts);
   ASSERT_TRUE(planner) << planner.error().message();
   const auto answer = planner->answer(cuts);
   ASSERT_TRUE(answer) << answer.error().message();
-  const Judged judge = judged(parts, goes);
+  const Judged judge = judged(parts, goes, along);
   const double within_ml = 0.01 * judge.left_ml;
   EXPECT_NEAR(answer->removed_ml, judge.removed_ml, within_ml);
   EXPECT_NEAR(answer->remnant_ml, judge.left_ml, within_ml);
@@ -228,16 +284,42 @@ TEST(Planner, AnswersASheetAsBruteForceDoes) {
 
 TEST(Planner, TakesSegmentsTerritoriesAndWhatIsAroundATumourTogether) {
   const LiverParts parts = parts_of_ball();
-  expect_as_judged(parts, {SegmentsCut{{2, 6}}}, [](const Vector3d& at) { return octant(at) == 2 || octant(at) == 6; });
-  expect_as_judged(parts, {TerritoryCut{"portal/left"}}, [&](const Vector3d& at) {
-    const int branch = nearest_vessel(parts.trees, System::portal_vein, at).branch;
-    return branch == 1 || branch == 3;
-  });
+  expect_as_judged(
+      parts, {SegmentsCut{{2, 6}}}, [](const Vector3d& at) { return octant(at) == 2 || octant(at) == 6; },
+      Along::anatomy);
+  expect_as_judged(
+      parts, {TerritoryCut{"portal/left"}},
+      [&](const Vector3d& at) {
+        const int branch = nearest_vessel(parts.trees, System::portal_vein, at).branch;
+        return branch == 1 || branch == 3;
+      },
+      Along::anatomy);
   // A voxel's border lies half a voxel beyond its centre, for the tumour as for what goes around it.
   const auto around = [](const Vector3d& at) { return (at - tumour_mm).norm() <= tumour_radius_mm + 4; };
   expect_as_judged(parts, {MarginCut{"tumour-1", 4}}, around);
   expect_as_judged(parts, {MarginCut{"tumour-1", 4}, PlaneCut{{15, 0, 0}, {1, 0, 0}, Removed::smaller}},
                    [&](const Vector3d& at) { return around(at) || at.x() > 15; });
+}
+
+// A stem that runs along the border of what is taken stays, and so does what it feeds.
+TEST(Planner, SparesVesselsThatOnlyRunThroughASegment) {
+  LiverParts parts = parts_of_ball();
+  // Around the portal stem below, and nothing else.
+  for_each_voxel(parts.liver, [&](int i, int j, int k, const Vector3d& at) {
+    parts.segments->at(i, j, k) = at.head<2>().norm() < 8 && at.z() < -8 && at.z() > -22 ? 1 : 2;
+  });
+  const auto planner = Planner::open(parts);
+  ASSERT_TRUE(planner);
+  const auto answer = planner->answer({SegmentsCut{{1}}});
+  ASSERT_TRUE(answer);
+  EXPECT_TRUE(answer->branches.empty());
+  EXPECT_NEAR(*answer->living_ml, answer->remnant_ml, 1e-6);
+  // A margin spares nothing: who cuts out a ball there cuts the stem.
+  parts.tumours.push_back({"tumour-2", ball_at(parts.liver, {0, 0, -15}, 4)});
+  const auto around = Planner::open(parts)->answer({MarginCut{"tumour-2", 2}});
+  ASSERT_TRUE(around);
+  ASSERT_EQ(around->branches.size(), 1u);
+  EXPECT_GT(*around->ischaemic_ml, 0.5 * around->remnant_ml);
 }
 
 TEST(Planner, NamesTheBranchesThatAreCut) {

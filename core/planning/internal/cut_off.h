@@ -2,6 +2,7 @@
 // Points of vessel trees by number, and which of them hang on a branch that is cut.
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "imaging/image.h"
@@ -34,8 +35,12 @@ struct CutOff {
   };
   std::vector<Place> cut;
 };
-// `removed`: not 0 for the voxels that go.
+// What hangs on a point and on all beyond it.
+[[nodiscard]] std::vector<std::size_t> sum_beyond(const vasculature::VesselTrees& trees, const TreePoints& points,
+                                                  const std::vector<std::size_t>& at_points);
+
+// A branch is cut at its first point, counted from the stem, for which is_cut(number of the point).
 [[nodiscard]] CutOff cut_off(const vasculature::VesselTrees& trees, const TreePoints& points,
-                             const std::vector<std::uint8_t>& removed);
+                             const std::function<bool(std::size_t)>& is_cut);
 
 }  // namespace glisson::planning

@@ -43,9 +43,14 @@ struct PreparedCut {
   double margin_mm = 0;
 };
 
+// Why a voxel goes, bit by bit: by a cut that spares no vessel (plane, sheet, margin), or by one along the anatomy
+// (segments, territory), which spares those that only run through.
+inline constexpr std::uint8_t goes_with_vessels = 1, goes_by_anatomy = 2;
+
 struct Removal {
-  std::vector<std::uint8_t> removed;  // of each voxel
+  std::vector<std::uint8_t> removed;  // of each voxel; 0: it stays
   std::vector<PreparedCut> cuts;
+  bool along_anatomy = false;  // some of it goes by anatomy
 };
 
 // Failures: as Planner::answer.
