@@ -4805,12 +4805,208 @@
         <translation>Die Lage bringt einen Punkt der Aufnahme (mm) ins System der Kamera.</translation>
     </message>
     <message>
-        <source>What is removed and the territories lie on different grids.</source>
-        <translation>Was entfernt wird und die Gebiete liegen auf verschiedenen Gittern.</translation>
-    </message>
-    <message>
         <source>nothing was written into it</source>
         <translation>nichts wurde hineingeschrieben</translation>
+    </message>
+    <message>
+        <source>The case has no plan {0}.</source>
+        <translation>Der Fall hat keinen Plan {0}.</translation>
+    </message>
+    <message>
+        <source>{0} must be whole numbers from 1 to 8, Couinaud&apos;s segments.</source>
+        <translation>{0} müssen ganze Zahlen von 1 bis 8 sein, die Segmente nach Couinaud.</translation>
+    </message>
+    <message>
+        <source>{0} needs one of plane, sheet, segments, territory, around.</source>
+        <translation>{0} braucht eines von plane, sheet, segments, territory, around.</translation>
+    </message>
+    <message>
+        <source>{0} is not of the format glisson-plan/1.</source>
+        <translation>{0} hat nicht das Format glisson-plan/1.</translation>
+    </message>
+    <message>
+        <source>{0} needs at least one cut in its list of cuts.</source>
+        <translation>{0} braucht mindestens einen Schnitt in der Liste cuts.</translation>
+    </message>
+    <message>
+        <source>A plan takes at most 255 tumours; there are {0}.</source>
+        <translation>Ein Plan fasst höchstens 255 Tumoren; es sind {0}.</translation>
+    </message>
+    <message>
+        <source>The liver&apos;s outline is empty.</source>
+        <translation>Der Umriss der Leber ist leer.</translation>
+    </message>
+    <message>
+        <source>looking what hangs on which vessel</source>
+        <translation>sucht, was an welchem Gefäß hängt</translation>
+    </message>
+    <message>
+        <source>looking at segments and stiffness</source>
+        <translation>sieht Segmente und Steifigkeit an</translation>
+    </message>
+    <message>
+        <source>looking around the tumours</source>
+        <translation>sieht um die Tumoren herum nach</translation>
+    </message>
+    <message>
+        <source>The plan holds no cut.</source>
+        <translation>Der Plan enthält keinen Schnitt.</translation>
+    </message>
+    <message>
+        <source>The plan takes the whole liver: nothing would be left.</source>
+        <translation>Der Plan nimmt die ganze Leber: Es bliebe nichts.</translation>
+    </message>
+    <message>
+        <source>The liver&apos;s segments are not known yet.</source>
+        <translation>Die Segmente der Leber sind noch nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Find them first (glisson-cli territories).</source>
+        <translation>Bestimmen Sie sie zuerst (glisson-cli territories).</translation>
+    </message>
+    <message>
+        <source>The plan names no segment to take: give numbers from 1 to 8.</source>
+        <translation>Der Plan nennt kein Segment: Geben Sie Nummern von 1 bis 8 an.</translation>
+    </message>
+    <message>
+        <source>There is no segment {0}: Couinaud&apos;s are 1 to 8.</source>
+        <translation>Es gibt kein Segment {0}: Die nach Couinaud sind 1 bis 8.</translation>
+    </message>
+    <message>
+        <source>Segment {0} holds no tissue of this liver.</source>
+        <translation>Segment {0} enthält kein Gewebe dieser Leber.</translation>
+    </message>
+    <message>
+        <source>There is no branch {0} in the vessel trees.</source>
+        <translation>Es gibt keinen Ast {0} in den Gefäßbäumen.</translation>
+    </message>
+    <message>
+        <source>glisson-cli vessels lists their names; portal/right/posterior stands for all that begin so.</source>
+        <translation>glisson-cli vessels nennt ihre Namen; portal/right/posterior steht für alle, die so beginnen.</translation>
+    </message>
+    <message>
+        <source>No tissue of the liver belongs to the branch {0}.</source>
+        <translation>Kein Gewebe der Leber gehört zum Ast {0}.</translation>
+    </message>
+    <message>
+        <source>Take a branch nearer to the stem.</source>
+        <translation>Nehmen Sie einen Ast näher am Stamm.</translation>
+    </message>
+    <message>
+        <source>There is no tumour {0} in the liver.</source>
+        <translation>Es gibt keinen Tumor {0} in der Leber.</translation>
+    </message>
+    <message>
+        <source>Give the name of a structure of the case that lies in the liver.</source>
+        <translation>Nennen Sie eine Struktur des Falls, die in der Leber liegt.</translation>
+    </message>
+    <message>
+        <source>The margin around {0} must be 0 to {1} mm.</source>
+        <translation>Der Abstand um {0} muss 0 bis {1} mm sein.</translation>
+    </message>
+    <message>
+        <source>Plans compared</source>
+        <translation>Pläne im Vergleich</translation>
+    </message>
+    <message>
+        <source>{0} no longer holds: {1}</source>
+        <translation>{0} gilt nicht mehr: {1}</translation>
+    </message>
+    <message>
+        <source>What {0} was made from has changed since it was kept.</source>
+        <translation>Woraus {0} gemacht wurde, hat sich seither geändert.</translation>
+    </message>
+    <message>
+        <source>Per cent are of the liver without its tumours. Thresholds are the surgeon&apos;s to set.</source>
+        <translation>Prozente gelten für die Leber ohne ihre Tumoren. Schwellen setzt der Chirurg.</translation>
+    </message>
+    <message>
+        <source>Removed (ml)</source>
+        <translation>Entfernt (ml)</translation>
+    </message>
+    <message>
+        <source>Left (ml)</source>
+        <translation>Bleibt (ml)</translation>
+    </message>
+    <message>
+        <source>Left (%)</source>
+        <translation>Bleibt (%)</translation>
+    </message>
+    <message>
+        <source>Left and alive: perfused and drained (ml)</source>
+        <translation>Bleibt lebend: durchblutet und drainiert (ml)</translation>
+    </message>
+    <message>
+        <source>Left and alive (%)</source>
+        <translation>Bleibt lebend (%)</translation>
+    </message>
+    <message>
+        <source>Left without inflow: ischaemic (ml)</source>
+        <translation>Bleibt ohne Zufluss: ischämisch (ml)</translation>
+    </message>
+    <message>
+        <source>Left without outflow: congested (ml)</source>
+        <translation>Bleibt ohne Abfluss: gestaut (ml)</translation>
+    </message>
+    <message>
+        <source>Smallest margin (mm)</source>
+        <translation>Kleinster Abstand (mm)</translation>
+    </message>
+    <message>
+        <source>Tumours cut through or left</source>
+        <translation>Tumoren durchschnitten oder belassen</translation>
+    </message>
+    <message>
+        <source>Stiffness of what is left (kPa)</source>
+        <translation>Steifigkeit des Bleibenden (kPa)</translation>
+    </message>
+    <message>
+        <source>Measured share of it (%)</source>
+        <translation>Davon gemessen (%)</translation>
+    </message>
+    <message>
+        <source>What stays of each segment, in ml.</source>
+        <translation>Was von jedem Segment bleibt, in ml.</translation>
+    </message>
+    <message>
+        <source>Segment</source>
+        <translation>Segment</translation>
+    </message>
+    <message>
+        <source>{0}: branches that are cut, with the tissue beyond the cut.</source>
+        <translation>{0}: Äste, die durchtrennt werden, mit dem Gewebe jenseits des Schnitts.</translation>
+    </message>
+    <message>
+        <source>Branch</source>
+        <translation>Ast</translation>
+    </message>
+    <message>
+        <source>Beyond it (ml)</source>
+        <translation>Dahinter (ml)</translation>
+    </message>
+    <message>
+        <source>Of that left (ml)</source>
+        <translation>Davon bleibt (ml)</translation>
+    </message>
+    <message>
+        <source>The case has no plan to compare.</source>
+        <translation>Der Fall hat keinen Plan zum Vergleichen.</translation>
+    </message>
+    <message>
+        <source>Add some first: glisson-cli plan CASE --add PLAN.json.</source>
+        <translation>Fügen Sie zuerst welche hinzu: glisson-cli plan CASE --add PLAN.json.</translation>
+    </message>
+    <message>
+        <source>Make the demo anew.</source>
+        <translation>Erstellen Sie die Demo neu.</translation>
+    </message>
+    <message>
+        <source>{0} has no tumour to be found.</source>
+        <translation>{0} hat keinen Tumor, der zu finden wäre.</translation>
+    </message>
+    <message>
+        <source>The liver of {0} was found in no frame of its own video.</source>
+        <translation>Die Leber von {0} wurde in keinem Bild ihres eigenen Videos gefunden.</translation>
     </message>
     <message>
         <source>Writing the video</source>
@@ -4827,18 +5023,6 @@
     <message>
         <source>Reading the clouds</source>
         <translation>Punktwolken werden gelesen</translation>
-    </message>
-    <message>
-        <source>Make the demo anew.</source>
-        <translation>Erstellen Sie die Demo neu.</translation>
-    </message>
-    <message>
-        <source>{0} has no tumour to be found.</source>
-        <translation>{0} hat keinen Tumor, der zu finden wäre.</translation>
-    </message>
-    <message>
-        <source>The liver of {0} was found in no frame of its own video.</source>
-        <translation>Die Leber von {0} wurde in keinem Bild ihres eigenen Videos gefunden.</translation>
     </message>
 </context>
 <context>
@@ -5873,6 +6057,10 @@ Keine Messungen zur Hand? Probieren Sie das Beispiel: eine simulierte Gewebeprob
         <translation>Auf den Bildern eines Laparoskops sehen, wo Tumoren und Gefäße liegen und wie weit dem zu trauen ist.</translation>
     </message>
     <message>
+        <source>The liver in space, with what was seen of it</source>
+        <translation>Die Leber im Raum, mit dem, was von ihr gesehen wurde</translation>
+    </message>
+    <message>
         <source>Open another...</source>
         <translation>Andere öffnen …</translation>
     </message>
@@ -5941,12 +6129,16 @@ Keine Messungen zur Hand? Probieren Sie das Beispiel: eine simulierte Gewebeprob
         <translation>hier nicht trauen</translation>
     </message>
     <message>
+        <source>%1: do not trust, ±%2 mm</source>
+        <translation>%1: nicht trauen, ±%2 mm</translation>
+    </message>
+    <message>
         <source>%1 ±%2 mm, %3 mm deep</source>
         <translation>%1 ±%2 mm, %3 mm tief</translation>
     </message>
     <message>
-        <source>%1: do not trust, ±%2 mm</source>
-        <translation>%1: nicht trauen, ±%2 mm</translation>
+        <source>%1 ±%2 mm</source>
+        <translation>%1 ±%2 mm</translation>
     </message>
     <message>
         <source>The sequence names no camera, so that nothing can be drawn over the video.</source>
@@ -5977,6 +6169,10 @@ Keine Messungen zur Hand? Probieren Sie das Beispiel: eine simulierte Gewebeprob
         <translation>Trauen Sie auf %1 mm genau keinem Umriss dieses Bildes.</translation>
     </message>
     <message>
+        <source>Not to be trusted everywhere to %1 mm: %2.</source>
+        <translation>Nicht überall auf %1 mm genau: %2.</translation>
+    </message>
+    <message>
         <source>%1 % of the liver&apos;s surface is seen; it is deformed by %2 mm.</source>
         <translation>%1 % der Leberoberfläche sind zu sehen; sie ist um %2 mm verformt.</translation>
     </message>
@@ -5995,18 +6191,6 @@ Keine Messungen zur Hand? Probieren Sie das Beispiel: eine simulierte Gewebeprob
     <message>
         <source>Frame %1 with outlines</source>
         <translation>Bild %1 mit Umrissen</translation>
-    </message>
-    <message>
-        <source>%1 ±%2 mm</source>
-        <translation>%1 ±%2 mm</translation>
-    </message>
-    <message>
-        <source>The liver in space, with what was seen of it</source>
-        <translation>Die Leber im Raum, mit dem, was von ihr gesehen wurde</translation>
-    </message>
-    <message>
-        <source>Not to be trusted everywhere to %1 mm: %2.</source>
-        <translation>Nicht überall auf %1 mm genau: %2.</translation>
     </message>
 </context>
 <context>

@@ -4805,12 +4805,208 @@
         <translation>La pose lleva un punto del estudio (mm) al sistema de la cámara.</translation>
     </message>
     <message>
-        <source>What is removed and the territories lie on different grids.</source>
-        <translation>Lo que se extirpa y los territorios están en rejillas distintas.</translation>
-    </message>
-    <message>
         <source>nothing was written into it</source>
         <translation>no se escribió nada en él</translation>
+    </message>
+    <message>
+        <source>The case has no plan {0}.</source>
+        <translation>El caso no tiene ningún plan {0}.</translation>
+    </message>
+    <message>
+        <source>{0} must be whole numbers from 1 to 8, Couinaud&apos;s segments.</source>
+        <translation>{0} deben ser números enteros de 1 a 8, los segmentos de Couinaud.</translation>
+    </message>
+    <message>
+        <source>{0} needs one of plane, sheet, segments, territory, around.</source>
+        <translation>{0} necesita uno de plane, sheet, segments, territory, around.</translation>
+    </message>
+    <message>
+        <source>{0} is not of the format glisson-plan/1.</source>
+        <translation>{0} no tiene el formato glisson-plan/1.</translation>
+    </message>
+    <message>
+        <source>{0} needs at least one cut in its list of cuts.</source>
+        <translation>{0} necesita al menos una sección en su lista cuts.</translation>
+    </message>
+    <message>
+        <source>A plan takes at most 255 tumours; there are {0}.</source>
+        <translation>Un plan admite como máximo 255 tumores; hay {0}.</translation>
+    </message>
+    <message>
+        <source>The liver&apos;s outline is empty.</source>
+        <translation>El contorno del hígado está vacío.</translation>
+    </message>
+    <message>
+        <source>looking what hangs on which vessel</source>
+        <translation>buscando qué depende de cada vaso</translation>
+    </message>
+    <message>
+        <source>looking at segments and stiffness</source>
+        <translation>examinando segmentos y rigidez</translation>
+    </message>
+    <message>
+        <source>looking around the tumours</source>
+        <translation>examinando alrededor de los tumores</translation>
+    </message>
+    <message>
+        <source>The plan holds no cut.</source>
+        <translation>El plan no contiene ninguna sección.</translation>
+    </message>
+    <message>
+        <source>The plan takes the whole liver: nothing would be left.</source>
+        <translation>El plan se lleva todo el hígado: no quedaría nada.</translation>
+    </message>
+    <message>
+        <source>The liver&apos;s segments are not known yet.</source>
+        <translation>Los segmentos del hígado aún no se conocen.</translation>
+    </message>
+    <message>
+        <source>Find them first (glisson-cli territories).</source>
+        <translation>Hállelos primero (glisson-cli territories).</translation>
+    </message>
+    <message>
+        <source>The plan names no segment to take: give numbers from 1 to 8.</source>
+        <translation>El plan no nombra ningún segmento: dé números de 1 a 8.</translation>
+    </message>
+    <message>
+        <source>There is no segment {0}: Couinaud&apos;s are 1 to 8.</source>
+        <translation>No hay segmento {0}: los de Couinaud son del 1 al 8.</translation>
+    </message>
+    <message>
+        <source>Segment {0} holds no tissue of this liver.</source>
+        <translation>El segmento {0} no contiene tejido de este hígado.</translation>
+    </message>
+    <message>
+        <source>There is no branch {0} in the vessel trees.</source>
+        <translation>No hay ninguna rama {0} en los árboles vasculares.</translation>
+    </message>
+    <message>
+        <source>glisson-cli vessels lists their names; portal/right/posterior stands for all that begin so.</source>
+        <translation>glisson-cli vessels da sus nombres; portal/right/posterior vale por todos los que empiezan así.</translation>
+    </message>
+    <message>
+        <source>No tissue of the liver belongs to the branch {0}.</source>
+        <translation>Ningún tejido del hígado pertenece a la rama {0}.</translation>
+    </message>
+    <message>
+        <source>Take a branch nearer to the stem.</source>
+        <translation>Tome una rama más cercana al tronco.</translation>
+    </message>
+    <message>
+        <source>There is no tumour {0} in the liver.</source>
+        <translation>No hay ningún tumor {0} en el hígado.</translation>
+    </message>
+    <message>
+        <source>Give the name of a structure of the case that lies in the liver.</source>
+        <translation>Dé el nombre de una estructura del caso situada en el hígado.</translation>
+    </message>
+    <message>
+        <source>The margin around {0} must be 0 to {1} mm.</source>
+        <translation>El margen alrededor de {0} debe ser de 0 a {1} mm.</translation>
+    </message>
+    <message>
+        <source>Plans compared</source>
+        <translation>Planes comparados</translation>
+    </message>
+    <message>
+        <source>{0} no longer holds: {1}</source>
+        <translation>{0} ya no es válido: {1}</translation>
+    </message>
+    <message>
+        <source>What {0} was made from has changed since it was kept.</source>
+        <translation>Aquello de lo que se hizo {0} ha cambiado desde entonces.</translation>
+    </message>
+    <message>
+        <source>Per cent are of the liver without its tumours. Thresholds are the surgeon&apos;s to set.</source>
+        <translation>Los porcentajes son del hígado sin sus tumores. Los umbrales los fija el cirujano.</translation>
+    </message>
+    <message>
+        <source>Removed (ml)</source>
+        <translation>Extirpado (ml)</translation>
+    </message>
+    <message>
+        <source>Left (ml)</source>
+        <translation>Queda (ml)</translation>
+    </message>
+    <message>
+        <source>Left (%)</source>
+        <translation>Queda (%)</translation>
+    </message>
+    <message>
+        <source>Left and alive: perfused and drained (ml)</source>
+        <translation>Queda vivo: perfundido y drenado (ml)</translation>
+    </message>
+    <message>
+        <source>Left and alive (%)</source>
+        <translation>Queda vivo (%)</translation>
+    </message>
+    <message>
+        <source>Left without inflow: ischaemic (ml)</source>
+        <translation>Queda sin aporte: isquémico (ml)</translation>
+    </message>
+    <message>
+        <source>Left without outflow: congested (ml)</source>
+        <translation>Queda sin drenaje: congestivo (ml)</translation>
+    </message>
+    <message>
+        <source>Smallest margin (mm)</source>
+        <translation>Menor margen (mm)</translation>
+    </message>
+    <message>
+        <source>Tumours cut through or left</source>
+        <translation>Tumores seccionados o dejados</translation>
+    </message>
+    <message>
+        <source>Stiffness of what is left (kPa)</source>
+        <translation>Rigidez de lo que queda (kPa)</translation>
+    </message>
+    <message>
+        <source>Measured share of it (%)</source>
+        <translation>Parte medida (%)</translation>
+    </message>
+    <message>
+        <source>What stays of each segment, in ml.</source>
+        <translation>Lo que queda de cada segmento, en ml.</translation>
+    </message>
+    <message>
+        <source>Segment</source>
+        <translation>Segmento</translation>
+    </message>
+    <message>
+        <source>{0}: branches that are cut, with the tissue beyond the cut.</source>
+        <translation>{0}: ramas seccionadas, con el tejido más allá de la sección.</translation>
+    </message>
+    <message>
+        <source>Branch</source>
+        <translation>Rama</translation>
+    </message>
+    <message>
+        <source>Beyond it (ml)</source>
+        <translation>Más allá (ml)</translation>
+    </message>
+    <message>
+        <source>Of that left (ml)</source>
+        <translation>De ello queda (ml)</translation>
+    </message>
+    <message>
+        <source>The case has no plan to compare.</source>
+        <translation>El caso no tiene ningún plan que comparar.</translation>
+    </message>
+    <message>
+        <source>Add some first: glisson-cli plan CASE --add PLAN.json.</source>
+        <translation>Añada antes alguno: glisson-cli plan CASE --add PLAN.json.</translation>
+    </message>
+    <message>
+        <source>Make the demo anew.</source>
+        <translation>Haga la demostración de nuevo.</translation>
+    </message>
+    <message>
+        <source>{0} has no tumour to be found.</source>
+        <translation>{0} no tiene ningún tumor que hallar.</translation>
+    </message>
+    <message>
+        <source>The liver of {0} was found in no frame of its own video.</source>
+        <translation>El hígado de {0} no se halló en ningún fotograma de su propio vídeo.</translation>
     </message>
     <message>
         <source>Writing the video</source>
@@ -4827,18 +5023,6 @@
     <message>
         <source>Reading the clouds</source>
         <translation>Leyendo las nubes de puntos</translation>
-    </message>
-    <message>
-        <source>Make the demo anew.</source>
-        <translation>Haga la demostración de nuevo.</translation>
-    </message>
-    <message>
-        <source>{0} has no tumour to be found.</source>
-        <translation>{0} no tiene ningún tumor que hallar.</translation>
-    </message>
-    <message>
-        <source>The liver of {0} was found in no frame of its own video.</source>
-        <translation>El hígado de {0} no se halló en ningún fotograma de su propio vídeo.</translation>
     </message>
 </context>
 <context>
@@ -5873,6 +6057,10 @@ Glisson dice cuánto se equivoca el modelo declarado, qué le falta y con qué c
         <translation>Ver en los fotogramas de un laparoscopio dónde están tumores y vasos, y hasta dónde fiarse.</translation>
     </message>
     <message>
+        <source>The liver in space, with what was seen of it</source>
+        <translation>El hígado en el espacio, con lo visto de él</translation>
+    </message>
+    <message>
         <source>Open another...</source>
         <translation>Abrir otra…</translation>
     </message>
@@ -5941,12 +6129,16 @@ Glisson dice cuánto se equivoca el modelo declarado, qué le falta y con qué c
         <translation>no fiarse aquí</translation>
     </message>
     <message>
+        <source>%1: do not trust, ±%2 mm</source>
+        <translation>%1: no fiarse, ±%2 mm</translation>
+    </message>
+    <message>
         <source>%1 ±%2 mm, %3 mm deep</source>
         <translation>%1 ±%2 mm, a %3 mm de profundidad</translation>
     </message>
     <message>
-        <source>%1: do not trust, ±%2 mm</source>
-        <translation>%1: no fiarse, ±%2 mm</translation>
+        <source>%1 ±%2 mm</source>
+        <translation>%1 ±%2 mm</translation>
     </message>
     <message>
         <source>The sequence names no camera, so that nothing can be drawn over the video.</source>
@@ -5977,6 +6169,10 @@ Glisson dice cuánto se equivoca el modelo declarado, qué le falta y con qué c
         <translation>No se fíe de ningún contorno de este fotograma a %1 mm.</translation>
     </message>
     <message>
+        <source>Not to be trusted everywhere to %1 mm: %2.</source>
+        <translation>No fiables en todas partes a %1 mm: %2.</translation>
+    </message>
+    <message>
         <source>%1 % of the liver&apos;s surface is seen; it is deformed by %2 mm.</source>
         <translation>Se ve el %1 % de la superficie del hígado; está deformado %2 mm.</translation>
     </message>
@@ -5995,18 +6191,6 @@ Glisson dice cuánto se equivoca el modelo declarado, qué le falta y con qué c
     <message>
         <source>Frame %1 with outlines</source>
         <translation>Fotograma %1 con contornos</translation>
-    </message>
-    <message>
-        <source>%1 ±%2 mm</source>
-        <translation>%1 ±%2 mm</translation>
-    </message>
-    <message>
-        <source>The liver in space, with what was seen of it</source>
-        <translation>El hígado en el espacio, con lo visto de él</translation>
-    </message>
-    <message>
-        <source>Not to be trusted everywhere to %1 mm: %2.</source>
-        <translation>No fiables en todas partes a %1 mm: %2.</translation>
     </message>
 </context>
 <context>

@@ -4805,12 +4805,208 @@
         <translation>La pose amène un point de l’examen (mm) dans le repère de la caméra.</translation>
     </message>
     <message>
-        <source>What is removed and the territories lie on different grids.</source>
-        <translation>Ce qui est retiré et les territoires sont sur des grilles différentes.</translation>
-    </message>
-    <message>
         <source>nothing was written into it</source>
         <translation>rien n’y a été écrit</translation>
+    </message>
+    <message>
+        <source>The case has no plan {0}.</source>
+        <translation>Le cas n’a pas de plan {0}.</translation>
+    </message>
+    <message>
+        <source>{0} must be whole numbers from 1 to 8, Couinaud&apos;s segments.</source>
+        <translation>{0} doivent être des nombres entiers de 1 à 8, les segments de Couinaud.</translation>
+    </message>
+    <message>
+        <source>{0} needs one of plane, sheet, segments, territory, around.</source>
+        <translation>{0} a besoin de l’un de plane, sheet, segments, territory, around.</translation>
+    </message>
+    <message>
+        <source>{0} is not of the format glisson-plan/1.</source>
+        <translation>{0} n’est pas au format glisson-plan/1.</translation>
+    </message>
+    <message>
+        <source>{0} needs at least one cut in its list of cuts.</source>
+        <translation>{0} a besoin d’au moins une section dans sa liste cuts.</translation>
+    </message>
+    <message>
+        <source>A plan takes at most 255 tumours; there are {0}.</source>
+        <translation>Un plan prend au plus 255 tumeurs ; il y en a {0}.</translation>
+    </message>
+    <message>
+        <source>The liver&apos;s outline is empty.</source>
+        <translation>Le contour du foie est vide.</translation>
+    </message>
+    <message>
+        <source>looking what hangs on which vessel</source>
+        <translation>recherche de ce qui dépend de chaque vaisseau</translation>
+    </message>
+    <message>
+        <source>looking at segments and stiffness</source>
+        <translation>examen des segments et de la rigidité</translation>
+    </message>
+    <message>
+        <source>looking around the tumours</source>
+        <translation>examen autour des tumeurs</translation>
+    </message>
+    <message>
+        <source>The plan holds no cut.</source>
+        <translation>Le plan ne contient aucune section.</translation>
+    </message>
+    <message>
+        <source>The plan takes the whole liver: nothing would be left.</source>
+        <translation>Le plan prend tout le foie : il ne resterait rien.</translation>
+    </message>
+    <message>
+        <source>The liver&apos;s segments are not known yet.</source>
+        <translation>Les segments du foie ne sont pas encore connus.</translation>
+    </message>
+    <message>
+        <source>Find them first (glisson-cli territories).</source>
+        <translation>Trouvez-les d’abord (glisson-cli territories).</translation>
+    </message>
+    <message>
+        <source>The plan names no segment to take: give numbers from 1 to 8.</source>
+        <translation>Le plan ne nomme aucun segment : donnez des numéros de 1 à 8.</translation>
+    </message>
+    <message>
+        <source>There is no segment {0}: Couinaud&apos;s are 1 to 8.</source>
+        <translation>Il n’y a pas de segment {0} : ceux de Couinaud sont 1 à 8.</translation>
+    </message>
+    <message>
+        <source>Segment {0} holds no tissue of this liver.</source>
+        <translation>Le segment {0} ne contient aucun tissu de ce foie.</translation>
+    </message>
+    <message>
+        <source>There is no branch {0} in the vessel trees.</source>
+        <translation>Il n’y a pas de branche {0} dans les arbres vasculaires.</translation>
+    </message>
+    <message>
+        <source>glisson-cli vessels lists their names; portal/right/posterior stands for all that begin so.</source>
+        <translation>glisson-cli vessels en donne les noms ; portal/right/posterior vaut pour tous ceux qui commencent ainsi.</translation>
+    </message>
+    <message>
+        <source>No tissue of the liver belongs to the branch {0}.</source>
+        <translation>Aucun tissu du foie n’appartient à la branche {0}.</translation>
+    </message>
+    <message>
+        <source>Take a branch nearer to the stem.</source>
+        <translation>Prenez une branche plus proche du tronc.</translation>
+    </message>
+    <message>
+        <source>There is no tumour {0} in the liver.</source>
+        <translation>Il n’y a pas de tumeur {0} dans le foie.</translation>
+    </message>
+    <message>
+        <source>Give the name of a structure of the case that lies in the liver.</source>
+        <translation>Donnez le nom d’une structure du cas située dans le foie.</translation>
+    </message>
+    <message>
+        <source>The margin around {0} must be 0 to {1} mm.</source>
+        <translation>La marge autour de {0} doit être de 0 à {1} mm.</translation>
+    </message>
+    <message>
+        <source>Plans compared</source>
+        <translation>Plans comparés</translation>
+    </message>
+    <message>
+        <source>{0} no longer holds: {1}</source>
+        <translation>{0} ne tient plus : {1}</translation>
+    </message>
+    <message>
+        <source>What {0} was made from has changed since it was kept.</source>
+        <translation>Ce dont {0} a été fait a changé depuis.</translation>
+    </message>
+    <message>
+        <source>Per cent are of the liver without its tumours. Thresholds are the surgeon&apos;s to set.</source>
+        <translation>Les pourcentages portent sur le foie sans ses tumeurs. Les seuils reviennent au chirurgien.</translation>
+    </message>
+    <message>
+        <source>Removed (ml)</source>
+        <translation>Retiré (ml)</translation>
+    </message>
+    <message>
+        <source>Left (ml)</source>
+        <translation>Reste (ml)</translation>
+    </message>
+    <message>
+        <source>Left (%)</source>
+        <translation>Reste (%)</translation>
+    </message>
+    <message>
+        <source>Left and alive: perfused and drained (ml)</source>
+        <translation>Reste vivant : perfusé et drainé (ml)</translation>
+    </message>
+    <message>
+        <source>Left and alive (%)</source>
+        <translation>Reste vivant (%)</translation>
+    </message>
+    <message>
+        <source>Left without inflow: ischaemic (ml)</source>
+        <translation>Reste sans apport : ischémique (ml)</translation>
+    </message>
+    <message>
+        <source>Left without outflow: congested (ml)</source>
+        <translation>Reste sans drainage : congestif (ml)</translation>
+    </message>
+    <message>
+        <source>Smallest margin (mm)</source>
+        <translation>Plus petite marge (mm)</translation>
+    </message>
+    <message>
+        <source>Tumours cut through or left</source>
+        <translation>Tumeurs sectionnées ou laissées</translation>
+    </message>
+    <message>
+        <source>Stiffness of what is left (kPa)</source>
+        <translation>Rigidité de ce qui reste (kPa)</translation>
+    </message>
+    <message>
+        <source>Measured share of it (%)</source>
+        <translation>Part mesurée (%)</translation>
+    </message>
+    <message>
+        <source>What stays of each segment, in ml.</source>
+        <translation>Ce qui reste de chaque segment, en ml.</translation>
+    </message>
+    <message>
+        <source>Segment</source>
+        <translation>Segment</translation>
+    </message>
+    <message>
+        <source>{0}: branches that are cut, with the tissue beyond the cut.</source>
+        <translation>{0} : branches coupées, avec le tissu au-delà de la section.</translation>
+    </message>
+    <message>
+        <source>Branch</source>
+        <translation>Branche</translation>
+    </message>
+    <message>
+        <source>Beyond it (ml)</source>
+        <translation>Au-delà (ml)</translation>
+    </message>
+    <message>
+        <source>Of that left (ml)</source>
+        <translation>Dont reste (ml)</translation>
+    </message>
+    <message>
+        <source>The case has no plan to compare.</source>
+        <translation>Le cas n’a aucun plan à comparer.</translation>
+    </message>
+    <message>
+        <source>Add some first: glisson-cli plan CASE --add PLAN.json.</source>
+        <translation>Ajoutez-en d’abord : glisson-cli plan CASE --add PLAN.json.</translation>
+    </message>
+    <message>
+        <source>Make the demo anew.</source>
+        <translation>Refaites la démonstration.</translation>
+    </message>
+    <message>
+        <source>{0} has no tumour to be found.</source>
+        <translation>{0} n&apos;a pas de tumeur à trouver.</translation>
+    </message>
+    <message>
+        <source>The liver of {0} was found in no frame of its own video.</source>
+        <translation>Le foie de {0} n&apos;a été trouvé dans aucune image de sa propre vidéo.</translation>
     </message>
     <message>
         <source>Writing the video</source>
@@ -4827,18 +5023,6 @@
     <message>
         <source>Reading the clouds</source>
         <translation>Lecture des nuages de points</translation>
-    </message>
-    <message>
-        <source>Make the demo anew.</source>
-        <translation>Refaites la démonstration.</translation>
-    </message>
-    <message>
-        <source>{0} has no tumour to be found.</source>
-        <translation>{0} n&apos;a pas de tumeur à trouver.</translation>
-    </message>
-    <message>
-        <source>The liver of {0} was found in no frame of its own video.</source>
-        <translation>Le foie de {0} n&apos;a été trouvé dans aucune image de sa propre vidéo.</translation>
     </message>
 </context>
 <context>
@@ -5873,6 +6057,10 @@ Pas de mesures sous la main&#xa0;? Essayez l’exemple&#xa0;: un échantillon de
         <translation>Voir sur les images d&apos;un laparoscope où sont tumeurs et vaisseaux, et jusqu&apos;où s&apos;y fier.</translation>
     </message>
     <message>
+        <source>The liver in space, with what was seen of it</source>
+        <translation>Le foie dans l&apos;espace, avec ce qui en a été vu</translation>
+    </message>
+    <message>
         <source>Open another...</source>
         <translation>En ouvrir une autre…</translation>
     </message>
@@ -5941,12 +6129,16 @@ Pas de mesures sous la main&#xa0;? Essayez l’exemple&#xa0;: un échantillon de
         <translation>ne pas s&apos;y fier ici</translation>
     </message>
     <message>
+        <source>%1: do not trust, ±%2 mm</source>
+        <translation>%1 : ne pas s&apos;y fier, ±%2 mm</translation>
+    </message>
+    <message>
         <source>%1 ±%2 mm, %3 mm deep</source>
         <translation>%1 ±%2 mm, à %3 mm de profondeur</translation>
     </message>
     <message>
-        <source>%1: do not trust, ±%2 mm</source>
-        <translation>%1 : ne pas s&apos;y fier, ±%2 mm</translation>
+        <source>%1 ±%2 mm</source>
+        <translation>%1 ±%2 mm</translation>
     </message>
     <message>
         <source>The sequence names no camera, so that nothing can be drawn over the video.</source>
@@ -5977,6 +6169,10 @@ Pas de mesures sous la main&#xa0;? Essayez l’exemple&#xa0;: un échantillon de
         <translation>Ne vous fiez à aucun contour de cette image à %1 mm près.</translation>
     </message>
     <message>
+        <source>Not to be trusted everywhere to %1 mm: %2.</source>
+        <translation>Pas fiables partout à %1 mm près : %2.</translation>
+    </message>
+    <message>
         <source>%1 % of the liver&apos;s surface is seen; it is deformed by %2 mm.</source>
         <translation>%1 % de la surface du foie sont vus ; il est déformé de %2 mm.</translation>
     </message>
@@ -5995,18 +6191,6 @@ Pas de mesures sous la main&#xa0;? Essayez l’exemple&#xa0;: un échantillon de
     <message>
         <source>Frame %1 with outlines</source>
         <translation>Image %1 avec contours</translation>
-    </message>
-    <message>
-        <source>%1 ±%2 mm</source>
-        <translation>%1 ±%2 mm</translation>
-    </message>
-    <message>
-        <source>The liver in space, with what was seen of it</source>
-        <translation>Le foie dans l&apos;espace, avec ce qui en a été vu</translation>
-    </message>
-    <message>
-        <source>Not to be trusted everywhere to %1 mm: %2.</source>
-        <translation>Pas fiables partout à %1 mm près : %2.</translation>
     </message>
 </context>
 <context>

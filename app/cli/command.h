@@ -27,6 +27,7 @@ void add_import(CLI::App& app, Action& chosen);
 void add_segment(CLI::App& app, Action& chosen);
 void add_vessels(CLI::App& app, Action& chosen);
 void add_territories(CLI::App& app, Action& chosen);
+void add_plan(CLI::App& app, Action& chosen);
 void add_mesh(CLI::App& app, Action& chosen);
 void add_stiffness(CLI::App& app, Action& chosen);
 void add_invert(CLI::App& app, Action& chosen);

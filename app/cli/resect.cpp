@@ -5,14 +5,15 @@
 
 #include "base/csv.h"
 #include "casefile/model.h"
+#include "casefile/plans.h"
 #include "casefile/resection_folder.h"
 #include "casefile/result_folder.h"
 #include "casefile/used_entries.h"
-#include "casefile/vascular.h"
 #include "command.h"
 #include "geometry/mesh_file.h"
 #include "mechanics/simulation.h"
 #include "mended_surface.h"
+#include "planning/plan_file.h"
 #include "rehearsal/resection.h"
 #include "shared_options.h"
 
@@ -182,32 +183,19 @@ std::string in_words(const casefile::PlannedCut& cut, const rehearsal::Resection
   return text + bullet_list(plan.notes);
 }
 
-Json remnant_json(const casefile::LivingRemnant& living) {
-  Json branches = Json::array();
-  for (const vasculature::CutBranch& cut : living.remnant.cut) {
-    const vasculature::TreeBranch& branch = living.trees.branches[cut.branch];
-    branches.push_back({{"name", branch.name},
-                        {"system", vasculature::system_name(branch.system)},
-                        {"at_mm", json_of(cut.at_mm)},
-                        {"radius_mm", cut.radius_mm},
-                        {"affected_ml", cut.affected_ml},
-                        {"confidence", branch.confidence}});
-  }
-  const vasculature::Remnant& remnant = living.remnant;
-  return {{"removed_ml", remnant.removed_ml},     {"remnant_ml", remnant.remnant_ml},
-          {"perfused_ml", remnant.perfused_ml},   {"drained_ml", remnant.drained_ml},
-          {"living_ml", remnant.living_ml},       {"ischaemic_ml", remnant.ischaemic_ml},
-          {"congested_ml", remnant.congested_ml}, {"branches", std::move(branches)}};
-}
+struct Living {
+  planning::PlanAnswer answer;
+  vasculature::VesselTrees trees;
+  std::vector<Sentence> remarks;
+};
 
-std::string in_words(const casefile::LivingRemnant& living) {
-  const vasculature::Remnant& remnant = living.remnant;
+std::string in_words(const Living& living) {
   std::string text =
       fmt::format("Of the remnant {:.0f} ml stay perfused and drained; {:.0f} ml ischaemic, {:.0f} ml congested\n",
-                  remnant.living_ml, remnant.ischaemic_ml, remnant.congested_ml);
+                  *living.answer.living_ml, *living.answer.ischaemic_ml, *living.answer.congested_ml);
   constexpr double worth_a_line_ml = 1;
-  for (const vasculature::CutBranch& cut : remnant.cut) {
-    if (cut.affected_ml < worth_a_line_ml) break;
+  for (const planning::CutBranch& cut : living.answer.branches) {
+    if (cut.affected_ml < worth_a_line_ml) continue;
     text += fmt::format("  cuts {:32} {:.1f} mm wide, {:.0f} ml of the remnant hang on it\n",
                         living.trees.branches[cut.branch].name, 2 * cut.radius_mm, cut.affected_ml);
   }
@@ -215,13 +203,20 @@ std::string in_words(const casefile::LivingRemnant& living) {
   return text;
 }
 
-// Nothing for a mesh, or as tools hold the liver: the trees are those at rest.
-Result<std::optional<casefile::LivingRemnant>> living_remnant(const Options& options, const geometry::CutSurface& cut,
-                                                              const rehearsal::Resection& plan) {
+// By the trees of the case. Nothing for a mesh, without trees of both systems, or as tools hold the liver: the trees
+// are those at rest.
+Result<std::optional<Living>> living_remnant(const Options& options, const casefile::PlannedCut& cut,
+                                             const rehearsal::Resection& plan) {
   if (!options.case_folder || options.result) return std::nullopt;
   const auto patient = casefile::Case::open(*options.case_folder);
   if (!patient) return failure(patient.error());
-  return casefile::living_remnant(*patient, cut, plan.specimen_is_above);
+  if (patient->find("vessels/trees") == nullptr) return std::nullopt;
+  const auto opened = casefile::open_planner(*patient);
+  if (!opened) return failure(opened.error());
+  const auto answer = opened->planner.answer({casefile::cut_of(cut, plan.specimen_is_above)});
+  if (!answer) return failure(answer.error());
+  if (!answer->living_ml) return std::nullopt;
+  return Living{*answer, opened->planner.trees(), opened->remarks};
 }
 
 Result<Outcome> resect(const Options& options, const Progress& progress) {
@@ -245,11 +240,11 @@ Result<Outcome> resect(const Options& options, const Progress& progress) {
   if (auto written = casefile::write_resection(options.out, *cut, *plan); !written) {
     return failure(std::move(written.error()));
   }
-  const auto living = living_remnant(options, *surface, *plan);
+  const auto living = living_remnant(options, *cut, *plan);
   if (!living) return failure(living.error());
   Json document = casefile::resection_json(*cut, *plan);
   document["out"] = options.out;
-  if (*living) document["living_remnant"] = remnant_json(**living);
+  if (*living) document["living_remnant"] = planning::answer_json((*living)->answer, (*living)->trees);
   return Outcome{std::move(document), in_words(*cut, *plan) + (*living ? in_words(**living) : "")};
 }
 

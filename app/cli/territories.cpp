@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "casefile/plans.h"
 #include "casefile/vascular.h"
 #include "command.h"
 
@@ -14,25 +15,43 @@ struct Options {
   bool couinaud = false;
 };
 
-Outcome describe(const casefile::FoundTerritories& found, const std::string& file, bool couinaud_only) {
+// Young's modulus, where the case has a map of it.
+void add_stiffness(Json& json, const planning::Tissue& tissue) {
+  if (!tissue.mean_kPa) return;
+  json["mean_kPa"] = *tissue.mean_kPa;
+  json["confident_share"] = tissue.confident_share;
+}
+
+Outcome describe(const casefile::FoundTerritories& found, const planning::Planner& planner, const std::string& file,
+                 bool couinaud_only) {
   Json territories = Json::array(), segments = Json::array();
   std::string text;
+  const auto stiffness = planner.segments();
+  const auto tissue = planner.branches();
+  std::vector<double> beyond_ml(found.trees.branches.size(), 0);
+  for (std::size_t b = beyond_ml.size(); b-- > 0;) {  // children come after their parents
+    beyond_ml[b] += tissue[b].ml;
+    const int parent = found.trees.branches[b].parent;
+    if (parent >= 0) beyond_ml[static_cast<std::size_t>(parent)] += beyond_ml[b];
+  }
   if (!couinaud_only) {
     for (std::size_t b = 0; b < found.trees.branches.size(); ++b) {
       const vasculature::TreeBranch& branch = found.trees.branches[b];
       territories.push_back({{"id", b},
                              {"branch", branch.name},
                              {"system", vasculature::system_name(branch.system)},
-                             {"volume_ml", found.own_ml[b]},
-                             {"with_branches_ml", found.beyond_ml[b]}});
+                             {"volume_ml", tissue[b].ml},
+                             {"with_branches_ml", beyond_ml[b]}});
+      add_stiffness(territories.back(), tissue[b]);
     }
   }
-  static constexpr std::array<const char*, 9> roman = {"", "I", "II", "III", "IV", "V", "VI", "VII", "VIII"};
   for (std::size_t s = 1; s <= 8; ++s) {
     const double ml = found.couinaud.volume_ml[s], confidence = found.couinaud.confidence[s];
     segments.push_back({{"number", s}, {"volume_ml", ml}, {"confidence", confidence}});
-    text += fmt::format("{:>4}: {:6.1f} ml, {:4.1f} %, confidence {:.2f}\n", roman.at(s), ml,
-                        found.couinaud.volume_ml[0] > 0 ? 100 * ml / found.couinaud.volume_ml[0] : 0, confidence);
+    add_stiffness(segments.back(), stiffness.at(s));
+    text += fmt::format("{:>4}: {:6.1f} ml, {:4.1f} %, confidence {:.2f}{}\n", vasculature::segment_name(s), ml,
+                        found.couinaud.volume_ml[0] > 0 ? 100 * ml / found.couinaud.volume_ml[0] : 0, confidence,
+                        stiffness.at(s).mean_kPa ? fmt::format(", {:.1f} kPa", *stiffness.at(s).mean_kPa) : "");
   }
   const bool by_shape = found.couinaud.from == vasculature::SegmentsFrom::shape;
   text += by_shape ? "By the liver's shape alone.\n" : "By the liver's shape and its vessels.\n";
@@ -47,9 +66,11 @@ Result<Outcome> run(const Options& options, const Progress& progress) {
   auto patient = casefile::Case::open(options.case_folder);
   if (!patient) return failure(patient.error());
   const auto by = options.from == "prior" ? casefile::SegmentsBy::shape : casefile::SegmentsBy::trees;
-  const auto found = casefile::find_territories(*patient, by, progress);
+  const auto found = casefile::find_territories(*patient, by, progress.part(0, 0.8));
   if (!found) return failure(found.error());
-  return describe(*found, patient->file_of("territories/couinaud")->string(), options.couinaud);
+  const auto opened = casefile::open_planner(*patient, *found, progress.part(0.8, 1));
+  if (!opened) return failure(opened.error());
+  return describe(*found, opened->planner, patient->file_of("territories/couinaud")->string(), options.couinaud);
 }
 
 }  // namespace

@@ -282,7 +282,8 @@ Result<void> Case::finish_interrupted_addition() const {
                            waiting});
     }
   }
-  for (const char* room : {"volumes", "labels", "surfaces", "meshes", "evidence"}) {
+  for (const char* room :
+       {"volumes", "labels", "surfaces", "meshes", "evidence", "landmarks", "vessels", "territories", "plans"}) {
     std::error_code problem, ignored;
     if (fs::is_symlink(fs::symlink_status(folder_ / room, problem))) continue;
     for (fs::directory_iterator file(folder_ / room, problem), end; !problem && file != end; file.increment(problem)) {

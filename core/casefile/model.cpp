@@ -128,16 +128,22 @@ Result<elastography::CellStiffness> assign_stiffness(Case& patient, const Stiffn
   return stiffness;
 }
 
+Result<std::optional<imaging::Mask>> confident_voxels(const Case& patient) {
+  if (!patient.find("volumes/confidence")) return std::nullopt;
+  const auto confidence = patient.volume("volumes/confidence");
+  if (!confidence) return failure(confidence.error());
+  imaging::Mask confident{confidence->grid, {}};
+  // Scanners store the mask as 0 and something, or as a percentage; half of the largest value counts as confident.
+  const float half = 0.5f * *std::max_element(confidence->values.begin(), confidence->values.end());
+  for (const float value : confidence->values) confident.values.push_back(value > half ? 1 : 0);
+  return confident;
+}
+
 Result<elastography::Reliability> reliability_of(const Case& patient) {
   elastography::Reliability reliability;
-  if (patient.find("volumes/confidence")) {
-    const auto confidence = patient.volume("volumes/confidence");
-    if (!confidence) return failure(confidence.error());
-    reliability.confident = imaging::Mask{confidence->grid, {}};
-    // Scanners store the mask as 0 and something, or as a percentage; half of the largest value counts as confident.
-    const float half = 0.5f * *std::max_element(confidence->values.begin(), confidence->values.end());
-    for (const float value : confidence->values) reliability.confident->values.push_back(value > half ? 1 : 0);
-  }
+  auto confident = confident_voxels(patient);
+  if (!confident) return failure(std::move(confident.error()));
+  reliability.confident = std::move(*confident);
   if (patient.find("labels/liver")) {
     auto liver =
         patient.file_of("labels/liver").and_then([](const fs::path& file) { return imaging::read_mask_file(file); });

@@ -42,6 +42,9 @@ Result<elastography::CellStiffness> assign_stiffness(Case& patient, const Stiffn
                                                      const elastography::StiffnessOptions& options = {},
                                                      const Progress& progress = {});
 
+// volumes/confidence above half of its largest value; nothing where there is none.
+Result<std::optional<imaging::Mask>> confident_voxels(const Case& patient);
+
 // What the case knows of its map: volumes/confidence, above half of its largest value, and labels/liver; each where it
 // is there.
 Result<elastography::Reliability> reliability_of(const Case& patient);

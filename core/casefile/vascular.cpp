@@ -2,12 +2,17 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <array>
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <numbers>
 
-#include "casefile/used_entries.h"
+#include "base/files.h"
 #include "imaging/segments_file.h"
 #include "imaging/volume_file.h"
+#include "segmentation/grid_part.h"
 #include "vasculature/center_lines.h"
+#include "vasculature/territories.h"
 #include "vasculature/tree_file.h"
 
 namespace glisson::casefile {
@@ -18,6 +23,21 @@ using vasculature::System;
 using vasculature::VesselTrees;
 
 constexpr const char* trees_id = "vessels/trees";
+constexpr const char* couinaud_id = "territories/couinaud";
+constexpr const char* doubt_id = "territories/doubt";
+std::string territory_id(System system) { return std::string("territories/") + vasculature::system_name(system); }
+
+// Made of what the case holds now, by this version.
+bool is_current(const Case& patient, const std::string& id) {
+  return patient.find(id) != nullptr && patient.find(id)->version == version() &&
+         patient.freshness(id) == Freshness::current;
+}
+
+Provenance provenance_of(SegmentsBy by) {
+  Provenance made{"territories", {{"from", by == SegmentsBy::trees ? "tree" : "prior"}}, {"labels/liver"}, {}, {}};
+  if (by == SegmentsBy::trees) made.from.emplace_back(trees_id);
+  return made;
+}
 
 Result<Mask> structure_mask(const Case& patient, const std::string& name) {
   const auto file = patient.file_of("labels/" + name);
@@ -70,7 +90,6 @@ Error no_vessels() {
 }
 
 std::vector<imaging::SegmentInfo> couinaud_segment_infos() {
-  static constexpr std::array<const char*, 8> names = {"I", "II", "III", "IV", "V", "VI", "VII", "VIII"};
   static constexpr std::array<std::array<double, 3>, 8> colors = {{{0.55, 0.55, 0.55},
                                                                    {0.90, 0.62, 0.00},
                                                                    {0.34, 0.71, 0.91},
@@ -80,29 +99,78 @@ std::vector<imaging::SegmentInfo> couinaud_segment_infos() {
                                                                    {0.84, 0.37, 0.00},
                                                                    {0.80, 0.47, 0.65}}};
   std::vector<imaging::SegmentInfo> infos;
-  for (std::size_t n = 0; n < names.size(); ++n) {
-    infos.push_back({fmt::format("segment {}", names.at(n)), static_cast<int>(n) + 1, colors.at(n)});
+  for (std::size_t n = 0; n < colors.size(); ++n) {
+    infos.push_back(
+        {fmt::format("segment {}", vasculature::segment_name(n + 1)), static_cast<int>(n) + 1, colors.at(n)});
   }
   return infos;
+}
+
+// By their names, in colours that differ from one to the next.
+std::vector<imaging::SegmentInfo> branch_infos(const VesselTrees& trees, System system) {
+  std::vector<imaging::SegmentInfo> infos;
+  for (std::size_t b = 0; b < trees.branches.size(); ++b) {
+    if (trees.branches[b].system != system) continue;
+    constexpr double golden = 0.618033988749895;
+    const double turn = static_cast<double>(infos.size()) * golden;
+    std::array<double, 3> color{};
+    for (std::size_t c = 0; c < 3; ++c) {
+      color[c] = 0.55 + 0.4 * std::cos(2 * std::numbers::pi * (turn + static_cast<double>(c) / 3));
+    }
+    const std::string& name = trees.branches[b].name;
+    infos.push_back({name.empty() ? fmt::format("branch {}", b) : name, static_cast<int>(b) + 1, color});
+  }
+  return infos;
+}
+
+// Volumes and confidence follow from the maps.
+Result<void> read_kept(const Case& patient, SegmentsBy by, FoundTerritories& found) {
+  vasculature::CouinaudSegments& couinaud = found.couinaud;
+  couinaud.from = by == SegmentsBy::trees ? vasculature::SegmentsFrom::trees : vasculature::SegmentsFrom::shape;
+  auto segments = patient.file_of(couinaud_id).and_then(imaging::read_labels_file);
+  if (!segments) return failure(std::move(segments.error()));
+  couinaud.segment = std::move(*segments);
+  const auto doubt = patient.volume(doubt_id);
+  if (!doubt) return failure(doubt.error());
+  couinaud.doubt.assign(doubt->values.begin(), doubt->values.end());
+  vasculature::measure(couinaud);
+  for (const System system : {System::portal_vein, System::hepatic_vein}) {
+    if (by == SegmentsBy::shape || patient.find(territory_id(system)) == nullptr) continue;
+    auto territory = patient.file_of(territory_id(system)).and_then(imaging::read_labels_file);
+    if (!territory) return failure(std::move(territory.error()));
+    found.territory.at(static_cast<std::size_t>(system)) = std::move(*territory);
+  }
+  return {};
 }
 
 }  // namespace
 
 Result<VesselTrees> find_vessels(Case& patient, const std::optional<std::string>& structure,
                                  const vasculature::Clicks& clicks, const Progress& progress) {
-  const auto liver = structure_mask(patient, "liver");
-  if (!liver) return failure(liver.error());
   const bool apart =
       !structure && patient.find("labels/portal-vein") != nullptr && patient.find("labels/hepatic-vein") != nullptr;
-  Provenance made{"vessels", {}, {"labels/liver"}, {}, {}};
+  const std::string name = structure.value_or("vessels");
+  if (!apart && patient.find("labels/" + name) == nullptr) return failure(no_vessels());
+  Provenance made{"vessels", {{"of", apart ? "portal-vein, hepatic-vein" : name}}, {"labels/liver"}, {}, {}};
+  for (const auto& label : apart ? std::vector<std::string>{"portal-vein", "hepatic-vein"} : std::vector{name}) {
+    made.from.push_back("labels/" + label);
+  }
+  const auto told = [&](const char* option, const std::optional<Eigen::Vector3d>& click) {
+    if (click) made.options[option] = fmt::format("{:.2f},{:.2f},{:.2f}", click->x(), click->y(), click->z());
+  };
+  told("portal-click_mm", clicks.portal_mm);
+  told("hepatic-click_mm", clicks.hepatic_mm);
+  const Entry* kept = patient.find(trees_id);
+  if (kept != nullptr && kept->made.options == made.options && is_current(patient, trees_id)) {
+    return patient.file_of(trees_id).and_then(vasculature::read_trees);
+  }
+
+  const auto liver = structure_mask(patient, "liver");
+  if (!liver) return failure(liver.error());
   Result<VesselTrees> trees = failure(no_vessels());
   if (apart) {
-    made.from.insert(made.from.end(), {"labels/portal-vein", "labels/hepatic-vein"});
     trees = known_trees(patient, *liver, clicks, progress);
   } else {
-    const std::string name = structure.value_or("vessels");
-    if (patient.find("labels/" + name) == nullptr) return failure(no_vessels());
-    made.from.push_back("labels/" + name);
     const auto mask = vessel_mask(patient, name, *liver);
     if (!mask) return failure(mask.error());
     const auto graph = vasculature::center_lines(*mask, {}, progress.part(0, 0.5));
@@ -112,11 +180,6 @@ Result<VesselTrees> find_vessels(Case& patient, const std::optional<std::string>
     trees = std::move(anatomy->trees);
   }
   if (!trees) return trees;
-  const auto told = [&](const char* option, const std::optional<Eigen::Vector3d>& click) {
-    if (click) made.options[option] = fmt::format("{:.2f},{:.2f},{:.2f}", click->x(), click->y(), click->z());
-  };
-  told("portal-click_mm", clicks.portal_mm);
-  told("hepatic-click_mm", clicks.hepatic_mm);
   auto added = patient.add(trees_id, ".json", std::move(made),
                            [&](const std::filesystem::path& file) { return vasculature::write_trees(file, *trees); });
   if (!added) return failure(std::move(added.error()));
@@ -124,80 +187,89 @@ Result<VesselTrees> find_vessels(Case& patient, const std::optional<std::string>
 }
 
 Result<FoundTerritories> find_territories(Case& patient, SegmentsBy by, const Progress& progress) {
-  const auto liver = structure_mask(patient, "liver");
-  if (!liver) return failure(liver.error());
+  const Kept kept = kept_territories(patient, by);
+  auto found = territories_in(patient, by, progress);
+  if (!found || kept == Kept::current) return found;
+  auto saved = patient.together([&]() -> Result<void> {
+    const auto add = [&](const std::string& id,
+                         const std::function<Result<void>(const std::filesystem::path&)>& write) {
+      return patient.add(id, ".nrrd", provenance_of(by), write);
+    };
+    const vasculature::CouinaudSegments& couinaud = found->couinaud;
+    auto added = add(couinaud_id, [&](const std::filesystem::path& file) {
+      return imaging::write_segments_file(file, couinaud.segment, couinaud_segment_infos());
+    });
+    if (!added) return added;
+    added = add(doubt_id, [&](const std::filesystem::path& file) {
+      imaging::Volume doubt{{couinaud.segment.grid, {}}, "%"};
+      doubt.values.assign(couinaud.doubt.begin(), couinaud.doubt.end());
+      return imaging::write_volume_file(file, doubt);
+    });
+    for (const System system : {System::portal_vein, System::hepatic_vein}) {
+      const auto& territory = found->territory.at(static_cast<std::size_t>(system));
+      if (!added || by == SegmentsBy::shape) break;
+      if (!territory) {
+        added = patient.find(territory_id(system)) != nullptr ? patient.remove(territory_id(system)) : added;
+        continue;
+      }
+      added = add(territory_id(system), [&](const std::filesystem::path& file) {
+        return imaging::write_segments_file(file, *territory, branch_infos(found->trees, system));
+      });
+    }
+    return added;
+  });
+  if (!saved) return failure(std::move(saved.error()));
+  return found;
+}
+
+Kept kept_territories(const Case& patient, SegmentsBy by) {
+  const Entry* entry = patient.find(couinaud_id);
+  if (entry == nullptr || patient.find(doubt_id) == nullptr) return Kept::no;
+  if (entry->made.options != provenance_of(by).options) return Kept::no;
+  std::vector<std::string> needed{couinaud_id, doubt_id};
+  for (const System system : {System::portal_vein, System::hepatic_vein}) {
+    if (by == SegmentsBy::trees && patient.find(territory_id(system)) != nullptr) {
+      needed.push_back(territory_id(system));
+    }
+  }
+  return std::all_of(needed.begin(), needed.end(), [&](const std::string& id) { return is_current(patient, id); })
+             ? Kept::current
+             : Kept::changed;
+}
+
+Result<FoundTerritories> territories_in(const Case& patient, SegmentsBy by, const Progress& progress) {
   FoundTerritories found;
-  Provenance made{"territories", {{"from", by == SegmentsBy::trees ? "tree" : "prior"}}, {"labels/liver"}, {}, {}};
   if (by == SegmentsBy::trees) {
-    const auto file = patient.file_of(trees_id);
-    if (!file) {
+    if (patient.find(trees_id) == nullptr) {
       return failure(Error{"vessels-missing",
                            GLISSON_TEXT("The case has no vessel trees."),
                            {},
                            GLISSON_TEXT("Find them first (vessels), or take the liver's shape alone (--from prior)."),
                            patient.folder()});
     }
-    auto trees = vasculature::read_trees(*file);
+    auto trees = patient.file_of(trees_id).and_then(vasculature::read_trees);
     if (!trees) return failure(std::move(trees.error()));
     found.trees = std::move(*trees);
-    made.from.emplace_back(trees_id);
-    found.own_ml.assign(found.trees.branches.size(), 0);
-    found.beyond_ml = found.own_ml;
-    for (const System system : {System::portal_vein, System::hepatic_vein}) {
-      const auto& branches = found.trees.branches;
-      if (std::none_of(branches.begin(), branches.end(), [&](const auto& b) { return b.system == system; })) continue;
-      const auto territories = vasculature::territories_of(found.trees, system, *liver);
-      if (!territories) return failure(territories.error());
-      const std::vector<double> beyond = vasculature::volumes_beyond_ml(found.trees, *territories);
-      for (std::size_t b = 0; b < branches.size(); ++b) {
-        if (branches[b].system != system) continue;
-        found.own_ml[b] = territories->volume_ml[b];
-        found.beyond_ml[b] = beyond[b];
-      }
-    }
   }
-  auto segments = vasculature::couinaud_segments(*liver, by == SegmentsBy::trees ? &found.trees : nullptr, progress);
+  if (kept_territories(patient, by) == Kept::current) {
+    if (auto read = read_kept(patient, by, found); !read) return failure(std::move(read.error()));
+    return found;
+  }
+  const auto whole = structure_mask(patient, "liver");
+  if (!whole) return failure(whole.error());
+  const Mask liver = segmentation::cut_out(*whole, segmentation::part_around(*whole, 1));
+  for (const System system : {System::portal_vein, System::hepatic_vein}) {
+    const auto& branches = found.trees.branches;
+    if (std::none_of(branches.begin(), branches.end(), [&](const auto& b) { return b.system == system; })) continue;
+    const auto territories = vasculature::territories_of(found.trees, system, liver);
+    if (!territories) return failure(territories.error());
+    auto& map = found.territory.at(static_cast<std::size_t>(system)).emplace(imaging::LabelMap{liver.grid, {}});
+    for (const std::int32_t branch : territories->branch) map.values.push_back(static_cast<std::uint16_t>(branch + 1));
+  }
+  auto segments = vasculature::couinaud_segments(liver, by == SegmentsBy::trees ? &found.trees : nullptr, progress);
   if (!segments) return failure(std::move(segments.error()));
   found.couinaud = std::move(*segments);
-  auto added = patient.add("territories/couinaud", ".nrrd", std::move(made), [&](const std::filesystem::path& file) {
-    return imaging::write_segments_file(file, found.couinaud.segment, couinaud_segment_infos());
-  });
-  if (!added) return failure(std::move(added.error()));
   return found;
-}
-
-Result<std::optional<LivingRemnant>> living_remnant(const Case& patient, const geometry::CutSurface& cut,
-                                                    bool specimen_is_above) {
-  if (patient.find(trees_id) == nullptr) return std::nullopt;
-  const auto file = patient.file_of(trees_id);
-  if (!file) return failure(file.error());
-  auto trees = vasculature::read_trees(*file);
-  if (!trees) return failure(std::move(trees.error()));
-  const auto liver = structure_mask(patient, "liver");
-  if (!liver) return failure(liver.error());
-  std::array<vasculature::Territories, 2> territories;
-  for (const System system : {System::portal_vein, System::hepatic_vein}) {
-    const auto& branches = trees->branches;
-    if (std::none_of(branches.begin(), branches.end(), [&](const auto& b) { return b.system == system; })) {
-      return std::nullopt;
-    }
-    auto found = vasculature::territories_of(*trees, system, *liver);
-    if (!found) return failure(std::move(found.error()));
-    territories.at(static_cast<std::size_t>(system)) = std::move(*found);
-  }
-  Mask removed = *liver;
-  const auto& size = removed.grid.size;
-  for (int k = 0; k < size[2]; ++k) {
-    for (int j = 0; j < size[1]; ++j) {
-      for (int i = 0; i < size[0]; ++i) {
-        std::uint8_t& value = removed.values[removed.grid.offset(i, j, k)];
-        if (value != 0 && (cut.height_mm(removed.grid.position_mm(i, j, k)) > 0) != specimen_is_above) value = 0;
-      }
-    }
-  }
-  auto remnant = vasculature::remnant_of(*trees, territories[0], territories[1], removed);
-  if (!remnant) return failure(std::move(remnant.error()));
-  return LivingRemnant{std::move(*remnant), std::move(*trees), remarks_on(patient, {trees_id})};
 }
 
 }  // namespace glisson::casefile

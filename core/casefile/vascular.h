@@ -1,23 +1,26 @@
 #pragma once
-// The vessel trees of a case, and whose tissue is whose.
+// The vessel trees of a case, and whose tissue is whose, kept in the case until what they were made from changes.
 //
-//   vessels/trees           glisson-vessel-trees/1 (vasculature/tree_file.h)
-//   territories/couinaud    .nrrd, segments I to VIII as 3D Slicer names them
+//   vessels/trees              glisson-vessel-trees/1 (vasculature/tree_file.h)
+//   territories/couinaud       .nrrd, segments I to VIII as 3D Slicer names them
+//   territories/doubt          .nrrd, of each voxel's segment, percent
+//   territories/portal-vein    .nrrd, branch + 1 by its name; territories/hepatic-vein likewise
+//
+// The images lie on the part of the liver's grid around it.
 
+#include <array>
 #include <optional>
 #include <string>
 
 #include "base/progress.h"
 #include "casefile/case.h"
-#include "geometry/cut_surface.h"
 #include "vasculature/couinaud.h"
-#include "vasculature/remnant.h"
-#include "vasculature/territories.h"
 
 namespace glisson::casefile {
 
 // From labels/liver and one structure of both systems; without its name from portal-vein and hepatic-vein, or where
-// these are not there from "vessels". Fails with vessels-missing, labels-grids-differ and as the room vasculature says.
+// these are not there from "vessels". Trees that were made so before, of what the case still holds, are read. Fails
+// with vessels-missing, labels-grids-differ and as the room vasculature says.
 Result<vasculature::VesselTrees> find_vessels(Case& patient, const std::optional<std::string>& structure,
                                               const vasculature::Clicks& clicks = {}, const Progress& progress = {});
 
@@ -25,21 +28,17 @@ enum class SegmentsBy { trees, shape };
 struct FoundTerritories {
   vasculature::CouinaudSegments couinaud;
   vasculature::VesselTrees trees;  // empty by shape
-  // Tissue of each branch and of all beyond it, ml; 0 for the branches of a system that has none.
-  std::vector<double> own_ml, beyond_ml;
+  // By system (vasculature::System): branch + 1 of each voxel; nothing where it has no branch.
+  std::array<std::optional<imaging::LabelMap>, 2> territory;
 };
 // By trees: those that find_vessels saved. Fails with vessels-missing and as the room vasculature says.
 Result<FoundTerritories> find_territories(Case& patient, SegmentsBy by, const Progress& progress = {});
 
-// What lives after a cut, and the trees that say so.
-struct LivingRemnant {
-  vasculature::Remnant remnant;
-  vasculature::VesselTrees trees;
-  std::vector<Sentence> remarks;  // on the trees' file: changed since, or by another program
-};
-// By the trees that find_vessels saved; nothing where the case has none, or those of one system alone. Fails as the
-// room vasculature says.
-Result<std::optional<LivingRemnant>> living_remnant(const Case& patient, const geometry::CutSurface& cut,
-                                                    bool specimen_is_above);
+// The same without keeping them: by the trees where the case has any; what is kept is read.
+Result<FoundTerritories> territories_in(const Case& patient, SegmentsBy by, const Progress& progress = {});
+
+// Whether the case keeps them, and whether what they were made from has changed since.
+enum class Kept { no, changed, current };
+[[nodiscard]] Kept kept_territories(const Case& patient, SegmentsBy by);
 
 }  // namespace glisson::casefile

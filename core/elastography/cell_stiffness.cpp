@@ -103,6 +103,17 @@ Result<CellStiffness> cell_stiffness(const std::vector<Vector3d>& points_mm, con
   return stiffness;
 }
 
+Volume reliable_youngs_kPa(const Volume& shear_kPa, const Reliability& reliability, const StiffnessOptions& options) {
+  const std::vector<Trust> trust = trust_in(shear_kPa, reliability, options.unreliable_border_mm);
+  Volume youngs{{shear_kPa.grid, std::vector<float>(shear_kPa.values.size(), 0)}, "kPa"};
+  for (std::size_t voxel = 0; voxel < trust.size(); ++voxel) {
+    if (trust[voxel] != Trust::reliable) continue;
+    youngs.values[voxel] = static_cast<float>(
+        units::youngs_from_shear(static_cast<double>(shear_kPa.values[voxel]), options.poisson_ratio));
+  }
+  return youngs;
+}
+
 CellStiffness uniform_stiffness(std::size_t cells, double youngs_kPa) {
   CellStiffness stiffness;
   stiffness.youngs_kPa.assign(cells, youngs_kPa);

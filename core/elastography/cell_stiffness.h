@@ -61,6 +61,10 @@ struct CellStiffness {
 Result<CellStiffness> cell_stiffness(const std::vector<Eigen::Vector3d>& points_mm, const imaging::Volume& shear_kPa,
                                      const Reliability& reliability = {}, const StiffnessOptions& options = {});
 
+// Young's modulus of each voxel of the map that is reliable, by the same rules; 0 elsewhere.
+[[nodiscard]] imaging::Volume reliable_youngs_kPa(const imaging::Volume& shear_kPa, const Reliability& reliability = {},
+                                                  const StiffnessOptions& options = {});
+
 // One value for all cells.
 [[nodiscard]] CellStiffness uniform_stiffness(std::size_t cells, double youngs_kPa);
 

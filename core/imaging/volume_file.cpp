@@ -100,13 +100,13 @@ Result<void> write_mask_file(const fs::path& file, const Mask& mask, const Segme
 Result<void> write_segments_file(const fs::path& file, const LabelMap& labels,
                                  const std::vector<SegmentInfo>& segments) {
   GLISSON_ASSERT(labels.values.size() == labels.grid.voxels());
-  std::vector<std::uint8_t> bytes(labels.values.size());
-  std::transform(labels.values.begin(), labels.values.end(), bytes.begin(), [](std::uint16_t value) {
-    GLISSON_ASSERT(value <= 255);
-    return static_cast<std::uint8_t>(value);
-  });
-  return write_values(file, labels.grid, bytes.data(), itk::IOComponentEnum::UCHAR,
-                      slicer_fields(labels.grid, segments));
+  const auto notes = slicer_fields(labels.grid, segments);
+  const bool small = std::all_of(labels.values.begin(), labels.values.end(), [](auto value) { return value <= 255; });
+  if (!small) {
+    return write_values(file, labels.grid, labels.values.data(), itk::IOComponentEnum::USHORT, notes);
+  }
+  const std::vector<std::uint8_t> bytes(labels.values.begin(), labels.values.end());
+  return write_values(file, labels.grid, bytes.data(), itk::IOComponentEnum::UCHAR, notes);
 }
 
 Result<SegmentedMask> read_mask_file(const fs::path& file) {

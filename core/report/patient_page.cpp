@@ -39,6 +39,7 @@ Result<Page> patient_page(const Case& patient, const PatientPageContent& content
       words.say(GLISSON_TEXT("Glisson {0}. Not a medical device: not for diagnosis or treatment."), {version()});
   add_figures(page, content.figures);
   add_resection(page, patient, words);
+  if (auto added = add_kept_plans(page, patient, words); !added) return failure(std::move(added.error()));
   add_retraction(page, patient, content);
   if (auto added = add_structures(page, patient, words); !added) return failure(std::move(added.error()));
   add_plan(page, content.plan, words);

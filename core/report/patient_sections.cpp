@@ -6,9 +6,11 @@
 #include "base/json.h"
 #include "casefile/evidence.h"
 #include "casefile/model.h"
+#include "casefile/plans.h"
 #include "geometry/mesh_file.h"
 #include "mechanics/scenario/scenario.h"
 #include "report/internal/patient_sections.h"
+#include "report/plan_comparison.h"
 
 namespace glisson::report {
 namespace {
@@ -151,6 +153,22 @@ void add_resection(Page& page, const Case& patient, const Words& words) {
     page.blocks.push_back(
         Paragraph{words.say(GLISSON_TEXT("The saved resection cannot be read: its file is damaged."))});
   }
+}
+
+Result<void> add_kept_plans(Page& page, const Case& patient, const Words& words) {
+  const auto plans = casefile::kept_plans(patient);
+  if (!plans) return failure(plans.error());
+  std::vector<Json> described;
+  for (const casefile::KeptPlan& kept : *plans) {
+    auto answer = casefile::kept_answer(patient, kept.id);
+    if (!answer) return failure(std::move(answer.error()));
+    Json& plan = described.emplace_back(Json{{"name", kept.plan.name}, {"current", kept.remarks.empty()}});
+    plan.update(*answer);
+  }
+  if (described.empty()) return {};
+  page.blocks.push_back(Heading{words.say(GLISSON_TEXT("Plans compared"))});
+  add_plans(page, described, words);
+  return {};
 }
 
 Result<void> add_evidence(Page& page, const Case& patient, const Words& words) {

@@ -1,5 +1,5 @@
 #pragma once
-// A part of an image looked at by itself, and put back. For use within the room.
+// A part of an image looked at by itself, and put back.
 
 #include <algorithm>
 #include <array>

@@ -197,9 +197,21 @@ void label(const Mask& liver, const Evidence& evidence, const PlaneParameters& b
       }
     }
   });
+  measure(segments);
+}
+
+}  // namespace
+
+const char* segment_name(std::size_t number) {
+  static constexpr std::array<const char*, 9> names = {"", "I", "II", "III", "IV", "V", "VI", "VII", "VIII"};
+  return names.at(number);
+}
+
+void measure(CouinaudSegments& segments) {
+  segments.volume_ml.fill(0);
   std::array<double, 9> doubts{};
-  const double voxel_ml = grid.voxel_volume_mm3() / 1000;
-  for (std::size_t i = 0; i < liver.values.size(); ++i) {
+  const double voxel_ml = segments.segment.grid.voxel_volume_mm3() / 1000;
+  for (std::size_t i = 0; i < segments.segment.values.size(); ++i) {
     const std::size_t s = segments.segment.values[i];
     if (s == 0) continue;
     for (const std::size_t sum : {s, std::size_t{0}}) {
@@ -211,8 +223,6 @@ void label(const Mask& liver, const Evidence& evidence, const PlaneParameters& b
     segments.confidence[s] = segments.volume_ml[s] > 0 ? 1 - doubts[s] / segments.volume_ml[s] : 0;
   }
 }
-
-}  // namespace
 
 Result<VesselEntries> expected_entries(const Mask& liver) {
   const auto evidence = evidence_of(liver);

@@ -16,6 +16,9 @@
 
 namespace glisson::vasculature {
 
+// "I" to "VIII" of 1 to 8.
+[[nodiscard]] const char* segment_name(std::size_t number);
+
 enum class SegmentsFrom { trees, shape };
 
 struct CouinaudSegments {
@@ -30,6 +33,9 @@ struct CouinaudSegments {
 // vessels-outside (most of the trees' length lies outside of the liver) and cancelled.
 Result<CouinaudSegments> couinaud_segments(const imaging::Mask& liver, const VesselTrees* trees = nullptr,
                                            const Progress& progress = {});
+
+// Sets volumes and confidence from the voxels.
+void measure(CouinaudSegments& segments);
 
 // Where vessels enter, by the liver's shape alone. Fails as liver_frame does.
 Result<VesselEntries> expected_entries(const imaging::Mask& liver);

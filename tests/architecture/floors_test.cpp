@@ -23,7 +23,8 @@ const std::map<std::string, int> floor_of = {
     {"base", 0},         {"imaging", 1},      {"geometry", 1},     {"vision", 1},
     {"segmentation", 2}, {"elastography", 2}, {"mechanics", 2},    {"hardware", 2},
     {"meshing", 3},      {"anatomy", 3},      {"registration", 3}, {"registration_quality", 4},
-    {"rehearsal", 4},    {"guidance", 4},     {"closedloop", 4},   {"vasculature", 4},
+    {"rehearsal", 4},    {"guidance", 4},     {"closedloop", 4},   {"vasculature", 3},
+    {"planning", 4},
     {"casefile", 5},     {"scene", 6},        {"report", 6},       {"studies", 7},
     {"cli", 8},          {"widgets", 8},      {"desktop", 9},
 };

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 
 #include "base/files.h"
+#include "base/json.h"
+#include "base/write_file.h"
 #include "imaging/label_names.h"
 #include "imaging/volume_file.h"
 #include "support/process.h"
@@ -98,6 +100,76 @@ TEST_F(GeneratedCase, GoesFromVesselsToTreesToSegments) {
   EXPECT_GT(ml("ischaemic_ml"), 0);
   EXPECT_LT(ml("living_ml"), ml("remnant_ml"));
   EXPECT_FALSE(living.at("branches").empty());
+
+  // Both are kept: asked again, nothing is made anew.
+  const auto made_when = [] {
+    const auto document = read_json_file(file("generated.glisson/case.json"));
+    std::map<std::string, std::string> when;
+    for (const Json& entry : document->at("entries")) {
+      when[entry.at("id").get<std::string>()] = entry.at("made").at("when").get<std::string>();
+    }
+    return when;
+  };
+  const auto before = made_when();
+  EXPECT_TRUE(before.contains("territories/portal-vein") && before.contains("territories/hepatic-vein"));
+  EXPECT_EQ(answer({"vessels", patient()}).at("branches").size(), apart.at("branches").size());
+  const Json again = answer({"territories", patient()});
+  EXPECT_EQ(made_when(), before);
+  for (std::size_t s = 0; s < 8; ++s) {
+    EXPECT_DOUBLE_EQ(again.at("segments")[s].at("volume_ml"), found.at("segments")[s].at("volume_ml"));
+    EXPECT_NEAR(again.at("segments")[s].at("confidence"), found.at("segments")[s].at("confidence"), 1e-9);
+  }
+
+  const auto plan = [&](const std::string& text) {
+    EXPECT_TRUE(write_file(file("plan.json"), text));
+    return file("plan.json");
+  };
+  const auto refused = [&](const std::string& text) {
+    const Finished finished = glisson_cli({"plan", patient(), "--add", plan(text), "--json", "--quiet"});
+    EXPECT_EQ(finished.exit_code, 1);
+    return finished.json().at("error").at("code").get<std::string>();
+  };
+  EXPECT_EQ(refused(R"({"name": "x", "segments": [9]})"), "plan-invalid");
+  EXPECT_EQ(refused(R"({"name": "x", "around": "tumour-77", "margin_mm": 5})"), "tumour-unknown");
+  EXPECT_EQ(refused(R"({"name": "x", "territory": "portal/nowhere"})"), "branch-unknown");
+  EXPECT_EQ(refused(R"({"name": "x", "plane": {"point_mm": [0, 0, 9000], "normal": [0, 0, 1]}})"), "cut-misses");
+  EXPECT_EQ(answer({"plan", patient(), "--list"}).at("plans").size(), 0u);
+  EXPECT_EQ(glisson_cli({"plan", patient(), "--compare", "--json", "--quiet"}).exit_code, 1);
+
+  const Json right = answer({"plan", patient(), "--add", plan(R"({"name": "V to VIII", "segments": [5, 6, 7, 8]})")})
+                         .at("plans")
+                         .front();
+  double right_ml = 0;
+  for (std::size_t s = 4; s < 8; ++s) right_ml += found.at("segments")[s].at("volume_ml").get<double>();
+  EXPECT_NEAR(right.at("removed_ml"), right_ml, 0.01 * all_ml);
+  EXPECT_NEAR(right.at("removed_ml").get<double>() + right.at("remnant_ml").get<double>(), all_ml, 0.01 * all_ml);
+  EXPECT_GT(right.at("branches").size(), 0u);
+  const Json by_branch =
+      answer({"plan", patient(), "--add", plan(R"({"name": "Right portal vein", "territory": "portal/right"})")})
+          .at("plans")
+          .front();
+  EXPECT_NEAR(by_branch.at("ischaemic_ml"), 0, 0.02 * all_ml);  // it takes all that it would starve
+  answer({"plan", patient(), "--add", plan(R"({"name": "V to VIII", "segments": [5, 6, 7, 8]})")});  // in its place
+  const Json list = answer({"plan", patient(), "--list"});
+  ASSERT_EQ(list.at("plans").size(), 2u);
+  for (const Json& kept : list.at("plans")) EXPECT_TRUE(kept.at("current").get<bool>());
+  const Json compared = answer({"plan", patient(), "--compare", "--out", file("compared")});
+  EXPECT_NEAR(compared.at("plans")[0].at("ischaemic_ml"), list.at("plans")[0].at("ischaemic_ml"), 1e-9);
+  const auto csv = read_text_file(file("compared/plans.csv"));
+  ASSERT_TRUE(csv);
+  EXPECT_EQ(std::count(csv->begin(), csv->end(), '\n'), 3);  // a head and two plans
+  const auto page = read_text_file(file("compared/plans.html"));
+  ASSERT_TRUE(page);
+  EXPECT_THAT(*page, testing::HasSubstr("Right portal vein"));
+  // A structure that changes makes plans stale, and so it is told.
+  answer({"segment", patient(), "--structure", "liver", "--unite", "portal-vein"});
+  answer({"segment", patient(), "--structure", "liver", "--subtract", "hepatic-vein"});
+  for (const Json& kept : answer({"plan", patient(), "--list"}).at("plans")) {
+    EXPECT_FALSE(kept.at("current").get<bool>());
+  }
+  answer({"plan", patient(), "--drop", "V to VIII"});
+  EXPECT_EQ(answer({"plan", patient(), "--list"}).at("plans").size(), 1u);
+  EXPECT_EQ(glisson_cli({"plan", patient()}).exit_code, 2);
 
   EXPECT_EQ(glisson_cli({"vessels", patient(), "--seed", "1,2,3", "--seed", "1,2,3", "--seed", "1,2,3"}).exit_code, 2);
 }

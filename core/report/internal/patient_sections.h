@@ -10,6 +10,8 @@ namespace glisson::report {
 
 Result<void> add_model(Page& page, const casefile::Case& patient, const Words& words);
 void add_resection(Page& page, const casefile::Case& patient, const Words& words);
+// The plans that are kept, side by side; nothing where there is none.
+Result<void> add_kept_plans(Page& page, const casefile::Case& patient, const Words& words);
 Result<void> add_evidence(Page& page, const casefile::Case& patient, const Words& words);
 
 }  // namespace glisson::report

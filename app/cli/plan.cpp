@@ -1,0 +1,180 @@
+// glisson-cli plan CASE (--list | --add PLAN.json | --compare [--out DIR] | --drop NAME): resection plans by anatomy.
+
+#include <fmt/format.h>
+
+#include "base/write_file.h"
+#include "casefile/plans.h"
+#include "casefile/vascular.h"
+#include "command.h"
+#include "planning/plan_file.h"
+#include "report/html.h"
+#include "report/plan_comparison.h"
+
+namespace glisson::cli {
+namespace {
+
+struct Options {
+  std::string case_folder;
+  bool list = false, compare = false;
+  std::optional<std::string> add, drop, out;
+};
+
+Json json_of_plan(const casefile::KeptPlan& kept, const Json& answer) {
+  Json json{{"id", kept.id.substr(kept.id.find('/') + 1)}, {"name", kept.plan.name}};
+  json["cuts"] = planning::plan_json(kept.plan).at("cuts");
+  json.update(answer);
+  json["current"] = kept.remarks.empty();
+  if (!kept.remarks.empty()) json["remarks"] = messages(kept.remarks);
+  return json;
+}
+
+std::string in_words(const Json& plan) {
+  const auto number = [&](const char* key) { return plan.value(key, 0.0); };
+  std::string text = fmt::format("{}: removes {:.0f} ml, leaves {:.0f} ml ({:.1f} % of the liver without tumours)\n",
+                                 plan.at("name").get<std::string>(), number("removed_ml"), number("remnant_ml"),
+                                 number("remnant_percent"));
+  if (plan.contains("living_ml")) {
+    text += fmt::format("  perfused and drained {:.0f} ml, ischaemic {:.0f} ml, congested {:.0f} ml\n",
+                        number("living_ml"), number("ischaemic_ml"), number("congested_ml"));
+  }
+  if (plan.contains("margin_mm")) {
+    text += fmt::format("  smallest margin {}{:.1f} mm\n", plan.value("margin_is_at_least", false) ? "at least " : "",
+                        number("margin_mm"));
+  }
+  if (plan.contains("mean_kPa")) {
+    text += fmt::format("  what is left {:.1f} kPa on average, {:.0f} % of it measured\n", number("mean_kPa"),
+                        100 * number("confident_share"));
+  }
+  for (const Json& tumour : plan.value("tumours", Json::array())) {
+    if (tumour.at("side") == "removed") continue;
+    text += fmt::format("  {} is {}\n", tumour.at("name").get<std::string>(),
+                        tumour.at("side") == "left" ? "left in the patient" : "cut through");
+  }
+  constexpr double worth_a_line_ml = 1;
+  for (const Json& branch : plan.value("branches", Json::array())) {
+    if (branch.at("beyond_ml").get<double>() < worth_a_line_ml) break;
+    text += fmt::format("  cuts {:32} {:.1f} mm wide, {:.0f} ml hang on it, {:.0f} ml of them stay\n",
+                        branch.at("name").get<std::string>(), 2 * branch.at("radius_mm").get<double>(),
+                        branch.at("beyond_ml").get<double>(), branch.at("affected_ml").get<double>());
+  }
+  for (const Json& remark : plan.value("remarks", Json::array())) text += "- " + remark.get<std::string>() + "\n";
+  return text;
+}
+
+Outcome outcome_of(const std::vector<Json>& plans, const std::vector<Sentence>& remarks) {
+  Outcome outcome{{{"plans", plans}}, plans.empty() ? "The case has no plan.\n" : ""};
+  for (const Json& plan : plans) outcome.text += in_words(plan);
+  if (!remarks.empty()) outcome.document["remarks"] = messages(remarks);
+  for (const Sentence& remark : remarks) outcome.text += "- " + remark.message() + "\n";
+  return outcome;
+}
+
+// As they were answered when they were kept.
+Result<Outcome> list(const casefile::Case& patient) {
+  const auto plans = casefile::kept_plans(patient);
+  if (!plans) return failure(plans.error());
+  std::vector<Json> described;
+  for (const casefile::KeptPlan& kept : *plans) {
+    const auto answer = casefile::kept_answer(patient, kept.id);
+    if (!answer) return failure(answer.error());
+    described.push_back(json_of_plan(kept, *answer));
+  }
+  return outcome_of(described, {});
+}
+
+// With the case's territories, which are kept for the next time.
+Result<casefile::OpenedPlanner> open(casefile::Case& patient, const Progress& progress) {
+  if (patient.find("vessels/trees") != nullptr &&
+      casefile::kept_territories(patient, casefile::SegmentsBy::trees) != casefile::Kept::current) {
+    const auto found = casefile::find_territories(patient, casefile::SegmentsBy::trees, progress.part(0, 0.6));
+    if (!found) return failure(found.error());
+  }
+  return casefile::open_planner(patient, progress.part(0.6, 1));
+}
+
+Result<Outcome> add(casefile::Case& patient, const std::string& file, const Progress& progress) {
+  const auto plan = planning::read_plan(file);
+  if (!plan) return failure(plan.error());
+  const auto opened = open(patient, progress);
+  if (!opened) return failure(opened.error());
+  const auto answer = opened->planner.answer(plan->cuts);
+  if (!answer) {
+    Error error = answer.error();
+    error.file = file;
+    return failure(std::move(error));
+  }
+  const auto id = casefile::keep_plan(patient, *plan, *answer, opened->planner.trees());
+  if (!id) return failure(id.error());
+  return outcome_of({json_of_plan({*id, *plan, {}}, planning::answer_json(*answer, opened->planner.trees()))},
+                    opened->remarks);
+}
+
+// All of them by what the case holds now.
+Result<Outcome> compare(casefile::Case& patient, const std::optional<std::string>& out, const Progress& progress) {
+  const auto plans = casefile::kept_plans(patient);
+  if (!plans) return failure(plans.error());
+  if (plans->empty()) {
+    return failure(Error{"plan-none",
+                         GLISSON_TEXT("The case has no plan to compare."),
+                         {},
+                         GLISSON_TEXT("Add some first: glisson-cli plan CASE --add PLAN.json."),
+                         patient.folder()});
+  }
+  const auto opened = open(patient, progress);
+  if (!opened) return failure(opened.error());
+  std::vector<Json> described;
+  for (const casefile::KeptPlan& kept : *plans) {
+    const auto answer = opened->planner.answer(kept.plan.cuts);
+    // A plan that no longer holds is no reason to keep the others back.
+    described.push_back(json_of_plan(kept, answer ? planning::answer_json(*answer, opened->planner.trees())
+                                                  : Json{{"failed", answer.error().message()}}));
+    if (!answer) described.back()["remarks"].push_back(answer.error().message());
+  }
+  Outcome outcome = outcome_of(described, opened->remarks);
+  if (!out) return outcome;
+  const std::filesystem::path folder = *out;
+  const report::Page page = report::plan_comparison(described, patient.origin(), opened->remarks);
+  auto written = write_together([&] {
+    return report::write_html(folder / "plans.html", page).and_then([&] {
+      return write_file(folder / "plans.csv", report::plan_table(described));
+    });
+  });
+  if (!written) return failure(std::move(written.error()));
+  outcome.document["files"] = {(folder / "plans.html").string(), (folder / "plans.csv").string()};
+  outcome.text += (folder / "plans.html").string() + "\n" + (folder / "plans.csv").string() + "\n";
+  return outcome;
+}
+
+Result<Outcome> run(const Options& options, const Progress& progress) {
+  auto patient = casefile::Case::open(options.case_folder);
+  if (!patient) return failure(patient.error());
+  if (options.add) return add(*patient, *options.add, progress);
+  if (options.compare) return compare(*patient, options.out, progress);
+  if (options.drop) {
+    if (auto dropped = casefile::drop_plan(*patient, *options.drop); !dropped)
+      return failure(std::move(dropped.error()));
+  }
+  return list(*patient);
+}
+
+}  // namespace
+
+void add_plan(CLI::App& app, Action& chosen) {
+  CLI::App* command = app.add_subcommand(
+      "plan", "Keep resection plans in a case and compare them: what each takes, what lives after it, what it cuts");
+  auto options = std::make_shared<Options>();
+  command->add_option("case", options->case_folder, "The case")->required();
+  CLI::Option_group* what = command->add_option_group("what");
+  what->add_flag("--list", options->list, "The plans of the case, as they were answered when they were kept");
+  what->add_option("--add", options->add, "PLAN.json: answer this plan and keep it, in the place of one of its name");
+  what->add_flag("--compare", options->compare, "All plans side by side, by what the case holds now");
+  what->add_option("--drop", options->drop, "Take the plan of that name out of the case");
+  what->require_option(1);
+  command->add_option("--out", options->out, "With --compare: folder for plans.html and plans.csv");
+  command->callback([&chosen, options] {
+    if (options->out && !options->compare) throw CLI::RequiresError("--out", "--compare");
+    chosen = [options](const Progress& progress) { return run(*options, progress); };
+  });
+}
+
+}  // namespace glisson::cli

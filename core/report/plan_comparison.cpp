@@ -1,0 +1,172 @@
+#include "report/plan_comparison.h"
+
+#include <fmt/format.h>
+#include <array>
+
+#include "base/json.h"
+#include "vasculature/couinaud.h"
+
+namespace glisson::report {
+namespace {
+
+bool holds(const Json& plan) { return !plan.contains("failed"); }
+
+std::string name_of(const Json& plan) { return plan.at("name").get<std::string>(); }
+
+std::string figure(const Json& json, const char* key, int decimals) {
+  return json.contains(key) ? fmt::format("{:.{}f}", json.at(key).get<double>(), decimals) : "";
+}
+
+// A row a quantity, a column a plan.
+Table figures(const std::vector<Json>& plans, const Words& words);
+Table segments_left(const std::vector<Json>& plans, const Words& words);
+Table branches_cut(const Json& plan, const Words& words);
+
+}  // namespace
+
+Page plan_comparison(const std::vector<Json>& plans, const std::string& origin, const std::vector<Sentence>& remarks,
+                     const Words& words) {
+  Page page;
+  page.title = words.say(GLISSON_TEXT("Plans compared"));
+  page.warning = origin;
+  page.language = words.language;
+  for (const Sentence& remark : remarks) page.blocks.push_back(Paragraph{words.sentence(remark)});
+  add_plans(page, plans, words);
+  return page;
+}
+
+void add_plans(Page& page, const std::vector<Json>& plans, const Words& words) {
+  for (const Json& plan : plans) {
+    if (!holds(plan)) {
+      page.blocks.push_back(Paragraph{
+          words.say(GLISSON_TEXT("{0} no longer holds: {1}"), {name_of(plan), plan.at("failed").get<std::string>()})});
+    } else if (!plan.value("current", true)) {
+      page.blocks.push_back(
+          Paragraph{words.say(GLISSON_TEXT("What {0} was made from has changed since it was kept."), {name_of(plan)})});
+    }
+  }
+  page.blocks.push_back(figures(plans, words));
+  if (Table segments = segments_left(plans, words); !segments.rows.empty()) page.blocks.push_back(std::move(segments));
+  for (const Json& plan : plans) {
+    if (Table branches = branches_cut(plan, words); !branches.rows.empty()) page.blocks.push_back(std::move(branches));
+  }
+}
+
+std::string plan_table(const std::vector<Json>& plans) {
+  static constexpr std::array<const char*, 16> columns = {
+      "removed_ml", "remnant_ml", "functional_remnant_ml", "remnant_percent", "perfused_ml",
+      "drained_ml", "living_ml",  "living_percent",        "ischaemic_ml",    "congested_ml",
+      "margin_mm",  "mean_kPa",   "confident_share",       "liver_ml",        "tumours_ml",
+      "current"};
+  std::string text = "name";
+  for (const char* column : columns) text += fmt::format(",{}", column);
+  for (std::size_t s = 1; s <= 8; ++s) text += fmt::format(",left_{}_ml", vasculature::segment_name(s));
+  text += ",branches_cut\n";
+  for (const Json& plan : plans) {
+    std::string quoted;
+    for (const char letter : name_of(plan)) quoted += letter == '"' ? "\"\"" : std::string(1, letter);
+    text += "\"" + quoted + "\"";
+    for (const char* column : columns) {
+      text += ",";
+      if (!plan.contains(column)) continue;
+      text += plan.at(column).is_boolean() ? (plan.at(column).get<bool>() ? "1" : "0") : figure(plan, column, 3);
+    }
+    std::array<std::string, 9> left;
+    for (const Json& segment : plan.value("segments", Json::array())) {
+      left.at(segment.at("number").get<std::size_t>()) = figure(segment, "left_ml", 3);
+    }
+    for (std::size_t s = 1; s <= 8; ++s) text += "," + left.at(s);
+    std::string names;
+    for (const Json& branch : plan.value("branches", Json::array())) {
+      names += (names.empty() ? "" : "; ") + branch.at("name").get<std::string>();
+    }
+    text += ",\"" + names + "\"\n";
+  }
+  return text;
+}
+
+namespace {
+
+Table figures(const std::vector<Json>& plans, const Words& words) {
+  Table table{
+      words.say(GLISSON_TEXT("Per cent are of the liver without its tumours. Thresholds are the surgeon's to set.")),
+      {""},
+      {}};
+  for (const Json& plan : plans) table.columns.push_back(name_of(plan));
+  const auto row = [&](const char* text, const auto& cell) {
+    std::vector<Cell> cells{{words.say(text)}};
+    bool known = false;
+    for (const Json& plan : plans) {
+      cells.push_back(holds(plan) ? Cell(cell(plan)) : Cell{});
+      known = known || !cells.back().text.empty();
+    }
+    if (known) table.rows.push_back(std::move(cells));
+  };
+  const auto plain = [](const char* key, int decimals) {
+    return [key, decimals](const Json& plan) { return Cell{figure(plan, key, decimals)}; };
+  };
+  row(GLISSON_TEXT("Removed (ml)"), plain("removed_ml", 0));
+  row(GLISSON_TEXT("Left (ml)"), plain("remnant_ml", 0));
+  row(GLISSON_TEXT("Left (%)"), plain("remnant_percent", 1));
+  row(GLISSON_TEXT("Left and alive: perfused and drained (ml)"), plain("living_ml", 0));
+  row(GLISSON_TEXT("Left and alive (%)"), plain("living_percent", 1));
+  row(GLISSON_TEXT("Left without inflow: ischaemic (ml)"), plain("ischaemic_ml", 0));
+  row(GLISSON_TEXT("Left without outflow: congested (ml)"), plain("congested_ml", 0));
+  row(GLISSON_TEXT("Smallest margin (mm)"), [&](const Json& plan) {
+    const std::string margin = figure(plan, "margin_mm", 1);
+    const bool narrow = !margin.empty() && plan.at("margin_mm").get<double>() < 5;
+    return Cell{(plan.value("margin_is_at_least", false) ? "≥ " : "") + margin,
+                narrow ? Cell::Emphasis::flag : Cell::Emphasis::none};
+  });
+  row(GLISSON_TEXT("Tumours cut through or left"), [&](const Json& plan) {
+    std::string names;
+    for (const Json& tumour : plan.value("tumours", Json::array())) {
+      if (tumour.at("side") == "removed") continue;
+      names += (names.empty() ? "" : ", ") + words.name(tumour.at("name").get<std::string>());
+    }
+    return Cell{names.empty() ? "–" : names, names.empty() ? Cell::Emphasis::none : Cell::Emphasis::flag};
+  });
+  row(GLISSON_TEXT("Stiffness of what is left (kPa)"), plain("mean_kPa", 1));
+  row(GLISSON_TEXT("Measured share of it (%)"), [](const Json& plan) {
+    return Cell{plan.contains("confident_share") ? fmt::format("{:.0f}", 100 * plan.at("confident_share").get<double>())
+                                                 : ""};
+  });
+  return table;
+}
+
+Table segments_left(const std::vector<Json>& plans, const Words& words) {
+  Table table{words.say(GLISSON_TEXT("What stays of each segment, in ml.")), {words.say(GLISSON_TEXT("Segment"))}, {}};
+  for (const Json& plan : plans) table.columns.push_back(name_of(plan));
+  for (std::size_t s = 1; s <= 8; ++s) {
+    std::vector<Cell> cells{{vasculature::segment_name(s)}};
+    bool known = false;
+    for (const Json& plan : plans) {
+      cells.emplace_back();
+      for (const Json& segment : plan.value("segments", Json::array())) {
+        if (segment.at("number") == s) cells.back().text = figure(segment, "left_ml", 0);
+      }
+      known = known || !cells.back().text.empty();
+    }
+    if (known) table.rows.push_back(std::move(cells));
+  }
+  return table;
+}
+
+Table branches_cut(const Json& plan, const Words& words) {
+  constexpr double worth_a_line_ml = 1;
+  Table table{words.say(GLISSON_TEXT("{0}: branches that are cut, with the tissue beyond the cut."), {name_of(plan)}),
+              {words.say(GLISSON_TEXT("Branch")), words.say(GLISSON_TEXT("Diameter (mm)")),
+               words.say(GLISSON_TEXT("Beyond it (ml)")), words.say(GLISSON_TEXT("Of that left (ml)"))},
+              {}};
+  for (const Json& branch : plan.value("branches", Json::array())) {
+    if (branch.at("beyond_ml").get<double>() < worth_a_line_ml) continue;
+    table.rows.push_back({{branch.at("name").get<std::string>()},
+                          {fmt::format("{:.1f}", 2 * branch.at("radius_mm").get<double>())},
+                          {figure(branch, "beyond_ml", 0)},
+                          {figure(branch, "affected_ml", 0)}});
+  }
+  return table;
+}
+
+}  // namespace
+}  // namespace glisson::report
