@@ -1,0 +1,171 @@
+// A cut that opens step by step on the kept factor, against the body meshed with the cut.
+
+#include <gtest/gtest.h>
+
+#include "bodies.h"
+#include "mechanics/cutting/opening.h"
+#include "mechanics/statics/static_model.h"
+
+namespace glisson::mechanics {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+using test::box;
+
+// A bar clamped at one end and resting on springs at a part of its bottom, pulled up at its other end in gas; an
+// oblique cut from above opens. Not the block on which the bridges' stiffness was chosen (opening.h).
+const Vector3d size_mm(80, 24, 40);
+constexpr double youngs_kPa = 8.0;
+const Loads loads{ToolLoad{{80, 12, 40}, 12, {-150, 40, 260}}, PressureLoad{0.4}, GravityLoad{{0, 0, -9810}}};
+
+// Where the cut crosses the bar at a height.
+double cut_x_mm(double z_mm) { return 33.7 + 0.3 * z_mm; }
+const geometry::CutSurface wall =
+    geometry::CutSurface::plane({cut_x_mm(0), 0, 0}, Vector3d(1, 0, -0.3).normalized()).value();
+Vector3d on_front_mm(double z_mm) { return {cut_x_mm(z_mm), 0, z_mm}; }
+
+StaticModel model_of(geometry::TetMesh mesh) {
+  test::name_points(mesh, "clamped", [](const Vector3d& p) { return p.x() < 1e-6; });
+  test::name_points(mesh, "bed", [](const Vector3d& p) { return p.z() < 1e-6 && p.x() < 60.0; });
+  const std::size_t cells = mesh.cells.size();
+  return StaticModel::create(std::move(mesh), std::vector<double>(cells, youngs_kPa),
+                             {{NamedPoints{"clamped"}, Fixed{}}, {NamedPoints{"bed"}, Foundation{0.05}}})
+      .value();
+}
+
+geometry::TetMesh bar(int nx, int ny, int nz) {
+  geometry::TetMesh mesh = box(nx, ny, nz, size_mm);
+  test::disturb_inner_points(mesh, 0.1 * size_mm.x() / nx);
+  return mesh;
+}
+
+// The same bar, meshed with the cut: the points of its wall are doubled above the front.
+geometry::TetMesh meshed_with_the_cut(int nx, int ny, int nz, double front_z_mm) {
+  const int left = nx / 2;
+  const auto on_wall = [](const Vector3d& p) { return std::abs(p.x() - cut_x_mm(p.z())) < 1e-6; };
+  geometry::TetMesh mesh = test::bent_box(nx, ny, nz, [&](const Vector3d& unit) {
+    const double i = unit.x() * nx, z = unit.z() * size_mm.z(), cut = cut_x_mm(z);
+    return Vector3d(i <= left ? cut * i / left : cut + (size_mm.x() - cut) * (i - left) / (nx - left),
+                    unit.y() * size_mm.y(), z);
+  });
+  std::vector<int> double_of(mesh.points_mm.size(), -1);
+  for (std::size_t p = 0, all = mesh.points_mm.size(); p < all; ++p) {
+    const Vector3d at = mesh.points_mm[p];
+    if (!on_wall(at) || at.z() < front_z_mm + 1e-6) continue;
+    double_of[p] = static_cast<int>(mesh.points_mm.size());
+    mesh.points_mm.push_back(at);
+  }
+  for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
+    const Vector3d middle = geometry::cell_centroid_mm(mesh, c);
+    if (middle.x() < cut_x_mm(middle.z())) continue;
+    for (int& p : mesh.cells[c]) {
+      if (double_of[p] >= 0) p = double_of[p];
+    }
+  }
+  return mesh;
+}
+
+// All corners are seen.
+SeenPart corners_of(const StaticModel& model) {
+  return {[&model](const MatrixXd& u) {
+            MatrixXd part(3 * static_cast<Eigen::Index>(model.mesh().points_mm.size()), u.cols());
+            for (std::size_t p = 0; p < model.mesh().points_mm.size(); ++p) {
+              part.middleRows<3>(3 * static_cast<Eigen::Index>(p)) =
+                  u.middleRows<3>(3 * model.nodes().node_of_point[p]);
+            }
+            return part;
+          },
+          {}};
+}
+
+std::vector<Vector3d> displaced(const StaticModel& model, const Opening& opening) {
+  std::vector<Vector3d> u_mm = model.solve(loads)->displacement_mm;
+  const VectorXd by_cut_mm = opening.seen_mm(opening.jumps_mm(opening.standing_load()));
+  for (std::size_t p = 0; p < u_mm.size() && by_cut_mm.size() > 0; ++p) {
+    u_mm[p] += by_cut_mm.segment<3>(3 * static_cast<Eigen::Index>(p));
+  }
+  return u_mm;
+}
+
+Vector3d at_corner(const geometry::TetMesh& mesh, const std::vector<Vector3d>& u_mm) {
+  for (std::size_t p = 0; p < mesh.points_mm.size(); ++p) {
+    if ((mesh.points_mm[p] - size_mm).norm() < 1e-6) return u_mm[p];
+  }
+  ADD_FAILURE() << "no corner";
+  return Vector3d::Zero();
+}
+
+Opening nothing_open(const StaticModel& model) { return Opening::of(model, loads, corners_of(model)).value(); }
+
+TEST(Opening, ACutInStepsMovesTheBarAsAMeshWithTheCutDoes) {
+  const StaticModel whole = model_of(bar(18, 6, 9));
+  const Vector3d uncut_mm = at_corner(whole.mesh(), whole.solve(loads)->displacement_mm);
+  Opening opening = nothing_open(whole);
+  for (const auto& [from_mm, to_mm] : {std::pair{40.0, 21.0}, {21.0, 15.0}}) {
+    opening = opening.advanced({wall, on_front_mm(from_mm), on_front_mm(to_mm)}).value();
+    const StaticModel reference = model_of(meshed_with_the_cut(20, 5, 40, to_mm));
+    const Vector3d expected_mm = at_corner(reference.mesh(), reference.solve(loads)->displacement_mm);
+    const Vector3d reached_mm = at_corner(whole.mesh(), displaced(whole, opening));
+    EXPECT_GT((expected_mm - uncut_mm).norm(), 0.05 * expected_mm.norm());
+    EXPECT_LT((reached_mm - expected_mm).norm(), 0.02 * expected_mm.norm())
+        << "at " << to_mm << ": " << reached_mm.transpose() << " and " << expected_mm.transpose() << " uncut "
+        << uncut_mm.transpose();
+  }
+}
+
+TEST(Opening, IsTheSameHoweverManyAdvancesLedToIt) {
+  const StaticModel whole = model_of(bar(10, 4, 5));
+  const Opening at_once = nothing_open(whole).advanced({wall, on_front_mm(40), on_front_mm(18)}).value();
+  Opening in_steps = nothing_open(whole);
+  for (double z = 40; z > 18.5; z -= 5.5) {
+    in_steps = in_steps.advanced({wall, on_front_mm(z), on_front_mm(z - 5.5)}).value();
+  }
+  ASSERT_EQ(at_once.points().size(), in_steps.points().size());
+  const auto a_mm = displaced(whole, at_once), b_mm = displaced(whole, in_steps);
+  for (std::size_t p = 0; p < a_mm.size(); ++p) EXPECT_LT((a_mm[p] - b_mm[p]).norm(), 1e-7);
+}
+
+// Undo is the value before.
+TEST(Opening, AnAdvanceLeavesTheOneBeforeAsItWas) {
+  const StaticModel whole = model_of(bar(10, 4, 5));
+  const Opening before = nothing_open(whole).advanced({wall, on_front_mm(40), on_front_mm(30)}).value();
+  const VectorXd jumps_mm = before.jumps_mm(before.standing_load());
+  ASSERT_TRUE(before.advanced({wall, on_front_mm(30), on_front_mm(20)}));
+  EXPECT_EQ(before.jumps_mm(before.standing_load()), jumps_mm);
+}
+
+// What the jumps push on the nodes with displaces the whole body as the cut one.
+TEST(Opening, ItsForcesOnTheNodesDisplaceTheWholeBodyAlike) {
+  const StaticModel whole = model_of(bar(10, 4, 5));
+  const Opening opening = nothing_open(whole).advanced({wall, on_front_mm(40), on_front_mm(18)}).value();
+  const VectorXd jumps_mm = opening.jumps_mm(opening.standing_load());
+  const auto alike = whole.solve_nodal({opening.force_on_nodes_mN(jumps_mm), {}}).value();
+  const VectorXd seen_mm = opening.seen_mm(jumps_mm);
+  for (std::size_t p = 0; p < alike.displacement_mm.size(); ++p) {
+    EXPECT_LT((alike.displacement_mm[p] - seen_mm.segment<3>(3 * static_cast<Eigen::Index>(p))).norm(), 1e-6);
+  }
+}
+
+TEST(Opening, RefusesWhatItCannotOpen) {
+  const StaticModel whole = model_of(bar(10, 4, 5));
+  const Opening none = nothing_open(whole);
+  EXPECT_EQ(none.advanced({wall, on_front_mm(40), on_front_mm(40)}).error().code, "cut-invalid");
+  EXPECT_EQ(none.advanced({wall, on_front_mm(60), on_front_mm(50)}).error().code, "cut-misses");
+  const Opening half = none.advanced({wall, on_front_mm(40), on_front_mm(20)}).value();
+  EXPECT_EQ(half.advanced({wall, on_front_mm(40), on_front_mm(25)}).error().code, "cut-misses");
+  const auto across = geometry::CutSurface::plane({0, 12, 0}, {0, 1, 0}).value();
+  EXPECT_EQ(half.advanced({across, {0, 12, 40}, {0, 12, 20}}).error().code, "cuts-meet");
+}
+
+// The springs of the bed end at x = 60 mm: beyond that nothing holds the free end.
+TEST(Opening, RefusesToSeparateWhatNothingHolds) {
+  const StaticModel whole = model_of(bar(10, 4, 5));
+  const auto behind = geometry::CutSurface::plane({66.1, 0, 0}, {1, 0, 0}).value();
+  const Opening most = nothing_open(whole).advanced({behind, {66.1, 0, 40}, {66.1, 0, 8}}).value();
+  EXPECT_EQ(most.advanced({behind, {66.1, 0, 8}, {66.1, 0, 0}}).error().code, "cut-frees-part");
+}
+
+}  // namespace
+}  // namespace glisson::mechanics
