@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Cholesky>
+
 #include "bodies.h"
+#include "mechanics/contact/contact.h"
 #include "mechanics/cutting/opening.h"
 #include "mechanics/statics/static_model.h"
 
@@ -26,12 +29,13 @@ const geometry::CutSurface wall =
     geometry::CutSurface::plane({cut_x_mm(0), 0, 0}, Vector3d(1, 0, -0.3).normalized()).value();
 Vector3d on_front_mm(double z_mm) { return {cut_x_mm(z_mm), 0, z_mm}; }
 
-StaticModel model_of(geometry::TetMesh mesh) {
+StaticModel model_of(geometry::TetMesh mesh, const std::vector<int>& wall_points = {}) {
   test::name_points(mesh, "clamped", [](const Vector3d& p) { return p.x() < 1e-6; });
   test::name_points(mesh, "bed", [](const Vector3d& p) { return p.z() < 1e-6 && p.x() < 60.0; });
   const std::size_t cells = mesh.cells.size();
   return StaticModel::create(std::move(mesh), std::vector<double>(cells, youngs_kPa),
-                             {{NamedPoints{"clamped"}, Fixed{}}, {NamedPoints{"bed"}, Foundation{0.05}}})
+                             {{NamedPoints{"clamped"}, Fixed{}}, {NamedPoints{"bed"}, Foundation{0.05}}}, {}, {},
+                             wall_points)
       .value();
 }
 
@@ -42,7 +46,11 @@ geometry::TetMesh bar(int nx, int ny, int nz) {
 }
 
 // The same bar, meshed with the cut: the points of its wall are doubled above the front.
-geometry::TetMesh meshed_with_the_cut(int nx, int ny, int nz, double front_z_mm) {
+struct MeshedCut {
+  geometry::TetMesh mesh;
+  std::vector<int> wall_points;
+};
+MeshedCut meshed_with_the_cut(int nx, int ny, int nz, double front_z_mm) {
   const int left = nx / 2;
   const auto on_wall = [](const Vector3d& p) { return std::abs(p.x() - cut_x_mm(p.z())) < 1e-6; };
   geometry::TetMesh mesh = test::bent_box(nx, ny, nz, [&](const Vector3d& unit) {
@@ -50,12 +58,13 @@ geometry::TetMesh meshed_with_the_cut(int nx, int ny, int nz, double front_z_mm)
     return Vector3d(i <= left ? cut * i / left : cut + (size_mm.x() - cut) * (i - left) / (nx - left),
                     unit.y() * size_mm.y(), z);
   });
-  std::vector<int> double_of(mesh.points_mm.size(), -1);
+  std::vector<int> double_of(mesh.points_mm.size(), -1), wall_points;
   for (std::size_t p = 0, all = mesh.points_mm.size(); p < all; ++p) {
     const Vector3d at = mesh.points_mm[p];
     if (!on_wall(at) || at.z() < front_z_mm + 1e-6) continue;
     double_of[p] = static_cast<int>(mesh.points_mm.size());
     mesh.points_mm.push_back(at);
+    wall_points.insert(wall_points.end(), {static_cast<int>(p), double_of[p]});
   }
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
     const Vector3d middle = geometry::cell_centroid_mm(mesh, c);
@@ -64,7 +73,7 @@ geometry::TetMesh meshed_with_the_cut(int nx, int ny, int nz, double front_z_mm)
       if (double_of[p] >= 0) p = double_of[p];
     }
   }
-  return mesh;
+  return {std::move(mesh), std::move(wall_points)};
 }
 
 // All corners are seen.
@@ -105,7 +114,7 @@ TEST(Opening, ACutInStepsMovesTheBarAsAMeshWithTheCutDoes) {
   Opening opening = nothing_open(whole);
   for (const auto& [from_mm, to_mm] : {std::pair{40.0, 21.0}, {21.0, 15.0}}) {
     opening = opening.advanced({wall, on_front_mm(from_mm), on_front_mm(to_mm)}).value();
-    const StaticModel reference = model_of(meshed_with_the_cut(20, 5, 40, to_mm));
+    const StaticModel reference = model_of(meshed_with_the_cut(20, 5, 40, to_mm).mesh);
     const Vector3d expected_mm = at_corner(reference.mesh(), reference.solve(loads)->displacement_mm);
     const Vector3d reached_mm = at_corner(whole.mesh(), displaced(whole, opening));
     EXPECT_GT((expected_mm - uncut_mm).norm(), 0.05 * expected_mm.norm());
@@ -165,6 +174,73 @@ TEST(Opening, RefusesToSeparateWhatNothingHolds) {
   const auto behind = geometry::CutSurface::plane({66.1, 0, 0}, {1, 0, 0}).value();
   const Opening most = nothing_open(whole).advanced({behind, {66.1, 0, 40}, {66.1, 0, 8}}).value();
   EXPECT_EQ(most.advanced({behind, {66.1, 0, 8}, {66.1, 0, 0}}).error().code, "cut-frees-part");
+}
+
+Vector3d corner_of(const ContactBody& body, const ContactState& state) {
+  return at_corner({body.surface().points_mm, {}, {}, {}}, state.surface_mm);
+}
+
+// Jaws at the cut's edge draw the free part away. Ten times as far as without the cut: all of it is the cut's.
+TEST(OpeningInContact, UnderTractionThePartsOpenAsOnAMeshWithTheCut) {
+  const ContactTool jaws{"jaws", Grasp{{cut_x_mm(40) + 8, 12, 40}, 7, 400.0, {1, 0, 0.5}}};
+  const auto whole = ContactBody::create(model_of(bar(18, 6, 9)), {}, {}).value();
+  const auto cut = whole.opened({wall, on_front_mm(40), on_front_mm(15)}).value();
+  const auto reference = ContactBody::create(model_of(meshed_with_the_cut(16, 5, 40, 15).mesh), {}, {}).value();
+  const auto reached = cut.solve(cut.untouched(), {jaws}).value();
+  ASSERT_TRUE(reached.report.converged);
+  EXPECT_EQ(reached.report.overlap_mm, 0.0);
+  const Vector3d u_mm = corner_of(cut, reached);
+  const Vector3d expected_mm = corner_of(reference, reference.solve(reference.untouched(), {jaws}).value());
+  EXPECT_LT((u_mm - expected_mm).norm(), 0.05 * expected_mm.norm())
+      << u_mm.transpose() << " " << expected_mm.transpose();
+
+  // The whole of it by one more solve, and the way back.
+  const auto everywhere = cut.whole_result(reached).value();
+  const auto places = geometry::find_field(cut.surface().point_fields, "mesh_point")->values;
+  for (std::size_t p = 0; p < places.size(); ++p) {
+    EXPECT_LT((everywhere.displacement_mm[static_cast<std::size_t>(places[p])] - reached.surface_mm[p]).norm(), 1e-5);
+  }
+  const auto again = whole.solve(whole.untouched(), {jaws}).value();
+  EXPECT_LT(corner_of(whole, again).norm(), 0.15 * expected_mm.norm());
+}
+
+// Pressed together the walls slide and carry pressure: against the mesh with the cut, whose points are paired as they
+// were one, which holds while they slide by little. Without contact its end would go six times as far.
+TEST(OpeningInContact, PressedTogetherTheWallsDoNotPassThroughEachOther) {
+  const Loads push{ToolLoad{{cut_x_mm(40) + 8, 12, 40}, 7, {-400, 0, 0}}};
+  const MeshedCut with_cut = meshed_with_the_cut(16, 5, 24, 15);
+  const StaticModel reference = model_of(with_cut.mesh, with_cut.wall_points);
+  const std::vector<Vector3d> free_mm = reference.solve(push)->displacement_mm;
+  const auto pairs = static_cast<Eigen::Index>(with_cut.wall_points.size() / 2);
+  MatrixXd apart = MatrixXd::Zero(6 * pairs, pairs);
+  VectorXd gap_mm(pairs);
+  for (Eigen::Index i = 0; i < pairs; ++i) {
+    apart.block<3, 1>(6 * i, i) = -wall.normal();
+    apart.block<3, 1>(6 * i + 3, i) = wall.normal();
+    const auto k = static_cast<std::size_t>(2 * i);
+    gap_mm[i] = wall.normal().dot(free_mm[with_cut.wall_points[k + 1]] - free_mm[with_cut.wall_points[k]]);
+  }
+  const MatrixXd compliance = apart.transpose() * reference.mutual_compliance() * apart;
+  const VectorXd force_mN = -compliance.ldlt().solve(gap_mm);
+  ASSERT_GT(force_mN.minCoeff(), 0.0);  // all of them press
+  const VectorXd on_walls_mN = apart * force_mN;
+  VectorXd on_nodes_mN = VectorXd::Zero(3 * static_cast<Eigen::Index>(reference.nodes().nodes()));
+  for (std::size_t i = 0; i < with_cut.wall_points.size(); ++i) {
+    on_nodes_mN.segment<3>(3 * reference.nodes().node_of_point[with_cut.wall_points[i]]) +=
+        on_walls_mN.segment<3>(3 * static_cast<Eigen::Index>(i));
+  }
+  const Vector3d expected_mm = at_corner(reference.mesh(), free_mm) +
+                               at_corner(reference.mesh(), reference.solve_nodal({on_nodes_mN, {}})->displacement_mm);
+
+  const auto whole = ContactBody::create(model_of(bar(18, 6, 9)), push, {}).value();
+  const auto cut = whole.opened({wall, on_front_mm(40), on_front_mm(15)}).value();
+  EXPECT_TRUE(cut.untouched().report.converged);
+  EXPECT_LT(cut.untouched().report.overlap_mm, 0.1);
+  EXPECT_GT(cut.untouched().wall_mN.size(), cut.opening()->points().size() / 2);
+  const Vector3d u_mm = corner_of(cut, cut.untouched());
+  EXPECT_LT((u_mm - expected_mm).norm(), 0.1 * expected_mm.norm())
+      << u_mm.transpose() << " " << expected_mm.transpose();
+  EXPECT_GT(at_corner(reference.mesh(), free_mm).norm(), 4.0 * expected_mm.norm());
 }
 
 }  // namespace
