@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
+#include <Eigen/Geometry>
 
 #include "bodies.h"
 #include "mechanics/contact/contact.h"
+#include "mechanics/cutting/opened_surface.h"
 #include "mechanics/cutting/opening.h"
 #include "mechanics/statics/static_model.h"
 
@@ -202,6 +204,39 @@ TEST(OpeningInContact, UnderTractionThePartsOpenAsOnAMeshWithTheCut) {
   }
   const auto again = whole.solve(whole.untouched(), {jaws}).value();
   EXPECT_LT(corner_of(whole, again).norm(), 0.15 * expected_mm.norm());
+}
+
+// Drawn, the parts have the volume that the cells have, each open one by both of its sides.
+TEST(OpeningInContact, TheSurfaceIsDividedAtTheCutAndClosedByItsWalls) {
+  const auto whole = ContactBody::create(model_of(bar(10, 4, 5)), loads, {}).value();
+  const auto cut = whole.opened({wall, on_front_mm(40), on_front_mm(17)}).value();
+  const geometry::Surface drawn = cut.opened_surface(cut.untouched()).value();
+  ASSERT_TRUE(geometry::check_surface(drawn));
+  const auto& on_wall = geometry::find_field(drawn.cell_fields, "wall")->values;
+  ASSERT_EQ(on_wall.size(), drawn.triangles.size());
+  // At rest, with jumps that are put on: what is above moves away by 5 mm in one piece where all of it is open.
+  const StaticModel& model = whole.model();
+  const Opening opening = nothing_open(model).advanced({wall, on_front_mm(40), on_front_mm(17)}).value();
+  const std::vector<Vector3d> still(model.mesh().points_mm.size(), Vector3d::Zero());
+  const std::vector<Vector3d> jumps_mm(opening.points().size(), 5.0 * wall.normal());
+  const geometry::Surface apart = opened_surface(model.mesh(), whole.surface(), opening.cells(), still, jumps_mm);
+  double largest_mm = 0, walls_mm2 = 0;
+  for (std::size_t p = whole.surface().points_mm.size(); p < apart.points_mm.size(); ++p) {
+    largest_mm = std::max(largest_mm, std::abs(wall.height_mm(apart.points_mm[p])));
+  }
+  EXPECT_NEAR(largest_mm, 5.0, 0.2);  // points are taken off the cut by up to a hundredth of an edge
+  const geometry::Surface together = opened_surface(model.mesh(), whole.surface(), opening.cells(), still,
+                                                    std::vector(jumps_mm.size(), Vector3d(0, 0, 0)));
+  EXPECT_NEAR(geometry::volume_mm3(together), geometry::volume_mm3(whole.surface()), 1e-3);
+  for (std::size_t t = 0; t < together.triangles.size(); ++t) {
+    if (on_wall[t] == 0) continue;
+    const auto& [a, b, c] = together.triangles[t];
+    const auto& points = together.points_mm;
+    walls_mm2 += 0.5 * (points[b] - points[a]).cross(points[c] - points[a]).norm();
+  }
+  EXPECT_GE(0.5 * walls_mm2, opening.open_mm2() - 1e-6);
+  EXPECT_NEAR(opening.open_mm2() + opening.whole_mm2(), 24 * 40 * std::sqrt(1.09), 1.0);
+  EXPECT_NEAR(opening.open_mm2(), 24 * 23 * std::sqrt(1.09), 24 * 2);
 }
 
 // Pressed together the walls slide and carry pressure: against the mesh with the cut, whose points are paired as they

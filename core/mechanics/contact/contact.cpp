@@ -3,6 +3,7 @@
 #include <numeric>
 
 #include "mechanics/contact/internal/contact_search.h"
+#include "mechanics/cutting/opened_surface.h"
 #include "mechanics/elements/load_vector.h"
 
 namespace glisson::mechanics {
@@ -63,6 +64,14 @@ Result<ContactBody> ContactBody::opened(const CutStrip& strip) const {
   if (!untouched) return failure(std::move(untouched.error()));
   parts->untouched = std::move(*untouched);
   return ContactBody(std::move(parts));
+}
+
+Result<geometry::Surface> ContactBody::opened_surface(const ContactState& state) const {
+  const SurfaceResponses& responses = impl_->responses;
+  return responses.seen_under(state.force_mN, state.wall_mN).map([&](const Eigen::VectorXd& seen_mm) {
+    return mechanics::opened_surface(model().mesh(), surface(), responses.open_cells(),
+                                     responses.mesh_points_mm(seen_mm), state.jumps_mm);
+  });
 }
 
 const Opening* ContactBody::opening() const { return impl_->responses.opening(); }

@@ -128,6 +128,9 @@ class ContactBody {
   [[nodiscard]] const geometry::Surface& surface() const;
   [[nodiscard]] const StaticModel& model() const;
 
+  // The surface as it lies, divided where a cut has opened, with the cut's walls (opened_surface.h).
+  [[nodiscard]] Result<geometry::Surface> opened_surface(const ContactState& state) const;
+
   // Every mesh point's displacement (mm), and the whole result, by one more solve with the state's forces.
   [[nodiscard]] Result<StaticResult> whole_result(const ContactState& state) const;
 

@@ -49,13 +49,12 @@ struct PartlyCut {
 };
 
 bool same(const geometry::CutSurface& a, const geometry::CutSurface& b);
-bool within(const CutStrip& strip, const Vector3d& place_mm);
 std::vector<double> volumes_around_mm3(const geometry::TetMesh& mesh);
 bool is_fixed(const Body& body, int point);
 std::vector<WholeWall> walls_of(const geometry::TetMesh& mesh, const PartlyCut& cut);
 // How much of a point's share of the wall is cut, between 0 and 1.
 double cut_share(const PartlyCut& cut, const geometry::TetMesh& mesh, int point);
-double whole_mm2(const PartlyCut& cut);
+double whole_area_mm2(const PartlyCut& cut);
 
 }  // namespace
 
@@ -88,6 +87,26 @@ struct Opening::State {
   Result<void> factorise();
 };
 
+bool lies_within(const CutStrip& strip, const Vector3d& place_mm) {
+  const Vector3d way_mm = strip.to_mm - strip.from_mm;
+  const double at = (place_mm - strip.from_mm).dot(way_mm) / way_mm.squaredNorm();
+  return at >= 0 && at <= 1;
+}
+
+bool crosses(const CutStrip& strip, const geometry::Surface& surface) {
+  std::vector<double> height_mm;
+  for (const Vector3d& point : surface.points_mm) height_mm.push_back(strip.surface.height_mm(point));
+  return std::any_of(surface.triangles.begin(), surface.triangles.end(), [&](const std::array<int, 3>& triangle) {
+    for (int i = 0; i < 3; ++i) {
+      const auto a = static_cast<std::size_t>(triangle[i]), b = static_cast<std::size_t>(triangle[(i + 1) % 3]);
+      if ((height_mm[a] > 0) == (height_mm[b] > 0)) continue;
+      const double share = height_mm[a] / (height_mm[a] - height_mm[b]);
+      if (lies_within(strip, (1.0 - share) * surface.points_mm[a] + share * surface.points_mm[b])) return true;
+    }
+    return false;
+  });
+}
+
 Result<Opening> Opening::of(StaticModel model, Loads standing_loads, SeenPart seen) {
   const Body& body = model.body();
   auto force_mN = load_vector(body.mesh, body.layout, body.boundary, body.options.density_kg_mm3, standing_loads);
@@ -117,7 +136,7 @@ Result<Opening> Opening::advanced(const CutStrip& strip) const {
     cut = next->cuts.insert(cut, {std::move(along), {}, {}});
     cut->walls = walls_of(body.mesh, *cut);
   }
-  const double whole_before_mm2 = whole_mm2(*cut);
+  const double whole_before_mm2 = whole_area_mm2(*cut);
   cut->strips.push_back(strip);
   cut->walls = walls_of(body.mesh, *cut);
 
@@ -129,7 +148,7 @@ Result<Opening> Opening::advanced(const CutStrip& strip) const {
                          GLISSON_TEXT("Go on along the earlier cut, or keep a cell's distance from it."),
                          {}});
   }
-  if (new_points.empty() && whole_mm2(*cut) == whole_before_mm2) {
+  if (new_points.empty() && whole_area_mm2(*cut) == whole_before_mm2) {
     return failure("cut-misses", GLISSON_TEXT("The cut opens nothing: all that lies along it is open already, held, or "
                                               "outside of the body."));
   }
@@ -303,6 +322,20 @@ VectorXd Opening::seen_mm(const VectorXd& jumps_mm) const {
   return sum_mm;
 }
 
+double Opening::open_mm2() const {
+  double all_mm2 = 0;
+  for (const PartlyCut& cut : state_->cuts) {
+    for (const WholeWall& wall : cut.walls) all_mm2 += wall.all_mm2.sum();
+  }
+  return all_mm2 - whole_mm2();
+}
+
+double Opening::whole_mm2() const {
+  double sum_mm2 = 0;
+  for (const PartlyCut& cut : state_->cuts) sum_mm2 += whole_area_mm2(cut);
+  return sum_mm2;
+}
+
 VectorXd Opening::force_on_nodes_mN(const VectorXd& jumps_mm) const {
   VectorXd force_mN = VectorXd::Zero(state_->standing_force_mN.size());
   for (std::size_t i = 0; i < state_->open.size(); ++i) {
@@ -320,10 +353,10 @@ std::vector<OpenCell> Opening::cells() const {
       if (state_->open[i]->along == cut.along) number[state_->open[i]->point] = static_cast<int>(i);
     }
     for (const CrossedCell& crossed : cut.along->crossing.cells) {
-      OpenCell cell{crossed.cell, {}, {}, crossed.division.wall};
+      OpenCell cell{crossed.cell, {}, Eigen::Vector4d::Zero(), crossed.division.wall};
       for (int i = 0; i < 4; ++i) {
         cell.jump[i] = number[mesh.cells[crossed.cell][i]];
-        cell.above[i] = cut.along->crossing.height_mm[mesh.cells[crossed.cell][i]] > 0;
+        cell.height_mm[i] = cut.along->crossing.height_mm[mesh.cells[crossed.cell][i]];
       }
       if (std::any_of(cell.jump.begin(), cell.jump.end(), [](int j) { return j >= 0; }))
         cells.push_back(std::move(cell));
@@ -337,12 +370,6 @@ namespace {
 bool same(const geometry::CutSurface& a, const geometry::CutSurface& b) {
   if (!a.is_plane() || !b.is_plane()) return false;
   return a.normal().isApprox(b.normal(), 1e-9) && std::abs(a.height_mm(b.point_mm())) < 1e-6;
-}
-
-bool within(const CutStrip& strip, const Vector3d& place_mm) {
-  const Vector3d way_mm = strip.to_mm - strip.from_mm;
-  const double at = (place_mm - strip.from_mm).dot(way_mm) / way_mm.squaredNorm();
-  return at >= 0 && at <= 1;
 }
 
 std::vector<double> volumes_around_mm3(const geometry::TetMesh& mesh) {
@@ -368,7 +395,7 @@ std::vector<WholeWall> walls_of(const geometry::TetMesh& mesh, const PartlyCut& 
       wall.all_mm2 += area_mm2 * at;
       const Vector3d place_mm = corner_mm * at;
       if (std::any_of(cut.strips.begin(), cut.strips.end(),
-                      [&](const CutStrip& strip) { return within(strip, place_mm); })) {
+                      [&](const CutStrip& strip) { return lies_within(strip, place_mm); })) {
         continue;
       }
       wall.whole_mm2 += area_mm2 * at;
@@ -379,7 +406,7 @@ std::vector<WholeWall> walls_of(const geometry::TetMesh& mesh, const PartlyCut& 
   return walls;
 }
 
-double whole_mm2(const PartlyCut& cut) {
+double whole_area_mm2(const PartlyCut& cut) {
   double sum_mm2 = 0;
   for (const WholeWall& wall : cut.walls) sum_mm2 += wall.whole_mm2.sum();
   return sum_mm2;

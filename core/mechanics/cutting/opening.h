@@ -22,6 +22,7 @@
 
 #include "base/result.h"
 #include "geometry/cut_surface.h"
+#include "geometry/surface.h"
 #include "mechanics/elements/point_location.h"
 #include "mechanics/scenario/scenario.h"
 #include "mechanics/statics/static_model.h"
@@ -34,6 +35,10 @@ struct CutStrip {
   Eigen::Vector3d from_mm{0, 0, 0};  // on the front where the strip begins
   Eigen::Vector3d to_mm{0, 0, 0};    // on the front where it ends
 };
+
+[[nodiscard]] bool lies_within(const CutStrip& strip, const Eigen::Vector3d& place_mm);  // between the fronts
+// Whether an edge of the surface (at rest) passes through the strip.
+[[nodiscard]] bool crosses(const CutStrip& strip, const geometry::Surface& surface);
 
 // What of the displacements is asked for.
 struct SeenPart {
@@ -51,12 +56,13 @@ struct SeenPart {
 // comes within 2 % of the block meshed with the cut in most of the fifteen.
 inline constexpr double bridge_stiffness = 2.0;
 
-// A cell that is open, wholly or in part. On the side `s` (1 above, 0 below) the corner i is displaced by
-// u_i + (s - above_i) times the jump of that number in Opening::points(); -1: none.
+// A cell that is open, wholly or in part. On the side `s` (1 above, 0 below) the corner i is displaced by u_i + (s -
+// H_i) times the jump of that number in Opening::points(), -1 being none; H_i is 1 where the corner's height is above
+// zero.
 struct OpenCell {
   int cell;
   std::array<int, 4> jump;
-  std::array<bool, 4> above;
+  Eigen::Vector4d height_mm;
   std::vector<Eigen::Vector4d> wall;  // three or four places in order around it, barycentric
 };
 
@@ -85,6 +91,10 @@ class Opening {
   // The jumps (mm, 3 a point) under loads on them, and by how much what is seen moves because of those.
   [[nodiscard]] Eigen::MatrixXd jumps_mm(const Eigen::MatrixXd& load) const;
   [[nodiscard]] Eigen::VectorXd seen_mm(const Eigen::VectorXd& jumps_mm) const;
+
+  // Of the cuts' walls within the body (mm2), one side of them.
+  [[nodiscard]] double open_mm2() const;
+  [[nodiscard]] double whole_mm2() const;  // what still bridges them
 
   // What the jumps push on the body's nodes with: with the loads, these are the forces under which the whole body has
   // the displacements of the cut one at its points.

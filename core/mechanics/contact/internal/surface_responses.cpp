@@ -192,6 +192,12 @@ Eigen::MatrixXd SurfaceResponses::seen_part(const Eigen::MatrixXd& displacement_
   return part;
 }
 
+std::vector<Vector3d> SurfaceResponses::mesh_points_mm(const VectorXd& seen_mm) const {
+  std::vector<Vector3d> displacement_mm;
+  for (const Eigen::Index place : seen_of_mesh_point_) displacement_mm.emplace_back(seen_mm.segment<3>(3 * place));
+  return displacement_mm;
+}
+
 StrainRange SurfaceResponses::strain_range(const VectorXd& seen_mm, const VectorXd& jumps_mm) const {
   const geometry::TetMesh& mesh = model_.mesh();
   using Corners = Eigen::Matrix<double, 3, 4>;
@@ -217,7 +223,7 @@ StrainRange SurfaceResponses::strain_range(const VectorXd& seen_mm, const Vector
     for (const int side : {0, 1}) {
       Corners u_mm = corners_of(static_cast<std::size_t>(cell.cell));
       for (int i = 0; i < 4; ++i) {
-        if (cell.jump[i] >= 0) u_mm.col(i) += (side - int{cell.above[i]}) * jumps_mm.segment<3>(3 * cell.jump[i]);
+        if (cell.jump[i] >= 0) u_mm.col(i) += (side - (cell.height_mm[i] > 0 ? 1 : 0)) * jumps_mm.segment<3>(3 * cell.jump[i]);
       }
       count(static_cast<std::size_t>(cell.cell), u_mm, range);
     }

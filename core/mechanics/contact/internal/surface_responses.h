@@ -45,6 +45,7 @@ class SurfaceResponses {
   // "not-available" for a body that was meshed with cuts.
   [[nodiscard]] Result<SurfaceResponses> opened(const CutStrip& strip, const Loads& standing_loads) const;
   [[nodiscard]] const Opening* opening() const { return opening_ ? &*opening_ : nullptr; }
+  [[nodiscard]] const std::vector<OpenCell>& open_cells() const { return open_cells_; }
 
   // Solves for what is not known of the points yet; gives back for how many right-hand sides. Failure: "not-converged".
   [[nodiscard]] Result<int> remember(const std::vector<int>& points) const;
@@ -64,6 +65,8 @@ class SurfaceResponses {
   [[nodiscard]] Eigen::Index surface_values() const { return 3 * static_cast<Eigen::Index>(mesh_point_.size()); }
   [[nodiscard]] Eigen::Index watched_values() const { return 3 * static_cast<Eigen::Index>(watched_.size()); }
 
+  // Of what is seen, the displacement of each point of the mesh.
+  [[nodiscard]] std::vector<Eigen::Vector3d> mesh_points_mm(const Eigen::VectorXd& seen_mm) const;
   // By the cells' corners alone: the largest mean strain of any cell, and the cells turned inside out.
   // An open cell counts by both of its sides.
   [[nodiscard]] StrainRange strain_range(const Eigen::VectorXd& seen_mm, const Eigen::VectorXd& jumps_mm) const;
