@@ -2569,10 +2569,6 @@
         <translation>{0} der Sitzung kann nicht gelesen werden: {1}.</translation>
     </message>
     <message>
-        <source>A command is {&quot;hold&quot;: {...}}, {&quot;release&quot;: id} or {&quot;undo&quot;: true}.</source>
-        <translation>Ein Befehl ist {&quot;hold&quot;: {...}}, {&quot;release&quot;: id} oder {&quot;undo&quot;: true}.</translation>
-    </message>
-    <message>
         <source>The cut passes the liver by.</source>
         <translation>Der Schnitt geht an der Leber vorbei.</translation>
     </message>
@@ -4809,6 +4805,66 @@
         <translation>nichts wurde hineingeschrieben</translation>
     </message>
     <message>
+        <source>A cut cannot advance through a body that was meshed with a cut.</source>
+        <translation>Durch einen Körper, der schon mit einem Schnitt vernetzt ist, lässt sich kein Schnitt weiterführen.</translation>
+    </message>
+    <message>
+        <source>A cut cannot advance through a body with a capsule.</source>
+        <translation>Durch einen Körper mit Kapsel lässt sich kein Schnitt weiterführen.</translation>
+    </message>
+    <message>
+        <source>Leave the capsule out, or cut before the rehearsal.</source>
+        <translation>Lassen Sie die Kapsel weg, oder schneiden Sie vor der Probe.</translation>
+    </message>
+    <message>
+        <source>The cut&apos;s advance needs two different places to go between.</source>
+        <translation>Das Weiterführen des Schnitts braucht zwei verschiedene Orte, zwischen denen es verläuft.</translation>
+    </message>
+    <message>
+        <source>The cut crosses an earlier one, whose walls would have to be divided too.</source>
+        <translation>Der Schnitt kreuzt einen früheren, dessen Wände auch geteilt werden müssten.</translation>
+    </message>
+    <message>
+        <source>Go on along the earlier cut, or keep a cell&apos;s distance from it.</source>
+        <translation>Führen Sie den früheren Schnitt weiter, oder halten Sie eine Zelle Abstand von ihm.</translation>
+    </message>
+    <message>
+        <source>The cut opens nothing: all that lies along it is open already, held, or outside of the body.</source>
+        <translation>Der Schnitt öffnet nichts: Alles entlang davon ist schon offen, festgehalten oder außerhalb des Körpers.</translation>
+    </message>
+    <message>
+        <source>The body&apos;s answer to the cut was not found: the relative residual stayed at {0}.</source>
+        <translation>Die Antwort des Körpers auf den Schnitt wurde nicht gefunden: Das relative Residuum blieb bei {0}.</translation>
+    </message>
+    <message>
+        <source>Nothing would hold the part that this cut separates.</source>
+        <translation>Nichts würde den Teil halten, den dieser Schnitt abtrennt.</translation>
+    </message>
+    <message>
+        <source>Stop before the last bridge of tissue.</source>
+        <translation>Hören Sie vor der letzten Gewebebrücke auf.</translation>
+    </message>
+    <message>
+        <source>A curved cut cannot be led through the liver step by step.</source>
+        <translation>Ein gekrümmter Schnitt lässt sich nicht Schritt für Schritt durch die Leber führen.</translation>
+    </message>
+    <message>
+        <source>Plan a plane in Resect.</source>
+        <translation>Planen Sie in Resektion eine Ebene.</translation>
+    </message>
+    <message>
+        <source>The planned cut passes the liver by.</source>
+        <translation>Der geplante Schnitt geht an der Leber vorbei.</translation>
+    </message>
+    <message>
+        <source>A command is {&quot;hold&quot;: {...}}, {&quot;release&quot;: id}, {&quot;cut&quot;: {...}} or {&quot;undo&quot;: true}.</source>
+        <translation>Ein Befehl ist {&quot;hold&quot;: {...}}, {&quot;release&quot;: id}, {&quot;cut&quot;: {...}} oder {&quot;undo&quot;: true}.</translation>
+    </message>
+    <message>
+        <source>The plan was set on the liver as it was held aside: set it at rest to cut along it here.</source>
+        <translation>Der Plan wurde an der zur Seite gehaltenen Leber gesetzt: Setzen Sie ihn in Ruhe, um hier daran entlang zu schneiden.</translation>
+    </message>
+    <message>
         <source>The case has no plan {0}.</source>
         <translation>Der Fall hat keinen Plan {0}.</translation>
     </message>
@@ -4989,14 +5045,6 @@
         <translation>Davon bleibt (ml)</translation>
     </message>
     <message>
-        <source>The case has no plan to compare.</source>
-        <translation>Der Fall hat keinen Plan zum Vergleichen.</translation>
-    </message>
-    <message>
-        <source>Add some first: glisson-cli plan CASE --add PLAN.json.</source>
-        <translation>Fügen Sie zuerst welche hinzu: glisson-cli plan CASE --add PLAN.json.</translation>
-    </message>
-    <message>
         <source>Make the demo anew.</source>
         <translation>Erstellen Sie die Demo neu.</translation>
     </message>
@@ -5007,6 +5055,14 @@
     <message>
         <source>The liver of {0} was found in no frame of its own video.</source>
         <translation>Die Leber von {0} wurde in keinem Bild ihres eigenen Videos gefunden.</translation>
+    </message>
+    <message>
+        <source>The case has no plan to compare.</source>
+        <translation>Der Fall hat keinen Plan zum Vergleichen.</translation>
+    </message>
+    <message>
+        <source>Add some first: glisson-cli plan CASE --add PLAN.json.</source>
+        <translation>Fügen Sie zuerst welche hinzu: glisson-cli plan CASE --add PLAN.json.</translation>
     </message>
     <message>
         <source>Writing the video</source>
@@ -5023,6 +5079,49 @@
     <message>
         <source>Reading the clouds</source>
         <translation>Punktwolken werden gelesen</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::AdvanceControls</name>
+    <message>
+        <source>Cut along the plan</source>
+        <translation>Nach Plan schneiden</translation>
+    </message>
+    <message>
+        <source>Cut 5 mm further</source>
+        <translation>5 mm weiter schneiden</translation>
+    </message>
+    <message>
+        <source>Leads the planned cut on, from the lower front edge to the upper back, while rigid tools hold the liver. Energy devices and bleeding are not simulated.</source>
+        <translation>Führt den geplanten Schnitt weiter, vom unteren vorderen Rand nach hinten oben, während starre Instrumente die Leber halten. Energieinstrumente und Blutung werden nicht simuliert.</translation>
+    </message>
+    <message>
+        <source>Take back</source>
+        <translation>Zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Closes the last 5 mm, as long as no tool was moved since</source>
+        <translation>Schließt die letzten 5 mm, solange seither kein Instrument bewegt wurde</translation>
+    </message>
+    <message>
+        <source>Plan a plane in Resect and save the plan, to cut along it here.</source>
+        <translation>Planen Sie in Resektion eine Ebene und speichern Sie den Plan, um hier daran entlang zu schneiden.</translation>
+    </message>
+    <message>
+        <source>%1 % of the section is open, by up to %2 mm.</source>
+        <translation>%1 % der Schnittfläche sind offen, bis zu %2 mm weit.</translation>
+    </message>
+    <message>
+        <source>Crossed: %1.</source>
+        <translation>Gekreuzt: %1.</translation>
+    </message>
+    <message>
+        <source>The plan&apos;s cut is %1 mm long. Nothing is cut yet.</source>
+        <translation>Der geplante Schnitt ist %1 mm lang. Noch ist nichts geschnitten.</translation>
+    </message>
+    <message>
+        <source>Tick the rigid tool above, to cut while tools hold the liver.</source>
+        <translation>Wählen Sie oben das starre Instrument, um zu schneiden, während Instrumente die Leber halten.</translation>
     </message>
 </context>
 <context>

@@ -2569,10 +2569,6 @@
         <translation>No se puede leer {0} de la sesión: {1}.</translation>
     </message>
     <message>
-        <source>A command is {&quot;hold&quot;: {...}}, {&quot;release&quot;: id} or {&quot;undo&quot;: true}.</source>
-        <translation>Una orden es {&quot;hold&quot;: {...}}, {&quot;release&quot;: id} o {&quot;undo&quot;: true}.</translation>
-    </message>
-    <message>
         <source>The cut passes the liver by.</source>
         <translation>La sección no pasa por el hígado.</translation>
     </message>
@@ -4809,6 +4805,66 @@
         <translation>no se escribió nada en él</translation>
     </message>
     <message>
+        <source>A cut cannot advance through a body that was meshed with a cut.</source>
+        <translation>No se puede avanzar un corte por un cuerpo mallado ya con un corte.</translation>
+    </message>
+    <message>
+        <source>A cut cannot advance through a body with a capsule.</source>
+        <translation>No se puede avanzar un corte por un cuerpo con cápsula.</translation>
+    </message>
+    <message>
+        <source>Leave the capsule out, or cut before the rehearsal.</source>
+        <translation>Omita la cápsula o corte antes del ensayo.</translation>
+    </message>
+    <message>
+        <source>The cut&apos;s advance needs two different places to go between.</source>
+        <translation>El avance del corte necesita dos lugares distintos entre los que ir.</translation>
+    </message>
+    <message>
+        <source>The cut crosses an earlier one, whose walls would have to be divided too.</source>
+        <translation>El corte cruza otro anterior, cuyas paredes también habría que dividir.</translation>
+    </message>
+    <message>
+        <source>Go on along the earlier cut, or keep a cell&apos;s distance from it.</source>
+        <translation>Continúe el corte anterior o manténgase a una celda de distancia.</translation>
+    </message>
+    <message>
+        <source>The cut opens nothing: all that lies along it is open already, held, or outside of the body.</source>
+        <translation>El corte no abre nada: todo a lo largo de él ya está abierto, está fijo o queda fuera del cuerpo.</translation>
+    </message>
+    <message>
+        <source>The body&apos;s answer to the cut was not found: the relative residual stayed at {0}.</source>
+        <translation>No se halló la respuesta del cuerpo al corte: el residuo relativo se quedó en {0}.</translation>
+    </message>
+    <message>
+        <source>Nothing would hold the part that this cut separates.</source>
+        <translation>Nada sujetaría la parte que este corte separa.</translation>
+    </message>
+    <message>
+        <source>Stop before the last bridge of tissue.</source>
+        <translation>Deténgase antes del último puente de tejido.</translation>
+    </message>
+    <message>
+        <source>A curved cut cannot be led through the liver step by step.</source>
+        <translation>Un corte curvo no se puede llevar paso a paso por el hígado.</translation>
+    </message>
+    <message>
+        <source>Plan a plane in Resect.</source>
+        <translation>Planifique un plano en Resección.</translation>
+    </message>
+    <message>
+        <source>The planned cut passes the liver by.</source>
+        <translation>El corte planificado no toca el hígado.</translation>
+    </message>
+    <message>
+        <source>A command is {&quot;hold&quot;: {...}}, {&quot;release&quot;: id}, {&quot;cut&quot;: {...}} or {&quot;undo&quot;: true}.</source>
+        <translation>Una orden es {&quot;hold&quot;: {...}}, {&quot;release&quot;: id}, {&quot;cut&quot;: {...}} o {&quot;undo&quot;: true}.</translation>
+    </message>
+    <message>
+        <source>The plan was set on the liver as it was held aside: set it at rest to cut along it here.</source>
+        <translation>El plan se fijó con el hígado apartado: fíjelo en reposo para cortar aquí según él.</translation>
+    </message>
+    <message>
         <source>The case has no plan {0}.</source>
         <translation>El caso no tiene ningún plan {0}.</translation>
     </message>
@@ -4989,14 +5045,6 @@
         <translation>De ello queda (ml)</translation>
     </message>
     <message>
-        <source>The case has no plan to compare.</source>
-        <translation>El caso no tiene ningún plan que comparar.</translation>
-    </message>
-    <message>
-        <source>Add some first: glisson-cli plan CASE --add PLAN.json.</source>
-        <translation>Añada antes alguno: glisson-cli plan CASE --add PLAN.json.</translation>
-    </message>
-    <message>
         <source>Make the demo anew.</source>
         <translation>Haga la demostración de nuevo.</translation>
     </message>
@@ -5007,6 +5055,14 @@
     <message>
         <source>The liver of {0} was found in no frame of its own video.</source>
         <translation>El hígado de {0} no se halló en ningún fotograma de su propio vídeo.</translation>
+    </message>
+    <message>
+        <source>The case has no plan to compare.</source>
+        <translation>El caso no tiene ningún plan que comparar.</translation>
+    </message>
+    <message>
+        <source>Add some first: glisson-cli plan CASE --add PLAN.json.</source>
+        <translation>Añada antes alguno: glisson-cli plan CASE --add PLAN.json.</translation>
     </message>
     <message>
         <source>Writing the video</source>
@@ -5023,6 +5079,49 @@
     <message>
         <source>Reading the clouds</source>
         <translation>Leyendo las nubes de puntos</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::AdvanceControls</name>
+    <message>
+        <source>Cut along the plan</source>
+        <translation>Cortar según el plan</translation>
+    </message>
+    <message>
+        <source>Cut 5 mm further</source>
+        <translation>Cortar 5 mm más</translation>
+    </message>
+    <message>
+        <source>Leads the planned cut on, from the lower front edge to the upper back, while rigid tools hold the liver. Energy devices and bleeding are not simulated.</source>
+        <translation>Continúa el corte planificado, del borde anterior inferior hacia atrás y arriba, mientras instrumentos rígidos sujetan el hígado. No se simulan instrumentos de energía ni sangrado.</translation>
+    </message>
+    <message>
+        <source>Take back</source>
+        <translation>Deshacer el paso</translation>
+    </message>
+    <message>
+        <source>Closes the last 5 mm, as long as no tool was moved since</source>
+        <translation>Cierra los últimos 5 mm mientras no se haya movido ningún instrumento</translation>
+    </message>
+    <message>
+        <source>Plan a plane in Resect and save the plan, to cut along it here.</source>
+        <translation>Planifique un plano en Resección y guarde el plan para cortar aquí según él.</translation>
+    </message>
+    <message>
+        <source>%1 % of the section is open, by up to %2 mm.</source>
+        <translation>El %1 % de la sección está abierto, hasta %2 mm.</translation>
+    </message>
+    <message>
+        <source>Crossed: %1.</source>
+        <translation>Cruzado: %1.</translation>
+    </message>
+    <message>
+        <source>The plan&apos;s cut is %1 mm long. Nothing is cut yet.</source>
+        <translation>El corte planificado mide %1 mm. Aún no se ha cortado nada.</translation>
+    </message>
+    <message>
+        <source>Tick the rigid tool above, to cut while tools hold the liver.</source>
+        <translation>Marque arriba el instrumento rígido para cortar mientras los instrumentos sujetan el hígado.</translation>
     </message>
 </context>
 <context>

@@ -2569,10 +2569,6 @@
         <translation>{0} de la séance ne peut pas être lu&#xa0;: {1}.</translation>
     </message>
     <message>
-        <source>A command is {&quot;hold&quot;: {...}}, {&quot;release&quot;: id} or {&quot;undo&quot;: true}.</source>
-        <translation>Une commande est {&quot;hold&quot;: {...}}, {&quot;release&quot;: id} ou {&quot;undo&quot;: true}.</translation>
-    </message>
-    <message>
         <source>The cut passes the liver by.</source>
         <translation>La section passe à côté du foie.</translation>
     </message>
@@ -4809,6 +4805,66 @@
         <translation>rien n’y a été écrit</translation>
     </message>
     <message>
+        <source>A cut cannot advance through a body that was meshed with a cut.</source>
+        <translation>Une coupe ne peut pas avancer dans un corps déjà maillé avec une coupe.</translation>
+    </message>
+    <message>
+        <source>A cut cannot advance through a body with a capsule.</source>
+        <translation>Une coupe ne peut pas avancer dans un corps muni d’une capsule.</translation>
+    </message>
+    <message>
+        <source>Leave the capsule out, or cut before the rehearsal.</source>
+        <translation>Omettez la capsule, ou coupez avant la répétition.</translation>
+    </message>
+    <message>
+        <source>The cut&apos;s advance needs two different places to go between.</source>
+        <translation>L’avance de la coupe exige deux endroits différents.</translation>
+    </message>
+    <message>
+        <source>The cut crosses an earlier one, whose walls would have to be divided too.</source>
+        <translation>La coupe croise une coupe précédente, dont les parois devraient aussi être divisées.</translation>
+    </message>
+    <message>
+        <source>Go on along the earlier cut, or keep a cell&apos;s distance from it.</source>
+        <translation>Poursuivez la coupe précédente, ou restez à une cellule de distance.</translation>
+    </message>
+    <message>
+        <source>The cut opens nothing: all that lies along it is open already, held, or outside of the body.</source>
+        <translation>La coupe n’ouvre rien : tout ce qui s’y trouve est déjà ouvert, fixé ou hors du corps.</translation>
+    </message>
+    <message>
+        <source>The body&apos;s answer to the cut was not found: the relative residual stayed at {0}.</source>
+        <translation>La réponse du corps à la coupe n’a pas été trouvée : le résidu relatif est resté à {0}.</translation>
+    </message>
+    <message>
+        <source>Nothing would hold the part that this cut separates.</source>
+        <translation>Rien ne tiendrait la partie que cette coupe sépare.</translation>
+    </message>
+    <message>
+        <source>Stop before the last bridge of tissue.</source>
+        <translation>Arrêtez-vous avant le dernier pont de tissu.</translation>
+    </message>
+    <message>
+        <source>A curved cut cannot be led through the liver step by step.</source>
+        <translation>Une coupe courbe ne peut pas être menée pas à pas à travers le foie.</translation>
+    </message>
+    <message>
+        <source>Plan a plane in Resect.</source>
+        <translation>Planifiez un plan de coupe dans Résection.</translation>
+    </message>
+    <message>
+        <source>The planned cut passes the liver by.</source>
+        <translation>La coupe prévue passe à côté du foie.</translation>
+    </message>
+    <message>
+        <source>A command is {&quot;hold&quot;: {...}}, {&quot;release&quot;: id}, {&quot;cut&quot;: {...}} or {&quot;undo&quot;: true}.</source>
+        <translation>Une commande est {&quot;hold&quot;: {...}}, {&quot;release&quot;: id}, {&quot;cut&quot;: {...}} ou {&quot;undo&quot;: true}.</translation>
+    </message>
+    <message>
+        <source>The plan was set on the liver as it was held aside: set it at rest to cut along it here.</source>
+        <translation>Le plan a été posé sur le foie écarté : posez-le au repos pour couper ici en le suivant.</translation>
+    </message>
+    <message>
         <source>The case has no plan {0}.</source>
         <translation>Le cas n’a pas de plan {0}.</translation>
     </message>
@@ -4989,14 +5045,6 @@
         <translation>Dont reste (ml)</translation>
     </message>
     <message>
-        <source>The case has no plan to compare.</source>
-        <translation>Le cas n’a aucun plan à comparer.</translation>
-    </message>
-    <message>
-        <source>Add some first: glisson-cli plan CASE --add PLAN.json.</source>
-        <translation>Ajoutez-en d’abord : glisson-cli plan CASE --add PLAN.json.</translation>
-    </message>
-    <message>
         <source>Make the demo anew.</source>
         <translation>Refaites la démonstration.</translation>
     </message>
@@ -5007,6 +5055,14 @@
     <message>
         <source>The liver of {0} was found in no frame of its own video.</source>
         <translation>Le foie de {0} n&apos;a été trouvé dans aucune image de sa propre vidéo.</translation>
+    </message>
+    <message>
+        <source>The case has no plan to compare.</source>
+        <translation>Le cas n’a aucun plan à comparer.</translation>
+    </message>
+    <message>
+        <source>Add some first: glisson-cli plan CASE --add PLAN.json.</source>
+        <translation>Ajoutez-en d’abord : glisson-cli plan CASE --add PLAN.json.</translation>
     </message>
     <message>
         <source>Writing the video</source>
@@ -5023,6 +5079,49 @@
     <message>
         <source>Reading the clouds</source>
         <translation>Lecture des nuages de points</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::AdvanceControls</name>
+    <message>
+        <source>Cut along the plan</source>
+        <translation>Couper selon le plan</translation>
+    </message>
+    <message>
+        <source>Cut 5 mm further</source>
+        <translation>Couper 5 mm de plus</translation>
+    </message>
+    <message>
+        <source>Leads the planned cut on, from the lower front edge to the upper back, while rigid tools hold the liver. Energy devices and bleeding are not simulated.</source>
+        <translation>Poursuit la coupe prévue, du bord antérieur inférieur vers l’arrière et le haut, pendant que des instruments rigides tiennent le foie. Ni instruments à énergie ni saignement ne sont simulés.</translation>
+    </message>
+    <message>
+        <source>Take back</source>
+        <translation>Revenir</translation>
+    </message>
+    <message>
+        <source>Closes the last 5 mm, as long as no tool was moved since</source>
+        <translation>Referme les 5 derniers mm, tant qu’aucun instrument n’a bougé depuis</translation>
+    </message>
+    <message>
+        <source>Plan a plane in Resect and save the plan, to cut along it here.</source>
+        <translation>Planifiez un plan de coupe dans Résection et enregistrez-le, pour couper ici en le suivant.</translation>
+    </message>
+    <message>
+        <source>%1 % of the section is open, by up to %2 mm.</source>
+        <translation>%1 % de la section est ouverte, jusqu’à %2 mm.</translation>
+    </message>
+    <message>
+        <source>Crossed: %1.</source>
+        <translation>Traversé : %1.</translation>
+    </message>
+    <message>
+        <source>The plan&apos;s cut is %1 mm long. Nothing is cut yet.</source>
+        <translation>La coupe prévue mesure %1 mm. Rien n’est encore coupé.</translation>
+    </message>
+    <message>
+        <source>Tick the rigid tool above, to cut while tools hold the liver.</source>
+        <translation>Cochez l’instrument rigide ci-dessus, pour couper pendant que des instruments tiennent le foie.</translation>
     </message>
 </context>
 <context>

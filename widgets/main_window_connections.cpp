@@ -1,6 +1,7 @@
 // How the window's parts hear of each other.
 
 #include "widgets/main_window.h"
+#include "widgets/rehearse/planned_course.h"
 #include "widgets/words/translated.h"
 
 namespace glisson::widgets {
@@ -100,6 +101,13 @@ void MainWindow::connect_rehearsal() {
   });
   connect(rehearse_panel_, &RehearsePanel::landmarks_wanted, this, &MainWindow::keep_landmarks);
   connect(rehearse_panel_, &RehearsePanel::at_work, patient_views_, &PatientViews::set_tool_movable);
+  connect(rehearse_panel_, &RehearsePanel::at_work, this, [this](bool here) {
+    if (!here) return;
+    std::vector<std::string> names;
+    for (const PatientStructure& structure : patient_.structures) names.push_back(structure.name);
+    const PlannedCourse plan = planned_course(patient_);
+    rehearse_panel_->show_plan(plan.course, plan.why_not, std::move(names));
+  });
   connect(rehearse_panel_, &RehearsePanel::failed, this, &MainWindow::show_error);
   connect(rehearse_panel_, &RehearsePanel::said, status_, &StatusLine::say);
   rehearse_panel_->track().set_camera([this] { return views_->space().picture(); });

@@ -55,6 +55,11 @@ Json json_of(const rehearsal::SessionFrame& frame) {
             {"landmarks", Json::array()}};
   if (!frame.refused.empty()) json["refused"] = frame.refused;
   if (frame.atlas_step) json["atlas"] = json_of(*frame.atlas_step);
+  if (frame.cut) {
+    json["cut"] = {{"open_mm2", frame.cut->open_mm2},
+                   {"bridge_mm2", frame.cut->bridge_mm2},
+                   {"largest_opening_mm", frame.cut->largest_opening_mm}};
+  }
   if (frame.validity.state() != mechanics::AnswerState::within) json["reason"] = frame.validity.sentence().message();
   if (!frame.validity.usable()) return json;
   json["max_displacement_mm"] = frame.patient.max_displacement_mm;
@@ -144,7 +149,7 @@ void add_session(CLI::App& app, Action& chosen) {
   command
       ->add_option(
           "--commands", options->commands_file,
-          "\"glisson-session/1\" (JSON): hold, release and undo; a digest that stands there must come out again")
+          "\"glisson-session/1\" (JSON): hold, release, cut and undo; a digest that stands there must come out again")
       ->required();
   command->add_option("--out", options->out, "The same commands with each frame's digest");
   command->callback(

@@ -33,7 +33,9 @@ Result<CutSurface> CutSurface::plane(const Vector3d& point_mm, const Vector3d& n
   }
   CutSurface surface;
   surface.point_mm_ = point_mm;
-  surface.normal_ = normal.normalized();
+  // Of unit length to rounding it stays to the bit: what was written of a plane reads back as that plane.
+  constexpr double rounding = 1e-14;
+  surface.normal_ = std::abs(normal.squaredNorm() - 1.0) < rounding ? normal : normal.normalized();
   surface.plane_ = axes_across(surface.normal_);
   return surface;
 }

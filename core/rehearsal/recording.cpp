@@ -106,13 +106,36 @@ ContactTool tool_from(const Json& json) {
   return {id, std::move(touching)};
 }
 
+Json json_of(const mechanics::CutStrip& strip) {
+  Json plane = json_of(strip.surface.point_mm());
+  for (const double n : {strip.surface.normal().x(), strip.surface.normal().y(), strip.surface.normal().z()}) {
+    plane.push_back(n);
+  }
+  return {{"plane", std::move(plane)}, {"from_mm", json_of(strip.from_mm)}, {"to_mm", json_of(strip.to_mm)}};
+}
+
+mechanics::CutStrip strip_from(const Json& json) {
+  check_keys(json, {"plane", "from_mm", "to_mm"});
+  const std::vector<Json> plane = list_under(json, "plane", "the cut");
+  if (plane.size() != 6) refuse_at("plane", "{0} must be six numbers: a point on it, then its normal.");
+  Vector3d point_mm, normal;
+  for (int i = 0; i < 3; ++i) {
+    point_mm[i] = number_in(plane[static_cast<std::size_t>(i)], "plane");
+    normal[i] = number_in(plane[static_cast<std::size_t>(i + 3)], "plane");
+  }
+  auto surface = geometry::CutSurface::plane(point_mm, normal);
+  if (!surface) refuse_at("plane", "{0} needs a normal with a length.");
+  return {std::move(*surface), vector_under(json, "from_mm", "the cut"), vector_under(json, "to_mm", "the cut")};
+}
+
 std::pair<SessionCommand, std::string> command_from(const Json& json) {
-  check_keys(json, {"hold", "release", "undo", "digest"});
-  if (json.count("hold") + json.count("release") + json.count("undo") != 1)
+  check_keys(json, {"hold", "release", "undo", "cut", "digest"});
+  if (json.count("hold") + json.count("release") + json.count("undo") + json.count("cut") != 1)
     refuse_at("it", "{0} must say one thing to do.");
   const std::string digest = json.contains("digest") ? text_in(json["digest"], "digest") : std::string();
   if (json.contains("hold")) return {HoldTool{tool_from(json["hold"])}, digest};
   if (json.contains("release")) return {ReleaseTool{text_in(json["release"], "release")}, digest};
+  if (json.contains("cut")) return {AdvanceCut{strip_from(json["cut"])}, digest};
   return {Undo{}, digest};
 }
 
@@ -126,6 +149,8 @@ std::string recording_text(const Recording& recording) {
       json["hold"] = json_of(hold->tool);
     } else if (const auto* release = std::get_if<ReleaseTool>(&command)) {
       json["release"] = release->id;
+    } else if (const auto* advance = std::get_if<AdvanceCut>(&command)) {
+      json["cut"] = json_of(advance->strip);
     } else {
       json["undo"] = true;
     }
@@ -139,11 +164,12 @@ Result<Recording> parse_recording(std::string_view json, const std::filesystem::
   const auto document = parse_json(json, file);
   if (!document) return failure(document.error());
   const auto cannot_be_read = [&](const std::string& which, const std::string& why) {
-    return failure(Error{"session-invalid",
-                         GLISSON_TEXT("{0} of the session cannot be read: {1}."),
-                         {which, why},
-                         GLISSON_TEXT("A command is {\"hold\": {...}}, {\"release\": id} or {\"undo\": true}."),
-                         file});
+    return failure(
+        Error{"session-invalid",
+              GLISSON_TEXT("{0} of the session cannot be read: {1}."),
+              {which, why},
+              GLISSON_TEXT("A command is {\"hold\": {...}}, {\"release\": id}, {\"cut\": {...}} or {\"undo\": true}."),
+              file});
   };
   const Json* commands = value_in(*document, "commands");
   if (!says(*document, "format", "glisson-session/1") || commands == nullptr || !commands->is_array()) {

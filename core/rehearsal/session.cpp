@@ -22,8 +22,11 @@ using Tools = std::vector<ContactTool>;
 // All that a command starts from, and undo goes back to.
 struct Moment {
   Tools tools;
+  ContactBody patient_body;
+  std::optional<ContactBody> atlas_body;
   ContactState patient;
   std::optional<ContactState> atlas;
+  std::vector<mechanics::CutStrip> cuts = {};
 };
 
 // Between two sets of tools: those of the same id go in a straight line, the others are there at once, and what pushes
@@ -37,7 +40,6 @@ std::string digest_of(const Moment& moment);
 }  // namespace
 
 struct SessionEngine::Impl {
-  std::optional<ContactBody> patient, atlas;
   std::vector<mechanics::Landmark> landmarks;
   std::vector<mechanics::PointInMesh> landmark_places;
   std::vector<geometry::Surface> structures;
@@ -45,8 +47,11 @@ struct SessionEngine::Impl {
   std::uint64_t commands = 0;
   std::shared_ptr<const SessionFrame> latest;
 
+  // With the tools there; and cut further under the same tools.
   [[nodiscard]] Result<Moment> moved(const Moment& from, const Tools& tools) const;
+  [[nodiscard]] Result<Moment> cut(const Moment& from, const mechanics::CutStrip& strip) const;
   [[nodiscard]] RehearsalBody shown(const ContactBody& body, const ContactState& state) const;
+  [[nodiscard]] std::shared_ptr<const SessionCut> cut_of(const Moment& moment) const;
   [[nodiscard]] SessionFrame frame_of(const Moment& moment) const;
 };
 
@@ -67,13 +72,13 @@ Result<SessionEngine> SessionEngine::create(RehearsalSetup setup, const Progress
   if (!models) return failure(std::move(models.error()));
   auto patient = ContactBody::create((*models)->patient, setup.standing_loads, watched);
   if (!patient) return failure(std::move(patient.error()));
-  parts->patient = std::move(*patient);
-  Moment untouched{{}, parts->patient->untouched(), {}};
+  ContactState at_rest = patient->untouched();
+  Moment untouched{{}, std::move(*patient), {}, std::move(at_rest), {}};
   if ((*models)->atlas) {
     auto atlas = ContactBody::create(*(*models)->atlas, setup.standing_loads, watched);
     if (!atlas) return failure(std::move(atlas.error()));
-    parts->atlas = std::move(*atlas);
-    untouched.atlas = parts->atlas->untouched();
+    untouched.atlas = atlas->untouched();
+    untouched.atlas_body = std::move(*atlas);
   }
   parts->moments.push_back(std::move(untouched));
   parts->latest = std::make_shared<SessionFrame>(parts->frame_of(parts->moments.back()));
@@ -103,13 +108,17 @@ const SessionFrame& SessionEngine::step(const SessionCommand& command) {
     } else {
       tools.erase(held);
     }
-  } else if (parts.moments.size() > 1) {
-    parts.moments.pop_back();
-  } else {
-    refused = "There is nothing to undo.";
+  } else if (std::holds_alternative<Undo>(command)) {
+    if (parts.moments.size() > 1) {
+      parts.moments.pop_back();
+    } else {
+      refused = "There is nothing to undo.";
+    }
   }
   if (refused.empty() && !std::holds_alternative<Undo>(command)) {
-    auto moment = parts.moved(parts.moments.back(), tools);
+    const auto* advance = std::get_if<AdvanceCut>(&command);
+    auto moment =
+        advance != nullptr ? parts.cut(parts.moments.back(), advance->strip) : parts.moved(parts.moments.back(), tools);
     if (moment) {
       parts.moments.push_back(std::move(*moment));
     } else {
@@ -150,10 +159,13 @@ Result<Moment> SessionEngine::Impl::moved(const Moment& from, const Tools& tools
     return state;
   };
   std::future<Result<ContactState>> beside;
-  if (atlas) beside = std::async(std::launch::async, [&] { return all_steps(*atlas, *from.atlas); });
-  auto patient_state = all_steps(*patient, from.patient);
-  Moment moment{tools, {}, {}};
-  if (atlas) {
+  if (from.atlas) {
+    beside = std::async(std::launch::async, [&] { return all_steps(*from.atlas_body, *from.atlas); });
+  }
+  auto patient_state = all_steps(from.patient_body, from.patient);
+  Moment moment = from;
+  moment.tools = tools;
+  if (from.atlas) {
     auto atlas_state = beside.get();
     if (!atlas_state) return failure(std::move(atlas_state.error()));
     moment.atlas = std::move(*atlas_state);
@@ -161,6 +173,22 @@ Result<Moment> SessionEngine::Impl::moved(const Moment& from, const Tools& tools
   if (!patient_state) return failure(std::move(patient_state.error()));
   moment.patient = std::move(*patient_state);
   return moment;
+}
+
+Result<Moment> SessionEngine::Impl::cut(const Moment& from, const mechanics::CutStrip& strip) const {
+  std::future<Result<ContactBody>> beside;
+  if (from.atlas) beside = std::async(std::launch::async, [&] { return from.atlas_body->opened(strip); });
+  auto patient_body = from.patient_body.opened(strip);
+  Moment opened = from;
+  if (from.atlas) {
+    auto atlas_body = beside.get();
+    if (!atlas_body) return failure(std::move(atlas_body.error()));
+    opened.atlas_body = std::move(*atlas_body);
+  }
+  if (!patient_body) return failure(std::move(patient_body.error()));
+  opened.patient_body = std::move(*patient_body);
+  opened.cuts.push_back(strip);
+  return moved(opened, from.tools);
 }
 
 RehearsalBody SessionEngine::Impl::shown(const ContactBody& body, const ContactState& state) const {
@@ -182,15 +210,34 @@ RehearsalBody SessionEngine::Impl::shown(const ContactBody& body, const ContactS
   return shown;
 }
 
+std::shared_ptr<const SessionCut> SessionEngine::Impl::cut_of(const Moment& moment) const {
+  const mechanics::Opening* opening = moment.patient_body.opening();
+  if (opening == nullptr) return nullptr;
+  auto surface = moment.patient_body.opened_surface(moment.patient);
+  if (!surface) return nullptr;
+  SessionCut cut{std::move(*surface), moment.cuts.size(), opening->open_mm2(), opening->whole_mm2(), 0, {}};
+  for (const Vector3d& jump_mm : moment.patient.jumps_mm) {
+    cut.largest_opening_mm = std::max(cut.largest_opening_mm, jump_mm.norm());
+  }
+  for (std::size_t s = 0; s < structures.size(); ++s) {
+    if (std::any_of(moment.cuts.begin(), moment.cuts.end(),
+                    [&](const mechanics::CutStrip& strip) { return mechanics::crosses(strip, structures[s]); })) {
+      cut.crossed.push_back(s);
+    }
+  }
+  return std::make_shared<SessionCut>(std::move(cut));
+}
+
 SessionFrame SessionEngine::Impl::frame_of(const Moment& moment) const {
   SessionFrame frame;
   frame.tools = moment.tools;
-  frame.patient = shown(*patient, moment.patient);
+  frame.patient = shown(moment.patient_body, moment.patient);
+  frame.cut = cut_of(moment);
   frame.patient_step = {moment.patient.report, moment.patient.tools};
   frame.validity = {moment.patient.report.converged, moment.patient.report.largest_strain,
                     moment.patient.report.inverted_cells};
   if (moment.atlas) {
-    frame.atlas = shown(*atlas, *moment.atlas);
+    frame.atlas = shown(*moment.atlas_body, *moment.atlas);
     frame.atlas_step = SessionStep{moment.atlas->report, moment.atlas->tools};
     frame.differences = differences_between(frame.patient.landmarks, frame.atlas->landmarks);
     for (std::size_t p = 0; p < frame.patient.surface_mm.size(); ++p) {
@@ -204,9 +251,10 @@ SessionFrame SessionEngine::Impl::frame_of(const Moment& moment) const {
 
 const SessionFrame& SessionEngine::frame() const { return *impl_->latest; }
 std::shared_ptr<const SessionFrame> SessionEngine::shared_frame() const { return impl_->latest; }
-const geometry::Surface& SessionEngine::surface() const { return impl_->patient->surface(); }
+const geometry::Surface& SessionEngine::surface() const { return impl_->moments.front().patient_body.surface(); }
 Result<mechanics::StaticResult> SessionEngine::whole_result() const {
-  return impl_->patient->whole_result(impl_->moments.back().patient);
+  const Moment& now = impl_->moments.back();
+  return now.patient_body.whole_result(now.patient);
 }
 
 std::optional<std::size_t> replay(SessionEngine& engine, const Recording& recording) {
@@ -280,6 +328,7 @@ std::string digest_of(const Moment& moment) {
     for (const Vector3d& u : state.surface_mm) add(u);
     for (const Vector3d& u : state.watched_mm) add(u);
     for (const auto& [point, force] : state.force_mN) add(force);
+    for (const Vector3d& jump : state.jumps_mm) add(jump);
   };
   add_state(moment.patient);
   if (moment.atlas) add_state(*moment.atlas);

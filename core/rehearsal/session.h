@@ -20,6 +20,7 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "mechanics/contact/contact.h"
+#include "rehearsal/session_cut.h"
 #include "rehearsal/static_rehearsal.h"
 
 namespace glisson::rehearsal {
@@ -31,9 +32,13 @@ struct HoldTool {
 struct ReleaseTool {
   std::string id;
 };
+// Opens a cut further, in both bodies (mechanics/cutting/opening.h).
+struct AdvanceCut {
+  mechanics::CutStrip strip;
+};
 // Back to before the last command that was not undone. What was undone is gone.
 struct Undo {};
-using SessionCommand = std::variant<HoldTool, ReleaseTool, Undo>;
+using SessionCommand = std::variant<HoldTool, ReleaseTool, Undo, AdvanceCut>;
 
 struct SessionStep {
   mechanics::ContactReport report;
@@ -48,6 +53,7 @@ struct SessionFrame {
   SessionStep patient_step;
   mechanics::Validity validity = {};  // of the patient's body, its strain by the corners of cells
   std::optional<SessionStep> atlas_step;
+  std::shared_ptr<const SessionCut> cut;        // nullptr: nothing is cut
   std::vector<LandmarkDifference> differences;  // those of 5 mm and more are significant()
   double max_difference_mm = 0;                 // over the surface
   // Empty where the last command was carried out. Otherwise why it was not: the frame then shows what was before it,

@@ -20,6 +20,7 @@
 #include "mechanics/statics/static_model.h"
 #include "mechanics/statics/validity.h"
 #include "rehearsal/comparison.h"
+#include "rehearsal/session_cut.h"
 
 namespace glisson::rehearsal {
 
@@ -65,6 +66,7 @@ struct RehearsalFrame {
   double relative_residual = 0;                 // the larger of the solves it is made from
   mechanics::Validity validity = {};            // of the patient's body
   double answer_ms = 0;
+  std::shared_ptr<const SessionCut> cut = nullptr;  // of a session (session.h) alone
 };
 
 class PlacedTool {

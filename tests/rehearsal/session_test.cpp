@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "mechanics/bodies.h"
+#include "rehearsal/cut_course.h"
 
 namespace glisson::rehearsal {
 namespace {
@@ -112,6 +113,73 @@ TEST(Session, ARecordingReplaysToTheBitThroughItsFile) {
   EXPECT_EQ(replay(other, altered), std::optional<std::size_t>(1));
 }
 
+TEST(CutCourse, LeadsFromTheLowerFrontEdgeOfThePlaneThroughTheBody) {
+  const geometry::TetMesh body = mechanics::test::box(6, 6, 3, {80, 80, 40});
+  const auto plane = geometry::CutSurface::plane({31, 99, 7}, {1, 0, 0}).value();
+  const CutCourse course = course_of(body, plane).value();
+  EXPECT_NEAR(course.forward.y(), std::sqrt(0.5), 1e-12);  // to the back
+  EXPECT_NEAR(course.forward.z(), std::sqrt(0.5), 1e-12);  // and the head
+  EXPECT_NEAR(course.length_mm, 120 * std::sqrt(0.5), 1e-9);
+  EXPECT_NEAR(course.begin_mm.x(), 31, 1e-12);
+  EXPECT_NEAR(course.begin_mm.dot(course.forward), 0, 1e-9);  // the lower front edge is at y = z = 0
+  const auto strip = course.strip(5, 10);
+  EXPECT_NEAR((strip.to_mm - strip.from_mm).norm(), 5, 1e-12);
+  // Across that way, to the left.
+  const auto across = geometry::CutSurface::plane({40, 40, 20}, {0, 1, 1}).value();
+  EXPECT_NEAR(course_of(body, across)->forward.x(), 1, 1e-12);
+  EXPECT_EQ(course_of(body, geometry::CutSurface::plane({90, 0, 0}, {1, 0, 0}).value()).error().code, "cut-misses");
+  const auto sheet = geometry::CutSurface::through({{10, 10, 10}, {70, 10, 12}, {10, 70, 12}, {70, 70, 20}}).value();
+  EXPECT_EQ(course_of(body, sheet).error().code, "cut-curved");
+}
+
+AdvanceCut advance(double from_x_mm, double to_x_mm) {
+  return {
+      {geometry::CutSurface::plane({0, 40.7, 0}, {0, 1, 0.05}).value(), {from_x_mm, 40.7, 20}, {to_x_mm, 40.7, 20}}};
+}
+
+// A grasper holds one side up while the cut advances from the block's edge towards it and past it.
+TEST(Session, ACutOpensUnderTractionStepByStepAndBackAgain) {
+  auto engine = SessionEngine::create(block()).value();
+  const ContactTool lifting{"grasper", Grasp{{30, 56, 40}, 9, 800.0, {0, 0.6, 1}}};
+  Recording recording;
+  const auto carry_out = [&](const SessionCommand& command) -> const SessionFrame& {
+    const SessionFrame& frame = engine.step(command);
+    EXPECT_EQ(frame.refused, "");
+    recording.emplace_back(command, frame.digest);
+    return frame;
+  };
+  const SessionFrame uncut = carry_out(HoldTool{lifting});
+  EXPECT_EQ(uncut.cut, nullptr);
+  const SessionFrame first = carry_out(advance(80, 55));
+  const SessionFrame second = carry_out(advance(55, 25));
+  ASSERT_TRUE(first.cut && second.cut);
+  EXPECT_GT(second.cut->open_mm2, first.cut->open_mm2);
+  EXPECT_NEAR(second.cut->open_mm2 + second.cut->bridge_mm2, first.cut->open_mm2 + first.cut->bridge_mm2, 1e-6);
+  EXPECT_GT(second.cut->largest_opening_mm, first.cut->largest_opening_mm);
+  EXPECT_GT(second.patient.max_displacement_mm, uncut.patient.max_displacement_mm);
+  EXPECT_LE(second.patient_step.report.overlap_mm, 0.1);
+  // The triangle that hangs in the block lies across the second advance alone.
+  EXPECT_TRUE(first.cut->crossed.empty());
+  EXPECT_EQ(second.cut->crossed, std::vector<std::size_t>{0});
+  // What is shown is what a whole solve under the same forces and jumps finds.
+  const auto whole = engine.whole_result().value();
+  const auto& mesh_point = engine.surface().point_fields[0].values;
+  for (std::size_t p = 0; p < mesh_point.size(); ++p) {
+    const Vector3d shown = second.patient.surface_mm[p] - engine.surface().points_mm[p];
+    EXPECT_LT((shown - whole.displacement_mm[static_cast<std::size_t>(mesh_point[p])]).norm(), 1e-5);
+  }
+
+  const SessionFrame& back = carry_out(Undo{});
+  EXPECT_EQ(back.digest, first.digest);
+  EXPECT_EQ(carry_out(advance(55, 25)).digest, second.digest);
+  const SessionFrame& beside = engine.step(advance(-20, -30));
+  EXPECT_THAT(beside.refused, HasSubstr("opens nothing"));
+  EXPECT_EQ(beside.digest, second.digest);
+
+  auto again = SessionEngine::create(block()).value();
+  EXPECT_FALSE(replay(again, parse_recording(recording_text(recording)).value()).has_value());
+}
+
 TEST(Session, ACommandThatCannotBeCarriedOutLeavesWhatWasAndSaysWhy) {
   auto engine = SessionEngine::create(block()).value();
   const std::string before = engine.step(HoldTool{probe({35, 40, 44})}).digest;
@@ -125,6 +193,10 @@ TEST(Session, ACommandThatCannotBeCarriedOutLeavesWhatWasAndSaysWhy) {
                   .error()
                   .message(),
               HasSubstr("Command 1 of the session cannot be read: it has an unknown key \"rod\""));
+  EXPECT_THAT(parse_recording(R"({"format": "glisson-session/1", "commands": [{"cut": {"plane": [0, 0, 0, 0, 0]}}]})")
+                  .error()
+                  .message(),
+              HasSubstr("plane must be six numbers"));
 }
 
 void wait_for(const LiveSession& session, SessionState state) {

@@ -18,6 +18,7 @@
 #include "support/shapes.h"
 #include "vision/frame.h"
 #include "widgets/main_window.h"
+#include "widgets/rehearse/rehearse_panel.h"
 
 namespace glisson::widgets {
 namespace {
@@ -200,6 +201,50 @@ class RehearseTest : public QObject {
     QTest::mouseClick(child<QPushButton>("release"), Qt::LeftButton);
     QCOMPARE(rehearsal().tools().size(), std::size_t{1});
     QCOMPARE(rehearsal().tools().front().preset, std::string("palpation-probe"));
+  }
+
+  // A grasper draws the free end to the left; the planned cut, before the tumour, is led on under it.
+  void the_planned_cut_opens_step_by_step_while_a_tool_holds_the_liver() {
+    auto* advance = child<QPushButton>("advance_cut");
+    auto* back = child<QPushButton>("take_cut_back");
+    auto* state = child<QLabel>("cut_state");
+    QVERIFY(!advance->isEnabled());
+    QVERIFY(state->text().contains("Resect"));
+    const auto plane = geometry::CutSurface::plane({63, 0, 0}, {1, 0, 0}).value();
+    window_->findChild<RehearsePanel*>()->show_plan(
+        rehearsal::course_of(test::box_of_tetrahedra({6, 4, 4}, {120, 80, 80}), plane).value(), {},
+        {"liver", "tumour-1"});
+    QVERIFY(state->text().contains("rigid"));
+    rehearsal().hold({"grasper", {120, 40, 40}, {1, 0, 0}, 15, {1, 0, 0}, 1.0});
+    rehearsal().set_touch(Touch::rigid);
+    QTRY_COMPARE_WITH_TIMEOUT(rehearsal().solving(), Solving::solved, patience_ms);
+    QVERIFY(!rehearsal().frame()->cut);
+    double opening_mm = 0;
+    for (int step = 1; step <= 12; ++step) {
+      QTRY_VERIFY_WITH_TIMEOUT(advance->isEnabled(), patience_ms);
+      QTest::mouseClick(advance, Qt::LeftButton);
+      QTRY_VERIFY_WITH_TIMEOUT(rehearsal().solving() != Solving::solving && rehearsal().cut_steps() == step,
+                               patience_ms);
+      QVERIFY2(rehearsal().solving() == Solving::solved, qPrintable(child<QLabel>("solving_trouble")->text()));
+      QVERIFY(rehearsal().frame()->cut->largest_opening_mm > opening_mm);
+      opening_mm = rehearsal().frame()->cut->largest_opening_mm;
+    }
+    // The front has passed the middle of the section, which is a square seen along a corner.
+    const double share = rehearsal().frame()->cut->open_share();
+    QVERIFY(share > 0.45 && share < 0.65);
+    QVERIFY(state->text().contains(QString("%1 %").arg(100 * share, 0, 'f', 0)));
+    space().look_from(scene::PatientView::surgeon);
+    QTest::qWait(100);
+    window_->grab().save(test::kept_picture("rehearse-cut.png"));
+    QTest::mouseClick(back, Qt::LeftButton);
+    QTRY_COMPARE_WITH_TIMEOUT(rehearsal().cut_steps(), 11, patience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(rehearsal().solving(), Solving::solved, patience_ms);
+    QVERIFY(rehearsal().frame()->cut->largest_opening_mm < opening_mm);
+    // A tool that moves closes the way back.
+    rehearsal().set_force_N(0.8);
+    QTRY_COMPARE_WITH_TIMEOUT(rehearsal().solving(), Solving::solved, patience_ms);
+    QVERIFY(!back->isEnabled());
+    QCOMPARE(rehearsal().cut_steps(), 11);
   }
 
   void the_table_of_a_rehearsal_names_its_units() {

@@ -45,6 +45,8 @@ RehearsePanel::RehearsePanel(LiveRehearsal& rehearsal, QWidget* parent) : QWidge
   on_cap_ = wrapped_label("tool_on_cap", this);
   on_cap_->hide();
   inner->addWidget(on_cap_);
+  advance_ = new AdvanceControls(rehearsal, this);
+  inner->addWidget(advance_);
   QLabel* look_title = heading(this);
   inner->addWidget(look_title);
   inner->addWidget(make_look_group());
@@ -130,6 +132,12 @@ void RehearsePanel::show_evidence(const casefile::Evidence& evidence) {
   evidence_ = evidence;
   evidence_text_->setVisible(!evidence.effects.empty());
   word_evidence();
+}
+
+void RehearsePanel::show_plan(std::optional<rehearsal::CutCourse> course, std::optional<Sentence> why_not,
+                              std::vector<std::string> structures) {
+  advance_->set_structure_names(std::move(structures));
+  advance_->set_course(std::move(course), std::move(why_not));
 }
 
 void RehearsePanel::word_evidence() {

@@ -9,6 +9,7 @@
 
 #include "casefile/evidence.h"
 #include "imaging/image.h"
+#include "widgets/rehearse/advance_controls.h"
 #include "widgets/rehearse/comparison_choice.h"
 #include "widgets/rehearse/landmark_table.h"
 #include "widgets/rehearse/solving_light.h"
@@ -32,6 +33,9 @@ class RehearsePanel : public QWidget {
   void show_assumed_stiffness(const std::optional<Sentence>& assumed);
   // What the model was outlined in: where it ends, a liver that goes on is cut off.
   void show_image(std::shared_ptr<const imaging::Volume> image);
+  // Where the planned cut would run, or why it cannot be led; the rehearsal's structures by name.
+  void show_plan(std::optional<rehearsal::CutCourse> course, std::optional<Sentence> why_not,
+                 std::vector<std::string> structures);
   // The landmarks that were set by hand.
   void show_placed_landmarks(std::vector<mechanics::Landmark> landmarks);
   [[nodiscard]] bool placing() const { return tool_->placing(); }
@@ -89,6 +93,7 @@ class RehearsePanel : public QWidget {
   QScrollArea* room_;  // of the controls
   ToolControls* tool_;
   SolvingLight* light_;
+  AdvanceControls* advance_;
   std::shared_ptr<const imaging::Volume> image_;
   QLabel* on_cap_;
   ComparisonChoice* comparison_;

@@ -101,6 +101,7 @@ void LiveRehearsal::start_anew() {
   end_elsewhere(std::move(session_));
   session_.reset();
   session_frame_ = 0;
+  cut_steps_ = cuts_since_tool_ = 0;
   if (touch_ == Touch::rigid) {
     session_ = std::make_unique<rehearsal::LiveSession>(*setup_);
     session_timer_.start();
@@ -190,6 +191,7 @@ void LiveRehearsal::take_tool_away() {
   refusal_.reset();
   if (tools_.empty()) return;
   if (session_) session_->post(rehearsal::ReleaseTool{session_id(numbers_.back())});
+  cuts_since_tool_ = 0;
   tools_.pop_back();
   numbers_.pop_back();
   if (tools_.empty()) {
@@ -200,6 +202,26 @@ void LiveRehearsal::take_tool_away() {
     direction_ = tools_.back().direction;
   }
   Q_EMIT frame_changed();
+}
+
+void LiveRehearsal::advance_cut(const mechanics::CutStrip& strip) {
+  if (!session_ || frozen_) return;
+  go_on();
+  session_->post(rehearsal::AdvanceCut{strip});
+  ++cuts_since_tool_;
+  set_solving(Solving::solving);
+}
+
+void LiveRehearsal::take_cut_back() {
+  if (!can_take_cut_back()) return;
+  go_on();
+  session_->post(rehearsal::Undo{});
+  --cuts_since_tool_;
+  set_solving(Solving::solving);
+}
+
+bool LiveRehearsal::can_take_cut_back() const {
+  return session_ && !frozen_ && cuts_since_tool_ > 0 && solving_ != Solving::solving;
 }
 
 void LiveRehearsal::set_frozen(bool frozen) {
@@ -310,6 +332,7 @@ void LiveRehearsal::post_tool() {
     return;
   }
   session_->post(rehearsal::HoldTool{*std::move(hand)});
+  cuts_since_tool_ = 0;
   set_solving(Solving::solving);
   Q_EMIT frame_changed();
 }
@@ -326,7 +349,19 @@ void LiveRehearsal::look_for_contact() {
   if (!frame) return;
   const bool is_new = frame->number != session_frame_;
   session_frame_ = frame->number;
-  if (tools_.empty() || shown_moment_) return;
+  if (is_new) {
+    const int steps = frame->cut ? static_cast<int>(frame->cut->advances) : 0;
+    if (!frame->refused.empty() && cuts_since_tool_ > 0 && steps == cut_steps_) --cuts_since_tool_;
+    cut_steps_ = steps;
+  }
+  if (shown_moment_) return;
+  if (tools_.empty() && !frame->cut) {
+    if (!frame_) return;
+    frame_.reset();  // the cut was taken back, and nothing holds the liver
+    set_solving(Solving::no_tool);
+    Q_EMIT frame_changed();
+    return;
+  }
   if (is_new) {
     show_contact(frame, all_answered ? Solving::solved : Solving::solving);
     if (frame->refused.empty()) record(frame);

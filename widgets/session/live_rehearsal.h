@@ -56,6 +56,13 @@ class LiveRehearsal : public QObject {
   // The tool stays where it is, and the next one held is another. With rigid tools only.
   void keep_tool();
 
+  // Opens a cut further, with rigid tools only; the answer comes as theirs do. The last ones close again as long as no
+  // tool was moved since.
+  void advance_cut(const mechanics::CutStrip& strip);
+  void take_cut_back();
+  [[nodiscard]] bool can_take_cut_back() const;
+  [[nodiscard]] int cut_steps() const { return cut_steps_; }  // that are open
+
   // Nothing moves any tool while it is frozen.
   void set_frozen(bool frozen);
   [[nodiscard]] bool frozen() const { return frozen_; }
@@ -139,6 +146,8 @@ class LiveRehearsal : public QObject {
 
   std::unique_ptr<rehearsal::LiveSession> session_;
   std::uint64_t session_frame_ = 0;
+  int cut_steps_ = 0;
+  int cuts_since_tool_ = 0;
   QTimer session_timer_;
 
   RehearsalTrack track_;

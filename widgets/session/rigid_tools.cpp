@@ -47,6 +47,7 @@ rehearsal::RehearsalFrame frame_of(const rehearsal::SessionFrame& session) {
   }
   frame.validity = session.validity;
   frame.answer_ms = session.step_ms;
+  frame.cut = session.cut;
   return frame;
 }
 

@@ -21,6 +21,7 @@ constexpr scene::Colour tool_colour{0.20, 0.83, 0.85};
 constexpr scene::Colour tool_steel{0.72, 0.76, 0.80};
 constexpr scene::Colour calm{0.90, 0.93, 0.96};
 constexpr scene::Colour amber{1.0, 0.72, 0.20};
+constexpr scene::Colour cut_red{0.55, 0.10, 0.10};
 
 // A copy to be moved, with a place for how far each point went.
 std::shared_ptr<const geometry::Surface> movable_copy(const geometry::Surface& rest) {
@@ -29,6 +30,27 @@ std::shared_ptr<const geometry::Surface> movable_copy(const geometry::Surface& r
   copy->triangles = rest.triangles;
   copy->point_fields = {{distance_field, 1, std::vector<double>(rest.points_mm.size(), 0.0)}};
   return copy;
+}
+
+// The triangles of a cut liver that are its walls, or those that are not, with the points that they use.
+geometry::Surface part_on_wall(const geometry::Surface& cut, bool wall) {
+  const auto& on_wall = geometry::find_field(cut.cell_fields, "wall")->values;
+  geometry::Surface part;
+  std::vector<int> number(cut.points_mm.size(), -1);
+  for (std::size_t t = 0; t < cut.triangles.size(); ++t) {
+    if ((on_wall[t] != 0) != wall) continue;
+    std::array<int, 3> triangle = cut.triangles[t];
+    for (int& p : triangle) {
+      int& known = number[static_cast<std::size_t>(p)];
+      if (known < 0) {
+        known = static_cast<int>(part.points_mm.size());
+        part.points_mm.push_back(cut.points_mm[static_cast<std::size_t>(p)]);
+      }
+      p = known;
+    }
+    part.triangles.push_back(triangle);
+  }
+  return part;
 }
 
 // The end of a colour scale that suits a largest value: 5, 10, 15, 20, 30, 50, 75, 100, 150, ...
@@ -147,6 +169,28 @@ void PatientViews::show_frame(const rehearsal::RehearsalFrame* frame, const std:
     return;
   }
   apply_frame();
+}
+
+void PatientViews::draw_cut(const rehearsal::SessionCut* cut) {
+  std::vector<geometry::Surface> parts;
+  if (cut != nullptr) parts = {part_on_wall(cut->patient, false), part_on_wall(cut->patient, true)};
+  const bool same = std::equal(parts.begin(), parts.end(), cut_body_.begin(), cut_body_.end(),
+                               [](const auto& a, const auto& b) { return a.triangles == b->triangles; });
+  if (!same) {
+    cut_body_.clear();
+    for (geometry::Surface& part : parts) {
+      cut_body_.push_back(std::make_shared<const geometry::Surface>(std::move(part)));
+    }
+    crossed_ = cut != nullptr ? cut->crossed : std::vector<std::size_t>();
+    rebuild_space();
+    return;
+  }
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const auto points_mm = std::make_shared<const std::vector<Eigen::Vector3d>>(std::move(parts[k].points_mm));
+    for (SpaceView* space : {&views_.space(), &views_.second_space()}) {
+      space->view().move_surface(cut_body_[k], points_mm);
+    }
+  }
 }
 
 void PatientViews::set_bodies(Bodies bodies) {
@@ -276,7 +320,17 @@ scene::Scene PatientViews::space_scene(Bodies bodies) const {
   for (std::size_t k = 0; in_space && k < patient_.structures.size(); ++k) {
     if (hidden_.count(patient_.structures[k].name) != 0) continue;
     if (bodies != Bodies::patient) scene.surfaces.push_back(item(k, atlas_body_, bodies));
-    if (bodies != Bodies::atlas) scene.surfaces.push_back(item(k, patient_body_, bodies));
+    if (bodies == Bodies::atlas) continue;
+    scene.surfaces.push_back(item(k, patient_body_, bodies));
+    if (bodies == Bodies::both || cut_body_.empty()) continue;
+    if (std::count(crossed_.begin(), crossed_.end(), k) != 0 && k > 0) scene.surfaces.back().colour = amber;
+    if (k > 0) continue;
+    scene.surfaces.back().surface = cut_body_[0];
+    scene.surfaces.back().colouring = {};
+    scene.surfaces.push_back(scene.surfaces.back());
+    scene.surfaces.back().surface = cut_body_[1];
+    scene.surfaces.back().colour = cut_red;
+    scene.surfaces.back().opacity = 1.0;
   }
   for (const PatientStructure& structure : patient_.around) {
     if (mode == WorkspaceScene::Patient::hidden || hidden_.count(structure.name) != 0) continue;
@@ -346,6 +400,7 @@ void PatientViews::apply_frame() {
   const rehearsal::RehearsalBody* atlas = moved && frame_->atlas ? &*frame_->atlas : nullptr;
   move_body(patient_body_, own);
   move_body(atlas_body_, atlas);
+  draw_cut(moved ? frame_->cut.get() : nullptr);
 
   draw_marks(views_.space(), bodies_ == Bodies::atlas && atlas != nullptr ? atlas : own);
   if (bodies_ == Bodies::side_by_side) draw_marks(views_.second_space(), atlas != nullptr ? atlas : own);

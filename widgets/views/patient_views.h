@@ -81,6 +81,9 @@ class PatientViews : public QObject {
   void move_body(const Body& body, const rehearsal::RehearsalBody* displaced);
   [[nodiscard]] scene::SurfaceItem item(std::size_t structure, const Body& body, Bodies bodies) const;
   [[nodiscard]] bool at_rest() const;
+  // What is drawn in the place of the liver while a cut opens it: its outside and the cut's walls. Made anew where the
+  // cut has advanced, moved otherwise.
+  void draw_cut(const rehearsal::SessionCut* cut);
   [[nodiscard]] bool cuts(Bodies body) const { return bodies_ == body || has_both(); }
   [[nodiscard]] bool has_both() const { return bodies_ == Bodies::both || bodies_ == Bodies::side_by_side; }
 
@@ -88,6 +91,8 @@ class PatientViews : public QObject {
   Patient patient_;
   Body patient_body_;
   Body atlas_body_;
+  std::vector<std::shared_ptr<const geometry::Surface>> cut_body_;  // empty: nothing is cut
+  std::vector<std::size_t> crossed_;                                // structures that the cut has reached
   std::optional<rehearsal::RehearsalFrame> frame_;
   std::vector<ToolInView> tools_;
   bool tool_movable_ = false;

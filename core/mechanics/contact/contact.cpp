@@ -3,12 +3,14 @@
 #include <numeric>
 
 #include "mechanics/contact/internal/contact_search.h"
+#include "mechanics/cutting/opened_surface.h"
 #include "mechanics/elements/load_vector.h"
 
 namespace glisson::mechanics {
 
 struct ContactBody::Impl {
   SurfaceResponses responses;
+  Loads standing_loads;
   Eigen::VectorXd standing_force_mN;  // on all nodes
   CutSelfContact walls;
   ContactState untouched;
@@ -29,6 +31,7 @@ Result<ContactBody> ContactBody::create(StaticModel model, const Loads& standing
   if (!force_mN) return failure(std::move(force_mN.error()));
 
   auto parts = std::make_shared<Impl>(std::move(model), *standing, std::move(watched));
+  parts->standing_loads = standing_loads;
   parts->standing_force_mN = std::move(*force_mN);
   const SurfaceResponses& responses = parts->responses;
   if (!responses.mutual_points().empty()) {
@@ -50,9 +53,36 @@ Result<ContactState> ContactBody::solve(const ContactState& from, const std::vec
   return search.begin_from(from).and_then([&] { return search.run(); });
 }
 
+Result<ContactBody> ContactBody::opened(const CutStrip& strip) const {
+  auto responses = impl_->responses.opened(strip, impl_->standing_loads);
+  if (!responses) return failure(std::move(responses.error()));
+  auto parts = std::make_shared<Impl>(*impl_);
+  parts->responses = std::move(*responses);
+  const std::vector<ContactTool> no_tools;
+  ContactSearch search(parts->responses, parts->walls, no_tools, {});
+  auto untouched = search.begin_from(impl_->untouched).and_then([&] { return search.run(); });
+  if (!untouched) return failure(std::move(untouched.error()));
+  parts->untouched = std::move(*untouched);
+  return ContactBody(std::move(parts));
+}
+
+Result<geometry::Surface> ContactBody::opened_surface(const ContactState& state) const {
+  const SurfaceResponses& responses = impl_->responses;
+  return responses.seen_under(state.force_mN, state.wall_mN).map([&](const Eigen::VectorXd& seen_mm) {
+    return mechanics::opened_surface(model().mesh(), surface(), responses.open_cells(),
+                                     responses.mesh_points_mm(seen_mm), state.jumps_mm);
+  });
+}
+
+const Opening* ContactBody::opening() const { return impl_->responses.opening(); }
+
 Result<StaticResult> ContactBody::whole_result(const ContactState& state) const {
   Eigen::VectorXd force_mN = impl_->standing_force_mN;
   for (const auto& [point, force] : state.force_mN) force_mN.segment<3>(3 * impl_->responses.node(point)) += force;
+  if (const Opening* cut = opening()) {
+    force_mN += cut->force_on_nodes_mN(Eigen::Map<const Eigen::VectorXd>(
+        state.jumps_mm.front().data(), 3 * static_cast<Eigen::Index>(state.jumps_mm.size())));
+  }
   return model().solve_nodal({std::move(force_mN), {}});
 }
 

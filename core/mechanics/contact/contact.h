@@ -21,6 +21,7 @@
 
 #include "base/result.h"
 #include "geometry/surface.h"
+#include "mechanics/cutting/opening.h"
 #include "mechanics/elements/point_location.h"
 #include "mechanics/scenario/rigid_tool.h"
 #include "mechanics/statics/static_model.h"
@@ -91,6 +92,8 @@ struct TouchedPlace {
 
 struct ContactState {
   std::map<int, Eigen::Vector3d> force_mN;  // of tools and walls, on points of the surface
+  std::map<int, double> wall_mN;            // by which walls of a live cut push each other apart, at opening()'s points
+  std::vector<Eigen::Vector3d> jumps_mm;    // across a live cut, at opening()'s points
   std::vector<Eigen::Vector3d> surface_mm;  // displacement of each point of ContactBody::surface()
   std::vector<Eigen::Vector3d> watched_mm;  // and of each watched place
   std::vector<ToolContact> tools;
@@ -115,9 +118,18 @@ class ContactBody {
   [[nodiscard]] Result<ContactState> solve(const ContactState& from, const std::vector<ContactTool>& tools,
                                            const ContactOptions& options = {}) const;
 
+  // The body with a cut opened further (opening.h), whose walls do not pass through each other. What was solved for is
+  // shared. Its states begin from any of this one's. Failures: those of Opening::advanced; "not-available" where the
+  // model has mutual points.
+  [[nodiscard]] Result<ContactBody> opened(const CutStrip& strip) const;
+  [[nodiscard]] const Opening* opening() const;  // nullptr: nothing is cut
+
   // The outer surface at rest.
   [[nodiscard]] const geometry::Surface& surface() const;
   [[nodiscard]] const StaticModel& model() const;
+
+  // The surface as it lies, divided where a cut has opened, with the cut's walls (opened_surface.h).
+  [[nodiscard]] Result<geometry::Surface> opened_surface(const ContactState& state) const;
 
   // Every mesh point's displacement (mm), and the whole result, by one more solve with the state's forces.
   [[nodiscard]] Result<StaticResult> whole_result(const ContactState& state) const;

@@ -20,30 +20,33 @@ Eigen::Matrix3d pair_by_tangent(const Matrix9d& tangent, const Eigen::Vector3d& 
 
 }  // namespace
 
+PairStiffness::PairStiffness(const Body& body) : body_(body) {
+  if (!body.options.anisotropy) return;
+  const double nu = body.options.poisson_ratio;
+  anisotropy_ = unit_tangent(*body.options.anisotropy, nu) - unit_tangent(TransverseIsotropy{}, nu);
+}
+
+Eigen::Matrix3d PairStiffness::operator()(std::size_t cell, const Eigen::Vector3d& gradient_a,
+                                          const Eigen::Vector3d& gradient_b) const {
+  Eigen::Matrix3d block = stiffness_of_pair(body_.materials[cell], gradient_a, gradient_b);
+  if (anisotropy_) block += body_.youngs_kPa[cell] * pair_by_tangent(*anisotropy_, gradient_a, gradient_b);
+  return block;
+}
+
 Eigen::SparseMatrix<double> assemble_stiffness(const Body& body) {
   const NodeLayout& layout = body.layout;
   const auto points = tet_points_degree_2();
   std::array<TetDerivatives, points.size()> derivatives;
   for (std::size_t q = 0; q < points.size(); ++q) derivatives[q] = tet_derivatives(layout.order, points[q].barycentric);
-
-  std::optional<Matrix9d> anisotropy;  // what it adds to the isotropic tangent, per unit of Young's modulus
-  if (body.options.anisotropy) {
-    const double nu = body.options.poisson_ratio;
-    anisotropy = unit_tangent(*body.options.anisotropy, nu) - unit_tangent(TransverseIsotropy{}, nu);
-  }
-
+  const PairStiffness pair(body);
   const auto column_of_cell = [&](std::size_t cell, int b) {
     const CellGeometry shape = cell_geometry(body.mesh, cell);
     std::array<TetGradients, points.size()> gradients;
     for (std::size_t q = 0; q < points.size(); ++q) gradients[q] = tet_gradients(derivatives[q], shape);
-    return [&, gradients, b, cell, material = body.materials[cell], volume_mm3 = shape.volume_mm3](int a) {
+    return [&, gradients, b, cell, volume_mm3 = shape.volume_mm3](int a) {
       Eigen::Matrix3d block = Eigen::Matrix3d::Zero();
       for (std::size_t q = 0; q < points.size(); ++q) {
-        block += points[q].weight * stiffness_of_pair(material, gradients[q].row(a), gradients[q].row(b));
-        if (anisotropy) {
-          block += points[q].weight * body.youngs_kPa[cell] *
-                   pair_by_tangent(*anisotropy, gradients[q].row(a), gradients[q].row(b));
-        }
+        block += points[q].weight * pair(cell, gradients[q].row(a), gradients[q].row(b));
       }
       return (volume_mm3 * block).eval();
     };

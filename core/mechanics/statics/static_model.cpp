@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "base/stopwatch.h"
-#include "mechanics/elements/body.h"
 #include "mechanics/elements/load_vector.h"
 #include "mechanics/elements/strain.h"
 #include "mechanics/potentials/stiffness_matrix.h"
@@ -157,6 +156,7 @@ StaticResult StaticModel::Impl::result_of(const ConstrainedSolution& solution, c
   return result;
 }
 
+const Body& StaticModel::body() const { return *impl_; }
 const geometry::TetMesh& StaticModel::mesh() const { return impl_->mesh; }
 const std::vector<double>& StaticModel::youngs_kPa() const { return impl_->youngs_kPa; }
 const NodeLayout& StaticModel::nodes() const { return impl_->layout; }

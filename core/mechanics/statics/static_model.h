@@ -21,6 +21,7 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "geometry/tetrahedra.h"
+#include "mechanics/elements/body.h"
 #include "mechanics/elements/node_layout.h"
 #include "mechanics/elements/point_location.h"
 #include "mechanics/elements/static_options.h"
@@ -72,6 +73,7 @@ class StaticModel {
   // for 3 loads a point, at the cost of inverting a dense matrix of that size, 8 bytes an entry.
   [[nodiscard]] Eigen::MatrixXd mutual_compliance() const;
 
+  [[nodiscard]] const Body& body() const;
   [[nodiscard]] const geometry::TetMesh& mesh() const;
   [[nodiscard]] const std::vector<double>& youngs_kPa() const;
   [[nodiscard]] const NodeLayout& nodes() const;

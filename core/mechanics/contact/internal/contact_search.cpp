@@ -46,6 +46,7 @@ Result<void> ContactSearch::begin_from(const ContactState& before) { return hold
 // Takes the tools in hand, with the forces and advances of the state before for those that were there.
 Result<void> ContactSearch::hold(const ContactState& before) {
   force_mN_ = before.force_mN;
+  wall_mN_ = before.wall_mN;
   std::vector<int> asked;
   for (const auto& [point, force] : force_mN_) asked.push_back(point);
   for (std::size_t t = 0; t < tools_.size(); ++t) {
@@ -62,7 +63,7 @@ Result<void> ContactSearch::hold(const ContactState& before) {
   const auto solves = responses_.remember(asked);
   if (!solves) return failure(solves.error());
   report_.new_solves += *solves;
-  auto seen_mm = responses_.seen_under(force_mN_);
+  auto seen_mm = responses_.seen_under(force_mN_, wall_mN_);
   if (!seen_mm) return failure(std::move(seen_mm.error()));
   seen_mm_ = std::move(*seen_mm);
   for (std::size_t t = 0; t < tools_.size(); ++t) {
@@ -112,9 +113,11 @@ Result<bool> ContactSearch::round() {
   if (!forces_.force.allFinite() || !forces_.advance.allFinite()) return true;
 
   PointForces next_mN = given_mN_;
+  WallForces next_wall_mN;
   for (std::size_t c = 0; c < columns_.size(); ++c) {
     const double force = forces_.force[static_cast<Eigen::Index>(c)];
     if (force == 0) continue;
+    if (columns_[c].wall >= 0) next_wall_mN[columns_[c].wall] = force;
     for (const auto& [point, unit] : columns_[c].on) {
       next_mN.try_emplace(point, Vector3d::Zero()).first->second += force * unit;
     }
@@ -124,7 +127,7 @@ Result<bool> ContactSearch::round() {
   for (std::size_t t = 0; t < tools_.size(); ++t) {
     if (pushed(tools_[t]) != nullptr) next_advance_mm[static_cast<Eigen::Index>(t)] = forces_.advance[drive++];
   }
-  auto next_seen_mm = responses_.seen_under(next_mN);
+  auto next_seen_mm = responses_.seen_under(next_mN, next_wall_mN);
   if (!next_seen_mm) return failure(std::move(next_seen_mm.error()));
 
   const Eigen::Index surface_values = responses_.surface_values();
@@ -146,17 +149,32 @@ Result<bool> ContactSearch::round() {
   if (part < 1.0) {
     for (auto& [point, force] : force_mN_) force *= 1.0 - part;
     add(next_mN, part, force_mN_);
+    for (auto& [wall, force] : wall_mN_) force *= 1.0 - part;
+    for (const auto& [wall, force] : next_wall_mN) wall_mN_[wall] += part * force;
     seen_mm_ += part * (*next_seen_mm - seen_mm_);
   } else {
     force_mN_ = std::move(next_mN);
+    wall_mN_ = std::move(next_wall_mN);
     seen_mm_ = std::move(*next_seen_mm);
   }
   advance_mm_ += part * (next_advance_mm - advance_mm_);
   if (!at_rest) return false;
-  report_.overlap_mm = walls_.find(seen_mm_, CutSelfContact::Search::more);
+  report_.overlap_mm = std::max(walls_.find(seen_mm_, CutSelfContact::Search::more), live_overlap_mm());
   report_.penetration_mm = std::max(report_.overlap_mm, deepest_mm());
   report_.converged = forces_.converged && report_.penetration_mm <= options_.penetration_tolerance_mm;
   return report_.converged;
+}
+
+// A jump across a wall is the sum of its points' with weights that are not negative: where none goes inwards, the walls
+// do not pass through each other anywhere.
+double ContactSearch::live_overlap_mm() const {
+  double deepest_mm = 0;
+  const VectorXd jumps_mm = responses_.jumps_under(force_mN_, wall_mN_);
+  for (Eigen::Index i = 0; i < jumps_mm.size() / 3; ++i) {
+    deepest_mm = std::max(
+        deepest_mm, -responses_.opening()->normals()[static_cast<std::size_t>(i)].dot(jumps_mm.segment<3>(3 * i)));
+  }
+  return deepest_mm;
 }
 
 double ContactSearch::deepest_mm() {
@@ -211,7 +229,7 @@ Result<void> ContactSearch::set_up_columns() {
           *pull_mN * (gripped.weights[i] * unit_or_zero(grasp.direction));
     }
   }
-  const auto seen_given_mm = responses_.seen_under(given_mN_);
+  const auto seen_given_mm = responses_.seen_under(given_mN_, {});
   if (!seen_given_mm) return failure(seen_given_mm.error());
   const auto work = [](const Column& column, const VectorXd& moved_mm) {
     double sum = 0;
@@ -237,6 +255,14 @@ Result<void> ContactSearch::set_up_columns() {
     Column column;
     for (const auto& [point, share] : cut_contact.shares()) column.on.emplace_back(point, share * cut_contact.normal);
     column.start_mm = cut_contact.gap_mm(*seen_given_mm);
+    columns_.push_back(std::move(column));
+  }
+  const VectorXd jumps_given_mm = responses_.jumps_under(given_mN_, {});
+  for (Eigen::Index wall = 0; wall < jumps_given_mm.size() / 3; ++wall) {
+    Column column;
+    column.wall = static_cast<int>(wall);
+    column.start_mm =
+        responses_.opening()->normals()[static_cast<std::size_t>(wall)].dot(jumps_given_mm.segment<3>(3 * wall));
     columns_.push_back(std::move(column));
   }
   two_sided_ = 0;
@@ -286,6 +312,7 @@ ContactProblem ContactSearch::problem() const {
       problem.compliance(c, d) = problem.compliance(d, c) = sum;
     }
   }
+  if (responses_.opening() != nullptr) add_opening(problem);
   if (walls == 0) return problem;
   // A thousand meetings and more: by products of matrices, the columns being sparse.
   const std::vector<int>& mutual = responses_.mutual_points();
@@ -304,9 +331,26 @@ ContactProblem ContactSearch::problem() const {
   return problem;
 }
 
+// What the jumps of a live cut give to the gaps, by the loads that the columns put on them.
+void ContactSearch::add_opening(ContactProblem& problem) const {
+  const Opening& opening = *responses_.opening();
+  Eigen::MatrixXd load = Eigen::MatrixXd::Zero(opening.standing_load().size(), problem.start.size());
+  for (std::size_t c = 0; c < columns_.size(); ++c) {
+    auto of_column = load.col(static_cast<Eigen::Index>(c));
+    for (const auto& [point, force] : columns_[c].on) of_column += opening.load_of_force(3 * point, force);
+    if (columns_[c].wall < 0) continue;
+    of_column += opening.load_of_push(columns_[c].wall, opening.normals()[columns_[c].wall]);
+  }
+  problem.compliance += load.transpose() * opening.jumps_mm(load);
+}
+
 ContactState ContactSearch::state() const {
   ContactState state;
   state.force_mN = force_mN_;
+  state.wall_mN = wall_mN_;
+  std::erase_if(state.wall_mN, [](const auto& item) { return item.second == 0; });
+  const VectorXd jumps_mm = responses_.jumps_under(force_mN_, wall_mN_);
+  for (Eigen::Index i = 0; i < jumps_mm.size(); i += 3) state.jumps_mm.emplace_back(jumps_mm.segment<3>(i));
   std::erase_if(state.force_mN, [](const auto& item) { return item.second.norm() == 0; });
   const Eigen::Index surface_values = responses_.surface_values();
   for (Eigen::Index i = 0; i < surface_values + responses_.watched_values(); i += 3) {
@@ -340,7 +384,7 @@ ContactState ContactSearch::state() const {
     }
   }
   state.report = report_;
-  const StrainRange strains = responses_.strain_range(seen_mm_);
+  const StrainRange strains = responses_.strain_range(seen_mm_, jumps_mm);
   state.report.largest_strain = strains.largest_strain;
   state.report.inverted_cells = strains.inverted_cells;
   state.report.relative_residual = responses_.relative_residual();

@@ -31,6 +31,7 @@ class ContactSearch {
     double start_mm = 0;  // without any of the unknown forces and without advances
     std::size_t pushed_by = no_tool;
     double along = 0;  // of the tool's way, in the gap
+    int wall = -1;     // of a live cut, whose sides the force pushes apart
   };
   static constexpr std::size_t no_tool = static_cast<std::size_t>(-1);
 
@@ -39,8 +40,10 @@ class ContactSearch {
   Result<bool> round();        // true where there is nothing more to do
   [[nodiscard]] Result<void> set_up_columns();
   [[nodiscard]] ContactProblem problem() const;
+  void add_opening(ContactProblem& problem) const;
   [[nodiscard]] ContactState state() const;
   [[nodiscard]] double deepest_mm();
+  [[nodiscard]] double live_overlap_mm() const;
 
   const SurfaceResponses& responses_;
   CutSelfContact walls_;
@@ -48,6 +51,7 @@ class ContactSearch {
   ContactOptions options_;
 
   PointForces force_mN_;
+  WallForces wall_mN_;
   Eigen::VectorXd advance_mm_;  // one a tool; 0 for one that is held
   Eigen::VectorXd seen_mm_;
   bool from_rest_ = false;
@@ -55,7 +59,8 @@ class ContactSearch {
   std::vector<TrackedContact> kept_;
 
   std::vector<ContactCandidate> places_;
-  std::vector<Column> columns_;  // of the places, of the walls' meetings, of what jaws hold at a displacement
+  std::vector<Column>
+      columns_;  // of the places, of the walls' meetings, of a live cut's, of what jaws hold at a displacement
   int two_sided_ = 0;
   PointForces given_mN_;  // by graspers that pull
   ContactForces forces_;

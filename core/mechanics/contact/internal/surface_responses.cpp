@@ -21,8 +21,8 @@ SurfaceResponses::SurfaceResponses(StaticModel model, const StaticResult& standi
     : model_(std::move(model)),
       surface_(geometry::boundary_surface(model_.mesh())),
       watched_(std::move(watched)),
-      mutual_compliance_(model_.mutual_compliance()),
-      relative_residual_(standing.relative_residual) {
+      mutual_compliance_(model_.mutual_compliance()) {
+  memory_->relative_residual = standing.relative_residual;
   std::vector<Vector3d> seen_mm;
   seen_of_mesh_point_.assign(model_.mesh().points_mm.size(), -1);
   const auto see = [&](int mesh_point) {
@@ -48,7 +48,7 @@ SurfaceResponses::SurfaceResponses(StaticModel model, const StaticResult& standi
     mutual_of_point_[point] = static_cast<int>(mutual_points_.size());
     mutual_points_.push_back(point);
   }
-  responses_.resize(mesh_point_.size());
+  memory_->responses.resize(mesh_point_.size());
   make_groups();
 }
 
@@ -74,10 +74,11 @@ void SurfaceResponses::make_groups() {
 }
 
 Result<int> SurfaceResponses::remember(const std::vector<int>& points) const {
-  const std::lock_guard lock(mutex_);
+  const std::lock_guard lock(memory_->mutex);
+  auto& responses = memory_->responses;
   int solves = 0;
   for (const int asked : points) {
-    if (responses_[asked] || mutual_of_point_[asked] >= 0) continue;
+    if (responses[asked] || mutual_of_point_[asked] >= 0) continue;
     const std::vector<int>& group = groups_[group_of_point_[asked]];
     Eigen::MatrixXd unit = Eigen::MatrixXd::Zero(3 * static_cast<Eigen::Index>(model_.nodes().nodes()),
                                                  3 * static_cast<Eigen::Index>(group.size()));
@@ -88,7 +89,7 @@ Result<int> SurfaceResponses::remember(const std::vector<int>& points) const {
     if (auto accepted = accept(solved); !accepted) return failure(std::move(accepted.error()));
     solves += static_cast<int>(unit.cols());
     for (std::size_t i = 0; i < group.size(); ++i) {
-      responses_[group[i]] = seen_part(solved.displacement_mm.middleCols<3>(3 * static_cast<Eigen::Index>(i)));
+      responses[group[i]] = seen_part(solved.displacement_mm.middleCols<3>(3 * static_cast<Eigen::Index>(i)));
     }
   }
   return solves;
@@ -96,24 +97,57 @@ Result<int> SurfaceResponses::remember(const std::vector<int>& points) const {
 
 Matrix3d SurfaceResponses::compliance(int at, int of) const {
   const int at_mutual = mutual_of_point_[at], of_mutual = mutual_of_point_[of];
-  if (of_mutual < 0) return responses_[of]->middleRows<3>(3 * at);
-  if (at_mutual < 0) return responses_[at]->middleRows<3>(3 * of).transpose();
+  if (of_mutual < 0) return memory_->responses[of]->middleRows<3>(3 * at);
+  if (at_mutual < 0) return memory_->responses[at]->middleRows<3>(3 * of).transpose();
   return mutual_compliance_.block<3, 3>(3 * at_mutual, 3 * of_mutual);
 }
 
-Result<VectorXd> SurfaceResponses::seen_under(const PointForces& force_mN) const {
+Result<SurfaceResponses> SurfaceResponses::opened(const CutStrip& strip, const Loads& standing_loads) const {
+  if (!mutual_points_.empty()) {
+    return failure("not-available", GLISSON_TEXT("A cut cannot advance through a body that was meshed with a cut."));
+  }
+  SurfaceResponses next = *this;
+  if (!next.opening_) {
+    SeenPart seen{[body = *this](const Eigen::MatrixXd& displacement_mm) { return body.seen_part(displacement_mm); },
+                  {}};
+    for (std::size_t w = 0; w < watched_.size(); ++w) {
+      seen.places.push_back({surface_values() + 3 * static_cast<Eigen::Index>(w), watched_[w]});
+    }
+    auto closed = Opening::of(model_, standing_loads, std::move(seen));
+    if (!closed) return failure(std::move(closed.error()));
+    next.opening_ = std::move(*closed);
+  }
+  auto advanced = next.opening_->advanced(strip);
+  if (!advanced) return failure(std::move(advanced.error()));
+  next.opening_ = std::move(*advanced);
+  next.open_cells_ = next.opening_->cells();
+  return next;
+}
+
+VectorXd SurfaceResponses::jumps_under(const PointForces& force_mN, const WallForces& wall_mN) const {
+  if (!opening_) return {};
+  VectorXd load_mN = opening_->standing_load();
+  for (const auto& [point, force] : force_mN) load_mN += opening_->load_of_force(3 * point, force);
+  for (const auto& [wall, force] : wall_mN) {
+    load_mN += opening_->load_of_push(static_cast<std::size_t>(wall), force * opening_->normals()[wall]);
+  }
+  return opening_->jumps_mm(load_mN);
+}
+
+Result<VectorXd> SurfaceResponses::seen_under(const PointForces& force_mN, const WallForces& wall_mN) const {
   VectorXd seen_mm = standing_seen_mm_;
+  if (opening_) seen_mm += opening_->seen_mm(jumps_under(force_mN, wall_mN));
   VectorXd of_mutual_mN;
   for (const auto& [point, force] : force_mN) {
     if (mutual_of_point_[point] < 0) {
-      seen_mm += *responses_[point] * force;
+      seen_mm += *memory_->responses[point] * force;
       continue;
     }
     if (of_mutual_mN.size() == 0) of_mutual_mN = VectorXd::Zero(3 * static_cast<Eigen::Index>(model_.nodes().nodes()));
     of_mutual_mN.segment<3>(3 * node(point)) += force;
   }
   if (of_mutual_mN.size() == 0) return seen_mm;
-  const std::lock_guard lock(mutex_);
+  const std::lock_guard lock(memory_->mutex);
   const StaticModel::Responses solved = model_.respond(of_mutual_mN);
   if (auto accepted = accept(solved); !accepted) return failure(std::move(accepted.error()));
   return seen_mm + seen_part(solved.displacement_mm);
@@ -126,8 +160,12 @@ Result<void> SurfaceResponses::accept(const StaticModel::Responses& solved) cons
                                 "stayed at {0}."),
                    {fmt::format("{:.1e}", solved.relative_residual)});
   }
-  relative_residual_ = std::max(relative_residual_, solved.relative_residual);
+  memory_->relative_residual = std::max(memory_->relative_residual, solved.relative_residual);
   return {};
+}
+
+double SurfaceResponses::relative_residual() const {
+  return std::max(memory_->relative_residual, opening_ ? opening_->relative_residual() : 0.0);
 }
 
 Eigen::MatrixXd SurfaceResponses::seen_part(const Eigen::MatrixXd& displacement_mm) const {
@@ -154,22 +192,47 @@ Eigen::MatrixXd SurfaceResponses::seen_part(const Eigen::MatrixXd& displacement_
   return part;
 }
 
-StrainRange SurfaceResponses::strain_range(const VectorXd& seen_mm) const {
+std::vector<Vector3d> SurfaceResponses::mesh_points_mm(const VectorXd& seen_mm) const {
+  std::vector<Vector3d> displacement_mm;
+  for (const Eigen::Index place : seen_of_mesh_point_) displacement_mm.emplace_back(seen_mm.segment<3>(3 * place));
+  return displacement_mm;
+}
+
+StrainRange SurfaceResponses::strain_range(const VectorXd& seen_mm, const VectorXd& jumps_mm) const {
   const geometry::TetMesh& mesh = model_.mesh();
+  using Corners = Eigen::Matrix<double, 3, 4>;
+  const auto corners_of = [&](std::size_t c) {
+    Corners u_mm;
+    for (int i = 0; i < 4; ++i) u_mm.col(i) = seen_mm.segment<3>(3 * seen_of_mesh_point_[mesh.cells[c][i]]);
+    return u_mm;
+  };
+  const auto count = [&](std::size_t c, const Corners& u_mm, StrainRange& range) {
+    const Matrix3d gradient = u_mm * cell_geometry(mesh, c).barycentric_gradients;
+    range.inverted_cells += (Matrix3d::Identity() + gradient).determinant() <= 0 ? 1 : 0;
+    const Matrix3d strain = small_strain(gradient);
+    if (strain.norm() <= range.largest_strain) return;  // of which the largest principal strain is no more
+    Eigen::SelfAdjointEigenSolver<Matrix3d> principal;
+    principal.computeDirect(strain, Eigen::EigenvaluesOnly);
+    range.largest_strain = std::max(range.largest_strain, principal.eigenvalues().cwiseAbs().maxCoeff());
+  };
+
   StrainRange range;
+  std::vector<std::uint8_t> open(open_cells_.empty() ? 0 : mesh.cells.size(), 0);
+  for (const OpenCell& cell : open_cells_) {
+    open[cell.cell] = 1;
+    for (const int side : {0, 1}) {
+      Corners u_mm = corners_of(static_cast<std::size_t>(cell.cell));
+      for (int i = 0; i < 4; ++i) {
+        if (cell.jump[i] >= 0) u_mm.col(i) += (side - (cell.height_mm[i] > 0 ? 1 : 0)) * jumps_mm.segment<3>(3 * cell.jump[i]);
+      }
+      count(static_cast<std::size_t>(cell.cell), u_mm, range);
+    }
+  }
   std::mutex joining;
   parallel_for(mesh.cells.size(), 1024, [&](std::size_t begin, std::size_t end) {
     StrainRange part;
     for (std::size_t c = begin; c < end; ++c) {
-      Eigen::Matrix<double, 3, 4> u_mm;
-      for (int i = 0; i < 4; ++i) u_mm.col(i) = seen_mm.segment<3>(3 * seen_of_mesh_point_[mesh.cells[c][i]]);
-      const Matrix3d gradient = u_mm * cell_geometry(mesh, c).barycentric_gradients;
-      part.inverted_cells += (Matrix3d::Identity() + gradient).determinant() <= 0 ? 1 : 0;
-      const Matrix3d strain = small_strain(gradient);
-      if (strain.norm() <= part.largest_strain) continue;  // of which the largest principal strain is no more
-      Eigen::SelfAdjointEigenSolver<Matrix3d> principal;
-      principal.computeDirect(strain, Eigen::EigenvaluesOnly);
-      part.largest_strain = std::max(part.largest_strain, principal.eigenvalues().cwiseAbs().maxCoeff());
+      if (open.empty() || open[c] == 0) count(c, corners_of(c), part);
     }
     const std::lock_guard lock(joining);
     range.largest_strain = std::max(range.largest_strain, part.largest_strain);

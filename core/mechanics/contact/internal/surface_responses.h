@@ -4,16 +4,21 @@
 // the model's mutual points (of the walls of cuts) answer to each other is known from the start, and forces on them are
 // solved for anew each time that all is seen under them. Inside of this room.
 //
+// Where a cut has opened, what the opening adds is apart from what is remembered of the whole body (opening.h): the
+// loads that forces put on its jumps, and what follows from those.
+//
 // What is seen: the surface, the watched places, and the inner points of the mesh, in this order, 3 values each (mm).
 
 #include <Eigen/Core>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <vector>
 
 #include "base/result.h"
 #include "geometry/surface.h"
+#include "mechanics/cutting/opening.h"
 #include "mechanics/elements/point_location.h"
 #include "mechanics/elements/strain.h"
 #include "mechanics/statics/static_model.h"
@@ -22,6 +27,8 @@ namespace glisson::mechanics {
 
 // By points of the surface.
 using PointForces = std::map<int, Eigen::Vector3d>;
+// What pushes open walls apart (mN), along their normals: by numbers of Opening::points().
+using WallForces = std::map<int, double>;
 
 class SurfaceResponses {
  public:
@@ -34,23 +41,36 @@ class SurfaceResponses {
   // The model's mutual points, as points of the surface.
   [[nodiscard]] const std::vector<int>& mutual_points() const { return mutual_points_; }
 
+  // The same body with its cut opened further; what is remembered is shared. Failures: those of Opening::advanced;
+  // "not-available" for a body that was meshed with cuts.
+  [[nodiscard]] Result<SurfaceResponses> opened(const CutStrip& strip, const Loads& standing_loads) const;
+  [[nodiscard]] const Opening* opening() const { return opening_ ? &*opening_ : nullptr; }
+  [[nodiscard]] const std::vector<OpenCell>& open_cells() const { return open_cells_; }
+
   // Solves for what is not known of the points yet; gives back for how many right-hand sides. Failure: "not-converged".
   [[nodiscard]] Result<int> remember(const std::vector<int>& points) const;
 
-  // How a point moves by a force on another, both remembered or mutual.
+  // How a point of the whole body moves by a force on another, both remembered or mutual.
   [[nodiscard]] Eigen::Matrix3d compliance(int at, int of) const;
   // Between all mutual points, 3 a point, in their order.
   [[nodiscard]] const Eigen::MatrixXd& mutual_compliance() const { return mutual_compliance_; }
 
+  // Of the whole body.
   [[nodiscard]] const Eigen::VectorXd& standing_seen_mm() const { return standing_seen_mm_; }
-  // Where all that is seen is under forces on points that are remembered or mutual. Failure: "not-converged".
-  [[nodiscard]] Result<Eigen::VectorXd> seen_under(const PointForces& force_mN) const;
+  // The jumps of the opening (mm, 3 a point) under such forces; none: without values.
+  [[nodiscard]] Eigen::VectorXd jumps_under(const PointForces& force_mN, const WallForces& wall_mN) const;
+  // Where all that is seen is under forces on points that are remembered or mutual, and on walls. Failure:
+  // "not-converged".
+  [[nodiscard]] Result<Eigen::VectorXd> seen_under(const PointForces& force_mN, const WallForces& wall_mN) const;
   [[nodiscard]] Eigen::Index surface_values() const { return 3 * static_cast<Eigen::Index>(mesh_point_.size()); }
   [[nodiscard]] Eigen::Index watched_values() const { return 3 * static_cast<Eigen::Index>(watched_.size()); }
 
+  // Of what is seen, the displacement of each point of the mesh.
+  [[nodiscard]] std::vector<Eigen::Vector3d> mesh_points_mm(const Eigen::VectorXd& seen_mm) const;
   // By the cells' corners alone: the largest mean strain of any cell, and the cells turned inside out.
-  [[nodiscard]] StrainRange strain_range(const Eigen::VectorXd& seen_mm) const;
-  [[nodiscard]] double relative_residual() const { return relative_residual_; }  // the worst so far
+  // An open cell counts by both of its sides.
+  [[nodiscard]] StrainRange strain_range(const Eigen::VectorXd& seen_mm, const Eigen::VectorXd& jumps_mm) const;
+  [[nodiscard]] double relative_residual() const;  // the worst so far
 
  private:
   using Response = Eigen::Matrix<double, Eigen::Dynamic, 3>;
@@ -72,9 +92,15 @@ class SurfaceResponses {
   std::vector<int> mutual_of_point_;  // -1: none
   Eigen::MatrixXd mutual_compliance_;
 
-  mutable std::mutex mutex_;  // what is remembered grows behind it
-  mutable std::vector<std::optional<Response>> responses_;
-  mutable double relative_residual_ = 0;
+  std::optional<Opening> opening_;
+  std::vector<OpenCell> open_cells_;
+
+  struct Memory {
+    std::mutex mutex;  // it grows behind it
+    std::vector<std::optional<Response>> responses;
+    double relative_residual = 0;
+  };
+  std::shared_ptr<Memory> memory_ = std::make_shared<Memory>();
 };
 
 }  // namespace glisson::mechanics

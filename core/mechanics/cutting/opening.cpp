@@ -1,0 +1,427 @@
+#include "mechanics/cutting/opening.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+
+#include "mechanics/cutting/internal/jump_functions.h"
+#include "mechanics/elements/load_vector.h"
+
+namespace glisson::mechanics {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+namespace {
+
+// One surface wherever it crosses the body.
+struct SurfaceInBody {
+  geometry::CutSurface surface;
+  Crossing crossing;
+};
+
+// A point whose jump is open, with all that was solved for.
+struct OpenPoint {
+  int point;
+  std::shared_ptr<const SurfaceInBody> along;
+  Vector3d normal;                       // of its wall, to above
+  Eigen::SparseMatrix<double> coupling;  // its columns of B
+  MatrixXd v;                            // its columns of V
+  Vector3d standing_load;
+};
+
+// The part of a crossed cell's wall that is still whole: integrals over it of the corners' linear shape functions and
+// of their products, and of the functions over all of the wall (mm2).
+struct WholeWall {
+  Eigen::Vector4d all_mm2 = Eigen::Vector4d::Zero(), whole_mm2 = Eigen::Vector4d::Zero();
+  Eigen::Matrix4d products_mm2 = Eigen::Matrix4d::Zero();
+};
+
+// A surface as far as it is cut.
+struct PartlyCut {
+  std::shared_ptr<const SurfaceInBody> along;
+  std::vector<CutStrip> strips;
+  std::vector<WholeWall> walls;  // of the crossing's cells
+};
+
+bool same(const geometry::CutSurface& a, const geometry::CutSurface& b);
+std::vector<double> volumes_around_mm3(const geometry::TetMesh& mesh);
+bool is_fixed(const Body& body, int point);
+std::vector<WholeWall> walls_of(const geometry::TetMesh& mesh, const PartlyCut& cut);
+// How much of a point's share of the wall is cut, between 0 and 1.
+double cut_share(const PartlyCut& cut, const geometry::TetMesh& mesh, int point);
+double whole_area_mm2(const PartlyCut& cut);
+
+}  // namespace
+
+struct Opening::State {
+  State(StaticModel body, Loads loads, VectorXd force_mN, SeenPart part)
+      : model(std::move(body)),
+        standing_loads(std::move(loads)),
+        standing_force_mN(std::move(force_mN)),
+        seen(std::move(part)) {}
+
+  StaticModel model;
+  Loads standing_loads;
+  VectorXd standing_force_mN;
+  SeenPart seen;
+
+  std::vector<PartlyCut> cuts;
+  std::vector<std::shared_ptr<const OpenPoint>> open;
+  MatrixXd stiffness;  // S without the bridges
+  Eigen::LLT<MatrixXd> factor;
+
+  // For callers.
+  std::vector<int> points;
+  std::vector<Vector3d> normals;
+  VectorXd standing_load;
+  double relative_residual = 0;
+
+  [[nodiscard]] std::vector<int> points_to_open(const PartlyCut& cut) const;
+  [[nodiscard]] bool meets_another_cut(const std::vector<int>& new_points, const SurfaceInBody& along) const;
+  Result<void> solve_for(const std::vector<int>& new_points, const std::shared_ptr<const SurfaceInBody>& along);
+  Result<void> factorise();
+};
+
+bool lies_within(const CutStrip& strip, const Vector3d& place_mm) {
+  const Vector3d way_mm = strip.to_mm - strip.from_mm;
+  const double at = (place_mm - strip.from_mm).dot(way_mm) / way_mm.squaredNorm();
+  return at >= 0 && at <= 1;
+}
+
+bool crosses(const CutStrip& strip, const geometry::Surface& surface) {
+  std::vector<double> height_mm;
+  for (const Vector3d& point : surface.points_mm) height_mm.push_back(strip.surface.height_mm(point));
+  return std::any_of(surface.triangles.begin(), surface.triangles.end(), [&](const std::array<int, 3>& triangle) {
+    for (int i = 0; i < 3; ++i) {
+      const auto a = static_cast<std::size_t>(triangle[i]), b = static_cast<std::size_t>(triangle[(i + 1) % 3]);
+      if ((height_mm[a] > 0) == (height_mm[b] > 0)) continue;
+      const double share = height_mm[a] / (height_mm[a] - height_mm[b]);
+      if (lies_within(strip, (1.0 - share) * surface.points_mm[a] + share * surface.points_mm[b])) return true;
+    }
+    return false;
+  });
+}
+
+Result<Opening> Opening::of(StaticModel model, Loads standing_loads, SeenPart seen) {
+  const Body& body = model.body();
+  auto force_mN = load_vector(body.mesh, body.layout, body.boundary, body.options.density_kg_mm3, standing_loads);
+  if (!force_mN) return failure(std::move(force_mN.error()));
+  return Opening(
+      std::make_shared<State>(std::move(model), std::move(standing_loads), std::move(*force_mN), std::move(seen)));
+}
+
+Result<Opening> Opening::advanced(const CutStrip& strip) const {
+  const Body& body = state_->model.body();
+  if (body.options.capsule) {
+    return failure(Error{"not-available",
+                         GLISSON_TEXT("A cut cannot advance through a body with a capsule."),
+                         {},
+                         GLISSON_TEXT("Leave the capsule out, or cut before the rehearsal."),
+                         {}});
+  }
+  if (!((strip.to_mm - strip.from_mm).norm() > 0) || !strip.from_mm.allFinite() || !strip.to_mm.allFinite()) {
+    return failure("cut-invalid", GLISSON_TEXT("The cut's advance needs two different places to go between."));
+  }
+  auto next = std::make_shared<State>(*state_);
+  auto cut = std::find_if(next->cuts.begin(), next->cuts.end(),
+                          [&](const PartlyCut& known) { return same(known.along->surface, strip.surface); });
+  if (cut == next->cuts.end()) {
+    auto along =
+        std::make_shared<const SurfaceInBody>(SurfaceInBody{strip.surface, crossing_of(body.mesh, strip.surface)});
+    cut = next->cuts.insert(cut, {std::move(along), {}, {}});
+    cut->walls = walls_of(body.mesh, *cut);
+  }
+  const double whole_before_mm2 = whole_area_mm2(*cut);
+  cut->strips.push_back(strip);
+  cut->walls = walls_of(body.mesh, *cut);
+
+  const std::vector<int> new_points = next->points_to_open(*cut);
+  if (next->meets_another_cut(new_points, *cut->along)) {
+    return failure(Error{"cuts-meet",
+                         GLISSON_TEXT("The cut crosses an earlier one, whose walls would have to be divided too."),
+                         {},
+                         GLISSON_TEXT("Go on along the earlier cut, or keep a cell's distance from it."),
+                         {}});
+  }
+  if (new_points.empty() && whole_area_mm2(*cut) == whole_before_mm2) {
+    return failure("cut-misses", GLISSON_TEXT("The cut opens nothing: all that lies along it is open already, held, or "
+                                              "outside of the body."));
+  }
+  if (auto solved = next->solve_for(new_points, cut->along); !solved) return failure(std::move(solved.error()));
+  if (auto factorised = next->factorise(); !factorised) return failure(std::move(factorised.error()));
+  return Opening(std::move(next));
+}
+
+// Those that have begun to open and were not.
+std::vector<int> Opening::State::points_to_open(const PartlyCut& cut) const {
+  const Body& body = model.body();
+  const Crossing& crossing = cut.along->crossing;
+  std::vector<std::uint8_t> known(body.mesh.points_mm.size(), 0);
+  for (const int point : points) known[point] = 1;
+  const std::vector<double> around_mm3 = volumes_around_mm3(body.mesh);
+  std::vector<int> found;
+  for (std::size_t p = 0; p < body.mesh.points_mm.size(); ++p) {
+    const int point = static_cast<int>(p);
+    if (known[p] != 0 || crossing.cells_of_point[p].empty() || is_fixed(body, point)) continue;
+    constexpr double begun = 0.02, next_to_nothing = 1e-4;
+    if (cut_share(cut, body.mesh, point) < begun) continue;
+    if (share_filled(body.mesh, crossing, point, around_mm3) < next_to_nothing) continue;
+    found.push_back(point);
+  }
+  return found;
+}
+
+// A cell has one wall: no point of it may be open along one surface, and another point along another.
+bool Opening::State::meets_another_cut(const std::vector<int>& new_points, const SurfaceInBody& along) const {
+  const geometry::TetMesh& mesh = model.mesh();
+  std::vector<const SurfaceInBody*> surface_of_point(mesh.points_mm.size(), nullptr);
+  for (const auto& known : open) surface_of_point[known->point] = known->along.get();
+  const auto meets = [&](const Crossing& crossing, int point) {
+    const auto& cells = crossing.cells_of_point[point];
+    return std::any_of(cells.begin(), cells.end(), [&](int c) {
+      const auto& corners = mesh.cells[crossing.cells[c].cell];
+      return std::any_of(corners.begin(), corners.end(),
+                         [&](int p) { return surface_of_point[p] != nullptr && surface_of_point[p] != &along; });
+    });
+  };
+  return std::any_of(new_points.begin(), new_points.end(), [&](int point) {
+    return meets(along.crossing, point) || std::any_of(cuts.begin(), cuts.end(), [&](const PartlyCut& other) {
+             return other.along.get() != &along && meets(other.along->crossing, point);
+           });
+  });
+}
+
+Result<void> Opening::State::solve_for(const std::vector<int>& new_points,
+                                       const std::shared_ptr<const SurfaceInBody>& along) {
+  if (new_points.empty()) return {};
+  const Body& body = model.body();
+  const Crossing& crossing = along->crossing;
+  const Eigen::SparseMatrix<double> columns = coupling(body, crossing, new_points);
+  const StaticModel::Responses solved = model.respond(MatrixXd(columns));
+  if (!solved.converged) {
+    return failure("not-converged",
+                   GLISSON_TEXT("The body's answer to the cut was not found: the relative residual stayed at {0}."),
+                   {fmt::format("{:.1e}", solved.relative_residual)});
+  }
+  relative_residual = std::max(relative_residual, solved.relative_residual);
+  const MatrixXd& w = solved.displacement_mm;
+  MatrixXd v = seen.of_nodes(w);
+  for (const SeenPart::Place& place : seen.places) {
+    for (std::size_t i = 0; i < new_points.size(); ++i) {
+      const double value = value_at(body.mesh, crossing, new_points[i], place.at);
+      if (value != 0) v.block<3, 3>(place.row, 3 * static_cast<Index>(i)).diagonal().array() -= value;
+    }
+  }
+  const VectorXd load = load_on(body, crossing, standing_loads, new_points) - w.transpose() * standing_force_mN;
+
+  const auto known = static_cast<Index>(3 * open.size()), added = static_cast<Index>(3 * new_points.size());
+  stiffness.conservativeResize(known + added, known + added);
+  std::vector<int> along_it;
+  std::vector<Index> row_of;
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    const auto row = static_cast<Index>(3 * i);
+    stiffness.block(row, known, 3, added) = -MatrixXd(open[i]->coupling.transpose() * w);
+    if (open[i]->along != along) continue;
+    along_it.push_back(open[i]->point);
+    row_of.push_back(row);
+  }
+  const MatrixXd between = stiffness_between(body, crossing, along_it, new_points);
+  for (std::size_t i = 0; i < along_it.size(); ++i) {
+    stiffness.block(row_of[i], known, 3, added) += between.middleRows<3>(3 * static_cast<Index>(i));
+  }
+  stiffness.block(known, 0, added, known) = stiffness.block(0, known, known, added).transpose();
+  stiffness.block(known, known, added, added) =
+      stiffness_between(body, crossing, new_points, new_points) - MatrixXd(columns.transpose() * w);
+
+  standing_load.conservativeResize(known + added);
+  standing_load.tail(added) = load;
+  for (std::size_t i = 0; i < new_points.size(); ++i) {
+    const auto column = static_cast<Index>(3 * i);
+    Vector3d normal = Vector3d::Zero();
+    for (const int c : crossing.cells_of_point[new_points[i]]) {
+      normal += crossing.cells[c].wall_area_mm2 * crossing.cells[c].wall_normal;
+    }
+    points.push_back(new_points[i]);
+    normals.push_back(normal.normalized());
+    open.push_back(
+        std::make_shared<const OpenPoint>(OpenPoint{new_points[i], along, normals.back(), columns.middleCols(column, 3),
+                                                    v.middleCols<3>(column), load.segment<3>(column)}));
+  }
+  return {};
+}
+
+Result<void> Opening::State::factorise() {
+  const Body& body = model.body();
+  MatrixXd bridged = stiffness;
+  for (const PartlyCut& cut : cuts) {
+    std::vector<int> number(body.mesh.points_mm.size(), -1);
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      if (open[i]->along == cut.along) number[open[i]->point] = static_cast<int>(i);
+    }
+    for (std::size_t c = 0; c < cut.walls.size(); ++c) {
+      const auto cell = static_cast<std::size_t>(cut.along->crossing.cells[c].cell);
+      const double edge_mm = std::cbrt(6.0 * std::sqrt(2.0) * geometry::cell_volume_mm3(body.mesh, cell));
+      const double bridge = bridge_stiffness * body.youngs_kPa[cell] / edge_mm;
+      for (int i = 0; i < 4; ++i) {
+        for (int j = 0; j < 4; ++j) {
+          const int row = number[body.mesh.cells[cell][i]], column = number[body.mesh.cells[cell][j]];
+          if (row < 0 || column < 0) continue;
+          bridged.block<3, 3>(3 * row, 3 * column).diagonal().array() += bridge * cut.walls[c].products_mm2(i, j);
+        }
+      }
+    }
+  }
+  factor.compute(bridged);
+  // What nothing holds has no stiffness but rounding's.
+  constexpr double nothing = 1e-9;
+  const bool held = factor.info() == Eigen::Success &&
+                    (factor.matrixLLT().diagonal().array().square() > nothing * bridged.diagonal().array()).all();
+  if (held) return {};
+  return failure(Error{"cut-frees-part",
+                       GLISSON_TEXT("Nothing would hold the part that this cut separates."),
+                       {},
+                       GLISSON_TEXT("Stop before the last bridge of tissue."),
+                       {}});
+}
+
+const std::vector<int>& Opening::points() const { return state_->points; }
+const std::vector<Vector3d>& Opening::normals() const { return state_->normals; }
+const VectorXd& Opening::standing_load() const { return state_->standing_load; }
+double Opening::relative_residual() const { return state_->relative_residual; }
+
+VectorXd Opening::load_of_force(Index row, const Vector3d& force_mN) const {
+  VectorXd load(state_->standing_load.size());
+  for (std::size_t i = 0; i < state_->open.size(); ++i) {
+    load.segment<3>(static_cast<Index>(3 * i)) = -state_->open[i]->v.middleRows<3>(row).transpose() * force_mN;
+  }
+  return load;
+}
+
+VectorXd Opening::load_of_push(std::size_t point, const Vector3d& direction) const {
+  VectorXd load = VectorXd::Zero(state_->standing_load.size());
+  load.segment<3>(static_cast<Index>(3 * point)) = direction;
+  return load;
+}
+
+MatrixXd Opening::jumps_mm(const MatrixXd& load) const {
+  return state_->open.empty() ? load : MatrixXd(state_->factor.solve(load));
+}
+
+VectorXd Opening::seen_mm(const VectorXd& jumps_mm) const {
+  VectorXd sum_mm;
+  for (std::size_t i = 0; i < state_->open.size(); ++i) {
+    const MatrixXd& v = state_->open[i]->v;
+    if (i == 0) sum_mm = VectorXd::Zero(v.rows());
+    sum_mm -= v * jumps_mm.segment<3>(static_cast<Index>(3 * i));
+  }
+  return sum_mm;
+}
+
+double Opening::open_mm2() const {
+  double all_mm2 = 0;
+  for (const PartlyCut& cut : state_->cuts) {
+    for (const WholeWall& wall : cut.walls) all_mm2 += wall.all_mm2.sum();
+  }
+  return all_mm2 - whole_mm2();
+}
+
+double Opening::whole_mm2() const {
+  double sum_mm2 = 0;
+  for (const PartlyCut& cut : state_->cuts) sum_mm2 += whole_area_mm2(cut);
+  return sum_mm2;
+}
+
+VectorXd Opening::force_on_nodes_mN(const VectorXd& jumps_mm) const {
+  VectorXd force_mN = VectorXd::Zero(state_->standing_force_mN.size());
+  for (std::size_t i = 0; i < state_->open.size(); ++i) {
+    force_mN -= state_->open[i]->coupling * jumps_mm.segment<3>(static_cast<Index>(3 * i));
+  }
+  return force_mN;
+}
+
+std::vector<OpenCell> Opening::cells() const {
+  const geometry::TetMesh& mesh = state_->model.mesh();
+  std::vector<OpenCell> cells;
+  for (const PartlyCut& cut : state_->cuts) {
+    std::vector<int> number(mesh.points_mm.size(), -1);
+    for (std::size_t i = 0; i < state_->open.size(); ++i) {
+      if (state_->open[i]->along == cut.along) number[state_->open[i]->point] = static_cast<int>(i);
+    }
+    for (const CrossedCell& crossed : cut.along->crossing.cells) {
+      OpenCell cell{crossed.cell, {}, Eigen::Vector4d::Zero(), crossed.division.wall};
+      for (int i = 0; i < 4; ++i) {
+        cell.jump[i] = number[mesh.cells[crossed.cell][i]];
+        cell.height_mm[i] = cut.along->crossing.height_mm[mesh.cells[crossed.cell][i]];
+      }
+      if (std::any_of(cell.jump.begin(), cell.jump.end(), [](int j) { return j >= 0; }))
+        cells.push_back(std::move(cell));
+    }
+  }
+  return cells;
+}
+
+namespace {
+
+bool same(const geometry::CutSurface& a, const geometry::CutSurface& b) {
+  if (!a.is_plane() || !b.is_plane()) return false;
+  return a.normal().isApprox(b.normal(), 1e-9) && std::abs(a.height_mm(b.point_mm())) < 1e-6;
+}
+
+std::vector<double> volumes_around_mm3(const geometry::TetMesh& mesh) {
+  std::vector<double> volumes_mm3(mesh.points_mm.size(), 0.0);
+  for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
+    for (const int point : mesh.cells[c]) volumes_mm3[point] += geometry::cell_volume_mm3(mesh, c);
+  }
+  return volumes_mm3;
+}
+
+bool is_fixed(const Body& body, int point) {
+  const auto first = body.resolved.fixed.begin() + 3 * static_cast<std::ptrdiff_t>(body.layout.node_of_point[point]);
+  return std::any_of(first, first + 3, [](std::uint8_t fixed) { return fixed != 0; });
+}
+
+std::vector<WholeWall> walls_of(const geometry::TetMesh& mesh, const PartlyCut& cut) {
+  std::vector<WholeWall> walls;
+  for (const CrossedCell& crossed : cut.along->crossing.cells) {
+    Eigen::Matrix<double, 3, 4> corner_mm;
+    for (int i = 0; i < 4; ++i) corner_mm.col(i) = mesh.points_mm[mesh.cells[crossed.cell][i]];
+    WholeWall wall;
+    for (const auto& [at, area_mm2] : places_on_wall(crossed, corner_mm)) {
+      wall.all_mm2 += area_mm2 * at;
+      const Vector3d place_mm = corner_mm * at;
+      if (std::any_of(cut.strips.begin(), cut.strips.end(),
+                      [&](const CutStrip& strip) { return lies_within(strip, place_mm); })) {
+        continue;
+      }
+      wall.whole_mm2 += area_mm2 * at;
+      wall.products_mm2 += area_mm2 * at * at.transpose();
+    }
+    walls.push_back(wall);
+  }
+  return walls;
+}
+
+double whole_area_mm2(const PartlyCut& cut) {
+  double sum_mm2 = 0;
+  for (const WholeWall& wall : cut.walls) sum_mm2 += wall.whole_mm2.sum();
+  return sum_mm2;
+}
+
+double cut_share(const PartlyCut& cut, const geometry::TetMesh& mesh, int point) {
+  double all_mm2 = 0, whole_mm2 = 0;
+  for (const int c : cut.along->crossing.cells_of_point[point]) {
+    const auto& corners = mesh.cells[cut.along->crossing.cells[c].cell];
+    const auto local = std::find(corners.begin(), corners.end(), point) - corners.begin();
+    all_mm2 += cut.walls[c].all_mm2[local];
+    whole_mm2 += cut.walls[c].whole_mm2[local];
+  }
+  return 1.0 - whole_mm2 / all_mm2;
+}
+
+}  // namespace
+}  // namespace glisson::mechanics

@@ -1,0 +1,282 @@
+// A cut that opens step by step on the kept factor, against the body meshed with the cut.
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+
+#include "bodies.h"
+#include "mechanics/contact/contact.h"
+#include "mechanics/cutting/opened_surface.h"
+#include "mechanics/cutting/opening.h"
+#include "mechanics/statics/static_model.h"
+
+namespace glisson::mechanics {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+using test::box;
+
+// A bar clamped at one end and resting on springs at a part of its bottom, pulled up at its other end in gas; an
+// oblique cut from above opens. Not the block on which the bridges' stiffness was chosen (opening.h).
+const Vector3d size_mm(80, 24, 40);
+constexpr double youngs_kPa = 8.0;
+const Loads loads{ToolLoad{{80, 12, 40}, 12, {-150, 40, 260}}, PressureLoad{0.4}, GravityLoad{{0, 0, -9810}}};
+
+// Where the cut crosses the bar at a height.
+double cut_x_mm(double z_mm) { return 33.7 + 0.3 * z_mm; }
+const geometry::CutSurface wall =
+    geometry::CutSurface::plane({cut_x_mm(0), 0, 0}, Vector3d(1, 0, -0.3).normalized()).value();
+Vector3d on_front_mm(double z_mm) { return {cut_x_mm(z_mm), 0, z_mm}; }
+
+StaticModel model_of(geometry::TetMesh mesh, const std::vector<int>& wall_points = {}) {
+  test::name_points(mesh, "clamped", [](const Vector3d& p) { return p.x() < 1e-6; });
+  test::name_points(mesh, "bed", [](const Vector3d& p) { return p.z() < 1e-6 && p.x() < 60.0; });
+  const std::size_t cells = mesh.cells.size();
+  return StaticModel::create(std::move(mesh), std::vector<double>(cells, youngs_kPa),
+                             {{NamedPoints{"clamped"}, Fixed{}}, {NamedPoints{"bed"}, Foundation{0.05}}}, {}, {},
+                             wall_points)
+      .value();
+}
+
+geometry::TetMesh bar(int nx, int ny, int nz) {
+  geometry::TetMesh mesh = box(nx, ny, nz, size_mm);
+  test::disturb_inner_points(mesh, 0.1 * size_mm.x() / nx);
+  return mesh;
+}
+
+// The same bar, meshed with the cut: the points of its wall are doubled above the front.
+struct MeshedCut {
+  geometry::TetMesh mesh;
+  std::vector<int> wall_points;
+};
+MeshedCut meshed_with_the_cut(int nx, int ny, int nz, double front_z_mm) {
+  const int left = nx / 2;
+  const auto on_wall = [](const Vector3d& p) { return std::abs(p.x() - cut_x_mm(p.z())) < 1e-6; };
+  geometry::TetMesh mesh = test::bent_box(nx, ny, nz, [&](const Vector3d& unit) {
+    const double i = unit.x() * nx, z = unit.z() * size_mm.z(), cut = cut_x_mm(z);
+    return Vector3d(i <= left ? cut * i / left : cut + (size_mm.x() - cut) * (i - left) / (nx - left),
+                    unit.y() * size_mm.y(), z);
+  });
+  std::vector<int> double_of(mesh.points_mm.size(), -1), wall_points;
+  for (std::size_t p = 0, all = mesh.points_mm.size(); p < all; ++p) {
+    const Vector3d at = mesh.points_mm[p];
+    if (!on_wall(at) || at.z() < front_z_mm + 1e-6) continue;
+    double_of[p] = static_cast<int>(mesh.points_mm.size());
+    mesh.points_mm.push_back(at);
+    wall_points.insert(wall_points.end(), {static_cast<int>(p), double_of[p]});
+  }
+  for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
+    const Vector3d middle = geometry::cell_centroid_mm(mesh, c);
+    if (middle.x() < cut_x_mm(middle.z())) continue;
+    for (int& p : mesh.cells[c]) {
+      if (double_of[p] >= 0) p = double_of[p];
+    }
+  }
+  return {std::move(mesh), std::move(wall_points)};
+}
+
+// All corners are seen.
+SeenPart corners_of(const StaticModel& model) {
+  return {[&model](const MatrixXd& u) {
+            MatrixXd part(3 * static_cast<Eigen::Index>(model.mesh().points_mm.size()), u.cols());
+            for (std::size_t p = 0; p < model.mesh().points_mm.size(); ++p) {
+              part.middleRows<3>(3 * static_cast<Eigen::Index>(p)) =
+                  u.middleRows<3>(3 * model.nodes().node_of_point[p]);
+            }
+            return part;
+          },
+          {}};
+}
+
+std::vector<Vector3d> displaced(const StaticModel& model, const Opening& opening) {
+  std::vector<Vector3d> u_mm = model.solve(loads)->displacement_mm;
+  const VectorXd by_cut_mm = opening.seen_mm(opening.jumps_mm(opening.standing_load()));
+  for (std::size_t p = 0; p < u_mm.size() && by_cut_mm.size() > 0; ++p) {
+    u_mm[p] += by_cut_mm.segment<3>(3 * static_cast<Eigen::Index>(p));
+  }
+  return u_mm;
+}
+
+Vector3d at_corner(const geometry::TetMesh& mesh, const std::vector<Vector3d>& u_mm) {
+  for (std::size_t p = 0; p < mesh.points_mm.size(); ++p) {
+    if ((mesh.points_mm[p] - size_mm).norm() < 1e-6) return u_mm[p];
+  }
+  ADD_FAILURE() << "no corner";
+  return Vector3d::Zero();
+}
+
+Opening nothing_open(const StaticModel& model) { return Opening::of(model, loads, corners_of(model)).value(); }
+
+TEST(Opening, ACutInStepsMovesTheBarAsAMeshWithTheCutDoes) {
+  const StaticModel whole = model_of(bar(18, 6, 9));
+  const Vector3d uncut_mm = at_corner(whole.mesh(), whole.solve(loads)->displacement_mm);
+  Opening opening = nothing_open(whole);
+  for (const auto& [from_mm, to_mm] : {std::pair{40.0, 21.0}, {21.0, 15.0}}) {
+    opening = opening.advanced({wall, on_front_mm(from_mm), on_front_mm(to_mm)}).value();
+    const StaticModel reference = model_of(meshed_with_the_cut(20, 5, 40, to_mm).mesh);
+    const Vector3d expected_mm = at_corner(reference.mesh(), reference.solve(loads)->displacement_mm);
+    const Vector3d reached_mm = at_corner(whole.mesh(), displaced(whole, opening));
+    EXPECT_GT((expected_mm - uncut_mm).norm(), 0.05 * expected_mm.norm());
+    EXPECT_LT((reached_mm - expected_mm).norm(), 0.02 * expected_mm.norm())
+        << "at " << to_mm << ": " << reached_mm.transpose() << " and " << expected_mm.transpose() << " uncut "
+        << uncut_mm.transpose();
+  }
+}
+
+TEST(Opening, IsTheSameHoweverManyAdvancesLedToIt) {
+  const StaticModel whole = model_of(bar(10, 4, 5));
+  const Opening at_once = nothing_open(whole).advanced({wall, on_front_mm(40), on_front_mm(18)}).value();
+  Opening in_steps = nothing_open(whole);
+  for (double z = 40; z > 18.5; z -= 5.5) {
+    in_steps = in_steps.advanced({wall, on_front_mm(z), on_front_mm(z - 5.5)}).value();
+  }
+  ASSERT_EQ(at_once.points().size(), in_steps.points().size());
+  const auto a_mm = displaced(whole, at_once), b_mm = displaced(whole, in_steps);
+  for (std::size_t p = 0; p < a_mm.size(); ++p) EXPECT_LT((a_mm[p] - b_mm[p]).norm(), 1e-7);
+}
+
+// Undo is the value before.
+TEST(Opening, AnAdvanceLeavesTheOneBeforeAsItWas) {
+  const StaticModel whole = model_of(bar(10, 4, 5));
+  const Opening before = nothing_open(whole).advanced({wall, on_front_mm(40), on_front_mm(30)}).value();
+  const VectorXd jumps_mm = before.jumps_mm(before.standing_load());
+  ASSERT_TRUE(before.advanced({wall, on_front_mm(30), on_front_mm(20)}));
+  EXPECT_EQ(before.jumps_mm(before.standing_load()), jumps_mm);
+}
+
+// What the jumps push on the nodes with displaces the whole body as the cut one.
+TEST(Opening, ItsForcesOnTheNodesDisplaceTheWholeBodyAlike) {
+  const StaticModel whole = model_of(bar(10, 4, 5));
+  const Opening opening = nothing_open(whole).advanced({wall, on_front_mm(40), on_front_mm(18)}).value();
+  const VectorXd jumps_mm = opening.jumps_mm(opening.standing_load());
+  const auto alike = whole.solve_nodal({opening.force_on_nodes_mN(jumps_mm), {}}).value();
+  const VectorXd seen_mm = opening.seen_mm(jumps_mm);
+  for (std::size_t p = 0; p < alike.displacement_mm.size(); ++p) {
+    EXPECT_LT((alike.displacement_mm[p] - seen_mm.segment<3>(3 * static_cast<Eigen::Index>(p))).norm(), 1e-6);
+  }
+}
+
+TEST(Opening, RefusesWhatItCannotOpen) {
+  const StaticModel whole = model_of(bar(10, 4, 5));
+  const Opening none = nothing_open(whole);
+  EXPECT_EQ(none.advanced({wall, on_front_mm(40), on_front_mm(40)}).error().code, "cut-invalid");
+  EXPECT_EQ(none.advanced({wall, on_front_mm(60), on_front_mm(50)}).error().code, "cut-misses");
+  const Opening half = none.advanced({wall, on_front_mm(40), on_front_mm(20)}).value();
+  EXPECT_EQ(half.advanced({wall, on_front_mm(40), on_front_mm(25)}).error().code, "cut-misses");
+  const auto across = geometry::CutSurface::plane({0, 12, 0}, {0, 1, 0}).value();
+  EXPECT_EQ(half.advanced({across, {0, 12, 40}, {0, 12, 20}}).error().code, "cuts-meet");
+}
+
+// The springs of the bed end at x = 60 mm: beyond that nothing holds the free end.
+TEST(Opening, RefusesToSeparateWhatNothingHolds) {
+  const StaticModel whole = model_of(bar(10, 4, 5));
+  const auto behind = geometry::CutSurface::plane({66.1, 0, 0}, {1, 0, 0}).value();
+  const Opening most = nothing_open(whole).advanced({behind, {66.1, 0, 40}, {66.1, 0, 8}}).value();
+  EXPECT_EQ(most.advanced({behind, {66.1, 0, 8}, {66.1, 0, 0}}).error().code, "cut-frees-part");
+}
+
+Vector3d corner_of(const ContactBody& body, const ContactState& state) {
+  return at_corner({body.surface().points_mm, {}, {}, {}}, state.surface_mm);
+}
+
+// Jaws at the cut's edge draw the free part away. Ten times as far as without the cut: all of it is the cut's.
+TEST(OpeningInContact, UnderTractionThePartsOpenAsOnAMeshWithTheCut) {
+  const ContactTool jaws{"jaws", Grasp{{cut_x_mm(40) + 8, 12, 40}, 7, 400.0, {1, 0, 0.5}}};
+  const auto whole = ContactBody::create(model_of(bar(18, 6, 9)), {}, {}).value();
+  const auto cut = whole.opened({wall, on_front_mm(40), on_front_mm(15)}).value();
+  const auto reference = ContactBody::create(model_of(meshed_with_the_cut(16, 5, 40, 15).mesh), {}, {}).value();
+  const auto reached = cut.solve(cut.untouched(), {jaws}).value();
+  ASSERT_TRUE(reached.report.converged);
+  EXPECT_EQ(reached.report.overlap_mm, 0.0);
+  const Vector3d u_mm = corner_of(cut, reached);
+  const Vector3d expected_mm = corner_of(reference, reference.solve(reference.untouched(), {jaws}).value());
+  EXPECT_LT((u_mm - expected_mm).norm(), 0.05 * expected_mm.norm())
+      << u_mm.transpose() << " " << expected_mm.transpose();
+
+  // The whole of it by one more solve, and the way back.
+  const auto everywhere = cut.whole_result(reached).value();
+  const auto places = geometry::find_field(cut.surface().point_fields, "mesh_point")->values;
+  for (std::size_t p = 0; p < places.size(); ++p) {
+    EXPECT_LT((everywhere.displacement_mm[static_cast<std::size_t>(places[p])] - reached.surface_mm[p]).norm(), 1e-5);
+  }
+  const auto again = whole.solve(whole.untouched(), {jaws}).value();
+  EXPECT_LT(corner_of(whole, again).norm(), 0.15 * expected_mm.norm());
+}
+
+// Drawn, the parts have the volume that the cells have, each open one by both of its sides.
+TEST(OpeningInContact, TheSurfaceIsDividedAtTheCutAndClosedByItsWalls) {
+  const auto whole = ContactBody::create(model_of(bar(10, 4, 5)), loads, {}).value();
+  const auto cut = whole.opened({wall, on_front_mm(40), on_front_mm(17)}).value();
+  const geometry::Surface drawn = cut.opened_surface(cut.untouched()).value();
+  ASSERT_TRUE(geometry::check_surface(drawn));
+  const auto& on_wall = geometry::find_field(drawn.cell_fields, "wall")->values;
+  ASSERT_EQ(on_wall.size(), drawn.triangles.size());
+  // At rest, with jumps that are put on: what is above moves away by 5 mm in one piece where all of it is open.
+  const StaticModel& model = whole.model();
+  const Opening opening = nothing_open(model).advanced({wall, on_front_mm(40), on_front_mm(17)}).value();
+  const std::vector<Vector3d> still(model.mesh().points_mm.size(), Vector3d::Zero());
+  const std::vector<Vector3d> jumps_mm(opening.points().size(), 5.0 * wall.normal());
+  const geometry::Surface apart = opened_surface(model.mesh(), whole.surface(), opening.cells(), still, jumps_mm);
+  double largest_mm = 0, walls_mm2 = 0;
+  for (std::size_t p = whole.surface().points_mm.size(); p < apart.points_mm.size(); ++p) {
+    largest_mm = std::max(largest_mm, std::abs(wall.height_mm(apart.points_mm[p])));
+  }
+  EXPECT_NEAR(largest_mm, 5.0, 0.2);  // points are taken off the cut by up to a hundredth of an edge
+  const geometry::Surface together = opened_surface(model.mesh(), whole.surface(), opening.cells(), still,
+                                                    std::vector(jumps_mm.size(), Vector3d(0, 0, 0)));
+  EXPECT_NEAR(geometry::volume_mm3(together), geometry::volume_mm3(whole.surface()), 1e-3);
+  for (std::size_t t = 0; t < together.triangles.size(); ++t) {
+    if (on_wall[t] == 0) continue;
+    const auto& [a, b, c] = together.triangles[t];
+    const auto& points = together.points_mm;
+    walls_mm2 += 0.5 * (points[b] - points[a]).cross(points[c] - points[a]).norm();
+  }
+  EXPECT_GE(0.5 * walls_mm2, opening.open_mm2() - 1e-6);
+  EXPECT_NEAR(opening.open_mm2() + opening.whole_mm2(), 24 * 40 * std::sqrt(1.09), 1.0);
+  EXPECT_NEAR(opening.open_mm2(), 24 * 23 * std::sqrt(1.09), 24 * 2);
+}
+
+// Pressed together the walls slide and carry pressure: against the mesh with the cut, whose points are paired as they
+// were one, which holds while they slide by little. Without contact its end would go six times as far.
+TEST(OpeningInContact, PressedTogetherTheWallsDoNotPassThroughEachOther) {
+  const Loads push{ToolLoad{{cut_x_mm(40) + 8, 12, 40}, 7, {-400, 0, 0}}};
+  const MeshedCut with_cut = meshed_with_the_cut(16, 5, 24, 15);
+  const StaticModel reference = model_of(with_cut.mesh, with_cut.wall_points);
+  const std::vector<Vector3d> free_mm = reference.solve(push)->displacement_mm;
+  const auto pairs = static_cast<Eigen::Index>(with_cut.wall_points.size() / 2);
+  MatrixXd apart = MatrixXd::Zero(6 * pairs, pairs);
+  VectorXd gap_mm(pairs);
+  for (Eigen::Index i = 0; i < pairs; ++i) {
+    apart.block<3, 1>(6 * i, i) = -wall.normal();
+    apart.block<3, 1>(6 * i + 3, i) = wall.normal();
+    const auto k = static_cast<std::size_t>(2 * i);
+    gap_mm[i] = wall.normal().dot(free_mm[with_cut.wall_points[k + 1]] - free_mm[with_cut.wall_points[k]]);
+  }
+  const MatrixXd compliance = apart.transpose() * reference.mutual_compliance() * apart;
+  const VectorXd force_mN = -compliance.ldlt().solve(gap_mm);
+  ASSERT_GT(force_mN.minCoeff(), 0.0);  // all of them press
+  const VectorXd on_walls_mN = apart * force_mN;
+  VectorXd on_nodes_mN = VectorXd::Zero(3 * static_cast<Eigen::Index>(reference.nodes().nodes()));
+  for (std::size_t i = 0; i < with_cut.wall_points.size(); ++i) {
+    on_nodes_mN.segment<3>(3 * reference.nodes().node_of_point[with_cut.wall_points[i]]) +=
+        on_walls_mN.segment<3>(3 * static_cast<Eigen::Index>(i));
+  }
+  const Vector3d expected_mm = at_corner(reference.mesh(), free_mm) +
+                               at_corner(reference.mesh(), reference.solve_nodal({on_nodes_mN, {}})->displacement_mm);
+
+  const auto whole = ContactBody::create(model_of(bar(18, 6, 9)), push, {}).value();
+  const auto cut = whole.opened({wall, on_front_mm(40), on_front_mm(15)}).value();
+  EXPECT_TRUE(cut.untouched().report.converged);
+  EXPECT_LT(cut.untouched().report.overlap_mm, 0.1);
+  EXPECT_GT(cut.untouched().wall_mN.size(), cut.opening()->points().size() / 2);
+  const Vector3d u_mm = corner_of(cut, cut.untouched());
+  EXPECT_LT((u_mm - expected_mm).norm(), 0.1 * expected_mm.norm())
+      << u_mm.transpose() << " " << expected_mm.transpose();
+  EXPECT_GT(at_corner(reference.mesh(), free_mm).norm(), 4.0 * expected_mm.norm());
+}
+
+}  // namespace
+}  // namespace glisson::mechanics
