@@ -13,13 +13,13 @@
 #include <QStackedWidget>
 #include <QWidget>
 
+#include "widgets/panels/timeline.h"
 #include "widgets/register/algorithm_choice.h"
 #include "widgets/register/heat_legend.h"
 #include "widgets/register/heat_video.h"
 #include "widgets/register/judged_sequence.h"
 #include "widgets/register/reading_panel.h"
 #include "widgets/register/register_welcome.h"
-#include "widgets/panels/timeline.h"
 #include "widgets/register/triangle_history.h"
 #include "widgets/work/background_work.h"
 #include "widgets/workspaces/workspace.h"

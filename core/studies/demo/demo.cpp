@@ -123,7 +123,7 @@ Result<void> clear_folder(const fs::path& out) {
                          GLISSON_TEXT("Choose an empty or a new folder."),
                          out});
   }
-  for (const char* part : {"demo.glisson", "pictures", "report.html", "summary.json"})
+  for (const char* part : {"demo.glisson", "pictures", "report.html", "summary.json", "guided"})
     fs::remove_all(out / part, problem);
   return {};
 }
