@@ -2569,10 +2569,6 @@
         <translation>{0} der Sitzung kann nicht gelesen werden: {1}.</translation>
     </message>
     <message>
-        <source>A command is {&quot;hold&quot;: {...}}, {&quot;release&quot;: id} or {&quot;undo&quot;: true}.</source>
-        <translation>Ein Befehl ist {&quot;hold&quot;: {...}}, {&quot;release&quot;: id} oder {&quot;undo&quot;: true}.</translation>
-    </message>
-    <message>
         <source>The cut passes the liver by.</source>
         <translation>Der Schnitt geht an der Leber vorbei.</translation>
     </message>
@@ -4811,6 +4807,34 @@
     <message>
         <source>nothing was written into it</source>
         <translation>nichts wurde hineingeschrieben</translation>
+    </message>
+    <message>
+        <source>At large strain a session knows quadratic cells of a neo-Hookean or Veronda-Westmann material without a grain.</source>
+        <translation>Bei großer Dehnung kennt eine Sitzung nur quadratische Zellen aus einem Neo-Hooke- oder Veronda-Westmann-Material ohne Faserrichtung.</translation>
+    </message>
+    <message>
+        <source>The body has no rest under its standing loads.</source>
+        <translation>Der Körper kommt unter seinen ständigen Lasten nicht zur Ruhe.</translation>
+    </message>
+    <message>
+        <source>The step would turn {0} cells inside out: a tool goes too far into the body.</source>
+        <translation>Der Schritt würde {0} Zellen umstülpen: Ein Werkzeug dringt zu weit in den Körper ein.</translation>
+    </message>
+    <message>
+        <source>A command is {&quot;hold&quot;: {...}}, {&quot;release&quot;: id}, {&quot;undo&quot;: true} or {&quot;settle&quot;: true}.</source>
+        <translation>Ein Befehl lautet {&quot;hold&quot;: {...}}, {&quot;release&quot;: id}, {&quot;undo&quot;: true} oder {&quot;settle&quot;: true}.</translation>
+    </message>
+    <message>
+        <source>A session does not know &quot;{0}&quot; of a scenario.</source>
+        <translation>Eine Sitzung kennt „{0}“ aus einem Szenario nicht.</translation>
+    </message>
+    <message>
+        <source>Leave it out; tools are taken by the session&apos;s commands.</source>
+        <translation>Lassen Sie es weg; Werkzeuge werden mit den Befehlen der Sitzung genommen.</translation>
+    </message>
+    <message>
+        <source>A session knows the engine fem alone; meshfree is for simulate.</source>
+        <translation>Eine Sitzung kennt nur das Verfahren fem; meshfree gibt es in simulate.</translation>
     </message>
 </context>
 <context>

@@ -2569,10 +2569,6 @@
         <translation>No se puede leer {0} de la sesión: {1}.</translation>
     </message>
     <message>
-        <source>A command is {&quot;hold&quot;: {...}}, {&quot;release&quot;: id} or {&quot;undo&quot;: true}.</source>
-        <translation>Una orden es {&quot;hold&quot;: {...}}, {&quot;release&quot;: id} o {&quot;undo&quot;: true}.</translation>
-    </message>
-    <message>
         <source>The cut passes the liver by.</source>
         <translation>La sección no pasa por el hígado.</translation>
     </message>
@@ -4811,6 +4807,34 @@
     <message>
         <source>nothing was written into it</source>
         <translation>no se escribió nada en él</translation>
+    </message>
+    <message>
+        <source>At large strain a session knows quadratic cells of a neo-Hookean or Veronda-Westmann material without a grain.</source>
+        <translation>En gran deformación, una sesión solo conoce celdas cuadráticas de un material neohookeano o de Veronda-Westmann sin dirección de fibras.</translation>
+    </message>
+    <message>
+        <source>The body has no rest under its standing loads.</source>
+        <translation>El cuerpo no encuentra reposo bajo sus cargas permanentes.</translation>
+    </message>
+    <message>
+        <source>The step would turn {0} cells inside out: a tool goes too far into the body.</source>
+        <translation>El paso volvería del revés {0} celdas: una herramienta entra demasiado en el cuerpo.</translation>
+    </message>
+    <message>
+        <source>A command is {&quot;hold&quot;: {...}}, {&quot;release&quot;: id}, {&quot;undo&quot;: true} or {&quot;settle&quot;: true}.</source>
+        <translation>Una orden es {&quot;hold&quot;: {...}}, {&quot;release&quot;: id}, {&quot;undo&quot;: true} o {&quot;settle&quot;: true}.</translation>
+    </message>
+    <message>
+        <source>A session does not know &quot;{0}&quot; of a scenario.</source>
+        <translation>Una sesión no conoce «{0}» de un escenario.</translation>
+    </message>
+    <message>
+        <source>Leave it out; tools are taken by the session&apos;s commands.</source>
+        <translation>Omítalo; las herramientas se toman con las órdenes de la sesión.</translation>
+    </message>
+    <message>
+        <source>A session knows the engine fem alone; meshfree is for simulate.</source>
+        <translation>Una sesión solo conoce el método fem; meshfree es para simulate.</translation>
     </message>
 </context>
 <context>

@@ -2569,10 +2569,6 @@
         <translation>{0} de la séance ne peut pas être lu&#xa0;: {1}.</translation>
     </message>
     <message>
-        <source>A command is {&quot;hold&quot;: {...}}, {&quot;release&quot;: id} or {&quot;undo&quot;: true}.</source>
-        <translation>Une commande est {&quot;hold&quot;: {...}}, {&quot;release&quot;: id} ou {&quot;undo&quot;: true}.</translation>
-    </message>
-    <message>
         <source>The cut passes the liver by.</source>
         <translation>La section passe à côté du foie.</translation>
     </message>
@@ -4811,6 +4807,34 @@
     <message>
         <source>nothing was written into it</source>
         <translation>rien n’y a été écrit</translation>
+    </message>
+    <message>
+        <source>At large strain a session knows quadratic cells of a neo-Hookean or Veronda-Westmann material without a grain.</source>
+        <translation>En grande déformation, une séance ne connaît que des cellules quadratiques d’un matériau néo-hookéen ou de Veronda-Westmann sans direction de fibres.</translation>
+    </message>
+    <message>
+        <source>The body has no rest under its standing loads.</source>
+        <translation>Le corps ne trouve pas de repos sous ses charges permanentes.</translation>
+    </message>
+    <message>
+        <source>The step would turn {0} cells inside out: a tool goes too far into the body.</source>
+        <translation>Ce pas retournerait {0} cellules : un outil s’enfonce trop dans le corps.</translation>
+    </message>
+    <message>
+        <source>A command is {&quot;hold&quot;: {...}}, {&quot;release&quot;: id}, {&quot;undo&quot;: true} or {&quot;settle&quot;: true}.</source>
+        <translation>Une commande est {&quot;hold&quot;: {...}}, {&quot;release&quot;: id}, {&quot;undo&quot;: true} ou {&quot;settle&quot;: true}.</translation>
+    </message>
+    <message>
+        <source>A session does not know &quot;{0}&quot; of a scenario.</source>
+        <translation>Une séance ne connaît pas « {0} » d’un scénario.</translation>
+    </message>
+    <message>
+        <source>Leave it out; tools are taken by the session&apos;s commands.</source>
+        <translation>Omettez-le ; les outils se prennent par les commandes de la séance.</translation>
+    </message>
+    <message>
+        <source>A session knows the engine fem alone; meshfree is for simulate.</source>
+        <translation>Une séance ne connaît que la méthode fem ; meshfree est pour simulate.</translation>
     </message>
 </context>
 <context>
