@@ -107,12 +107,13 @@ ContactTool tool_from(const Json& json) {
 }
 
 std::pair<SessionCommand, std::string> command_from(const Json& json) {
-  check_keys(json, {"hold", "release", "undo", "digest"});
-  if (json.count("hold") + json.count("release") + json.count("undo") != 1)
+  check_keys(json, {"hold", "release", "undo", "settle", "digest"});
+  if (json.count("hold") + json.count("release") + json.count("undo") + json.count("settle") != 1)
     refuse_at("it", "{0} must say one thing to do.");
   const std::string digest = json.contains("digest") ? text_in(json["digest"], "digest") : std::string();
   if (json.contains("hold")) return {HoldTool{tool_from(json["hold"])}, digest};
   if (json.contains("release")) return {ReleaseTool{text_in(json["release"], "release")}, digest};
+  if (json.contains("settle")) return {Settle{}, digest};
   return {Undo{}, digest};
 }
 
@@ -127,7 +128,7 @@ std::string recording_text(const Recording& recording) {
     } else if (const auto* release = std::get_if<ReleaseTool>(&command)) {
       json["release"] = release->id;
     } else {
-      json["undo"] = true;
+      json[std::holds_alternative<Settle>(command) ? "settle" : "undo"] = true;
     }
     if (!digest.empty()) json["digest"] = digest;
     commands.push_back(std::move(json));
@@ -139,11 +140,13 @@ Result<Recording> parse_recording(std::string_view json, const std::filesystem::
   const auto document = parse_json(json, file);
   if (!document) return failure(document.error());
   const auto cannot_be_read = [&](const std::string& which, const std::string& why) {
-    return failure(Error{"session-invalid",
-                         GLISSON_TEXT("{0} of the session cannot be read: {1}."),
-                         {which, why},
-                         GLISSON_TEXT("A command is {\"hold\": {...}}, {\"release\": id} or {\"undo\": true}."),
-                         file});
+    return failure(
+        Error{"session-invalid",
+              GLISSON_TEXT("{0} of the session cannot be read: {1}."),
+              {which, why},
+              GLISSON_TEXT("A command is {\"hold\": {...}}, {\"release\": id}, {\"undo\": true} or {\"settle\": "
+                           "true}."),
+              file});
   };
   const Json* commands = value_in(*document, "commands");
   if (!says(*document, "format", "glisson-session/1") || commands == nullptr || !commands->is_array()) {

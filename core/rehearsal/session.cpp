@@ -3,16 +3,16 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <future>
 
 #include "base/files.h"
+#include "rehearsal/internal/session_body.h"
 
 namespace glisson::rehearsal {
 namespace {
 
 using Eigen::Vector3d;
-using mechanics::ContactBody;
-using mechanics::ContactState;
 using mechanics::ContactTool;
 using mechanics::Grasp;
 using mechanics::TouchingTool;
@@ -22,8 +22,8 @@ using Tools = std::vector<ContactTool>;
 // All that a command starts from, and undo goes back to.
 struct Moment {
   Tools tools;
-  ContactState patient;
-  std::optional<ContactState> atlas;
+  BodyState patient;
+  std::optional<BodyState> atlas;
 };
 
 // Between two sets of tools: those of the same id go in a straight line, the others are there at once, and what pushes
@@ -37,7 +37,8 @@ std::string digest_of(const Moment& moment);
 }  // namespace
 
 struct SessionEngine::Impl {
-  std::optional<ContactBody> patient, atlas;
+  mechanics::ChosenLaw law = mechanics::MaterialLaw::linear;
+  std::optional<SessionBody> patient, atlas;
   std::vector<mechanics::Landmark> landmarks;
   std::vector<mechanics::PointInMesh> landmark_places;
   std::vector<geometry::Surface> structures;
@@ -45,8 +46,13 @@ struct SessionEngine::Impl {
   std::uint64_t commands = 0;
   std::shared_ptr<const SessionFrame> latest;
 
+  // What `next` makes of both bodies, the reference body beside the patient's on a thread of its own.
+  using Next = std::function<Result<BodyState>(const SessionBody&, const BodyState&)>;
+  [[nodiscard]] Result<Moment> both(const Moment& from, const Tools& tools, const Next& next) const;
   [[nodiscard]] Result<Moment> moved(const Moment& from, const Tools& tools) const;
-  [[nodiscard]] RehearsalBody shown(const ContactBody& body, const ContactState& state) const;
+  [[nodiscard]] Result<Moment> nearer_to_rest(const Moment& from) const;
+  void forget_the_oldest();
+  [[nodiscard]] RehearsalBody shown(const SessionBody& body, const BodyState& state) const;
   [[nodiscard]] SessionFrame frame_of(const Moment& moment) const;
 };
 
@@ -65,12 +71,13 @@ Result<SessionEngine> SessionEngine::create(RehearsalSetup setup, const Progress
   }
   auto models = rehearsal_models(setup, progress);
   if (!models) return failure(std::move(models.error()));
-  auto patient = ContactBody::create((*models)->patient, setup.standing_loads, watched);
+  parts->law = setup.law;
+  auto patient = SessionBody::create((*models)->patient, setup, watched, parts->landmarks.size());
   if (!patient) return failure(std::move(patient.error()));
   parts->patient = std::move(*patient);
   Moment untouched{{}, parts->patient->untouched(), {}};
   if ((*models)->atlas) {
-    auto atlas = ContactBody::create(*(*models)->atlas, setup.standing_loads, watched);
+    auto atlas = SessionBody::create(*(*models)->atlas, setup, watched, parts->landmarks.size());
     if (!atlas) return failure(std::move(atlas.error()));
     parts->atlas = std::move(*atlas);
     untouched.atlas = parts->atlas->untouched();
@@ -103,17 +110,23 @@ const SessionFrame& SessionEngine::step(const SessionCommand& command) {
     } else {
       tools.erase(held);
     }
-  } else if (parts.moments.size() > 1) {
-    parts.moments.pop_back();
-  } else {
-    refused = "There is nothing to undo.";
+  } else if (std::holds_alternative<Undo>(command)) {
+    if (parts.moments.size() > 1) {
+      parts.moments.pop_back();
+    } else {
+      refused = "There is nothing to undo.";
+    }
   }
   if (refused.empty() && !std::holds_alternative<Undo>(command)) {
-    auto moment = parts.moved(parts.moments.back(), tools);
-    if (moment) {
-      parts.moments.push_back(std::move(*moment));
-    } else {
+    const bool settles = std::holds_alternative<Settle>(command);
+    auto moment = settles ? parts.nearer_to_rest(parts.moments.back()) : parts.moved(parts.moments.back(), tools);
+    if (!moment) {
       refused = moment.error().message();
+    } else if (settles) {
+      parts.moments.back() = std::move(*moment);
+    } else {
+      parts.moments.push_back(std::move(*moment));
+      parts.forget_the_oldest();
     }
   }
   SessionFrame frame = parts.frame_of(parts.moments.back());
@@ -124,35 +137,57 @@ const SessionFrame& SessionEngine::step(const SessionCommand& command) {
   return *parts.latest;
 }
 
-// The reference body is moved beside the patient, on a thread of its own.
+SessionFrame SessionEngine::settled_frame() const {
+  const auto start = Clock::now();
+  const Impl& parts = *impl_;
+  Moment moment = parts.moments.back();
+  std::string refused;
+  SessionFrame frame = parts.frame_of(moment);
+  for (int settle = 0; settle < most_settles && !frame.settled && refused.empty(); ++settle) {
+    auto next = parts.nearer_to_rest(moment);
+    if (next) {
+      moment = std::move(*next);
+      frame = parts.frame_of(moment);
+    } else {
+      refused = next.error().message();
+    }
+  }
+  frame.number = parts.commands;
+  frame.refused = std::move(refused);
+  frame.step_ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+  return frame;
+}
+
 Result<Moment> SessionEngine::Impl::moved(const Moment& from, const Tools& tools) const {
-  const mechanics::ContactOptions options;
   // A force that grows at once carries the surface past the tool that it should meet; a quarter of a newton moves a
   // liver by some millimetres.
   constexpr double push_in_a_step_mN = 250.0;
   constexpr int maximum_steps = 200;
-  const double steps_wanted = std::max(farthest_move_mm(from.tools, tools) / options.largest_move_mm,
-                                       largest_change_of_push_mN(from.tools, tools) / push_in_a_step_mN);
+  const double steps_wanted =
+      std::max(farthest_move_mm(from.tools, tools) / mechanics::ContactOptions().largest_move_mm,
+               largest_change_of_push_mN(from.tools, tools) / push_in_a_step_mN);
   const int steps = static_cast<int>(std::clamp(std::ceil(steps_wanted), 1.0, double{maximum_steps}));
-  const auto all_steps = [&](const ContactBody& body, ContactState state) -> Result<ContactState> {
+  return both(from, tools, [&](const SessionBody& body, const BodyState& before) -> Result<BodyState> {
+    BodyState state = before;
     for (int step = 1; step <= steps; ++step) {
-      auto next = body.solve(state, between(from.tools, tools, double(step) / steps), options);
+      auto next = body.moved(state, between(from.tools, tools, double(step) / steps));
       if (!next) return next;
-      if (!next->report.converged) {
-        return failure("not-converged",
-                       GLISSON_TEXT("The step did not converge: after {0} rounds a tool still reaches {1} mm into the "
-                                    "surface, which still moves by {2} mm."),
-                       {std::to_string(next->report.rounds), std::to_string(next->report.penetration_mm),
-                        std::to_string(next->report.movement_mm)});
-      }
       state = std::move(*next);
     }
     return state;
-  };
-  std::future<Result<ContactState>> beside;
-  if (atlas) beside = std::async(std::launch::async, [&] { return all_steps(*atlas, *from.atlas); });
-  auto patient_state = all_steps(*patient, from.patient);
-  Moment moment{tools, {}, {}};
+  });
+}
+
+Result<Moment> SessionEngine::Impl::nearer_to_rest(const Moment& from) const {
+  return both(from, from.tools,
+              [&](const SessionBody& body, const BodyState& before) { return body.settled(before, from.tools); });
+}
+
+Result<Moment> SessionEngine::Impl::both(const Moment& from, const Tools& tools, const Next& next) const {
+  std::future<Result<BodyState>> beside;
+  if (atlas) beside = std::async(std::launch::async, [&] { return next(*atlas, *from.atlas); });
+  auto patient_state = next(*patient, from.patient);
+  Moment moment{tools, from.patient, {}};
   if (atlas) {
     auto atlas_state = beside.get();
     if (!atlas_state) return failure(std::move(atlas_state.error()));
@@ -163,14 +198,21 @@ Result<Moment> SessionEngine::Impl::moved(const Moment& from, const Tools& tools
   return moment;
 }
 
-RehearsalBody SessionEngine::Impl::shown(const ContactBody& body, const ContactState& state) const {
+// A moment at large strain holds every node of both bodies, some 2 MB; the first, untouched, stays.
+void SessionEngine::Impl::forget_the_oldest() {
+  const std::size_t most = law.law == mechanics::MaterialLaw::linear ? 10001 : 101;
+  if (moments.size() > most) moments.erase(moments.begin() + 1);
+}
+
+RehearsalBody SessionEngine::Impl::shown(const SessionBody& body, const BodyState& state) const {
   RehearsalBody shown;
   const auto& rest_mm = body.surface().points_mm;
+  const std::vector<Vector3d>& moved_mm = surface_mm(state);
   for (std::size_t p = 0; p < rest_mm.size(); ++p) {
-    shown.surface_mm.push_back(rest_mm[p] + state.surface_mm[p]);
-    shown.max_displacement_mm = std::max(shown.max_displacement_mm, state.surface_mm[p].norm());
+    shown.surface_mm.push_back(rest_mm[p] + moved_mm[p]);
+    shown.max_displacement_mm = std::max(shown.max_displacement_mm, moved_mm[p].norm());
   }
-  auto next = state.watched_mm.begin();
+  auto next = watched_mm(state).begin();
   const auto after_landmarks = next + static_cast<std::ptrdiff_t>(landmarks.size());
   shown.landmarks = mechanics::displaced_landmarks(landmarks, landmark_places, {next, after_landmarks});
   next = after_landmarks;
@@ -186,12 +228,16 @@ SessionFrame SessionEngine::Impl::frame_of(const Moment& moment) const {
   SessionFrame frame;
   frame.tools = moment.tools;
   frame.patient = shown(*patient, moment.patient);
-  frame.patient_step = {moment.patient.report, moment.patient.tools};
-  frame.validity = {moment.patient.report.converged, moment.patient.report.largest_strain,
-                    moment.patient.report.inverted_cells};
+  frame.patient_step = step_of(moment.patient, moment.tools, patient->surface());
+  const mechanics::ContactReport& report = frame.patient_step.report;
+  frame.validity = {report.converged, report.largest_strain, report.inverted_cells, mechanics::strain_limit(law.law)};
+  frame.error_bound_mm = frame.patient_step.error_bound_mm;
+  frame.settled = frame.patient_step.settled;
   if (moment.atlas) {
     frame.atlas = shown(*atlas, *moment.atlas);
-    frame.atlas_step = SessionStep{moment.atlas->report, moment.atlas->tools};
+    frame.atlas_step = step_of(*moment.atlas, moment.tools, atlas->surface());
+    if (frame.error_bound_mm) frame.error_bound_mm = std::max(*frame.error_bound_mm, *frame.atlas_step->error_bound_mm);
+    frame.settled = frame.settled && frame.atlas_step->settled;
     frame.differences = differences_between(frame.patient.landmarks, frame.atlas->landmarks);
     for (std::size_t p = 0; p < frame.patient.surface_mm.size(); ++p) {
       frame.max_difference_mm =
@@ -274,15 +320,8 @@ double largest_change_of_push_mN(const Tools& from, const Tools& to) {
 }
 
 std::string digest_of(const Moment& moment) {
-  std::string bits;
-  const auto add = [&](const Vector3d& v) { bits.append(reinterpret_cast<const char*>(v.data()), 3 * sizeof(double)); };
-  const auto add_state = [&](const ContactState& state) {
-    for (const Vector3d& u : state.surface_mm) add(u);
-    for (const Vector3d& u : state.watched_mm) add(u);
-    for (const auto& [point, force] : state.force_mN) add(force);
-  };
-  add_state(moment.patient);
-  if (moment.atlas) add_state(*moment.atlas);
+  std::string bits = bits_of(moment.patient);
+  if (moment.atlas) bits += bits_of(*moment.atlas);
   return sha256_of_text(bits);
 }
 
