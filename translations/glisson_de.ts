@@ -4805,6 +4805,34 @@
         <translation>nichts wurde hineingeschrieben</translation>
     </message>
     <message>
+        <source>At large strain a session knows quadratic cells of a neo-Hookean or Veronda-Westmann material without a grain.</source>
+        <translation>Bei großer Dehnung kennt eine Sitzung nur quadratische Zellen aus einem Neo-Hooke- oder Veronda-Westmann-Material ohne Faserrichtung.</translation>
+    </message>
+    <message>
+        <source>The body has no rest under its standing loads.</source>
+        <translation>Der Körper kommt unter seinen ständigen Lasten nicht zur Ruhe.</translation>
+    </message>
+    <message>
+        <source>The step would turn {0} cells inside out: a tool goes too far into the body.</source>
+        <translation>Der Schritt würde {0} Zellen umstülpen: Ein Werkzeug dringt zu weit in den Körper ein.</translation>
+    </message>
+    <message>
+        <source>A session does not know &quot;{0}&quot; of a scenario.</source>
+        <translation>Eine Sitzung kennt „{0}“ aus einem Szenario nicht.</translation>
+    </message>
+    <message>
+        <source>Leave it out; tools are taken by the session&apos;s commands.</source>
+        <translation>Lassen Sie es weg; Werkzeuge werden mit den Befehlen der Sitzung genommen.</translation>
+    </message>
+    <message>
+        <source>A session knows the engine fem alone; meshfree is for simulate.</source>
+        <translation>Eine Sitzung kennt nur das Verfahren fem; meshfree gibt es in simulate.</translation>
+    </message>
+    <message>
+        <source>The case has no plan {0}.</source>
+        <translation>Der Fall hat keinen Plan {0}.</translation>
+    </message>
+    <message>
         <source>A cut cannot advance through a body that was meshed with a cut.</source>
         <translation>Durch einen Körper, der schon mit einem Schnitt vernetzt ist, lässt sich kein Schnitt weiterführen.</translation>
     </message>
@@ -4843,30 +4871,6 @@
     <message>
         <source>Stop before the last bridge of tissue.</source>
         <translation>Hören Sie vor der letzten Gewebebrücke auf.</translation>
-    </message>
-    <message>
-        <source>A curved cut cannot be led through the liver step by step.</source>
-        <translation>Ein gekrümmter Schnitt lässt sich nicht Schritt für Schritt durch die Leber führen.</translation>
-    </message>
-    <message>
-        <source>Plan a plane in Resect.</source>
-        <translation>Planen Sie in Resektion eine Ebene.</translation>
-    </message>
-    <message>
-        <source>The planned cut passes the liver by.</source>
-        <translation>Der geplante Schnitt geht an der Leber vorbei.</translation>
-    </message>
-    <message>
-        <source>A command is {&quot;hold&quot;: {...}}, {&quot;release&quot;: id}, {&quot;cut&quot;: {...}} or {&quot;undo&quot;: true}.</source>
-        <translation>Ein Befehl ist {&quot;hold&quot;: {...}}, {&quot;release&quot;: id}, {&quot;cut&quot;: {...}} oder {&quot;undo&quot;: true}.</translation>
-    </message>
-    <message>
-        <source>The plan was set on the liver as it was held aside: set it at rest to cut along it here.</source>
-        <translation>Der Plan wurde an der zur Seite gehaltenen Leber gesetzt: Setzen Sie ihn in Ruhe, um hier daran entlang zu schneiden.</translation>
-    </message>
-    <message>
-        <source>The case has no plan {0}.</source>
-        <translation>Der Fall hat keinen Plan {0}.</translation>
     </message>
     <message>
         <source>{0} must be whole numbers from 1 to 8, Couinaud&apos;s segments.</source>
@@ -4959,6 +4963,30 @@
     <message>
         <source>The margin around {0} must be 0 to {1} mm.</source>
         <translation>Der Abstand um {0} muss 0 bis {1} mm sein.</translation>
+    </message>
+    <message>
+        <source>A curved cut cannot be led through the liver step by step.</source>
+        <translation>Ein gekrümmter Schnitt lässt sich nicht Schritt für Schritt durch die Leber führen.</translation>
+    </message>
+    <message>
+        <source>Plan a plane in Resect.</source>
+        <translation>Planen Sie in Resektion eine Ebene.</translation>
+    </message>
+    <message>
+        <source>The planned cut passes the liver by.</source>
+        <translation>Der geplante Schnitt geht an der Leber vorbei.</translation>
+    </message>
+    <message>
+        <source>A command is {&quot;hold&quot;: {...}}, {&quot;release&quot;: id}, {&quot;cut&quot;: {...}}, {&quot;undo&quot;: true} or {&quot;settle&quot;: true}.</source>
+        <translation>Ein Befehl ist {&quot;hold&quot;: {...}}, {&quot;release&quot;: id}, {&quot;cut&quot;: {...}}, {&quot;undo&quot;: true} oder {&quot;settle&quot;: true}.</translation>
+    </message>
+    <message>
+        <source>A cut can advance at small strain alone.</source>
+        <translation>Ein Schnitt lässt sich nur bei kleiner Dehnung weiterführen.</translation>
+    </message>
+    <message>
+        <source>Rehearse it with the linear material.</source>
+        <translation>Proben Sie ihn mit dem linearen Material.</translation>
     </message>
     <message>
         <source>Plans compared</source>
@@ -5080,6 +5108,10 @@
         <source>Reading the clouds</source>
         <translation>Punktwolken werden gelesen</translation>
     </message>
+    <message>
+        <source>The plan was set on the liver as it was held aside: set it at rest to cut along it here.</source>
+        <translation>Der Plan wurde an der zur Seite gehaltenen Leber gesetzt: Setzen Sie ihn in Ruhe, um hier daran entlang zu schneiden.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AdvanceControls</name>
@@ -5108,6 +5140,10 @@
         <translation>Planen Sie in Resektion eine Ebene und speichern Sie den Plan, um hier daran entlang zu schneiden.</translation>
     </message>
     <message>
+        <source>Tick the rigid tool above, to cut while tools hold the liver.</source>
+        <translation>Wählen Sie oben das starre Instrument, um zu schneiden, während Instrumente die Leber halten.</translation>
+    </message>
+    <message>
         <source>%1 % of the section is open, by up to %2 mm.</source>
         <translation>%1 % der Schnittfläche sind offen, bis zu %2 mm weit.</translation>
     </message>
@@ -5118,10 +5154,6 @@
     <message>
         <source>The plan&apos;s cut is %1 mm long. Nothing is cut yet.</source>
         <translation>Der geplante Schnitt ist %1 mm lang. Noch ist nichts geschnitten.</translation>
-    </message>
-    <message>
-        <source>Tick the rigid tool above, to cut while tools hold the liver.</source>
-        <translation>Wählen Sie oben das starre Instrument, um zu schneiden, während Instrumente die Leber halten.</translation>
     </message>
 </context>
 <context>

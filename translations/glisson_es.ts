@@ -4805,6 +4805,34 @@
         <translation>no se escribió nada en él</translation>
     </message>
     <message>
+        <source>At large strain a session knows quadratic cells of a neo-Hookean or Veronda-Westmann material without a grain.</source>
+        <translation>En gran deformación, una sesión solo conoce celdas cuadráticas de un material neohookeano o de Veronda-Westmann sin dirección de fibras.</translation>
+    </message>
+    <message>
+        <source>The body has no rest under its standing loads.</source>
+        <translation>El cuerpo no encuentra reposo bajo sus cargas permanentes.</translation>
+    </message>
+    <message>
+        <source>The step would turn {0} cells inside out: a tool goes too far into the body.</source>
+        <translation>El paso volvería del revés {0} celdas: una herramienta entra demasiado en el cuerpo.</translation>
+    </message>
+    <message>
+        <source>A session does not know &quot;{0}&quot; of a scenario.</source>
+        <translation>Una sesión no conoce «{0}» de un escenario.</translation>
+    </message>
+    <message>
+        <source>Leave it out; tools are taken by the session&apos;s commands.</source>
+        <translation>Omítalo; las herramientas se toman con las órdenes de la sesión.</translation>
+    </message>
+    <message>
+        <source>A session knows the engine fem alone; meshfree is for simulate.</source>
+        <translation>Una sesión solo conoce el método fem; meshfree es para simulate.</translation>
+    </message>
+    <message>
+        <source>The case has no plan {0}.</source>
+        <translation>El caso no tiene ningún plan {0}.</translation>
+    </message>
+    <message>
         <source>A cut cannot advance through a body that was meshed with a cut.</source>
         <translation>No se puede avanzar un corte por un cuerpo mallado ya con un corte.</translation>
     </message>
@@ -4843,30 +4871,6 @@
     <message>
         <source>Stop before the last bridge of tissue.</source>
         <translation>Deténgase antes del último puente de tejido.</translation>
-    </message>
-    <message>
-        <source>A curved cut cannot be led through the liver step by step.</source>
-        <translation>Un corte curvo no se puede llevar paso a paso por el hígado.</translation>
-    </message>
-    <message>
-        <source>Plan a plane in Resect.</source>
-        <translation>Planifique un plano en Resección.</translation>
-    </message>
-    <message>
-        <source>The planned cut passes the liver by.</source>
-        <translation>El corte planificado no toca el hígado.</translation>
-    </message>
-    <message>
-        <source>A command is {&quot;hold&quot;: {...}}, {&quot;release&quot;: id}, {&quot;cut&quot;: {...}} or {&quot;undo&quot;: true}.</source>
-        <translation>Una orden es {&quot;hold&quot;: {...}}, {&quot;release&quot;: id}, {&quot;cut&quot;: {...}} o {&quot;undo&quot;: true}.</translation>
-    </message>
-    <message>
-        <source>The plan was set on the liver as it was held aside: set it at rest to cut along it here.</source>
-        <translation>El plan se fijó con el hígado apartado: fíjelo en reposo para cortar aquí según él.</translation>
-    </message>
-    <message>
-        <source>The case has no plan {0}.</source>
-        <translation>El caso no tiene ningún plan {0}.</translation>
     </message>
     <message>
         <source>{0} must be whole numbers from 1 to 8, Couinaud&apos;s segments.</source>
@@ -4959,6 +4963,30 @@
     <message>
         <source>The margin around {0} must be 0 to {1} mm.</source>
         <translation>El margen alrededor de {0} debe ser de 0 a {1} mm.</translation>
+    </message>
+    <message>
+        <source>A curved cut cannot be led through the liver step by step.</source>
+        <translation>Un corte curvo no se puede llevar paso a paso por el hígado.</translation>
+    </message>
+    <message>
+        <source>Plan a plane in Resect.</source>
+        <translation>Planifique un plano en Resección.</translation>
+    </message>
+    <message>
+        <source>The planned cut passes the liver by.</source>
+        <translation>El corte planificado no toca el hígado.</translation>
+    </message>
+    <message>
+        <source>A command is {&quot;hold&quot;: {...}}, {&quot;release&quot;: id}, {&quot;cut&quot;: {...}}, {&quot;undo&quot;: true} or {&quot;settle&quot;: true}.</source>
+        <translation>Una orden es {&quot;hold&quot;: {...}}, {&quot;release&quot;: id}, {&quot;cut&quot;: {...}}, {&quot;undo&quot;: true} o {&quot;settle&quot;: true}.</translation>
+    </message>
+    <message>
+        <source>A cut can advance at small strain alone.</source>
+        <translation>Un corte solo puede avanzar con deformación pequeña.</translation>
+    </message>
+    <message>
+        <source>Rehearse it with the linear material.</source>
+        <translation>Ensáyelo con el material lineal.</translation>
     </message>
     <message>
         <source>Plans compared</source>
@@ -5080,6 +5108,10 @@
         <source>Reading the clouds</source>
         <translation>Leyendo las nubes de puntos</translation>
     </message>
+    <message>
+        <source>The plan was set on the liver as it was held aside: set it at rest to cut along it here.</source>
+        <translation>El plan se fijó con el hígado apartado: fíjelo en reposo para cortar aquí según él.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AdvanceControls</name>
@@ -5108,6 +5140,10 @@
         <translation>Planifique un plano en Resección y guarde el plan para cortar aquí según él.</translation>
     </message>
     <message>
+        <source>Tick the rigid tool above, to cut while tools hold the liver.</source>
+        <translation>Marque arriba el instrumento rígido para cortar mientras los instrumentos sujetan el hígado.</translation>
+    </message>
+    <message>
         <source>%1 % of the section is open, by up to %2 mm.</source>
         <translation>El %1 % de la sección está abierto, hasta %2 mm.</translation>
     </message>
@@ -5118,10 +5154,6 @@
     <message>
         <source>The plan&apos;s cut is %1 mm long. Nothing is cut yet.</source>
         <translation>El corte planificado mide %1 mm. Aún no se ha cortado nada.</translation>
-    </message>
-    <message>
-        <source>Tick the rigid tool above, to cut while tools hold the liver.</source>
-        <translation>Marque arriba el instrumento rígido para cortar mientras los instrumentos sujetan el hígado.</translation>
     </message>
 </context>
 <context>

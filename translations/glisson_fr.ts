@@ -4805,6 +4805,34 @@
         <translation>rien n’y a été écrit</translation>
     </message>
     <message>
+        <source>At large strain a session knows quadratic cells of a neo-Hookean or Veronda-Westmann material without a grain.</source>
+        <translation>En grande déformation, une séance ne connaît que des cellules quadratiques d’un matériau néo-hookéen ou de Veronda-Westmann sans direction de fibres.</translation>
+    </message>
+    <message>
+        <source>The body has no rest under its standing loads.</source>
+        <translation>Le corps ne trouve pas de repos sous ses charges permanentes.</translation>
+    </message>
+    <message>
+        <source>The step would turn {0} cells inside out: a tool goes too far into the body.</source>
+        <translation>Ce pas retournerait {0} cellules : un outil s’enfonce trop dans le corps.</translation>
+    </message>
+    <message>
+        <source>A session does not know &quot;{0}&quot; of a scenario.</source>
+        <translation>Une séance ne connaît pas « {0} » d’un scénario.</translation>
+    </message>
+    <message>
+        <source>Leave it out; tools are taken by the session&apos;s commands.</source>
+        <translation>Omettez-le ; les outils se prennent par les commandes de la séance.</translation>
+    </message>
+    <message>
+        <source>A session knows the engine fem alone; meshfree is for simulate.</source>
+        <translation>Une séance ne connaît que la méthode fem ; meshfree est pour simulate.</translation>
+    </message>
+    <message>
+        <source>The case has no plan {0}.</source>
+        <translation>Le cas n’a pas de plan {0}.</translation>
+    </message>
+    <message>
         <source>A cut cannot advance through a body that was meshed with a cut.</source>
         <translation>Une coupe ne peut pas avancer dans un corps déjà maillé avec une coupe.</translation>
     </message>
@@ -4843,30 +4871,6 @@
     <message>
         <source>Stop before the last bridge of tissue.</source>
         <translation>Arrêtez-vous avant le dernier pont de tissu.</translation>
-    </message>
-    <message>
-        <source>A curved cut cannot be led through the liver step by step.</source>
-        <translation>Une coupe courbe ne peut pas être menée pas à pas à travers le foie.</translation>
-    </message>
-    <message>
-        <source>Plan a plane in Resect.</source>
-        <translation>Planifiez un plan de coupe dans Résection.</translation>
-    </message>
-    <message>
-        <source>The planned cut passes the liver by.</source>
-        <translation>La coupe prévue passe à côté du foie.</translation>
-    </message>
-    <message>
-        <source>A command is {&quot;hold&quot;: {...}}, {&quot;release&quot;: id}, {&quot;cut&quot;: {...}} or {&quot;undo&quot;: true}.</source>
-        <translation>Une commande est {&quot;hold&quot;: {...}}, {&quot;release&quot;: id}, {&quot;cut&quot;: {...}} ou {&quot;undo&quot;: true}.</translation>
-    </message>
-    <message>
-        <source>The plan was set on the liver as it was held aside: set it at rest to cut along it here.</source>
-        <translation>Le plan a été posé sur le foie écarté : posez-le au repos pour couper ici en le suivant.</translation>
-    </message>
-    <message>
-        <source>The case has no plan {0}.</source>
-        <translation>Le cas n’a pas de plan {0}.</translation>
     </message>
     <message>
         <source>{0} must be whole numbers from 1 to 8, Couinaud&apos;s segments.</source>
@@ -4959,6 +4963,30 @@
     <message>
         <source>The margin around {0} must be 0 to {1} mm.</source>
         <translation>La marge autour de {0} doit être de 0 à {1} mm.</translation>
+    </message>
+    <message>
+        <source>A curved cut cannot be led through the liver step by step.</source>
+        <translation>Une coupe courbe ne peut pas être menée pas à pas à travers le foie.</translation>
+    </message>
+    <message>
+        <source>Plan a plane in Resect.</source>
+        <translation>Planifiez un plan de coupe dans Résection.</translation>
+    </message>
+    <message>
+        <source>The planned cut passes the liver by.</source>
+        <translation>La coupe prévue passe à côté du foie.</translation>
+    </message>
+    <message>
+        <source>A command is {&quot;hold&quot;: {...}}, {&quot;release&quot;: id}, {&quot;cut&quot;: {...}}, {&quot;undo&quot;: true} or {&quot;settle&quot;: true}.</source>
+        <translation>Une commande est {&quot;hold&quot;: {...}}, {&quot;release&quot;: id}, {&quot;cut&quot;: {...}}, {&quot;undo&quot;: true} ou {&quot;settle&quot;: true}.</translation>
+    </message>
+    <message>
+        <source>A cut can advance at small strain alone.</source>
+        <translation>Une coupe ne peut avancer qu’en petite déformation.</translation>
+    </message>
+    <message>
+        <source>Rehearse it with the linear material.</source>
+        <translation>Répétez-la avec le matériau linéaire.</translation>
     </message>
     <message>
         <source>Plans compared</source>
@@ -5080,6 +5108,10 @@
         <source>Reading the clouds</source>
         <translation>Lecture des nuages de points</translation>
     </message>
+    <message>
+        <source>The plan was set on the liver as it was held aside: set it at rest to cut along it here.</source>
+        <translation>Le plan a été posé sur le foie écarté : posez-le au repos pour couper ici en le suivant.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AdvanceControls</name>
@@ -5108,6 +5140,10 @@
         <translation>Planifiez un plan de coupe dans Résection et enregistrez-le, pour couper ici en le suivant.</translation>
     </message>
     <message>
+        <source>Tick the rigid tool above, to cut while tools hold the liver.</source>
+        <translation>Cochez l’instrument rigide ci-dessus, pour couper pendant que des instruments tiennent le foie.</translation>
+    </message>
+    <message>
         <source>%1 % of the section is open, by up to %2 mm.</source>
         <translation>%1 % de la section est ouverte, jusqu’à %2 mm.</translation>
     </message>
@@ -5118,10 +5154,6 @@
     <message>
         <source>The plan&apos;s cut is %1 mm long. Nothing is cut yet.</source>
         <translation>La coupe prévue mesure %1 mm. Rien n’est encore coupé.</translation>
-    </message>
-    <message>
-        <source>Tick the rigid tool above, to cut while tools hold the liver.</source>
-        <translation>Cochez l’instrument rigide ci-dessus, pour couper pendant que des instruments tiennent le foie.</translation>
     </message>
 </context>
 <context>

@@ -1,5 +1,5 @@
-// glisson-cli session CASE --commands FILE.json [--out FILE.json]: a rehearsal with tools in contact, step by step;
-// what was recorded before is compared bit for bit.
+// glisson-cli session (CASE | --mesh FILE.vtu --scenario S.json) --commands FILE.json [--material M] [--out DIR]: a
+// rehearsal with tools in contact, command by command; what was recorded before is compared bit for bit.
 
 #include <fmt/format.h>
 
@@ -7,8 +7,11 @@
 #include "casefile/model.h"
 #include "casefile/used_entries.h"
 #include "command.h"
+#include "elastography/cell_stiffness.h"
 #include "evidence_answer.h"
 #include "geometry/mesh_file.h"
+#include "mechanics/scenario/scenario_file.h"
+#include "one_of.h"
 #include "rehearsal/session.h"
 #include "shared_options.h"
 
@@ -16,12 +19,68 @@ namespace glisson::cli {
 namespace {
 
 using glisson::json_of;
+using mechanics::MaterialLaw;
+
+enum class Settling { each, last, none };
 
 struct Options {
-  std::string case_folder;
+  std::optional<std::string> case_folder, mesh_file, scenario_file;
   std::string commands_file;
+  mechanics::Engine engine = mechanics::Engine::fem;
+  std::optional<MaterialLaw> material;
+  std::optional<double> strain_stiffening;
+  Settling settle = Settling::each;
   std::optional<std::string> out;
 };
+
+// What is rehearsed, and what is to be said of it.
+struct Question {
+  rehearsal::RehearsalSetup setup;
+  casefile::Evidence evidence;
+  std::vector<std::string> remarks;
+};
+
+Result<Question> question_of_case(const std::string& folder) {
+  const auto patient = casefile::Case::open(folder);
+  if (!patient) return failure(patient.error());
+  auto model = casefile::read_model(*patient);
+  if (!model) return failure(model.error());
+  Question question{{}, model->evidence, messages(casefile::model_remarks(*patient))};
+  if (model->assumed) question.remarks.push_back(model->assumed->message());
+  question.setup = casefile::rehearsal_setup(std::move(*model));
+  return question;
+}
+
+// Beside a mesh lies the same reference body as beside a case.
+Result<Question> question_of_mesh(const std::string& mesh_file, const std::string& scenario_file) {
+  const auto scenario = mechanics::read_scenario(scenario_file);
+  if (!scenario) return failure(scenario.error());
+  auto mesh = geometry::read_tetrahedra(mesh_file);
+  if (!mesh) return failure(std::move(mesh.error()));
+  auto setup = rehearsal::rehearsal_setup(std::move(*mesh), *scenario);
+  if (!setup) return failure(std::move(setup.error()).in_file(scenario_file));
+  setup->atlas_youngs_kPa =
+      elastography::atlas_youngs_kPa(elastography::Atlas::dissertation_cohort, setup->options.poisson_ratio);
+  return Question{std::move(*setup), {}, {}};
+}
+
+Result<Question> question_of(const Options& options) {
+  if (options.engine == mechanics::Engine::meshfree) {
+    return failure("not-available", GLISSON_TEXT("A session knows the engine fem alone; meshfree is for simulate."));
+  }
+  auto question = options.case_folder ? question_of_case(*options.case_folder)
+                                      : question_of_mesh(*options.mesh_file, *options.scenario_file);
+  if (!question) return question;
+  mechanics::ChosenLaw& law = question->setup.law;
+  if (options.material) law.law = *options.material;
+  if (options.strain_stiffening) law.strain_stiffening = *options.strain_stiffening;
+  if (law.law == MaterialLaw::veronda_westmann && law.strain_stiffening == 0) {
+    law.strain_stiffening = 3;
+    question->remarks.emplace_back(
+        "Nobody said how soon the liver stiffens with strain: strain_stiffening 3 is assumed.");
+  }
+  return question;
+}
 
 Json json_of(const rehearsal::SessionStep& step) {
   Json tools = Json::array();
@@ -32,15 +91,29 @@ Json json_of(const rehearsal::SessionStep& step) {
                      {"advance_mm", tool.advance_mm},
                      {"penetration_mm", tool.penetration_mm}});
   }
-  return {{"converged", step.report.converged && step.report.inverted_cells == 0},
-          {"relative_residual", step.report.relative_residual},
-          {"iterations", step.report.rounds},
-          {"energy_uJ", step.report.energy_uJ},
-          {"largest_strain", step.report.largest_strain},
-          {"inverted_cells", step.report.inverted_cells},
-          {"penetration_mm", step.report.penetration_mm},
-          {"solve_ms", step.report.solve_ms},
-          {"tools", std::move(tools)}};
+  Json json{{"converged", step.report.converged && step.report.inverted_cells == 0},
+            {"relative_residual", step.report.relative_residual},
+            {"iterations", step.report.rounds},
+            {"energy_uJ", step.report.energy_uJ},
+            {"largest_strain", step.report.largest_strain},
+            {"inverted_cells", step.report.inverted_cells},
+            {"penetration_mm", step.report.penetration_mm},
+            {"solve_ms", step.report.solve_ms},
+            {"tools", std::move(tools)}};
+  if (step.error_bound_mm) {
+    json.erase("energy_uJ");  // which is not computed live
+    json["error_bound_mm"] = *step.error_bound_mm;
+    json["settled"] = step.settled;
+  }
+  return json;
+}
+
+// What the body pushes back with on all tools, and its moment about their own places.
+void add_reaction(Json& json, const rehearsal::SessionStep& step) {
+  Eigen::Vector3d force_mN = Eigen::Vector3d::Zero();
+  for (const auto& tool : step.tools) force_mN -= tool.force_mN;
+  json["reaction_N"] = json_of(force_mN * 1e-3);
+  json["torque_Nmm"] = json_of(-step.torque_mNmm * 1e-3);
 }
 
 Json json_of(const rehearsal::SessionFrame& frame) {
@@ -48,11 +121,15 @@ Json json_of(const rehearsal::SessionFrame& frame) {
             {"patient", json_of(frame.patient_step)},
             {"state", to_string(frame.validity.state())},
             {"largest_strain", frame.validity.largest_strain},
+            {"relative_residual", frame.patient_step.report.relative_residual},
             {"inverted_cells", frame.validity.inverted_cells},
             {"usable", frame.validity.usable()},
+            {"settled", frame.settled},
+            {"error_bound_mm", frame.error_bound_mm.value_or(0.0)},
             {"step_ms", frame.step_ms},
             {"digest", frame.digest},
             {"landmarks", Json::array()}};
+  add_reaction(json, frame.patient_step);
   if (!frame.refused.empty()) json["refused"] = frame.refused;
   if (frame.atlas_step) json["atlas"] = json_of(*frame.atlas_step);
   if (frame.cut) {
@@ -67,8 +144,9 @@ Json json_of(const rehearsal::SessionFrame& frame) {
   for (std::size_t l = 0; l < frame.patient.landmarks.size(); ++l) {
     const auto& landmark = frame.patient.landmarks[l];
     Json entry{{"id", landmark.id},
-               {"position_mm", json_of(landmark.displaced_mm)},
+               {"displaced_mm", json_of(landmark.displaced_mm)},
                {"displacement_mm", landmark.displacement_mm}};
+    if (frame.atlas) entry["atlas_displaced_mm"] = json_of(frame.atlas->landmarks[l].displaced_mm);
     if (l < frame.differences.size()) {
       entry["difference_mm"] = frame.differences[l].difference_mm;
       entry["significant"] = frame.differences[l].significant();
@@ -84,8 +162,21 @@ std::string in_words(const rehearsal::SessionFrame& frame) {
     moved = fmt::format("moved by {:6.2f} mm", frame.patient.max_displacement_mm);
     if (frame.atlas) moved += fmt::format(", atlas apart by {:5.2f} mm", frame.max_difference_mm);
   }
+  if (frame.error_bound_mm) {
+    moved += fmt::format(", landmarks within {:.2f} mm{}", *frame.error_bound_mm,
+                         *frame.error_bound_mm > rehearsal::SessionEngine::shown_mm ? " (still settling)" : "");
+  }
   return fmt::format("{:3}  {}, in {:6.1f} ms. {}{}\n", frame.number, moved, frame.step_ms,
                      frame.validity.sentence().message(), frame.refused.empty() ? "" : "  REFUSED: " + frame.refused);
+}
+
+// A file where it is called one, and else a folder with the recording and the answer.
+Result<void> write_out(const std::string& out, const rehearsal::Recording& recording, const Json& answer) {
+  const std::filesystem::path path(out);
+  if (path.extension() == ".json") return write_text_file(path, rehearsal::recording_text(recording));
+  return write_text_file(path / "session.json", rehearsal::recording_text(recording)).and_then([&] {
+    return write_text_file(path / "frames.json", answer.dump(1) + "\n");
+  });
 }
 
 Result<Outcome> run(const Options& options, const Progress& progress) {
@@ -94,35 +185,43 @@ Result<Outcome> run(const Options& options, const Progress& progress) {
   auto commands = rehearsal::parse_recording(*text, options.commands_file);
   if (!commands) return failure(std::move(commands.error()));
   progress.report(0.0, GLISSON_TEXT("Reading the model"));
-  const auto patient = casefile::Case::open(options.case_folder);
-  if (!patient) return failure(patient.error());
-  auto model = casefile::read_model(*patient);
-  if (!model) return failure(model.error());
-  const casefile::Evidence evidence = model->evidence;
-  std::vector<std::string> remarks = messages(casefile::model_remarks(*patient));
-  if (model->assumed) remarks.push_back(model->assumed->message());
-  auto engine = rehearsal::SessionEngine::create(casefile::rehearsal_setup(std::move(*model)), progress.part(0.0, 0.7));
+  auto question = question_of(options);
+  if (!question) return failure(std::move(question.error()));
+  auto engine = rehearsal::SessionEngine::create(std::move(question->setup), progress.part(0.0, 0.5));
   if (!engine) return failure(std::move(engine.error()));
 
-  Outcome outcome{{{"steps", Json::array()}}, ""};
-  if (!evidence.effects.empty()) {
-    outcome.document["evidence"] = evidence_json(evidence);
-    outcome.text = evidence_text(evidence);
+  Outcome outcome{{{"frames", Json::array()}}, ""};
+  if (!question->evidence.effects.empty()) {
+    outcome.document["evidence"] = evidence_json(question->evidence);
+    outcome.text = evidence_text(question->evidence);
   }
-  if (!remarks.empty()) outcome.document["notes"] = remarks;
-  outcome.text += bullet_list(remarks);
+  if (!question->remarks.empty()) outcome.document["notes"] = question->remarks;
+  outcome.text += bullet_list(question->remarks);
   rehearsal::Recording recording;
   std::optional<std::size_t> first_other;
+  double all_ms = 0;
   for (std::size_t i = 0; i < commands->size(); ++i) {
-    progress.report(0.7 + 0.3 * double(i) / double(commands->size()), GLISSON_TEXT("Moving the tools"));
+    progress.report(0.5 + 0.5 * double(i) / double(commands->size()), GLISSON_TEXT("Moving the tools"));
     if (progress.cancelled()) return cancelled();
     const auto& [command, recorded] = (*commands)[i];
     const rehearsal::SessionFrame& frame = engine->step(command);
     if (!recorded.empty() && recorded != frame.digest && !first_other) first_other = i;
     recording.emplace_back(command, frame.digest);
-    outcome.document["steps"].push_back(json_of(frame));
+    all_ms += frame.step_ms;
+    Json json = json_of(frame);
+    json["settled_ms"] = frame.step_ms;
+    const bool is_last = i + 1 == commands->size();
+    if (!frame.settled && (options.settle == Settling::each || (options.settle == Settling::last && is_last))) {
+      const rehearsal::SessionFrame rest = engine->settled_frame();
+      json["settled_ms"] = frame.step_ms + rest.step_ms;
+      json["at_rest"] = json_of(rest);
+    } else if (!frame.settled) {
+      json.erase("settled_ms");
+    }
+    outcome.document["frames"].push_back(std::move(json));
     outcome.text += in_words(frame);
   }
+  if (all_ms > 0) outcome.document["frames_per_s"] = 1e3 * double(commands->size()) / all_ms;
   if (first_other) {
     return failure(Error{"replay-differs",
                          GLISSON_TEXT("Command {0} led to another state than was recorded."),
@@ -131,10 +230,10 @@ Result<Outcome> run(const Options& options, const Progress& progress) {
                          options.commands_file});
   }
   if (options.out) {
-    if (auto written = write_text_file(*options.out, rehearsal::recording_text(recording)); !written) {
+    outcome.document["out"] = *options.out;
+    if (auto written = write_out(*options.out, recording, outcome.document); !written) {
       return failure(std::move(written.error()));
     }
-    outcome.document["out"] = *options.out;
   }
   return outcome;
 }
@@ -145,15 +244,44 @@ void add_session(CLI::App& app, Action& chosen) {
   CLI::App* command = app.add_subcommand(
       "session", "Rehearse with tools in contact, command by command; replay a recording to the bit");
   auto options = std::make_shared<Options>();
-  command->add_option("case", options->case_folder, "The case")->required();
+  CLI::Option* case_folder = command->add_option("case", options->case_folder, "The case");
+  CLI::Option* mesh = command->add_option("--mesh", options->mesh_file, "Tetrahedra (.vtu), instead of a case");
+  CLI::Option* scenario = command->add_option("--scenario", options->scenario_file,
+                                              "Of the mesh: supports, loads, moduli, landmarks (JSON)");
+  mesh->needs(scenario)->excludes(case_folder);
+  scenario->needs(mesh);
   command
-      ->add_option(
-          "--commands", options->commands_file,
-          "\"glisson-session/1\" (JSON): hold, release, cut and undo; a digest that stands there must come out again")
+      ->add_option("--commands", options->commands_file,
+                   "\"glisson-session/1\" (JSON): hold, release, cut, undo and settle; a digest that stands there must "
+                   "come out again")
       ->required();
-  command->add_option("--out", options->out, "The same commands with each frame's digest");
-  command->callback(
-      [&chosen, options] { chosen = [options](const Progress& progress) { return run(*options, progress); }; });
+  command->add_option("--engine", options->engine, "How it is computed")
+      ->transform(
+          one_of<mechanics::Engine>({{"fem", mechanics::Engine::fem}, {"meshfree", mechanics::Engine::meshfree}}));
+  command
+      ->add_option("--material", options->material,
+                   "linear is small strain, the others large strain with a bound of each first picture; default: what "
+                   "the scenario says, of a case linear")
+      ->transform(one_of<MaterialLaw>({{"linear", MaterialLaw::linear},
+                                       {"corotational", MaterialLaw::corotational},
+                                       {"neo-hookean", MaterialLaw::neo_hookean},
+                                       {"veronda-westmann", MaterialLaw::veronda_westmann}}));
+  command
+      ->add_option("--strain-stiffening", options->strain_stiffening,
+                   "Of veronda-westmann: how soon it stiffens (its c2)")
+      ->check(CLI::PositiveNumber);
+  command
+      ->add_option("--settle", options->settle,
+                   "At large strain, bring frames to rest beside the run: each (default), the last one, none")
+      ->transform(one_of<Settling>({{"each", Settling::each}, {"last", Settling::last}, {"none", Settling::none}}));
+  command->add_option(
+      "--out", options->out,
+      "Folder for the commands with each frame's digest (session.json) and the frames (frames.json); or "
+      "a file.json for the commands alone");
+  command->callback([&chosen, options] {
+    if (!options->case_folder && !options->mesh_file) throw CLI::RequiredError("a case or --mesh");
+    chosen = [options](const Progress& progress) { return run(*options, progress); };
+  });
 }
 
 }  // namespace glisson::cli

@@ -55,11 +55,19 @@ void LiveSession::Impl::run(const std::stop_token& closing, RehearsalSetup setup
     return;
   }
   latest = engine->shared_frame();
+  int settles = 0;  // since the last command
   for (;;) {
-    changed.wait(lock, [&] { return closing.stop_requested() || !waiting.empty(); });
+    const auto may_settle = [&] { return !latest->settled && settles < SessionEngine::most_settles; };
+    changed.wait(lock, [&] { return closing.stop_requested() || !waiting.empty() || may_settle(); });
     if (closing.stop_requested()) return;
-    SessionCommand command = std::move(waiting.front());
-    waiting.pop_front();
+    SessionCommand command = Settle{};
+    if (waiting.empty()) {
+      ++settles;
+    } else {
+      command = std::move(waiting.front());
+      waiting.pop_front();
+      settles = 0;
+    }
     is_stepping = true;
     lock.unlock();
     engine->step(command);

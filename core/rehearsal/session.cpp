@@ -3,16 +3,16 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <future>
 
 #include "base/files.h"
+#include "rehearsal/internal/session_body.h"
 
 namespace glisson::rehearsal {
 namespace {
 
 using Eigen::Vector3d;
-using mechanics::ContactBody;
-using mechanics::ContactState;
 using mechanics::ContactTool;
 using mechanics::Grasp;
 using mechanics::TouchingTool;
@@ -22,10 +22,10 @@ using Tools = std::vector<ContactTool>;
 // All that a command starts from, and undo goes back to.
 struct Moment {
   Tools tools;
-  ContactBody patient_body;
-  std::optional<ContactBody> atlas_body;
-  ContactState patient;
-  std::optional<ContactState> atlas;
+  SessionBody patient_body;
+  std::optional<SessionBody> atlas_body;
+  BodyState patient;
+  std::optional<BodyState> atlas;
   std::vector<mechanics::CutStrip> cuts = {};
 };
 
@@ -40,6 +40,7 @@ std::string digest_of(const Moment& moment);
 }  // namespace
 
 struct SessionEngine::Impl {
+  mechanics::ChosenLaw law = mechanics::MaterialLaw::linear;
   std::vector<mechanics::Landmark> landmarks;
   std::vector<mechanics::PointInMesh> landmark_places;
   std::vector<geometry::Surface> structures;
@@ -47,10 +48,14 @@ struct SessionEngine::Impl {
   std::uint64_t commands = 0;
   std::shared_ptr<const SessionFrame> latest;
 
-  // With the tools there; and cut further under the same tools.
+  // What `next` makes of both bodies, the reference body beside the patient's on a thread of its own.
+  using Next = std::function<Result<BodyState>(const SessionBody&, const BodyState&)>;
+  [[nodiscard]] Result<Moment> both(const Moment& from, const Tools& tools, const Next& next) const;
   [[nodiscard]] Result<Moment> moved(const Moment& from, const Tools& tools) const;
+  [[nodiscard]] Result<Moment> nearer_to_rest(const Moment& from) const;
   [[nodiscard]] Result<Moment> cut(const Moment& from, const mechanics::CutStrip& strip) const;
-  [[nodiscard]] RehearsalBody shown(const ContactBody& body, const ContactState& state) const;
+  void forget_the_oldest();
+  [[nodiscard]] RehearsalBody shown(const SessionBody& body, const BodyState& state) const;
   [[nodiscard]] std::shared_ptr<const SessionCut> cut_of(const Moment& moment) const;
   [[nodiscard]] SessionFrame frame_of(const Moment& moment) const;
 };
@@ -70,12 +75,13 @@ Result<SessionEngine> SessionEngine::create(RehearsalSetup setup, const Progress
   }
   auto models = rehearsal_models(setup, progress);
   if (!models) return failure(std::move(models.error()));
-  auto patient = ContactBody::create((*models)->patient, setup.standing_loads, watched);
+  parts->law = setup.law;
+  auto patient = SessionBody::create((*models)->patient, setup, watched, parts->landmarks.size());
   if (!patient) return failure(std::move(patient.error()));
-  ContactState at_rest = patient->untouched();
+  BodyState at_rest = patient->untouched();
   Moment untouched{{}, std::move(*patient), {}, std::move(at_rest), {}};
   if ((*models)->atlas) {
-    auto atlas = ContactBody::create(*(*models)->atlas, setup.standing_loads, watched);
+    auto atlas = SessionBody::create(*(*models)->atlas, setup, watched, parts->landmarks.size());
     if (!atlas) return failure(std::move(atlas.error()));
     untouched.atlas = atlas->untouched();
     untouched.atlas_body = std::move(*atlas);
@@ -116,13 +122,19 @@ const SessionFrame& SessionEngine::step(const SessionCommand& command) {
     }
   }
   if (refused.empty() && !std::holds_alternative<Undo>(command)) {
+    const bool settles = std::holds_alternative<Settle>(command);
     const auto* advance = std::get_if<AdvanceCut>(&command);
-    auto moment =
-        advance != nullptr ? parts.cut(parts.moments.back(), advance->strip) : parts.moved(parts.moments.back(), tools);
-    if (moment) {
-      parts.moments.push_back(std::move(*moment));
-    } else {
+    const Moment& now = parts.moments.back();
+    auto moment = settles              ? parts.nearer_to_rest(now)
+                  : advance != nullptr ? parts.cut(now, advance->strip)
+                                       : parts.moved(now, tools);
+    if (!moment) {
       refused = moment.error().message();
+    } else if (settles) {
+      parts.moments.back() = std::move(*moment);
+    } else {
+      parts.moments.push_back(std::move(*moment));
+      parts.forget_the_oldest();
     }
   }
   SessionFrame frame = parts.frame_of(parts.moments.back());
@@ -133,36 +145,56 @@ const SessionFrame& SessionEngine::step(const SessionCommand& command) {
   return *parts.latest;
 }
 
-// The reference body is moved beside the patient, on a thread of its own.
+SessionFrame SessionEngine::settled_frame() const {
+  const auto start = Clock::now();
+  const Impl& parts = *impl_;
+  Moment moment = parts.moments.back();
+  std::string refused;
+  SessionFrame frame = parts.frame_of(moment);
+  for (int settle = 0; settle < most_settles && !frame.settled && refused.empty(); ++settle) {
+    auto next = parts.nearer_to_rest(moment);
+    if (next) {
+      moment = std::move(*next);
+      frame = parts.frame_of(moment);
+    } else {
+      refused = next.error().message();
+    }
+  }
+  frame.number = parts.commands;
+  frame.refused = std::move(refused);
+  frame.step_ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+  return frame;
+}
+
 Result<Moment> SessionEngine::Impl::moved(const Moment& from, const Tools& tools) const {
-  const mechanics::ContactOptions options;
   // A force that grows at once carries the surface past the tool that it should meet; a quarter of a newton moves a
   // liver by some millimetres.
   constexpr double push_in_a_step_mN = 250.0;
   constexpr int maximum_steps = 200;
-  const double steps_wanted = std::max(farthest_move_mm(from.tools, tools) / options.largest_move_mm,
-                                       largest_change_of_push_mN(from.tools, tools) / push_in_a_step_mN);
+  const double steps_wanted =
+      std::max(farthest_move_mm(from.tools, tools) / mechanics::ContactOptions().largest_move_mm,
+               largest_change_of_push_mN(from.tools, tools) / push_in_a_step_mN);
   const int steps = static_cast<int>(std::clamp(std::ceil(steps_wanted), 1.0, double{maximum_steps}));
-  const auto all_steps = [&](const ContactBody& body, ContactState state) -> Result<ContactState> {
+  return both(from, tools, [&](const SessionBody& body, const BodyState& before) -> Result<BodyState> {
+    BodyState state = before;
     for (int step = 1; step <= steps; ++step) {
-      auto next = body.solve(state, between(from.tools, tools, double(step) / steps), options);
+      auto next = body.moved(state, between(from.tools, tools, double(step) / steps));
       if (!next) return next;
-      if (!next->report.converged) {
-        return failure("not-converged",
-                       GLISSON_TEXT("The step did not converge: after {0} rounds a tool still reaches {1} mm into the "
-                                    "surface, which still moves by {2} mm."),
-                       {std::to_string(next->report.rounds), std::to_string(next->report.penetration_mm),
-                        std::to_string(next->report.movement_mm)});
-      }
       state = std::move(*next);
     }
     return state;
-  };
-  std::future<Result<ContactState>> beside;
-  if (from.atlas) {
-    beside = std::async(std::launch::async, [&] { return all_steps(*from.atlas_body, *from.atlas); });
-  }
-  auto patient_state = all_steps(from.patient_body, from.patient);
+  });
+}
+
+Result<Moment> SessionEngine::Impl::nearer_to_rest(const Moment& from) const {
+  return both(from, from.tools,
+              [&](const SessionBody& body, const BodyState& before) { return body.settled(before, from.tools); });
+}
+
+Result<Moment> SessionEngine::Impl::both(const Moment& from, const Tools& tools, const Next& next) const {
+  std::future<Result<BodyState>> beside;
+  if (from.atlas) beside = std::async(std::launch::async, [&] { return next(*from.atlas_body, *from.atlas); });
+  auto patient_state = next(from.patient_body, from.patient);
   Moment moment = from;
   moment.tools = tools;
   if (from.atlas) {
@@ -176,7 +208,7 @@ Result<Moment> SessionEngine::Impl::moved(const Moment& from, const Tools& tools
 }
 
 Result<Moment> SessionEngine::Impl::cut(const Moment& from, const mechanics::CutStrip& strip) const {
-  std::future<Result<ContactBody>> beside;
+  std::future<Result<SessionBody>> beside;
   if (from.atlas) beside = std::async(std::launch::async, [&] { return from.atlas_body->opened(strip); });
   auto patient_body = from.patient_body.opened(strip);
   Moment opened = from;
@@ -191,14 +223,21 @@ Result<Moment> SessionEngine::Impl::cut(const Moment& from, const mechanics::Cut
   return moved(opened, from.tools);
 }
 
-RehearsalBody SessionEngine::Impl::shown(const ContactBody& body, const ContactState& state) const {
+// A moment at large strain holds every node of both bodies, some 2 MB; the first, untouched, stays.
+void SessionEngine::Impl::forget_the_oldest() {
+  const std::size_t most = law.law == mechanics::MaterialLaw::linear ? 10001 : 101;
+  if (moments.size() > most) moments.erase(moments.begin() + 1);
+}
+
+RehearsalBody SessionEngine::Impl::shown(const SessionBody& body, const BodyState& state) const {
   RehearsalBody shown;
   const auto& rest_mm = body.surface().points_mm;
+  const std::vector<Vector3d>& moved_mm = surface_mm(state);
   for (std::size_t p = 0; p < rest_mm.size(); ++p) {
-    shown.surface_mm.push_back(rest_mm[p] + state.surface_mm[p]);
-    shown.max_displacement_mm = std::max(shown.max_displacement_mm, state.surface_mm[p].norm());
+    shown.surface_mm.push_back(rest_mm[p] + moved_mm[p]);
+    shown.max_displacement_mm = std::max(shown.max_displacement_mm, moved_mm[p].norm());
   }
-  auto next = state.watched_mm.begin();
+  auto next = watched_mm(state).begin();
   const auto after_landmarks = next + static_cast<std::ptrdiff_t>(landmarks.size());
   shown.landmarks = mechanics::displaced_landmarks(landmarks, landmark_places, {next, after_landmarks});
   next = after_landmarks;
@@ -211,21 +250,16 @@ RehearsalBody SessionEngine::Impl::shown(const ContactBody& body, const ContactS
 }
 
 std::shared_ptr<const SessionCut> SessionEngine::Impl::cut_of(const Moment& moment) const {
-  const mechanics::Opening* opening = moment.patient_body.opening();
-  if (opening == nullptr) return nullptr;
-  auto surface = moment.patient_body.opened_surface(moment.patient);
-  if (!surface) return nullptr;
-  SessionCut cut{std::move(*surface), moment.cuts.size(), opening->open_mm2(), opening->whole_mm2(), 0, {}};
-  for (const Vector3d& jump_mm : moment.patient.jumps_mm) {
-    cut.largest_opening_mm = std::max(cut.largest_opening_mm, jump_mm.norm());
-  }
+  auto cut = moment.patient_body.cut(moment.patient);
+  if (!cut) return nullptr;
+  cut->advances = moment.cuts.size();
   for (std::size_t s = 0; s < structures.size(); ++s) {
     if (std::any_of(moment.cuts.begin(), moment.cuts.end(),
                     [&](const mechanics::CutStrip& strip) { return mechanics::crosses(strip, structures[s]); })) {
-      cut.crossed.push_back(s);
+      cut->crossed.push_back(s);
     }
   }
-  return std::make_shared<SessionCut>(std::move(cut));
+  return std::make_shared<const SessionCut>(*std::move(cut));
 }
 
 SessionFrame SessionEngine::Impl::frame_of(const Moment& moment) const {
@@ -233,12 +267,16 @@ SessionFrame SessionEngine::Impl::frame_of(const Moment& moment) const {
   frame.tools = moment.tools;
   frame.patient = shown(moment.patient_body, moment.patient);
   frame.cut = cut_of(moment);
-  frame.patient_step = {moment.patient.report, moment.patient.tools};
-  frame.validity = {moment.patient.report.converged, moment.patient.report.largest_strain,
-                    moment.patient.report.inverted_cells};
+  frame.patient_step = step_of(moment.patient, moment.tools, moment.patient_body.surface());
+  const mechanics::ContactReport& report = frame.patient_step.report;
+  frame.validity = {report.converged, report.largest_strain, report.inverted_cells, mechanics::strain_limit(law.law)};
+  frame.error_bound_mm = frame.patient_step.error_bound_mm;
+  frame.settled = frame.patient_step.settled;
   if (moment.atlas) {
     frame.atlas = shown(*moment.atlas_body, *moment.atlas);
-    frame.atlas_step = SessionStep{moment.atlas->report, moment.atlas->tools};
+    frame.atlas_step = step_of(*moment.atlas, moment.tools, moment.atlas_body->surface());
+    if (frame.error_bound_mm) frame.error_bound_mm = std::max(*frame.error_bound_mm, *frame.atlas_step->error_bound_mm);
+    frame.settled = frame.settled && frame.atlas_step->settled;
     frame.differences = differences_between(frame.patient.landmarks, frame.atlas->landmarks);
     for (std::size_t p = 0; p < frame.patient.surface_mm.size(); ++p) {
       frame.max_difference_mm =
@@ -322,16 +360,8 @@ double largest_change_of_push_mN(const Tools& from, const Tools& to) {
 }
 
 std::string digest_of(const Moment& moment) {
-  std::string bits;
-  const auto add = [&](const Vector3d& v) { bits.append(reinterpret_cast<const char*>(v.data()), 3 * sizeof(double)); };
-  const auto add_state = [&](const ContactState& state) {
-    for (const Vector3d& u : state.surface_mm) add(u);
-    for (const Vector3d& u : state.watched_mm) add(u);
-    for (const auto& [point, force] : state.force_mN) add(force);
-    for (const Vector3d& jump : state.jumps_mm) add(jump);
-  };
-  add_state(moment.patient);
-  if (moment.atlas) add_state(*moment.atlas);
+  std::string bits = bits_of(moment.patient);
+  if (moment.atlas) bits += bits_of(*moment.atlas);
   return sha256_of_text(bits);
 }
 

@@ -5,6 +5,10 @@
 // SessionEngine is the rehearsal itself, without a clock: a command and what was before give the next frame, always the
 // same to the bit. LiveSession runs one on a thread of its own and never keeps its caller waiting.
 //
+// At small strain (RehearsalSetup::law is linear) a frame is at rest. At large strain (mechanics/contact/live_body.h) a
+// command gives a first picture with a bound of how far its landmarks are from rest, and Settle brings it nearer; a
+// LiveSession does so by itself while nobody asks for more, and records that it did.
+//
 // The states, and what can be asked in each: a session is `preparing` (nothing to show yet), `ready` (the latest frame
 // is of all that was asked), `stepping` (it is of what came before) or `failed` (it never came to be, and says why). A
 // force without a tool, a tool without a pose or a frame before the model cannot be said.
@@ -32,17 +36,22 @@ struct HoldTool {
 struct ReleaseTool {
   std::string id;
 };
-// Opens a cut further, in both bodies (mechanics/cutting/opening.h).
+// Opens a cut further, in both bodies (mechanics/cutting/opening.h); at small strain alone.
 struct AdvanceCut {
   mechanics::CutStrip strip;
 };
 // Back to before the last command that was not undone. What was undone is gone.
 struct Undo {};
-using SessionCommand = std::variant<HoldTool, ReleaseTool, Undo, AdvanceCut>;
+// Some rounds nearer to rest. What undo goes back to stays.
+struct Settle {};
+using SessionCommand = std::variant<HoldTool, ReleaseTool, Undo, Settle, AdvanceCut>;
 
 struct SessionStep {
   mechanics::ContactReport report;
   std::vector<mechanics::ToolContact> tools;
+  Eigen::Vector3d torque_mNmm{0, 0, 0};  // of the tools on the body, each about its own place, all together
+  std::optional<double> error_bound_mm;  // at large strain: of the landmarks, against where they come to rest
+  bool settled = true;
 };
 
 struct SessionFrame {
@@ -54,6 +63,8 @@ struct SessionFrame {
   mechanics::Validity validity = {};  // of the patient's body, its strain by the corners of cells
   std::optional<SessionStep> atlas_step;
   std::shared_ptr<const SessionCut> cut;        // nullptr: nothing is cut
+  std::optional<double> error_bound_mm;         // the larger of both bodies'
+  bool settled = true;                          // both
   std::vector<LandmarkDifference> differences;  // those of 5 mm and more are significant()
   double max_difference_mm = 0;                 // over the surface
   // Empty where the last command was carried out. Otherwise why it was not: the frame then shows what was before it,
@@ -65,11 +76,19 @@ struct SessionFrame {
 
 class SessionEngine {
  public:
-  // Failures: those of StaticRehearsal::create.
+  // Failures: those of StaticRehearsal::create and of LiveBody::create.
   static Result<SessionEngine> create(RehearsalSetup setup, const Progress& progress = {});
 
-  // One step. Large moves are made in small ones, which only the last shows.
+  // A bound beyond which a frame says that it is still settling.
+  static constexpr double shown_mm = 0.5;
+  // Settle commands after which a frame that has not come to rest will not.
+  static constexpr int most_settles = 40;
+
+  // One step. Large moves are made in small ones, which only the last shows. Undo reaches back over 10,000 steps, at
+  // large strain over 100.
   const SessionFrame& step(const SessionCommand& command);
+  // The present frame at rest, as Settle after Settle makes it; the session stays where it is.
+  [[nodiscard]] SessionFrame settled_frame() const;
 
   [[nodiscard]] const SessionFrame& frame() const;
   [[nodiscard]] std::shared_ptr<const SessionFrame> shared_frame() const;
@@ -108,8 +127,9 @@ class LiveSession {
   std::unique_ptr<Impl> impl_;
 };
 
-// A recording as JSON, "glisson-session/1": {"commands": [{"hold": {...}} | {"release": id} | {"undo": true}], each
-// with "digest" where it was recorded}. Failures of reading: "session-invalid" (which command, and what about it).
+// A recording as JSON, "glisson-session/1": {"commands": [{"hold": {...}} | {"release": id} | {"undo": true} |
+// {"settle": true}], each with "digest" where it was recorded}. Failures of reading: "session-invalid" (which command,
+// and what about it).
 using Recording = std::vector<std::pair<SessionCommand, std::string>>;
 [[nodiscard]] std::string recording_text(const Recording& recording);
 Result<Recording> parse_recording(std::string_view json, const std::filesystem::path& file = {});

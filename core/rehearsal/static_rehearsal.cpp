@@ -79,9 +79,14 @@ struct PlacedTool::Impl {
 
 Result<std::shared_ptr<const RehearsalModels>> rehearsal_models(const RehearsalSetup& setup, const Progress& progress) {
   if (setup.models) return setup.models;
+  std::vector<mechanics::Support> supports = setup.supports;
+  if (setup.law.law != mechanics::MaterialLaw::linear) {
+    std::erase_if(supports,
+                  [](const auto& support) { return std::holds_alternative<mechanics::Ligament>(support.how); });
+  }
   // One after the other: METIS draws from one stream of random numbers for all threads, and the order of elimination,
   // and with it the bits of every answer, would differ from run to run.
-  auto patient = StaticModel::create(setup.mesh, setup.patient_youngs_kPa, setup.supports, setup.options,
+  auto patient = StaticModel::create(setup.mesh, setup.patient_youngs_kPa, supports, setup.options,
                                      progress.part(0.0, setup.atlas_youngs_kPa ? 0.5 : 1.0));
   if (!patient) return failure(std::move(patient.error()));
   RehearsalModels made{std::move(*patient), std::nullopt};
@@ -89,7 +94,7 @@ Result<std::shared_ptr<const RehearsalModels>> rehearsal_models(const RehearsalS
     mechanics::StaticOptions reference_options = setup.options;
     reference_options.anisotropy.reset();
     auto atlas = StaticModel::create(setup.mesh, std::vector<double>(setup.mesh.cells.size(), *setup.atlas_youngs_kPa),
-                                     setup.supports, reference_options, progress.part(0.5, 1.0));
+                                     supports, reference_options, progress.part(0.5, 1.0));
     if (!atlas) return failure(std::move(atlas.error()));
     made.atlas = std::move(*atlas);
   }

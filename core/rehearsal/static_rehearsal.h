@@ -36,16 +36,23 @@ struct RehearsalSetup {
   std::vector<geometry::Surface> structures;  // tumours, vessels: their points move with the liver around them
   mechanics::StaticOptions options;           // a fibre direction in them is the patient's; the reference body has none
   double landmark_tolerance_mm = 10.0;
+  // Of a session's bodies; linear is small strain. StaticRehearsal is linear whatever it says.
+  mechanics::ChosenLaw law = mechanics::MaterialLaw::linear;
   // Of this very setup, where they were made before: seconds and a factor each are spared.
   std::shared_ptr<const RehearsalModels> models = nullptr;
 };
+
+// A mesh with what a scenario says of it, without a reference body; its loads stand. Failures: "not-available" (what no
+// session knows: cuts, motion, tools, the meshfree engine), those of youngs_modulus_of_cells.
+Result<RehearsalSetup> rehearsal_setup(geometry::TetMesh mesh, const mechanics::Scenario& scenario);
 
 // The two bodies, factorised. Copies are cheap.
 struct RehearsalModels {
   mechanics::StaticModel patient;
   std::optional<mechanics::StaticModel> atlas;  // absent without a reference body
 };
-// `setup.models` where there are any. Failures: those of StaticModel::create.
+// `setup.models` where there are any; at large strain without ligaments, which only pull. Failures: those of
+// StaticModel::create.
 Result<std::shared_ptr<const RehearsalModels>> rehearsal_models(const RehearsalSetup& setup,
                                                                 const Progress& progress = {});
 

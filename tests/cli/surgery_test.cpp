@@ -127,7 +127,7 @@ TEST_F(SmallLiver, AcceptedEvidenceChangesWhatIsRehearsedAndIsTakenBackToTheBit)
   EXPECT_LE(softer.at("landmarks")[0].at("displacement_mm").get<double>(), 2 * moved);  // springs do not soften
   const Json held_softer = hold();
   EXPECT_EQ(held_softer.at("evidence").at("effects").size(), 1u);
-  EXPECT_NE(held_softer.at("steps")[0].at("digest"), held_before.at("steps")[0].at("digest"));
+  EXPECT_NE(held_softer.at("frames")[0].at("digest"), held_before.at("frames")[0].at("digest"));
 
   // In its place.
   answer({"accept", patient(), file("model.json"), "--effect", "anisotropy", "--of-this-patient"});
@@ -136,7 +136,7 @@ TEST_F(SmallLiver, AcceptedEvidenceChangesWhatIsRehearsedAndIsTakenBackToTheBit)
 
   EXPECT_TRUE(answer({"accept", patient(), "--take-back"}).at("effects").empty());
   EXPECT_EQ(pull("after").at("landmarks"), before.at("landmarks"));
-  EXPECT_EQ(hold().at("steps")[0].at("digest"), held_before.at("steps")[0].at("digest"));
+  EXPECT_EQ(hold().at("frames")[0].at("digest"), held_before.at("frames")[0].at("digest"));
   EXPECT_EQ(glisson_cli({"accept", patient(), "--effect", "capsule"}).exit_code, 2);
   EXPECT_EQ(glisson_cli({"accept", patient(), "--take-back", "--effect", "capsule"}).exit_code, 1);
 }
@@ -189,7 +189,7 @@ TEST_F(SmallLiver, AnAssumedStiffnessIsCalledSoAndNotComparedWithTheAtlas) {
               "push_mN": 200}}]})"));
   const Json session = answer({"session", patient(), "--commands", file("touch.json")});
   EXPECT_THAT(session.at("notes").dump(), HasSubstr("not compared with the atlas"));
-  const Json& step = session.at("steps")[0];
+  const Json& step = session.at("frames")[0];
   EXPECT_FALSE(step.contains("atlas"));
   EXPECT_FALSE(step.contains("max_difference_mm"));
   EXPECT_TRUE(step.at("usable").get<bool>());
@@ -211,7 +211,7 @@ TEST_F(SmallLiver, ASessionWithTwoToolsIsRecordedAndReplaysToTheBit) {
   ASSERT_TRUE(write_text_file(folder_->path() / "commands.json", commands));
   const Json session =
       answer({"session", patient(), "--commands", file("commands.json"), "--out", file("recorded.json")});
-  const Json& steps = session.at("steps");
+  const Json& steps = session.at("frames");
   ASSERT_EQ(steps.size(), 5u);
   const Json& both = steps[1].at("patient");
   EXPECT_FALSE(steps[1].contains("refused"));

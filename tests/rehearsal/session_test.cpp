@@ -199,6 +199,82 @@ TEST(Session, ACommandThatCannotBeCarriedOutLeavesWhatWasAndSaysWhy) {
               HasSubstr("plane must be six numbers"));
 }
 
+RehearsalSetup soft_block() {
+  RehearsalSetup setup = block();
+  setup.law = mechanics::MaterialLaw::neo_hookean;
+  return setup;
+}
+
+TEST(SessionAtLargeStrain, ShowsAFirstPictureWithABoundAndSettlesToRest) {
+  auto engine = SessionEngine::create(soft_block()).value();
+  EXPECT_TRUE(engine.frame().settled);
+  for (int i = 0; i < 6; ++i) {
+    const SessionFrame frame = engine.step(HoldTool{probe({35.0 + i, 40, 44.0 - 0.5 * i})});
+    ASSERT_EQ(frame.refused, "");
+    EXPECT_FALSE(frame.settled);
+    EXPECT_TRUE(frame.validity.usable());
+    ASSERT_TRUE(frame.error_bound_mm.has_value());
+    const SessionFrame rest = engine.settled_frame();
+    EXPECT_TRUE(rest.settled);
+    EXPECT_LE(rest.patient_step.report.penetration_mm, 0.1);
+    for (std::size_t l = 0; l < frame.patient.landmarks.size(); ++l) {
+      const auto off_mm = [&](const RehearsalBody& shown, const RehearsalBody& settled) {
+        return (shown.landmarks[l].displaced_mm - settled.landmarks[l].displaced_mm).norm();
+      };
+      EXPECT_LE(off_mm(frame.patient, rest.patient), *frame.error_bound_mm);
+      EXPECT_LE(off_mm(*frame.atlas, *rest.atlas), *frame.error_bound_mm);
+    }
+    EXPECT_EQ(engine.frame().digest, frame.digest);  // to look at rest moves nothing
+  }
+  // Settle after settle comes to the same rest, to the bit.
+  const std::string rest = engine.settled_frame().digest;
+  for (int i = 0; i < SessionEngine::most_settles && !engine.frame().settled; ++i) engine.step(Settle{});
+  EXPECT_EQ(engine.frame().digest, rest);
+  EXPECT_EQ(engine.step(Settle{}).digest, rest);
+  // A ball turns about nothing: its contacts' moment about it is little beside its force times its radius.
+  const SessionStep& step = engine.frame().patient_step;
+  EXPECT_LT(step.torque_mNmm.norm(), 0.05 * 8 * step.tools[0].force_mN.norm());
+}
+
+TEST(SessionAtLargeStrain, IsWhatSmallStrainSaysWhereStrainIsSmall) {
+  auto small = SessionEngine::create(block()).value();
+  auto large = SessionEngine::create(soft_block()).value();
+  const HoldTool light{probe({35, 40, 60}, 20.0)};
+  small.step(light);
+  large.step(light);
+  const SessionFrame rest = large.settled_frame();
+  ASSERT_TRUE(rest.settled);
+  EXPECT_LT(rest.validity.largest_strain, 0.1);
+  for (std::size_t l = 0; l < rest.patient.landmarks.size(); ++l) {
+    EXPECT_NEAR(rest.patient.landmarks[l].displacement_mm, small.frame().patient.landmarks[l].displacement_mm, 0.1);
+  }
+}
+
+TEST(SessionAtLargeStrain, ReplaysToTheBitWithItsSettling) {
+  auto engine = SessionEngine::create(soft_block()).value();
+  Recording recording;
+  const std::vector<SessionCommand> commands{HoldTool{probe({35.1, 40, 45})},
+                                             Settle{},
+                                             HoldTool{probe({37.7, 41.3, 44})},
+                                             HoldTool{jaws({1, 0.3, 3})},
+                                             Settle{},
+                                             Undo{},
+                                             ReleaseTool{"probe"}};
+  for (const SessionCommand& command : commands) recording.emplace_back(command, engine.step(command).digest);
+  EXPECT_EQ(recording[5].second, recording[2].second);  // undone
+  const auto read = parse_recording(recording_text(recording)).value();
+  auto again = SessionEngine::create(soft_block()).value();
+  EXPECT_FALSE(replay(again, read).has_value());
+}
+
+TEST(SessionAtLargeStrain, AStepThatWouldCrushTheBodyIsRefusedAndLeavesWhatWas) {
+  auto engine = SessionEngine::create(soft_block()).value();
+  const std::string before = engine.step(HoldTool{probe({35, 40, 46})}).digest;
+  const SessionFrame& crushed = engine.step(HoldTool{probe({35, 40, 0})});
+  EXPECT_NE(crushed.refused, "");
+  EXPECT_EQ(crushed.digest, before);
+}
+
 void wait_for(const LiveSession& session, SessionState state) {
   for (int i = 0; i < 3000 && session.state() != state; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
   ASSERT_EQ(session.state(), state);
@@ -223,6 +299,21 @@ TEST(LiveSession, NeverKeepsItsCallerWaitingAndRecordsWhatItDid) {
   const auto& last = std::get<TouchingTool>(session.latest()->tools[0].what);
   EXPECT_EQ(last.pose.position_mm.x(), 30 + 0.1 * 199);
   auto engine = SessionEngine::create(block()).value();
+  EXPECT_FALSE(replay(engine, recording).has_value());
+}
+
+TEST(LiveSession, AtLargeStrainItComesToRestByItselfAndRecordsHow) {
+  LiveSession session(soft_block());
+  for (int i = 0; i < 20; ++i) session.post(HoldTool{probe({30 + 0.2 * i, 40, 45})});
+  for (int i = 0; i < 3000 && !(session.state() == SessionState::ready && session.latest()->settled &&
+                                !session.latest()->tools.empty());
+       ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  ASSERT_TRUE(session.latest()->settled);
+  const auto recording = session.recording();
+  EXPECT_TRUE(std::holds_alternative<Settle>(recording.back().first));
+  auto engine = SessionEngine::create(soft_block()).value();
   EXPECT_FALSE(replay(engine, recording).has_value());
 }
 

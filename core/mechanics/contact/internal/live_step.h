@@ -1,0 +1,131 @@
+#pragma once
+// The parts of a live body, and one step of it: places that touch, conjugate gradients, the estimate of what is left
+// (live_body.h says how they go together). Inside of this room.
+
+#include <limits>
+#include <vector>
+
+#include "base/stopwatch.h"
+#include "mechanics/contact/internal/contact_candidates.h"
+#include "mechanics/contact/internal/contact_constraint.h"
+#include "mechanics/contact/internal/quadratic_cells.h"
+#include "mechanics/contact/internal/spline_levels.h"
+#include "mechanics/contact/live_body.h"
+#include "mechanics/elements/load_vector.h"
+#include "mechanics/potentials/elastic.h"
+#include "mechanics/potentials/potential.h"
+
+namespace glisson::mechanics {
+
+// What a live body is made of, and what does not change while it is moved.
+struct LiveParts {
+  // Of the dense inverse, 11 MB.
+  static constexpr int most_wide_points = 560;
+
+  StaticModel model;
+  Body body;
+  std::vector<Material> materials;
+  AppliedLoads standing;
+  Potentials around;  // what stands around the body
+  QuadraticCells cells;
+  SplineLevels levels;
+  geometry::Surface surface;
+  std::vector<int> node_of_point;
+  std::vector<PointInMesh> watched;
+  Eigen::MatrixXf adjoints;  // three columns a judged place
+  double k_mN_mm = 0;
+  LiveState untouched;
+
+  LiveParts(StaticModel given, Body prepared, const ChosenLaw& law)
+      : model(std::move(given)),
+        body(std::move(prepared)),
+        materials(materials_of(body, law.law, law.strain_stiffening)),
+        cells(body, law),
+        levels(body.layout.positions_mm, body.resolved.fixed, most_wide_points) {}
+
+  [[nodiscard]] Eigen::Index unknowns() const { return 3 * static_cast<Eigen::Index>(body.layout.nodes()); }
+  void free(Eigen::VectorXd& values) const {
+    for (Eigen::Index i = 0; i < unknowns(); ++i) {
+      if (body.resolved.fixed[static_cast<std::size_t>(i)]) values[i] = 0;
+    }
+  }
+  [[nodiscard]] Eigen::VectorXd surface_of(const Eigen::VectorXd& u_mm) const;
+  [[nodiscard]] Eigen::MatrixXd unit_forces_at_watched(std::size_t judged) const;
+  void show(LiveState& state) const;
+};
+
+// Forces on the unknowns: the nodes' displacements, and after them the advances of pushed tools.
+struct Unbalanced {
+  Eigen::VectorXd body_mN;  // of the nodes, without the tools
+  int inverted_points = 0;
+};
+
+enum class Until { shown, settled };
+
+// One step of a live body, from a state to the next. What it is given must outlive it.
+class LiveStep {
+ public:
+  LiveStep(const LiveParts& parts, const LiveState& from, const std::vector<ContactTool>& tools,
+           const LiveOptions& options)
+      : parts_(parts), tools_(tools), options_(options), n_(parts.unknowns()), dead_mN_(parts.standing.dead_mN) {
+    state_.u_mm = from.u_mm;
+  }
+
+  Result<LiveState> run(const LiveState& from, Until until);
+
+ private:
+  struct Jaws {
+    std::vector<int> nodes;
+    std::vector<double> weights;
+    Eigen::Vector3d wanted_mm;
+    std::size_t tool;
+  };
+  // What a curved tool adds to the tangent at a place that it presses on: it may slide off.
+  struct Bend {
+    const ContactConstraint* place;
+    Eigen::Matrix3d stiffness;
+    int further;
+    Eigen::Vector3d forward;
+  };
+
+  Result<void> take_tools(const LiveState& from);
+  void find_places();
+  void place_rods();
+  [[nodiscard]] Pose pose_of(std::size_t tool) const;
+  [[nodiscard]] Eigen::Vector3d forward_of(std::size_t tool) const {
+    return std::get<TouchingTool>(tools_[tool].what).pose.forward();
+  }
+  Unbalanced unbalanced(const Eigen::VectorXd& u_mm);
+  Eigen::VectorXd with_tools(const Unbalanced& balance, const Eigen::VectorXd& u_mm);
+  void look_at_rows(const Eigen::VectorXd& u_mm);
+  Eigen::VectorXd alone(const Unbalanced& balance) const;
+  Eigen::VectorXd direction(const SplineLevels::WithRows& levels, const Eigen::VectorXd& r_mN, int gradients,
+                            bool settling);
+  void add_rows_times(const SplineLevels::WithRows& levels, const Eigen::VectorXd& p, Eigen::VectorXd& product) const;
+  void go(const Eigen::VectorXd& step, const Eigen::VectorXd& r_mN);
+  double estimate(const SplineLevels::WithRows& levels, const Eigen::VectorXd& r_mN);
+  void move_multipliers_on();
+  [[nodiscard]] double deepest_mm() const;
+  LiveState finished(const Stopwatch& watch);
+
+  const LiveParts& parts_;
+  const std::vector<ContactTool>& tools_;
+  const LiveOptions& options_;
+  Eigen::Index n_;
+  Eigen::VectorXd dead_mN_;  // standing loads, and jaws that pull
+  LiveState state_;
+  Unbalanced now_;
+  std::vector<int> further_of_;  // of each tool its unknown; -1: it stays where it is
+  int further_ = 0;
+  Eigen::VectorXd advance_mm_;  // one a tool
+  std::vector<Jaws> jaws_;
+  std::vector<Gripped> grips_;
+  std::vector<TrackedContact> kept_;
+  std::vector<ContactConstraint> places_;
+  std::vector<StiffRow> rows_;
+  std::vector<Bend> bends_;
+  double tools_mN_ = 0, moved_mm_ = std::numeric_limits<double>::infinity();
+  std::vector<double> squared_;  // of the cells, as the last forces found them: those of where it is now
+};
+
+}  // namespace glisson::mechanics

@@ -1,0 +1,484 @@
+#include "mechanics/contact/internal/spline_levels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+
+#include "geometry/surface.h"
+#include "mechanics/solvers/cholesky_factor.h"
+
+namespace glisson::mechanics {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::MatrixXd;
+using Eigen::MatrixXf;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+using Eigen::VectorXf;
+using Vector4 = Eigen::Vector4f;  // the fourth lane is not used
+
+// Of the three B-splines over a cell, for a place within it.
+std::array<float, 3> quadratic_splines(double t) {
+  return {static_cast<float>(0.5 * (1 - t) * (1 - t)), static_cast<float>(0.5 + t - t * t),
+          static_cast<float>(0.5 * t * t)};
+}
+
+// A's rows of nodes, without what is held.
+using Blocks = std::vector<std::vector<std::pair<int, Matrix3d>>>;
+Blocks free_blocks(const Eigen::SparseMatrix<double>& lower, const SplineLattice& lattice);
+
+}  // namespace
+
+SplineLattice::SplineLattice(const std::vector<Vector3d>& positions_mm, const std::vector<std::uint8_t>& fixed,
+                             int most_wide_points)
+    : fixed_(fixed) {
+  const geometry::Box box = geometry::bounding_box(positions_mm);
+  const Vector3d size_mm = box.max_mm - box.min_mm;
+  for (double spacing_mm = 0.5 * std::cbrt(size_mm.prod() / most_wide_points);; spacing_mm *= 1.04) {
+    nx_ = static_cast<int>(size_mm.x() / spacing_mm) + 3;
+    ny_ = static_cast<int>(size_mm.y() / spacing_mm) + 3;
+    nz_ = static_cast<int>(size_mm.z() / spacing_mm) + 3;
+    places_.clear();
+    const std::size_t grid =
+        static_cast<std::size_t>(nx_) * static_cast<std::size_t>(ny_) * static_cast<std::size_t>(nz_);
+    std::vector<std::uint8_t> is_near(grid, 0);
+    for (const Vector3d& at_mm : positions_mm) {
+      Place place{};
+      std::array<int, 3> cell{};
+      for (int d = 0; d < 3; ++d) {
+        const double along = (at_mm[d] - box.min_mm[d]) / spacing_mm;
+        cell[d] = static_cast<int>(along);
+        place.weights[d] = quadratic_splines(along - cell[d]);
+      }
+      place.first = cell[0] + nx_ * (cell[1] + ny_ * cell[2]);
+      places_.push_back(place);
+      for (int i = 0; i < 27; ++i) {
+        is_near[static_cast<std::size_t>(place.first + i % 3 + nx_ * (i / 3 % 3 + ny_ * (i / 9)))] = 1;
+      }
+    }
+    // Spline p begins at cell p - 2 and spans three; wide spline m begins at cell 2 m - 4 and is 1/4, 3/4, 3/4, 1/4 of
+    // the narrow ones 2 m - 2 to 2 m + 1. Narrow spline p is therefore in the wide ones of (p - 1) / 2, and so on.
+    wide_of_.assign(grid, {});
+    std::vector<int> number(grid, -1);
+    const auto in_wide = [](int p) {
+      const int half = p / 2;  // p = 2 half or 2 half + 1
+      return p % 2 == 0 ? std::array<std::pair<int, float>, 2>{{{half, 0.75F}, {half + 1, 0.25F}}}
+                        : std::array<std::pair<int, float>, 2>{{{half, 0.25F}, {half + 1, 0.75F}}};
+    };
+    wide_points_ = 0;
+    const int wx = nx_ / 2 + 2, wy = ny_ / 2 + 2;
+    number.assign(static_cast<std::size_t>(wx) * static_cast<std::size_t>(wy) * static_cast<std::size_t>(nz_ / 2 + 2),
+                  -1);
+    for (int z = 0, p = 0; z < nz_; ++z) {
+      for (int y = 0; y < ny_; ++y) {
+        for (int x = 0; x < nx_; ++x, ++p) {
+          for (int k = 0; k < 8; ++k) {
+            const auto [ix, fx] = in_wide(x)[k & 1];
+            const auto [iy, fy] = in_wide(y)[(k >> 1) & 1];
+            const auto [iz, fz] = in_wide(z)[k >> 2];
+            WideShare& share = wide_of_[static_cast<std::size_t>(p)][static_cast<std::size_t>(k)];
+            share = {-1, fx * fy * fz};
+            if (!is_near[static_cast<std::size_t>(p)]) continue;
+            int& own = number[static_cast<std::size_t>(ix + wx * (iy + wy * iz))];
+            if (own < 0) own = wide_points_++;
+            share.point = own;
+          }
+        }
+      }
+    }
+    if (wide_points_ <= std::max(most_wide_points, 64)) return;  // one cell has as many
+  }
+}
+
+SplineLattice::Shares<float> SplineLattice::around(int node) const {
+  const Place& place = places_[static_cast<std::size_t>(node)];
+  Shares<float> shares;
+  for (int i = 0; i < 27; ++i) {
+    shares.emplace_back(place.first + i % 3 + nx_ * (i / 3 % 3 + ny_ * (i / 9)),
+                        place.weights[0][i % 3] * place.weights[1][i / 3 % 3] * place.weights[2][i / 9]);
+  }
+  return shares;
+}
+
+SplineLattice::Shares<float> SplineLattice::wide_around(int node) const {
+  Shares<float> shares;
+  for (const auto& [point, weight] : around(node)) {
+    for (const WideShare& wide : wide_of_[static_cast<std::size_t>(point)]) {
+      const auto known =
+          std::find_if(shares.begin(), shares.end(), [&](const auto& s) { return s.first == wide.point; });
+      if (known == shares.end()) {
+        shares.emplace_back(wide.point, wide.weight * weight);
+      } else {
+        known->second += wide.weight * weight;
+      }
+    }
+  }
+  return shares;
+}
+
+void SplineLattice::down(const VectorXd& r, Values& values) const {
+  values.assign(wide_of_.size(), Vector4::Zero());
+  for (std::size_t n = 0; n < places_.size(); ++n) {
+    const Place& place = places_[n];
+    Vector4 value(0, 0, 0, 0);
+    for (int d = 0; d < 3; ++d) {
+      value[d] = fixed_[3 * n + d] ? 0.0F : static_cast<float>(r[3 * static_cast<Eigen::Index>(n) + d]);
+    }
+    for (int k = 0; k < 3; ++k) {
+      const Vector4 by_k = place.weights[2][k] * value;
+      for (int j = 0; j < 3; ++j) {
+        const Vector4 by_j = place.weights[1][j] * by_k;
+        Vector4* at = values.data() + place.first + nx_ * (j + ny_ * k);
+        for (int i = 0; i < 3; ++i) at[i] += place.weights[0][i] * by_j;
+      }
+    }
+  }
+}
+
+void SplineLattice::down_to_wide(const Values& values, VectorXf& wide) const {
+  wide = VectorXf::Zero(3 * wide_points_);
+  for (std::size_t p = 0; p < values.size(); ++p) {
+    for (const WideShare& share : wide_of_[p]) {
+      if (share.point >= 0) wide.segment<3>(3 * share.point) += share.weight * values[p].head<3>();
+    }
+  }
+}
+
+void SplineLattice::up_from_wide(const VectorXf& wide, Values& values) const {
+  for (std::size_t p = 0; p < values.size(); ++p) {
+    for (const WideShare& share : wide_of_[p]) {
+      if (share.point >= 0) values[p].head<3>() += share.weight * wide.segment<3>(3 * share.point);
+    }
+  }
+}
+
+void SplineLattice::up(const Values& values, VectorXd& z) const {
+  for (std::size_t n = 0; n < places_.size(); ++n) {
+    const Place& place = places_[n];
+    Vector4 value(0, 0, 0, 0);
+    for (int k = 0; k < 3; ++k) {
+      for (int j = 0; j < 3; ++j) {
+        const Vector4* at = values.data() + place.first + nx_ * (j + ny_ * k);
+        const float weight = place.weights[1][j] * place.weights[2][k];
+        for (int i = 0; i < 3; ++i) value += weight * place.weights[0][i] * at[i];
+      }
+    }
+    for (int d = 0; d < 3; ++d) {
+      if (!fixed_[3 * n + d]) z[3 * static_cast<Eigen::Index>(n) + d] += double{value[d]};
+    }
+  }
+}
+
+bool SplineLevels::refresh(const Eigen::SparseMatrix<double>& lower) {
+  const Blocks blocks = free_blocks(lower, lattice_);
+  const Eigen::Index unknowns = 3 * lattice_.wide_points();
+  MatrixXd coarse = MatrixXd::Zero(unknowns, unknowns);
+  std::vector<Matrix3d> diagonal(static_cast<std::size_t>(lattice_.points()), Matrix3d::Zero());
+  // A node's row times the splines first, then by the splines around the node.
+  std::vector<SplineLattice::Shares<float>> wide, narrow;
+  for (int node = 0; node < static_cast<int>(blocks.size()); ++node) {
+    wide.push_back(lattice_.wide_around(node));
+    narrow.push_back(lattice_.around(node));
+  }
+  const auto rows_times = [&](const std::vector<SplineLattice::Shares<float>>& around, int points, const auto& take) {
+    std::vector<Matrix3d> product(static_cast<std::size_t>(points), Matrix3d::Zero());
+    std::vector<std::uint8_t> is_touched(product.size(), 0);
+    std::vector<int> touched;
+    for (std::size_t row = 0; row < blocks.size(); ++row) {
+      for (const auto& [column, block] : blocks[row]) {
+        for (const auto& [point, weight] : around[static_cast<std::size_t>(column)]) {
+          const auto p = static_cast<std::size_t>(point);
+          if (!is_touched[p]) touched.push_back(point);
+          is_touched[p] = 1;
+          product[p] += double{weight} * block;
+        }
+      }
+      take(around[row], touched, product);
+      for (const int point : touched) {
+        product[static_cast<std::size_t>(point)].setZero();
+        is_touched[static_cast<std::size_t>(point)] = 0;
+      }
+      touched.clear();
+    }
+  };
+  using Shares = SplineLattice::Shares<float>;
+  rows_times(wide, lattice_.wide_points(),
+             [&](const Shares& own, const std::vector<int>& touched, const std::vector<Matrix3d>& product) {
+               for (const int column : touched) {
+                 for (const auto& [point, weight] : own) {
+                   if (point < column) continue;
+                   coarse.block<3, 3>(3 * point, 3 * column) +=
+                       double{weight} * product[static_cast<std::size_t>(column)];
+                 }
+               }
+             });
+  // A point that hardly touches the body, or only what is held, has little to say.
+  coarse.diagonal().array() += 1e-6 * coarse.diagonal().mean();
+  const MatrixXd lower_part = coarse.triangularView<Eigen::Lower>();
+  const auto factor = CholeskyFactor::create(lower_part.sparseView(), std::uint64_t{2} << 30);
+  if (!factor) return false;
+  wide_inverse_ = factor->solve(MatrixXd::Identity(unknowns, unknowns)).cast<float>();
+
+  rows_times(narrow, lattice_.points(),
+             [&](const Shares& own, const std::vector<int>&, const std::vector<Matrix3d>& product) {
+               for (const auto& [point, weight] : own) {
+                 diagonal[static_cast<std::size_t>(point)] += double{weight} * product[static_cast<std::size_t>(point)];
+               }
+             });
+  // Neighbouring points move largely the same nodes, so that together they answer a residual several times over: w.
+  constexpr double damping = 0.3;
+  double largest = 0;
+  for (const Matrix3d& block : diagonal) largest = std::max(largest, block.trace() / 3);
+  narrow_inverse_.clear();
+  for (const Matrix3d& block : diagonal) {
+    const Matrix3d safe = block + 1e-4 * largest * Matrix3d::Identity();
+    narrow_inverse_.emplace_back((damping * safe.inverse()).cast<float>());
+  }
+  inverse_diagonal_.clear();
+  for (int node = 0; node < static_cast<int>(blocks.size()); ++node) {
+    Matrix3d own = Matrix3d::Zero();
+    for (const auto& [column, block] : blocks[static_cast<std::size_t>(node)]) {
+      if (column == node) own = block;
+    }
+    for (int d = 0; d < 3; ++d) own(d, d) += lattice_.is_fixed(node, d) ? 1.0 : 0.0;
+    own = own.inverse().eval();
+    for (int d = 0; d < 3; ++d) {
+      if (lattice_.is_fixed(node, d)) own(d, d) = 0;
+    }
+    inverse_diagonal_.push_back(own);
+  }
+  return true;
+}
+
+SplineLevels::WithRows::WithRows(const SplineLevels& levels, const std::vector<StiffRow>& rows, int further,
+                                 const VectorXd& alone)
+    : levels_(levels), rows_(rows), further_(further), narrow_(rows.size()), presses_(rows.size(), 0) {
+  double stiffest = 1;
+  for (const StiffRow& row : rows) stiffest = std::max(stiffest, row.stiffness);
+  soft_ = 1e-4 * stiffest;
+  const auto count = static_cast<Eigen::Index>(rows.size());
+  wide_ = MatrixXf::Zero(3 * levels.lattice_.wide_points(), count);
+  if (count == 0) return;
+  const MatrixXd compliance_mm_mN = compliance();
+  VectorXd gap_mm = seen_of(answer_without_rows(alone), alone);
+  for (Eigen::Index r = 0; r < count; ++r) {
+    const StiffRow& row = rows[static_cast<std::size_t>(r)];
+    gap_mm[r] += row.gap_mm;
+    presses_[static_cast<std::size_t>(r)] = row.two_sided || row.gap_mm < 0;
+  }
+  choose(compliance_mm_mN, std::move(gap_mm));
+}
+
+// Of all rows, by all levels.
+MatrixXd SplineLevels::WithRows::compliance() {
+  const auto count = static_cast<Eigen::Index>(rows_.size());
+  const SplineLattice& lattice = levels_.lattice_;
+  std::vector<int> used;
+  std::vector<std::uint8_t> is_used(static_cast<std::size_t>(lattice.wide_points()), 0);
+  for (Eigen::Index r = 0; r < count; ++r) {
+    for (const auto& [node, direction] : rows_[static_cast<std::size_t>(r)].on) {
+      Eigen::Vector3f free = direction.cast<float>();
+      for (int d = 0; d < 3; ++d) {
+        if (lattice.is_fixed(node, d)) free[d] = 0;
+      }
+      for (const auto& [point, weight] : lattice.wide_around(node)) {
+        wide_.col(r).segment<3>(3 * point) += weight * free;
+        if (!is_used[static_cast<std::size_t>(point)]) used.push_back(point);
+        is_used[static_cast<std::size_t>(point)] = 1;
+      }
+      for (const auto& [point, weight] : lattice.around(node)) {
+        narrow_[static_cast<std::size_t>(r)].emplace_back(point, weight * free);
+      }
+    }
+  }
+  // Of the inverse only the columns that the rows see.
+  const auto seen = 3 * static_cast<Eigen::Index>(used.size());
+  MatrixXf columns(levels_.wide_inverse_.rows(), seen), entries(seen, count);
+  for (std::size_t u = 0; u < used.size(); ++u) {
+    const auto at = 3 * static_cast<Eigen::Index>(u);
+    columns.middleCols<3>(at) = levels_.wide_inverse_.middleCols<3>(3 * used[u]);
+    entries.middleRows<3>(at) = wide_.middleRows<3>(3 * used[u]);
+  }
+  wide_seen_.noalias() = columns * entries;
+  MatrixXf seen_answers(seen, count);
+  for (std::size_t u = 0; u < used.size(); ++u) {
+    seen_answers.middleRows<3>(3 * static_cast<Eigen::Index>(u)) = wide_seen_.middleRows<3>(3 * used[u]);
+  }
+  MatrixXd sum = (entries.transpose() * seen_answers).cast<double>();
+  VectorXf narrow = VectorXf::Zero(3 * lattice.points());
+  for (Eigen::Index r = 0; r < count; ++r) {
+    const StiffRow& row = rows_[static_cast<std::size_t>(r)];
+    const auto& own_narrow = narrow_[static_cast<std::size_t>(r)];
+    for (const auto& [point, value] : own_narrow) {
+      narrow.segment<3>(3 * point) += levels_.narrow_inverse_[static_cast<std::size_t>(point)] * value;
+    }
+    for (Eigen::Index s = 0; s <= r; ++s) {
+      const StiffRow& other = rows_[static_cast<std::size_t>(s)];
+      double own = 0;
+      for (const auto& [point, value] : narrow_[static_cast<std::size_t>(s)]) {
+        own += double{narrow.segment<3>(3 * point).dot(value)};
+      }
+      for (const auto& [node, direction] : row.on) {
+        for (const auto& [other_node, other_direction] : other.on) {
+          if (node != other_node) continue;
+          own += direction.dot(levels_.inverse_diagonal_[static_cast<std::size_t>(node)] * other_direction);
+        }
+      }
+      if (row.further >= 0 && row.further == other.further) own += row.along * other.along / soft_;
+      sum(r, s) += own;
+      if (s != r) sum(s, r) += own;
+    }
+    for (const auto& [point, value] : own_narrow) narrow.segment<3>(3 * point).setZero();
+  }
+  return sum;
+}
+
+// Which press: those whose gap would close under the forces of the others.
+void SplineLevels::WithRows::choose(const MatrixXd& compliance, VectorXd gap_mm) {
+  const auto count = static_cast<Eigen::Index>(rows_.size());
+  constexpr int most_changes = 20;
+  std::vector<Eigen::Index> pressing;
+  MatrixXd of_pressing;
+  for (int change = 0;; ++change) {
+    pressing.clear();
+    for (Eigen::Index r = 0; r < count; ++r) {
+      if (presses_[static_cast<std::size_t>(r)]) pressing.push_back(r);
+    }
+    const auto size = static_cast<Eigen::Index>(pressing.size());
+    of_pressing.resize(size, size);
+    VectorXd closed_mm(size);
+    for (Eigen::Index i = 0; i < size; ++i) {
+      const auto row = static_cast<std::size_t>(i);
+      for (Eigen::Index j = 0; j < size; ++j) {
+        of_pressing(i, j) = compliance(pressing[row], pressing[static_cast<std::size_t>(j)]);
+      }
+      of_pressing(i, i) += 1 / rows_[static_cast<std::size_t>(pressing[row])].stiffness;
+      closed_mm[i] = -gap_mm[pressing[row]];
+    }
+    of_pressing = of_pressing.llt().solve(MatrixXd::Identity(size, size)).eval();
+    if (change == most_changes) break;
+    const VectorXd force_mN = of_pressing * closed_mm;
+    VectorXd after_mm = gap_mm;
+    for (Eigen::Index i = 0; i < size; ++i) {
+      after_mm += force_mN[i] * compliance.col(pressing[static_cast<std::size_t>(i)]);
+    }
+    bool changed = false;
+    for (Eigen::Index r = 0, i = 0; r < count; ++r) {
+      const bool pressed = i < size && pressing[static_cast<std::size_t>(i)] == r;
+      const double own_mN = pressed ? force_mN[i++] : 0.0;
+      if (rows_[static_cast<std::size_t>(r)].two_sided) continue;
+      const bool now = pressed ? own_mN > 0 : after_mm[r] < 0;
+      changed = changed || now != pressed;
+      presses_[static_cast<std::size_t>(r)] = now;
+    }
+    if (!changed) break;
+  }
+  inverse_ = MatrixXd::Zero(count, count);
+  for (std::size_t i = 0; i < pressing.size(); ++i) {
+    for (std::size_t j = 0; j < pressing.size(); ++j) {
+      inverse_(pressing[i], pressing[j]) = of_pressing(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+    }
+  }
+}
+
+SplineLevels::WithRows::Answer SplineLevels::WithRows::answer_without_rows(const VectorXd& r) const {
+  Answer answer;
+  const SplineLattice& lattice = levels_.lattice_;
+  lattice.down(r, answer.narrow);
+  VectorXf wide;
+  lattice.down_to_wide(answer.narrow, wide);
+  answer.wide.noalias() = levels_.wide_inverse_ * wide;
+  for (std::size_t p = 0; p < answer.narrow.size(); ++p) {
+    answer.narrow[p].head<3>() = (levels_.narrow_inverse_[p] * answer.narrow[p].head<3>()).eval();
+  }
+  return answer;
+}
+
+VectorXd SplineLevels::WithRows::seen_of(const Answer& answer, const VectorXd& r) const {
+  VectorXd seen = (wide_.transpose() * answer.wide).cast<double>();
+  const auto after = r.size() - further_;
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const StiffRow& row = rows_[i];
+    double& of_row = seen[static_cast<Eigen::Index>(i)];
+    for (const auto& [point, value] : narrow_[i]) {
+      of_row += double{value.dot(answer.narrow[static_cast<std::size_t>(point)].head<3>())};
+    }
+    for (const auto& [node, direction] : row.on) {
+      of_row += direction.dot(levels_.inverse_diagonal_[static_cast<std::size_t>(node)] * r.segment<3>(3 * node));
+    }
+    if (row.further >= 0) of_row -= row.along * r[after + row.further] / soft_;
+  }
+  return seen;
+}
+
+void SplineLevels::WithRows::apply(const VectorXd& r, VectorXd& z) const {
+  VectorXd rest;
+  Answer answer;
+  answer_rows(r, rest, answer);
+  z.resize(r.size());
+  for (std::size_t n = 0; n < levels_.inverse_diagonal_.size(); ++n) {
+    const auto first = 3 * static_cast<Eigen::Index>(n);
+    z.segment<3>(first).noalias() = levels_.inverse_diagonal_[n] * rest.segment<3>(first);
+  }
+  levels_.lattice_.up_from_wide(answer.wide, answer.narrow);
+  levels_.lattice_.up(answer.narrow, z);
+  for (auto f = r.size() - further_; f < r.size(); ++f) z[f] = rest[f] / soft_;
+}
+
+void SplineLevels::WithRows::rest_of(const VectorXd& r, VectorXd& rest) const {
+  Answer answer;
+  answer_rows(r, rest, answer);
+}
+
+void SplineLevels::WithRows::answer_rows(const VectorXd& r, VectorXd& rest, Answer& answer) const {
+  answer = answer_without_rows(r);
+  rest = r;
+  if (rows_.empty()) return;
+  const auto after = r.size() - further_;
+  // The forces with which the rows answer what they would see.
+  const VectorXd force = inverse_ * seen_of(answer, r);
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    if (!presses_[i]) continue;
+    const StiffRow& row = rows_[i];
+    const double f = force[static_cast<Eigen::Index>(i)];
+    for (const auto& [node, direction] : row.on) rest.segment<3>(3 * node) -= f * direction;
+    if (row.further >= 0) rest[after + row.further] += row.along * f;
+    for (const auto& [point, value] : narrow_[i]) {
+      const auto p = static_cast<std::size_t>(point);
+      answer.narrow[p].head<3>() -= static_cast<float>(f) * (levels_.narrow_inverse_[p] * value);
+    }
+  }
+  answer.wide.noalias() -= wide_seen_ * force.cast<float>();
+}
+
+namespace {
+
+Blocks free_blocks(const Eigen::SparseMatrix<double>& lower, const SplineLattice& lattice) {
+  Blocks blocks(static_cast<std::size_t>(lower.cols() / 3));
+  for (int column = 0; column < static_cast<int>(blocks.size()); ++column) {
+    auto& own = blocks[static_cast<std::size_t>(column)];
+    const std::size_t before = own.size();
+    for (int c = 0; c < 3; ++c) {
+      std::size_t at = before;
+      for (Eigen::SparseMatrix<double>::InnerIterator entry(lower, 3 * column + c); entry; ++entry) {
+        const int row = static_cast<int>(entry.row() / 3), r = static_cast<int>(entry.row() % 3);
+        while (at < own.size() && own[at].first != row) ++at;
+        if (at == own.size()) own.emplace_back(row, Matrix3d::Zero());
+        if (lattice.is_fixed(row, r) || lattice.is_fixed(column, c)) continue;
+        own[at].second(c, r) = entry.value();
+        if (row == column) own[at].second(r, c) = entry.value();
+      }
+    }
+    for (std::size_t at = before; at < own.size(); ++at) {
+      if (own[at].first != column) {
+        blocks[static_cast<std::size_t>(own[at].first)].emplace_back(column, own[at].second.transpose());
+      }
+    }
+  }
+  return blocks;
+}
+
+}  // namespace
+}  // namespace glisson::mechanics

@@ -1,0 +1,124 @@
+#pragma once
+// What makes conjugate gradients fast on a body that is nearly incompressible:
+//   r -> D^-1 r + P (w B^-1 + Q (Q^T P^T A P Q)^-1 Q^T) P^T r,
+// an additive method of three levels (Toselli and Widlund 2005, Domain Decomposition Methods, 2.5 and 3). D is the 3x3
+// blocks of A's diagonal. P takes the nodes' displacements from quadratic B-splines over a narrow regular lattice laid
+// through the body, and Q those from splines twice as wide, which narrow ones add up to exactly. B is the diagonal
+// blocks of P^T A P; the wide lattice's inverse is kept, dense. Splines of the second degree bend and turn without
+// locking, which trilinear ones do not near incompressibility. Inside of this room.
+//
+// Some rows c of stiffness k (contacts, jaws) may stand beside A. They are answered exactly, by what the levels answer
+// to them (Sherman, Morrison and Woodbury; e.g. Golub and Van Loan, Matrix Computations, 2.1.4).
+
+#include <array>
+#include <cstdint>
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+#include <vector>
+
+namespace glisson::mechanics {
+
+// Quadratic B-splines over a regular lattice, and the nodes among them; those twice as wide. Values are 3 a node, and 4
+// a point of the narrow lattice, the last of which is nothing; 3 a point of the wide one.
+class SplineLattice {
+ public:
+  using Values = std::vector<Eigen::Vector4f>;
+  template <typename Value>
+  using Shares = std::vector<std::pair<int, Value>>;
+
+  // The finest with at most so many wide points near the nodes. `fixed` has 1 where a displacement is held.
+  SplineLattice(const std::vector<Eigen::Vector3d>& positions_mm, const std::vector<std::uint8_t>& fixed,
+                int most_wide_points);
+
+  [[nodiscard]] int points() const { return static_cast<int>(wide_of_.size()); }
+  [[nodiscard]] int wide_points() const { return wide_points_; }
+  [[nodiscard]] bool is_fixed(int node, int axis) const {
+    return fixed_[static_cast<std::size_t>(3 * node + axis)] != 0;
+  }
+  // The points around a node, and the wide ones, with their splines' values there.
+  [[nodiscard]] Shares<float> around(int node) const;
+  [[nodiscard]] Shares<float> wide_around(int node) const;
+
+  // P^T r; and Q^T of that.
+  void down(const Eigen::VectorXd& r, Values& values) const;
+  void down_to_wide(const Values& values, Eigen::VectorXf& wide) const;
+  // values += Q wide; z += P values.
+  void up_from_wide(const Eigen::VectorXf& wide, Values& values) const;
+  void up(const Values& values, Eigen::VectorXd& z) const;
+
+ private:
+  struct Place {
+    int first;                                    // of the lattice's points around the node
+    std::array<std::array<float, 3>, 3> weights;  // along each axis
+  };
+  struct WideShare {
+    int point;  // -1: none
+    float weight;
+  };
+  int nx_ = 0, ny_ = 0, nz_ = 0, wide_points_ = 0;
+  std::vector<Place> places_;
+  std::vector<std::uint8_t> fixed_;
+  std::vector<std::array<WideShare, 8>> wide_of_;  // of each point: a narrow spline is in two wide ones along each axis
+};
+
+// What a row sees: directions at nodes, and how far one of the further unknowns goes against it.
+struct StiffRow {
+  std::vector<std::pair<int, Eigen::Vector3d>> on;
+  int further = -1;  // of the unknowns after the nodes; -1: none
+  double along = 0;
+  double stiffness = 0;
+  double gap_mm = 0;       // it presses with -k times what this becomes
+  bool two_sided = false;  // or else only where that is below zero
+};
+
+class SplineLevels {
+ public:
+  SplineLevels(const std::vector<Eigen::Vector3d>& positions_mm, const std::vector<std::uint8_t>& fixed,
+               int most_wide_points)
+      : lattice_(positions_mm, fixed, most_wide_points) {}
+
+  // From A's lower triangle. False where it is not positive definite: the levels then are as they were.
+  bool refresh(const Eigen::SparseMatrix<double>& lower);
+
+  [[nodiscard]] const SplineLattice& lattice() const { return lattice_; }
+
+  // What answers r with the rows beside A; `further` unknowns follow those of the nodes.
+  class WithRows {
+   public:
+    // Which of the rows press is decided by the levels' answer to `alone`, the forces without theirs.
+    WithRows(const SplineLevels& levels, const std::vector<StiffRow>& rows, int further, const Eigen::VectorXd& alone);
+    [[nodiscard]] bool presses(std::size_t row) const { return presses_[row] != 0; }
+
+    void apply(const Eigen::VectorXd& r, Eigen::VectorXd& z) const;
+    // r without what the rows take of it.
+    void rest_of(const Eigen::VectorXd& r, Eigen::VectorXd& rest) const;
+
+   private:
+    struct Answer {
+      Eigen::VectorXf wide;
+      SplineLattice::Values narrow;
+    };
+    void answer_rows(const Eigen::VectorXd& r, Eigen::VectorXd& rest, Answer& answer) const;
+    [[nodiscard]] Answer answer_without_rows(const Eigen::VectorXd& r) const;
+    [[nodiscard]] Eigen::VectorXd seen_of(const Answer& answer, const Eigen::VectorXd& r) const;
+    [[nodiscard]] Eigen::MatrixXd compliance();
+    void choose(const Eigen::MatrixXd& compliance, Eigen::VectorXd gap_mm);
+
+    const SplineLevels& levels_;
+    const std::vector<StiffRow>& rows_;
+    int further_;
+    double soft_ = 1;                   // stiffness of a further unknown on its own
+    Eigen::MatrixXf wide_, wide_seen_;  // Q^T P^T c^T, and the wide lattice's answer to it, a column a row
+    std::vector<SplineLattice::Shares<Eigen::Vector3f>> narrow_;  // P^T c^T
+    std::vector<std::uint8_t> presses_;
+    Eigen::MatrixXd inverse_;  // of the compliance of those that press, with theirs
+  };
+
+ private:
+  SplineLattice lattice_;
+  std::vector<Eigen::Matrix3d> inverse_diagonal_;
+  std::vector<Eigen::Matrix3f> narrow_inverse_;
+  Eigen::MatrixXf wide_inverse_;
+};
+
+}  // namespace glisson::mechanics

@@ -1,0 +1,135 @@
+#include "mechanics/contact/live_body.h"
+
+#include <cmath>
+
+#include "mechanics/contact/internal/live_step.h"
+#include "mechanics/elements/shape_functions.h"
+#include "mechanics/potentials/total_potential.h"
+#include "mechanics/statics/displacements.h"
+#include "mechanics/statics/equilibrium.h"
+
+namespace glisson::mechanics {
+
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+struct LiveBody::Impl : LiveParts {
+  using LiveParts::LiveParts;
+};
+
+Result<LiveBody> LiveBody::create(StaticModel model, const ChosenLaw& law, const std::vector<Support>& supports,
+                                  const Loads& standing_loads, std::vector<PointInMesh> watched, std::size_t judged) {
+  const StaticOptions options = model.options();
+  const bool known = law.law == MaterialLaw::neo_hookean || law.law == MaterialLaw::veronda_westmann;
+  if (!known || options.anisotropy || options.order != ElementOrder::quadratic) {
+    return failure("not-available", GLISSON_TEXT("At large strain a session knows quadratic cells of a neo-Hookean or "
+                                                 "Veronda-Westmann material without a grain."));
+  }
+  auto prepared = prepare_body(model.mesh(), model.youngs_kPa(), supports, options, Holding::required);
+  if (!prepared) return failure(std::move(prepared.error()));
+  auto made = std::make_shared<Impl>(std::move(model), std::move(*prepared), law);
+  Impl& parts = *made;
+  auto loads = applied_loads(parts.body, standing_loads, Gas::follows_the_surface);
+  if (!loads) return failure(std::move(loads.error()));
+  parts.standing = std::move(*loads);
+  parts.around = boundary_potentials(parts.body, parts.standing.follower_pressure_kPa);
+  parts.surface = geometry::boundary_surface(parts.body.mesh);
+  for (const double p : geometry::find_field(parts.surface.point_fields, "mesh_point")->values) {
+    parts.node_of_point.push_back(parts.body.layout.node_of_point[static_cast<std::size_t>(p)]);
+  }
+  parts.watched = std::move(watched);
+  // A few times as stiff as the surface itself is at a point, which answers with about E times an edge.
+  double mean_kPa = 0;
+  for (const double youngs : parts.body.youngs_kPa) {
+    mean_kPa += youngs / static_cast<double>(parts.body.youngs_kPa.size());
+  }
+  const double edge_mm = std::sqrt(4 / std::sqrt(3.0) * geometry::area_mm2(parts.surface) /
+                                   static_cast<double>(parts.surface.triangles.size()));
+  parts.k_mN_mm = 5 * mean_kPa * edge_mm;
+  if (judged > 0) {
+    const auto answered = parts.model.respond(parts.unit_forces_at_watched(judged));
+    parts.adjoints = answered.displacement_mm.cast<float>();
+  }
+  // Under the standing loads, put on in parts where all of them at once find no rest.
+  const VectorXd rest_mm = VectorXd::Zero(parts.unknowns());
+  const TotalPotential potential(parts.body, static_potentials(parts.body, parts.materials, parts.standing));
+  if (!parts.levels.refresh(potential.tangent(rest_mm, Tangent::positive))) {
+    return failure("not-converged", GLISSON_TEXT("The body has no rest under its standing loads."));
+  }
+  LiveState standing;
+  standing.u_mm = rest_mm;
+  if (parts.standing.dead_mN.norm() > 0 || parts.standing.follower_pressure_kPa != 0) {
+    const auto found = find_equilibrium(parts.body, parts.materials, parts.standing, {.relative_tolerance = 1e-4});
+    if (!found) return failure(found.error());
+    if (!found->may_be_used()) {
+      return failure("not-converged", GLISSON_TEXT("The equilibrium was not found. {0}"), {found->why_stopped});
+    }
+    standing.u_mm = nodal_displacements(parts.body.layout, *found);
+    parts.levels.refresh(potential.tangent(standing.u_mm, Tangent::positive));
+  }
+  const std::vector<ContactTool> no_tools;
+  const LiveOptions usual;
+  auto untouched = LiveStep(parts, standing, no_tools, usual).run(standing, Until::settled);
+  if (!untouched) return failure(std::move(untouched.error()));
+  if (!untouched->settled) {
+    return failure("not-converged", GLISSON_TEXT("The body has no rest under its standing loads."));
+  }
+  parts.untouched = std::move(*untouched);
+  return LiveBody(std::move(made));
+}
+
+Result<LiveState> LiveBody::step(const LiveState& from, const std::vector<ContactTool>& tools,
+                                 const LiveOptions& options) const {
+  return LiveStep(*impl_, from, tools, options).run(from, Until::shown);
+}
+
+Result<LiveState> LiveBody::settle(const LiveState& from, const std::vector<ContactTool>& tools,
+                                   const LiveOptions& options) const {
+  return LiveStep(*impl_, from, tools, options).run(from, Until::settled);
+}
+
+StaticResult LiveBody::whole_result(const LiveState& state) const {
+  StaticResult result =
+      state_of(impl_->body, impl_->materials, state.u_mm, impl_->standing, VectorXd::Zero(state.u_mm.size()));
+  result.status = state.settled ? SolveStatus::converged : SolveStatus::not_converged;
+  result.relative_residual = state.report.relative_residual;
+  result.iterations = state.report.rounds;
+  return result;
+}
+
+const LiveState& LiveBody::untouched() const { return impl_->untouched; }
+const geometry::Surface& LiveBody::surface() const { return impl_->surface; }
+const StaticModel& LiveBody::model() const { return impl_->model; }
+
+VectorXd LiveParts::surface_of(const VectorXd& u_mm) const {
+  VectorXd moved(3 * static_cast<Eigen::Index>(node_of_point.size()));
+  for (std::size_t p = 0; p < node_of_point.size(); ++p) {
+    moved.segment<3>(3 * static_cast<Eigen::Index>(p)) = u_mm.segment<3>(3 * node_of_point[p]);
+  }
+  return moved;
+}
+
+Eigen::MatrixXd LiveParts::unit_forces_at_watched(std::size_t judged) const {
+  Eigen::MatrixXd unit = Eigen::MatrixXd::Zero(unknowns(), 3 * static_cast<Eigen::Index>(judged));
+  for (std::size_t w = 0; w < judged; ++w) {
+    const auto& nodes = body.layout.cells[static_cast<std::size_t>(watched[w].cell)];
+    const TetValues values = tet_values(body.options.order, watched[w].barycentric);
+    for (int i = 0; i < body.layout.nodes_per_cell(); ++i) {
+      for (int d = 0; d < 3; ++d) unit(3 * nodes[i] + d, 3 * static_cast<Eigen::Index>(w) + d) += values[i];
+    }
+  }
+  return unit;
+}
+
+void LiveParts::show(LiveState& state) const {
+  for (const int node : node_of_point) state.surface_mm.push_back(state.u_mm.segment<3>(3 * node));
+  for (const PointInMesh& place : watched) {
+    const auto& nodes = body.layout.cells[static_cast<std::size_t>(place.cell)];
+    const TetValues values = tet_values(body.options.order, place.barycentric);
+    Vector3d moved_mm = Vector3d::Zero();
+    for (int i = 0; i < body.layout.nodes_per_cell(); ++i) moved_mm += values[i] * state.u_mm.segment<3>(3 * nodes[i]);
+    state.watched_mm.push_back(moved_mm);
+  }
+}
+
+}  // namespace glisson::mechanics

@@ -1,0 +1,98 @@
+#pragma once
+// A hyperelastic body under rigid tools and jaws at the speed of a hand: at large deformation, with all that is around
+// it (supports, foundations, ligaments, capsule, gas, gravity), without friction and without cuts. The fast counterpart
+// of large_contact.h: the same energy, whose minimum is not found by factors of each new tangent but by a few conjugate
+// gradients a picture from the picture before.
+//
+// A step looks for the places that touch, and moves on by truncated Newton (Nocedal and Wright, Numerical Optimization,
+// 7.1): the tangent's products are differences of the force, which costs two milliseconds for 20,000 cells, and two
+// levels precondition it (spline_levels.h). How many gradients a step takes is a rule and never a clock. What is then
+// left of the balance says how far the judged places are from where they will come to rest: the residual times what
+// the body answered to unit forces there, by a factor that is kept (a dual weighted residual: Becker and Rannacher
+// 2001, Acta Numerica 10:1), with what the tools keep from moving taken off. `error_bound_mm` is that with a safety
+// found on other paths (docs/performance.md): an estimate that holds there, not a proof. Where the body slips off a
+// tool to another rest, no residual foresees it.
+//
+// A tool presses by p = max(0, m - k g) at each place with gap g, as in large_contact.h; a step moves the multipliers m
+// on once, settling until no tool enters the surface by more than the tolerance. A pushed tool's advance is one unknown
+// more.
+//
+// Lengths mm, forces mN, patient coordinates (LPS).
+
+#include <array>
+#include <Eigen/Core>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "mechanics/contact/contact.h"
+#include "mechanics/scenario/scenario.h"
+
+namespace glisson::mechanics {
+
+struct LiveOptions {
+  int gradients = 4;      // conjugate, of a round of Newton's method
+  int most_rounds = 3;    // of a first picture, which ends before where it may be shown
+  double shown_mm = 0.5;  // the bound up to which a picture may be shown as it is
+  int settling_rounds = 60, settling_gradients = 60;
+  double settled_mm = 0.01;         // what the weighted residual leaves at the judged places when it has come to rest
+  double relative_residual = 1e-3;  // of all forces, then
+  double penetration_tolerance_mm = 0.03, movement_tolerance_mm = 0.05;
+};
+
+// A place of the surface that a tool is near, with the force found so far.
+struct LivePlace {
+  std::string tool;
+  std::size_t rod = 0;
+  std::array<int, 3> points;  // of the surface
+  Eigen::Vector3d weights;
+  double multiplier_mN = 0;
+};
+
+struct LiveState {
+  Eigen::VectorXd u_mm;                      // of all nodes
+  std::map<std::string, double> advance_mm;  // of pushed tools
+  std::vector<LivePlace> places;
+  std::vector<Eigen::Vector3d> surface_mm;  // displacement of each point of LiveBody::surface()
+  std::vector<Eigen::Vector3d> watched_mm;
+  std::vector<ToolContact> tools;
+  Eigen::Vector3d moment_uJ{0, 0, 0};  // of the tools' forces about the origin (mN mm)
+  double error_bound_mm = 0;           // of the judged places
+  bool settled = false;
+  ContactReport report;  // `rounds` counts conjugate gradients
+};
+
+class LiveBody {
+ public:
+  // Neo-Hookean or Veronda-Westmann. The model is of small strain, on the same mesh, with the same supports but for
+  // ligaments, and gives the answers that errors are weighted by; the first `judged` of the watched places are those
+  // that the bound is of. Failures: "not-available" (a law or cells that this does not know, a grain), "not-converged"
+  // (the standing loads alone find no rest), those of applied_loads.
+  static Result<LiveBody> create(StaticModel model, const ChosenLaw& law, const std::vector<Support>& supports,
+                                 const Loads& standing_loads, std::vector<PointInMesh> watched, std::size_t judged);
+
+  // Under the standing loads alone, at rest.
+  [[nodiscard]] const LiveState& untouched() const;
+
+  // A first picture with the tools where they are now; between two none should move by more than some millimetres. The
+  // same beginning and tools give the same bits. Failures: "tool-invalid", "tool-touches-nothing", "not-converged"
+  // (no step leads on without turning cells inside out).
+  [[nodiscard]] Result<LiveState> step(const LiveState& from, const std::vector<ContactTool>& tools,
+                                       const LiveOptions& options = {}) const;
+  // Until it has come to rest; `settled` says whether it did.
+  [[nodiscard]] Result<LiveState> settle(const LiveState& from, const std::vector<ContactTool>& tools,
+                                         const LiveOptions& options = {}) const;
+
+  [[nodiscard]] const geometry::Surface& surface() const;
+  [[nodiscard]] const StaticModel& model() const;
+  // Every mesh point's displacement (mm), and the whole result.
+  [[nodiscard]] StaticResult whole_result(const LiveState& state) const;
+
+ private:
+  struct Impl;
+  explicit LiveBody(std::shared_ptr<const Impl> parts) : impl_(std::move(parts)) {}
+  std::shared_ptr<const Impl> impl_;
+};
+
+}  // namespace glisson::mechanics

@@ -1,0 +1,173 @@
+#include <Eigen/Geometry>
+
+#include "rehearsal/internal/session_body.h"
+
+namespace glisson::rehearsal {
+namespace {
+
+using Eigen::Vector3d;
+using mechanics::ContactBody;
+using mechanics::ContactState;
+using mechanics::ContactTool;
+using mechanics::Grasp;
+using mechanics::LiveBody;
+using mechanics::LiveState;
+using mechanics::TouchingTool;
+
+using SmallState = std::shared_ptr<const ContactState>;
+using LargeState = std::shared_ptr<const LiveState>;
+
+Vector3d moment_uJ(const BodyState& state, const geometry::Surface& surface);
+Vector3d place_mm(const ContactTool& tool, double advance_mm);
+
+}  // namespace
+
+Result<SessionBody> SessionBody::create(const mechanics::StaticModel& model, const RehearsalSetup& setup,
+                                        const std::vector<mechanics::PointInMesh>& watched, std::size_t judged) {
+  if (setup.law.law == mechanics::MaterialLaw::linear) {
+    return ContactBody::create(model, setup.standing_loads, watched).map([](ContactBody body) {
+      return SessionBody(std::move(body));
+    });
+  }
+  return LiveBody::create(model, setup.law, setup.supports, setup.standing_loads, watched, judged)
+      .map([](LiveBody body) { return SessionBody(std::move(body)); });
+}
+
+BodyState SessionBody::untouched() const {
+  if (const auto* small = std::get_if<ContactBody>(&body_)) {
+    return std::make_shared<const ContactState>(small->untouched());
+  }
+  return std::make_shared<const LiveState>(std::get<LiveBody>(body_).untouched());
+}
+
+Result<BodyState> SessionBody::moved(const BodyState& from, const std::vector<ContactTool>& tools) const {
+  if (const auto* large = std::get_if<LiveBody>(&body_)) {
+    return large->step(*std::get<LargeState>(from), tools).map([](LiveState state) {
+      return BodyState(std::make_shared<const LiveState>(std::move(state)));
+    });
+  }
+  auto next = std::get<ContactBody>(body_).solve(*std::get<SmallState>(from), tools);
+  if (!next) return failure(std::move(next.error()));
+  if (!next->report.converged) {
+    return failure("not-converged",
+                   GLISSON_TEXT("The step did not converge: after {0} rounds a tool still reaches {1} mm into the "
+                                "surface, which still moves by {2} mm."),
+                   {std::to_string(next->report.rounds), std::to_string(next->report.penetration_mm),
+                    std::to_string(next->report.movement_mm)});
+  }
+  return BodyState(std::make_shared<const ContactState>(std::move(*next)));
+}
+
+Result<BodyState> SessionBody::settled(const BodyState& from, const std::vector<ContactTool>& tools) const {
+  const auto* large = std::get_if<LiveBody>(&body_);
+  if (large == nullptr || std::get<LargeState>(from)->settled) return from;
+  mechanics::LiveOptions some;
+  some.settling_rounds = 3;
+  return large->settle(*std::get<LargeState>(from), tools, some).map([](LiveState state) {
+    return BodyState(std::make_shared<const LiveState>(std::move(state)));
+  });
+}
+
+Result<SessionBody> SessionBody::opened(const mechanics::CutStrip& strip) const {
+  const auto* small = std::get_if<ContactBody>(&body_);
+  if (small == nullptr) {
+    return failure(Error{"not-available",
+                         GLISSON_TEXT("A cut can advance at small strain alone."),
+                         {},
+                         GLISSON_TEXT("Rehearse it with the linear material."),
+                         {}});
+  }
+  return small->opened(strip).map([](ContactBody body) { return SessionBody(std::move(body)); });
+}
+
+std::optional<SessionCut> SessionBody::cut(const BodyState& state) const {
+  const auto* small = std::get_if<ContactBody>(&body_);
+  if (small == nullptr || small->opening() == nullptr) return {};
+  const ContactState& now = *std::get<SmallState>(state);
+  auto surface = small->opened_surface(now);
+  if (!surface) return {};
+  SessionCut cut{std::move(*surface), 0, small->opening()->open_mm2(), small->opening()->whole_mm2(), 0, {}};
+  for (const Vector3d& jump_mm : now.jumps_mm)
+    cut.largest_opening_mm = std::max(cut.largest_opening_mm, jump_mm.norm());
+  return cut;
+}
+
+Result<mechanics::StaticResult> SessionBody::whole_result(const BodyState& state) const {
+  if (const auto* large = std::get_if<LiveBody>(&body_)) return large->whole_result(*std::get<LargeState>(state));
+  return std::get<ContactBody>(body_).whole_result(*std::get<SmallState>(state));
+}
+
+const geometry::Surface& SessionBody::surface() const {
+  return std::visit([](const auto& body) -> const geometry::Surface& { return body.surface(); }, body_);
+}
+
+const std::vector<Vector3d>& surface_mm(const BodyState& state) {
+  return std::visit([](const auto& body) -> const std::vector<Vector3d>& { return body->surface_mm; }, state);
+}
+
+const std::vector<Vector3d>& watched_mm(const BodyState& state) {
+  return std::visit([](const auto& body) -> const std::vector<Vector3d>& { return body->watched_mm; }, state);
+}
+
+SessionStep step_of(const BodyState& state, const std::vector<ContactTool>& tools, const geometry::Surface& surface) {
+  SessionStep step;
+  std::visit(
+      [&](const auto& body) {
+        step.report = body->report;
+        step.tools = body->tools;
+      },
+      state);
+  step.torque_mNmm = moment_uJ(state, surface);
+  for (std::size_t t = 0; t < step.tools.size() && t < tools.size(); ++t) {
+    step.torque_mNmm -= place_mm(tools[t], step.tools[t].advance_mm).cross(step.tools[t].force_mN);
+  }
+  if (const auto* large = std::get_if<LargeState>(&state)) {
+    step.error_bound_mm = (*large)->error_bound_mm;
+    step.settled = (*large)->settled;
+  }
+  return step;
+}
+
+std::string bits_of(const BodyState& state) {
+  std::string bits;
+  const auto add = [&](const double* values, std::size_t count) {
+    bits.append(reinterpret_cast<const char*>(values), count * sizeof(double));
+  };
+  if (const auto* large = std::get_if<LargeState>(&state)) {
+    add((*large)->u_mm.data(), static_cast<std::size_t>((*large)->u_mm.size()));
+    for (const mechanics::LivePlace& place : (*large)->places) add(&place.multiplier_mN, 1);
+    return bits;
+  }
+  const ContactState& small = *std::get<SmallState>(state);
+  for (const Vector3d& u : small.surface_mm) add(u.data(), 3);
+  for (const Vector3d& u : small.watched_mm) add(u.data(), 3);
+  for (const auto& [point, force] : small.force_mN) add(force.data(), 3);
+  for (const Vector3d& jump : small.jumps_mm) add(jump.data(), 3);
+  return bits;
+}
+
+namespace {
+
+// Of all tools, about the origin.
+Vector3d moment_uJ(const BodyState& state, const geometry::Surface& surface) {
+  if (const auto* large = std::get_if<LargeState>(&state)) return (*large)->moment_uJ;
+  const ContactState& small = *std::get<SmallState>(state);
+  Vector3d sum = Vector3d::Zero();
+  for (const auto& [point, force] : small.force_mN) {
+    const auto p = static_cast<std::size_t>(point);
+    sum += (surface.points_mm[p] + small.surface_mm[p]).cross(force);
+  }
+  return sum;
+}
+
+Vector3d place_mm(const ContactTool& tool, double advance_mm) {
+  if (const auto* touching = std::get_if<TouchingTool>(&tool.what)) {
+    return touching->pose.position_mm + advance_mm * touching->pose.forward();
+  }
+  const auto& grasp = std::get<Grasp>(tool.what);
+  const auto* drawn_mm = std::get_if<Vector3d>(&grasp.drawn);
+  return grasp.at_rest_mm + (drawn_mm == nullptr ? Vector3d(0, 0, 0) : *drawn_mm);
+}
+
+}  // namespace
+}  // namespace glisson::rehearsal

@@ -1,0 +1,166 @@
+// A body at large strain in the hand: against the slow way by factors, on the same mesh, and what is promised of every
+// first picture.
+
+#include "mechanics/contact/live_body.h"
+
+#include <gmock/gmock.h>
+#include <cmath>
+#include <Eigen/Geometry>
+
+#include "mechanics/bodies.h"
+#include "mechanics/contact/internal/quadratic_cells.h"
+#include "mechanics/contact/large_contact.h"
+#include "mechanics/potentials/elastic.h"
+#include "mechanics/statics/displacements.h"
+
+namespace glisson::mechanics {
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+using testing::HasSubstr;
+
+const ChosenLaw neo_hookean = MaterialLaw::neo_hookean;
+const ChosenLaw stiffening(MaterialLaw::veronda_westmann, 3);
+
+// A block 60 x 60 x 30 mm, softer on one side, nearly incompressible, fixed below, with a foundation at one end.
+class LiveBlock : public testing::Test {
+ protected:
+  LiveBlock() : mesh_(test::box(6, 6, 3, {60, 60, 30})) {
+    test::name_points(mesh_, "ground", [](const Vector3d& p) { return p.z() < 1e-9; });
+    test::name_points(mesh_, "side", [](const Vector3d& p) { return p.x() > 60 - 1e-9; });
+    test::disturb_inner_points(mesh_, 1.0);
+    for (std::size_t c = 0; c < mesh_.cells.size(); ++c) {
+      youngs_kPa_.push_back(geometry::cell_centroid_mm(mesh_, c).x() < 30 ? 4 : 8);
+    }
+    supports_ = {test::fixed("ground"), {NamedPoints{"side"}, Foundation{0.05}}};
+    options_.poisson_ratio = 0.45;
+    places_ = locate_points(mesh_, {{28, 30, 22}, {45, 20, 15}, {30, 45, 25}});
+  }
+  LiveBody live(const ChosenLaw& law) const {
+    auto model = StaticModel::create(mesh_, youngs_kPa_, supports_, options_).value();
+    return LiveBody::create(std::move(model), law, supports_, loads_, places_, places_.size()).value();
+  }
+  Body slow() const { return prepare_body(mesh_, youngs_kPa_, supports_, options_, Holding::required).value(); }
+  static ContactTool probe(const Vector3d& center_mm, std::optional<double> push_mN = {}) {
+    return {"probe", TouchingTool{palpation_probe(8), pose_towards(center_mm, {0, 0, -1}), push_mN}};
+  }
+  static double farthest_mm(const LiveState& a, const LiveState& b) {
+    double farthest = 0;
+    for (std::size_t w = 0; w < a.watched_mm.size(); ++w) {
+      farthest = std::max(farthest, (a.watched_mm[w] - b.watched_mm[w]).norm());
+    }
+    return farthest;
+  }
+
+  geometry::TetMesh mesh_;
+  std::vector<double> youngs_kPa_;
+  std::vector<Support> supports_;
+  StaticOptions options_;
+  Loads loads_ = {GravityLoad{{0, 0, -9810}}};
+  std::vector<PointInMesh> places_;
+};
+
+TEST_F(LiveBlock, EightCellsAtATimeGiveTheForcesOfTheSlowIntegral) {
+  const Body body = slow();
+  VectorXd u_mm(3 * body.layout.nodes());
+  for (Eigen::Index i = 0; i < u_mm.size(); ++i) u_mm[i] = 0.8 * std::sin(0.7 * double(i));
+  for (const ChosenLaw& law : {neo_hookean, stiffening}) {
+    const QuadraticCells cells(body, law);
+    const auto materials = materials_of(body, law.law, law.strain_stiffening);
+    const VectorXd exact_mN = internal_force_mN(body, materials, u_mm);
+    VectorXd force_mN = VectorXd::Zero(u_mm.size());
+    std::vector<double> room;
+    EXPECT_EQ(cells.add_force(u_mm, force_mN, room).inverted_points, 0);
+    EXPECT_LT((force_mN + exact_mN).norm(), 1e-9 * exact_mN.norm());
+    EXPECT_GT(cells.largest_strain(body, u_mm, room), 0.1);
+  }
+}
+
+TEST_F(LiveBlock, RestsWhereTheSlowWayDoes) {
+  const Body body = slow();
+  ContactOptions as_tight;
+  as_tight.penetration_tolerance_mm = LiveOptions().penetration_tolerance_mm;
+  for (const ChosenLaw& law : {neo_hookean, stiffening}) {
+    const auto materials = materials_of(body, law.law, law.strain_stiffening);
+    const auto loads = applied_loads(body, loads_, Gas::follows_the_surface).value();
+    std::vector<std::vector<ContactTool>> stations;
+    const LiveBody block = live(law);
+    LiveState state = block.untouched();
+    for (int step = 1; step <= 5; ++step) {
+      stations.push_back({probe({30, 30, 38.0 - 1.2 * step})});
+      state = block.step(state, stations.back()).value();
+    }
+    state = block.settle(state, stations.back()).value();
+    ASSERT_TRUE(state.settled);
+    EXPECT_LE(state.report.penetration_mm, 0.1);
+    EXPECT_EQ(state.report.inverted_cells, 0);
+    EXPECT_GT(state.report.largest_strain, 0.2);
+    const auto exact = find_equilibrium_in_contact(body, materials, loads, stations, as_tight).value();
+    ASSERT_TRUE(exact.result.may_be_used()) << exact.result.why_stopped;
+    const VectorXd u_mm = nodal_displacements(body.layout, exact.result);
+    // Each presses at places of its own.
+    const double moved_mm = u_mm.cwiseAbs().maxCoeff();
+    EXPECT_GT(moved_mm, 4);
+    const auto exact_mm = displacement_at(body, exact.result, places_);
+    for (std::size_t w = 0; w < places_.size(); ++w) {
+      EXPECT_LT((state.watched_mm[w] - exact_mm[w]).norm(), 0.1);  // of 0.6 to 3.4 mm; 0.08 and less was seen
+    }
+    EXPECT_LT((state.u_mm - u_mm).cwiseAbs().maxCoeff(), 0.03 * moved_mm);
+    EXPECT_NEAR(state.tools[0].force_mN.z() / exact.tools[0].force_mN.z(), 1, 0.05);
+  }
+}
+
+// Not among the paths that the safety was found on.
+TEST_F(LiveBlock, EveryFirstPictureLiesWithinItsBound) {
+  for (const ChosenLaw& law : {neo_hookean, stiffening}) {
+    const LiveBody block = live(law);
+    LiveState state = block.untouched();
+    int pictures = 0, within = 0;
+    for (int step = 1; step <= 24; ++step) {
+      const double push_mN = std::min(300.0, 75.0 * step);
+      const std::vector<ContactTool> tools = {probe({46 - 0.6 * step, 22 + 0.7 * step, 45}, push_mN)};
+      state = block.step(state, tools).value();
+      const LiveState rest = block.settle(state, tools).value();
+      ASSERT_TRUE(rest.settled) << step;
+      ++pictures;
+      within += farthest_mm(state, rest) <= state.error_bound_mm ? 1 : 0;
+      EXPECT_NEAR(-rest.tools[0].force_mN.z(), push_mN, 0.02 * push_mN);
+    }
+    EXPECT_EQ(within, pictures);
+  }
+}
+
+TEST_F(LiveBlock, JawsDrawWhatTheyHoldAndTheSameStepsGiveTheSameBits) {
+  const LiveBody block = live(neo_hookean);
+  const auto jaws = [](double height_mm) {
+    return ContactTool{"jaws", Grasp{{45, 30, 30}, 9, Vector3d(0, 0, height_mm), {0, 0, 1}}};
+  };
+  const auto drawn = [&] {
+    LiveState state = block.untouched();
+    for (int step = 1; step <= 4; ++step) state = block.step(state, {probe({20, 30, 37}), jaws(1.5 * step)}).value();
+    return state;
+  };
+  const LiveState once = drawn(), again = drawn();
+  EXPECT_TRUE((once.u_mm.array() == again.u_mm.array()).all());
+  const LiveState rest = block.settle(once, {probe({20, 30, 37}), jaws(6)}).value();
+  ASSERT_TRUE(rest.settled);
+  EXPECT_GT(rest.tools[1].force_mN.z(), 50);
+  EXPECT_LT(farthest_mm(once, rest), once.error_bound_mm);
+  // What it pulls with is what the supports bear: nothing is lost between.
+  const StaticResult whole = block.whole_result(rest);
+  Vector3d sum = whole.fixed_reaction_mN + whole.foundation_reaction_mN + whole.applied_force_mN;
+  for (const ToolContact& tool : rest.tools) sum += tool.force_mN;
+  EXPECT_LT(sum.norm(), 0.02 * rest.tools[1].force_mN.norm());
+}
+
+TEST_F(LiveBlock, SaysWhatItDoesNotKnow) {
+  auto model = StaticModel::create(mesh_, youngs_kPa_, supports_, options_).value();
+  const auto refused = LiveBody::create(model, MaterialLaw::corotational, supports_, {}, places_, 3);
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_EQ(refused.error().code, "not-available");
+  EXPECT_THAT(refused.error().message(), HasSubstr("neo-Hookean"));
+}
+
+}  // namespace
+}  // namespace glisson::mechanics
