@@ -5112,6 +5112,14 @@
         <source>The plan was set on the liver as it was held aside: set it at rest to cut along it here.</source>
         <translation>Der Plan wurde an der zur Seite gehaltenen Leber gesetzt: Setzen Sie ihn in Ruhe, um hier daran entlang zu schneiden.</translation>
     </message>
+    <message>
+        <source>Keep the plan {0}</source>
+        <translation>Den Plan {0} behalten</translation>
+    </message>
+    <message>
+        <source>Drop the plan {0}</source>
+        <translation>Den Plan {0} verwerfen</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AdvanceControls</name>
@@ -7153,6 +7161,213 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Griffe am Fad
     <message>
         <source>One stiffness from the atlas</source>
         <translation>Eine Steifigkeit aus dem Atlas</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::PlanByAnatomy</name>
+    <message>
+        <source>Segments and tumours</source>
+        <translation>Segmente und Tumoren</translation>
+    </message>
+    <message>
+        <source>Find segments</source>
+        <translation>Segmente bestimmen</translation>
+    </message>
+    <message>
+        <source>By the portal and hepatic veins where both are outlined, else by the liver&apos;s shape alone</source>
+        <translation>Nach Pfortader und Lebervenen, wo beide umrissen sind, sonst nach der Form der Leber allein</translation>
+    </message>
+    <message>
+        <source>Segment</source>
+        <translation>Segment</translation>
+    </message>
+    <message>
+        <source>ml</source>
+        <translation>ml</translation>
+    </message>
+    <message>
+        <source>Stays, ml</source>
+        <translation>Bleibt, ml</translation>
+    </message>
+    <message>
+        <source>kPa</source>
+        <translation>kPa</translation>
+    </message>
+    <message>
+        <source>Mean stiffness (Young&apos;s modulus) of the tissue that was measured; faint under half of it</source>
+        <translation>Mittlere Steifigkeit (Elastizitätsmodul) des gemessenen Gewebes; blass unter der Hälfte</translation>
+    </message>
+    <message>
+        <source>Show segments</source>
+        <translation>Segmente zeigen</translation>
+    </message>
+    <message>
+        <source>Take these segments</source>
+        <translation>Diese Segmente nehmen</translation>
+    </message>
+    <message>
+        <source>Removes the segments that are ticked</source>
+        <translation>Entfernt die angehakten Segmente</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Around this tumour</source>
+        <translation>Um diesen Tumor</translation>
+    </message>
+    <message>
+        <source>Removes the tumour with all tissue up to this margin</source>
+        <translation>Entfernt den Tumor mit allem Gewebe bis zu diesem Abstand</translation>
+    </message>
+    <message>
+        <source>Branches cut</source>
+        <translation>Durchtrennte Äste</translation>
+    </message>
+    <message>
+        <source>Branch</source>
+        <translation>Ast</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Beyond, ml</source>
+        <translation>Dahinter, ml</translation>
+    </message>
+    <message>
+        <source>Left, ml</source>
+        <translation>Bleibt, ml</translation>
+    </message>
+    <message>
+        <source>Diameter where it is cut</source>
+        <translation>Durchmesser, wo er durchtrennt wird</translation>
+    </message>
+    <message>
+        <source>All tissue that it feeds or drains beyond the cut</source>
+        <translation>Alles Gewebe, das er jenseits des Schnitts versorgt oder drainiert</translation>
+    </message>
+    <message>
+        <source>What of that stays in the patient without it</source>
+        <translation>Was davon ohne ihn im Patienten bleibt</translation>
+    </message>
+    <message>
+        <source>Plans</source>
+        <translation>Pläne</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>Stays</source>
+        <translation>Bleibt</translation>
+    </message>
+    <message>
+        <source>Alive</source>
+        <translation>Lebend</translation>
+    </message>
+    <message>
+        <source>Margin</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Äste</translation>
+    </message>
+    <message>
+        <source>Of the liver without its tumours</source>
+        <translation>Von der Leber ohne ihre Tumoren</translation>
+    </message>
+    <message>
+        <source>What stays perfused and drained, of the same</source>
+        <translation>Was durchblutet und drainiert bleibt, ebenso</translation>
+    </message>
+    <message>
+        <source>Branches that are cut</source>
+        <translation>Äste, die durchtrennt werden</translation>
+    </message>
+    <message>
+        <source>Name of the plan</source>
+        <translation>Name des Plans</translation>
+    </message>
+    <message>
+        <source>Keep this plan</source>
+        <translation>Diesen Plan behalten</translation>
+    </message>
+    <message>
+        <source>Keeps it in the case under this name, beside the others</source>
+        <translation>Hält ihn im Fall unter diesem Namen, neben den anderen</translation>
+    </message>
+    <message>
+        <source>Drop</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Takes the plan that is marked out of the case</source>
+        <translation>Nimmt den markierten Plan aus dem Fall</translation>
+    </message>
+    <message>
+        <source>Finding vessels and segments</source>
+        <translation>Gefäße und Segmente werden bestimmt</translation>
+    </message>
+    <message>
+        <source>Plan %1</source>
+        <translation>Plan %1</translation>
+    </message>
+    <message>
+        <source>Looking at the liver&apos;s anatomy...</source>
+        <translation>Die Anatomie der Leber wird angesehen …</translation>
+    </message>
+    <message>
+        <source>By the liver&apos;s shape alone: it has no vessel trees.</source>
+        <translation>Nach der Form der Leber allein: Gefäßbäume gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>%1 % of the segment was measured.</source>
+        <translation>%1 % des Segments wurden gemessen.</translation>
+    </message>
+    <message>
+        <source>%1 % of the liver without tumours stay.</source>
+        <translation>%1 % der Leber ohne Tumoren bleiben.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1 ml&lt;/b&gt; removed, &lt;b&gt;%2 ml&lt;/b&gt; stay: %3 % of the liver without tumours.</source>
+        <translation>&lt;b&gt;%1 ml&lt;/b&gt; entfernt, &lt;b&gt;%2 ml&lt;/b&gt; bleiben: %3 % der Leber ohne Tumoren.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1 ml&lt;/b&gt; of it stay alive, perfused and drained (%2 %); without inflow %3 ml, without outflow %4 ml.</source>
+        <translation>&lt;b&gt;%1 ml&lt;/b&gt; davon bleiben am Leben, durchblutet und drainiert (%2 %); ohne Zufluss %3 ml, ohne Abfluss %4 ml.</translation>
+    </message>
+    <message>
+        <source>Smallest margin: at least %1 mm.</source>
+        <translation>Kleinster Abstand: mindestens %1 mm.</translation>
+    </message>
+    <message>
+        <source>Smallest margin: %1 mm.</source>
+        <translation>Kleinster Abstand: %1 mm.</translation>
+    </message>
+    <message>
+        <source>▲ %1 stays in the patient.</source>
+        <translation>▲ %1 bleibt im Patienten.</translation>
+    </message>
+    <message>
+        <source>▲ %1 is cut through.</source>
+        <translation>▲ %1 wird durchschnitten.</translation>
+    </message>
+    <message>
+        <source>What stays has %1 kPa; %2 % of it was measured.</source>
+        <translation>Was bleibt, hat %1 kPa; %2 % davon wurden gemessen.</translation>
+    </message>
+    <message>
+        <source>What it was made from has changed since; the figures are those of now.</source>
+        <translation>Woraus er gemacht wurde, hat sich seither geändert; die Zahlen sind die von jetzt.</translation>
+    </message>
+    <message>
+        <source>Removed</source>
+        <translation>Entfernt</translation>
     </message>
 </context>
 <context>
@@ -9920,6 +10135,53 @@ Von Hand: mit der rechten Taste ziehen</translation>
     <message>
         <source>The liver is found on the frames of a laparoscope&apos;s video and follows them. Tumours and vessels are drawn where they lie, dashed where they are not to be trusted.</source>
         <translation>Die Leber wird auf den Bildern eines Laparoskops gefunden und folgt ihnen. Tumoren und Gefäße sind gezeichnet, wo sie liegen, gestrichelt, wo ihnen nicht zu trauen ist.</translation>
+    </message>
+</context>
+<context>
+    <name>vessels</name>
+    <message>
+        <source>Portal vein</source>
+        <translation>Pfortader</translation>
+    </message>
+    <message>
+        <source>Hepatic vein</source>
+        <translation>Lebervene</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>middle</source>
+        <translation>mittlere</translation>
+    </message>
+    <message>
+        <source>anterior</source>
+        <translation>anterior</translation>
+    </message>
+    <message>
+        <source>posterior</source>
+        <translation>posterior</translation>
+    </message>
+    <message>
+        <source>lateral</source>
+        <translation>lateral</translation>
+    </message>
+    <message>
+        <source>medial</source>
+        <translation>medial</translation>
+    </message>
+    <message>
+        <source>caudate</source>
+        <translation>Caudatus</translation>
+    </message>
+    <message>
+        <source>stem</source>
+        <translation>Stamm</translation>
     </message>
 </context>
 </TS>

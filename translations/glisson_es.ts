@@ -5112,6 +5112,14 @@
         <source>The plan was set on the liver as it was held aside: set it at rest to cut along it here.</source>
         <translation>El plan se fijó con el hígado apartado: fíjelo en reposo para cortar aquí según él.</translation>
     </message>
+    <message>
+        <source>Keep the plan {0}</source>
+        <translation>Conservar el plan {0}</translation>
+    </message>
+    <message>
+        <source>Drop the plan {0}</source>
+        <translation>Descartar el plan {0}</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AdvanceControls</name>
@@ -7155,6 +7163,213 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar. Ctrl+arrastrar: girar. Tiradores 
     <message>
         <source>One stiffness from the atlas</source>
         <translation>Una sola rigidez, la del atlas</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::PlanByAnatomy</name>
+    <message>
+        <source>Segments and tumours</source>
+        <translation>Segmentos y tumores</translation>
+    </message>
+    <message>
+        <source>Find segments</source>
+        <translation>Hallar los segmentos</translation>
+    </message>
+    <message>
+        <source>By the portal and hepatic veins where both are outlined, else by the liver&apos;s shape alone</source>
+        <translation>Según la vena porta y las venas hepáticas donde ambas están delimitadas, si no según la forma del hígado sola</translation>
+    </message>
+    <message>
+        <source>Segment</source>
+        <translation>Segmento</translation>
+    </message>
+    <message>
+        <source>ml</source>
+        <translation>ml</translation>
+    </message>
+    <message>
+        <source>Stays, ml</source>
+        <translation>Queda, ml</translation>
+    </message>
+    <message>
+        <source>kPa</source>
+        <translation>kPa</translation>
+    </message>
+    <message>
+        <source>Mean stiffness (Young&apos;s modulus) of the tissue that was measured; faint under half of it</source>
+        <translation>Rigidez media (módulo de Young) del tejido medido; tenue por debajo de la mitad</translation>
+    </message>
+    <message>
+        <source>Show segments</source>
+        <translation>Mostrar los segmentos</translation>
+    </message>
+    <message>
+        <source>Take these segments</source>
+        <translation>Tomar estos segmentos</translation>
+    </message>
+    <message>
+        <source>Removes the segments that are ticked</source>
+        <translation>Extirpa los segmentos marcados</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Around this tumour</source>
+        <translation>Alrededor de este tumor</translation>
+    </message>
+    <message>
+        <source>Removes the tumour with all tissue up to this margin</source>
+        <translation>Extirpa el tumor con todo el tejido hasta este margen</translation>
+    </message>
+    <message>
+        <source>Branches cut</source>
+        <translation>Ramas seccionadas</translation>
+    </message>
+    <message>
+        <source>Branch</source>
+        <translation>Rama</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Beyond, ml</source>
+        <translation>Más allá, ml</translation>
+    </message>
+    <message>
+        <source>Left, ml</source>
+        <translation>Queda, ml</translation>
+    </message>
+    <message>
+        <source>Diameter where it is cut</source>
+        <translation>Diámetro donde se secciona</translation>
+    </message>
+    <message>
+        <source>All tissue that it feeds or drains beyond the cut</source>
+        <translation>Todo el tejido que irriga o drena más allá de la sección</translation>
+    </message>
+    <message>
+        <source>What of that stays in the patient without it</source>
+        <translation>Lo que de ello queda en el paciente sin ella</translation>
+    </message>
+    <message>
+        <source>Plans</source>
+        <translation>Planes</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>Stays</source>
+        <translation>Queda</translation>
+    </message>
+    <message>
+        <source>Alive</source>
+        <translation>Vivo</translation>
+    </message>
+    <message>
+        <source>Margin</source>
+        <translation>Margen</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Cortes</translation>
+    </message>
+    <message>
+        <source>Of the liver without its tumours</source>
+        <translation>Del hígado sin sus tumores</translation>
+    </message>
+    <message>
+        <source>What stays perfused and drained, of the same</source>
+        <translation>Lo que queda perfundido y drenado, igualmente</translation>
+    </message>
+    <message>
+        <source>Branches that are cut</source>
+        <translation>Ramas que se seccionan</translation>
+    </message>
+    <message>
+        <source>Name of the plan</source>
+        <translation>Nombre del plan</translation>
+    </message>
+    <message>
+        <source>Keep this plan</source>
+        <translation>Conservar este plan</translation>
+    </message>
+    <message>
+        <source>Keeps it in the case under this name, beside the others</source>
+        <translation>Lo conserva en el caso con este nombre, junto a los demás</translation>
+    </message>
+    <message>
+        <source>Drop</source>
+        <translation>Descartar</translation>
+    </message>
+    <message>
+        <source>Takes the plan that is marked out of the case</source>
+        <translation>Saca del caso el plan marcado</translation>
+    </message>
+    <message>
+        <source>Finding vessels and segments</source>
+        <translation>Hallando vasos y segmentos</translation>
+    </message>
+    <message>
+        <source>Plan %1</source>
+        <translation>Plan %1</translation>
+    </message>
+    <message>
+        <source>Looking at the liver&apos;s anatomy...</source>
+        <translation>Examinando la anatomía del hígado…</translation>
+    </message>
+    <message>
+        <source>By the liver&apos;s shape alone: it has no vessel trees.</source>
+        <translation>Según la forma del hígado sola: no hay árboles vasculares.</translation>
+    </message>
+    <message>
+        <source>%1 % of the segment was measured.</source>
+        <translation>Se midió el %1 % del segmento.</translation>
+    </message>
+    <message>
+        <source>%1 % of the liver without tumours stay.</source>
+        <translation>Queda el %1 % del hígado sin tumores.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1 ml&lt;/b&gt; removed, &lt;b&gt;%2 ml&lt;/b&gt; stay: %3 % of the liver without tumours.</source>
+        <translation>&lt;b&gt;%1 ml&lt;/b&gt; extirpados, &lt;b&gt;%2 ml&lt;/b&gt; permanecen: %3 % del hígado sin tumores.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1 ml&lt;/b&gt; of it stay alive, perfused and drained (%2 %); without inflow %3 ml, without outflow %4 ml.</source>
+        <translation>&lt;b&gt;%1 ml&lt;/b&gt; de ello siguen vivos, perfundidos y drenados (%2 %); sin aporte %3 ml, sin drenaje %4 ml.</translation>
+    </message>
+    <message>
+        <source>Smallest margin: at least %1 mm.</source>
+        <translation>Menor margen: al menos %1 mm.</translation>
+    </message>
+    <message>
+        <source>Smallest margin: %1 mm.</source>
+        <translation>Menor margen: %1 mm.</translation>
+    </message>
+    <message>
+        <source>▲ %1 stays in the patient.</source>
+        <translation>▲ %1 queda en el paciente.</translation>
+    </message>
+    <message>
+        <source>▲ %1 is cut through.</source>
+        <translation>▲ %1 queda seccionado.</translation>
+    </message>
+    <message>
+        <source>What stays has %1 kPa; %2 % of it was measured.</source>
+        <translation>Lo que queda tiene %1 kPa; se midió el %2 %.</translation>
+    </message>
+    <message>
+        <source>What it was made from has changed since; the figures are those of now.</source>
+        <translation>Aquello de lo que se hizo ha cambiado desde entonces; las cifras son las de ahora.</translation>
+    </message>
+    <message>
+        <source>Removed</source>
+        <translation>Extirpado</translation>
     </message>
 </context>
 <context>
@@ -9923,6 +10138,53 @@ A mano: arrastre con el botón derecho</translation>
     <message>
         <source>The liver is found on the frames of a laparoscope&apos;s video and follows them. Tumours and vessels are drawn where they lie, dashed where they are not to be trusted.</source>
         <translation>El hígado se halla en los fotogramas de un laparoscopio y los sigue. Tumores y vasos se dibujan donde están, discontinuos donde no hay que fiarse.</translation>
+    </message>
+</context>
+<context>
+    <name>vessels</name>
+    <message>
+        <source>Portal vein</source>
+        <translation>Vena porta</translation>
+    </message>
+    <message>
+        <source>Hepatic vein</source>
+        <translation>Vena hepática</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>derecha</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>izquierda</translation>
+    </message>
+    <message>
+        <source>middle</source>
+        <translation>media</translation>
+    </message>
+    <message>
+        <source>anterior</source>
+        <translation>anterior</translation>
+    </message>
+    <message>
+        <source>posterior</source>
+        <translation>posterior</translation>
+    </message>
+    <message>
+        <source>lateral</source>
+        <translation>lateral</translation>
+    </message>
+    <message>
+        <source>medial</source>
+        <translation>medial</translation>
+    </message>
+    <message>
+        <source>caudate</source>
+        <translation>caudada</translation>
+    </message>
+    <message>
+        <source>stem</source>
+        <translation>tronco</translation>
     </message>
 </context>
 </TS>

@@ -5112,6 +5112,14 @@
         <source>The plan was set on the liver as it was held aside: set it at rest to cut along it here.</source>
         <translation>Le plan a été posé sur le foie écarté : posez-le au repos pour couper ici en le suivant.</translation>
     </message>
+    <message>
+        <source>Keep the plan {0}</source>
+        <translation>Garder le plan {0}</translation>
+    </message>
+    <message>
+        <source>Drop the plan {0}</source>
+        <translation>Écarter le plan {0}</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AdvanceControls</name>
@@ -7155,6 +7163,213 @@ Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: déplacer. Ctrl+glisser&#xa0;: tour
     <message>
         <source>One stiffness from the atlas</source>
         <translation>Une seule rigidité, celle de l’atlas</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::PlanByAnatomy</name>
+    <message>
+        <source>Segments and tumours</source>
+        <translation>Segments et tumeurs</translation>
+    </message>
+    <message>
+        <source>Find segments</source>
+        <translation>Trouver les segments</translation>
+    </message>
+    <message>
+        <source>By the portal and hepatic veins where both are outlined, else by the liver&apos;s shape alone</source>
+        <translation>D’après la veine porte et les veines hépatiques là où les deux sont délimitées, sinon d’après la seule forme du foie</translation>
+    </message>
+    <message>
+        <source>Segment</source>
+        <translation>Segment</translation>
+    </message>
+    <message>
+        <source>ml</source>
+        <translation>ml</translation>
+    </message>
+    <message>
+        <source>Stays, ml</source>
+        <translation>Reste, ml</translation>
+    </message>
+    <message>
+        <source>kPa</source>
+        <translation>kPa</translation>
+    </message>
+    <message>
+        <source>Mean stiffness (Young&apos;s modulus) of the tissue that was measured; faint under half of it</source>
+        <translation>Rigidité moyenne (module de Young) du tissu mesuré ; pâle en dessous de la moitié</translation>
+    </message>
+    <message>
+        <source>Show segments</source>
+        <translation>Montrer les segments</translation>
+    </message>
+    <message>
+        <source>Take these segments</source>
+        <translation>Prendre ces segments</translation>
+    </message>
+    <message>
+        <source>Removes the segments that are ticked</source>
+        <translation>Retire les segments cochés</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Around this tumour</source>
+        <translation>Autour de cette tumeur</translation>
+    </message>
+    <message>
+        <source>Removes the tumour with all tissue up to this margin</source>
+        <translation>Retire la tumeur avec tout le tissu jusqu’à cette marge</translation>
+    </message>
+    <message>
+        <source>Branches cut</source>
+        <translation>Branches coupées</translation>
+    </message>
+    <message>
+        <source>Branch</source>
+        <translation>Branche</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Beyond, ml</source>
+        <translation>Au-delà, ml</translation>
+    </message>
+    <message>
+        <source>Left, ml</source>
+        <translation>Reste, ml</translation>
+    </message>
+    <message>
+        <source>Diameter where it is cut</source>
+        <translation>Diamètre là où elle est coupée</translation>
+    </message>
+    <message>
+        <source>All tissue that it feeds or drains beyond the cut</source>
+        <translation>Tout le tissu qu’elle irrigue ou draine au-delà de la section</translation>
+    </message>
+    <message>
+        <source>What of that stays in the patient without it</source>
+        <translation>Ce qui en reste dans le patient sans elle</translation>
+    </message>
+    <message>
+        <source>Plans</source>
+        <translation>Plans</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>Stays</source>
+        <translation>Reste</translation>
+    </message>
+    <message>
+        <source>Alive</source>
+        <translation>Vivant</translation>
+    </message>
+    <message>
+        <source>Margin</source>
+        <translation>Marge</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Coupées</translation>
+    </message>
+    <message>
+        <source>Of the liver without its tumours</source>
+        <translation>Du foie sans ses tumeurs</translation>
+    </message>
+    <message>
+        <source>What stays perfused and drained, of the same</source>
+        <translation>Ce qui reste perfusé et drainé, de même</translation>
+    </message>
+    <message>
+        <source>Branches that are cut</source>
+        <translation>Branches qui sont coupées</translation>
+    </message>
+    <message>
+        <source>Name of the plan</source>
+        <translation>Nom du plan</translation>
+    </message>
+    <message>
+        <source>Keep this plan</source>
+        <translation>Garder ce plan</translation>
+    </message>
+    <message>
+        <source>Keeps it in the case under this name, beside the others</source>
+        <translation>Le garde dans le cas sous ce nom, à côté des autres</translation>
+    </message>
+    <message>
+        <source>Drop</source>
+        <translation>Écarter</translation>
+    </message>
+    <message>
+        <source>Takes the plan that is marked out of the case</source>
+        <translation>Ôte du cas le plan marqué</translation>
+    </message>
+    <message>
+        <source>Finding vessels and segments</source>
+        <translation>Recherche des vaisseaux et des segments</translation>
+    </message>
+    <message>
+        <source>Plan %1</source>
+        <translation>Plan %1</translation>
+    </message>
+    <message>
+        <source>Looking at the liver&apos;s anatomy...</source>
+        <translation>Examen de l’anatomie du foie…</translation>
+    </message>
+    <message>
+        <source>By the liver&apos;s shape alone: it has no vessel trees.</source>
+        <translation>D’après la seule forme du foie : il n’y a pas d’arbres vasculaires.</translation>
+    </message>
+    <message>
+        <source>%1 % of the segment was measured.</source>
+        <translation>%1 % du segment a été mesuré.</translation>
+    </message>
+    <message>
+        <source>%1 % of the liver without tumours stay.</source>
+        <translation>%1 % du foie sans tumeurs restent.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1 ml&lt;/b&gt; removed, &lt;b&gt;%2 ml&lt;/b&gt; stay: %3 % of the liver without tumours.</source>
+        <translation>&lt;b&gt;%1 ml&lt;/b&gt; retirés, &lt;b&gt;%2 ml&lt;/b&gt; restent : %3 % du foie sans tumeurs.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1 ml&lt;/b&gt; of it stay alive, perfused and drained (%2 %); without inflow %3 ml, without outflow %4 ml.</source>
+        <translation>&lt;b&gt;%1 ml&lt;/b&gt; en restent vivants, perfusés et drainés (%2 %) ; sans apport %3 ml, sans drainage %4 ml.</translation>
+    </message>
+    <message>
+        <source>Smallest margin: at least %1 mm.</source>
+        <translation>Plus petite marge : au moins %1 mm.</translation>
+    </message>
+    <message>
+        <source>Smallest margin: %1 mm.</source>
+        <translation>Plus petite marge : %1 mm.</translation>
+    </message>
+    <message>
+        <source>▲ %1 stays in the patient.</source>
+        <translation>▲ %1 reste dans le patient.</translation>
+    </message>
+    <message>
+        <source>▲ %1 is cut through.</source>
+        <translation>▲ %1 est sectionné.</translation>
+    </message>
+    <message>
+        <source>What stays has %1 kPa; %2 % of it was measured.</source>
+        <translation>Ce qui reste a %1 kPa ; %2 % en ont été mesurés.</translation>
+    </message>
+    <message>
+        <source>What it was made from has changed since; the figures are those of now.</source>
+        <translation>Ce dont il a été fait a changé depuis ; les chiffres sont ceux de maintenant.</translation>
+    </message>
+    <message>
+        <source>Removed</source>
+        <translation>Retiré</translation>
     </message>
 </context>
 <context>
@@ -9923,6 +10138,53 @@ By hand: drag with the right button</source>
     <message>
         <source>The liver is found on the frames of a laparoscope&apos;s video and follows them. Tumours and vessels are drawn where they lie, dashed where they are not to be trusted.</source>
         <translation>Le foie est trouvé sur les images d&apos;un laparoscope et les suit. Tumeurs et vaisseaux sont dessinés là où ils sont, en tireté là où il ne faut pas s&apos;y fier.</translation>
+    </message>
+</context>
+<context>
+    <name>vessels</name>
+    <message>
+        <source>Portal vein</source>
+        <translation>Veine porte</translation>
+    </message>
+    <message>
+        <source>Hepatic vein</source>
+        <translation>Veine hépatique</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>droite</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>gauche</translation>
+    </message>
+    <message>
+        <source>middle</source>
+        <translation>médiane</translation>
+    </message>
+    <message>
+        <source>anterior</source>
+        <translation>antérieure</translation>
+    </message>
+    <message>
+        <source>posterior</source>
+        <translation>postérieure</translation>
+    </message>
+    <message>
+        <source>lateral</source>
+        <translation>latérale</translation>
+    </message>
+    <message>
+        <source>medial</source>
+        <translation>médiale</translation>
+    </message>
+    <message>
+        <source>caudate</source>
+        <translation>caudée</translation>
+    </message>
+    <message>
+        <source>stem</source>
+        <translation>tronc</translation>
     </message>
 </context>
 </TS>

@@ -12,6 +12,15 @@ namespace glisson::planning {
 
 using Eigen::Vector3d;
 
+// Voxels one after the other that hang on the same points and are of the same segment: counted at once where none goes.
+struct Stretch {
+  std::uint32_t first = 0;  // the number of its first voxel
+  std::array<std::uint32_t, 2> point{};
+  std::uint16_t voxels = 0, trusted = 0;
+  float kPa = 0;           // summed
+  std::uint8_t place = 0;  // in Counts::voxels, of what no cut changes
+};
+
 struct Planner::Liver {
   Organ organ;
   HeightNodes nodes;
@@ -24,9 +33,9 @@ struct Planner::Liver {
   // Of each voxel.
   std::vector<std::uint8_t> segment, tumour;         // 0: none; tumour + 1
   std::array<std::vector<std::uint32_t>, 2> point;   // that it hangs on; points.count(): none
-  std::vector<std::uint8_t> place;                   // in Counts::voxels, of what no cut changes
   std::vector<float> trusted_kPa;                    // 0 where it is not to be trusted, and in tumours; empty: no map
   std::array<std::vector<std::uint32_t>, 2> tissue;  // how many voxels hang on each point
+  std::vector<Stretch> stretches;                    // all voxels, in order
 
   [[nodiscard]] Cuttable cuttable() const {
     return {organ, nodes, segment, has_segments, trees, points, point, tumours};
@@ -81,6 +90,9 @@ Tissue tissue(std::size_t voxels, double summed_kPa, std::size_t trusted, double
   made.confident_share = static_cast<double>(trusted) / static_cast<double>(voxels);
   return made;
 }
+
+template <typename Liver>
+std::vector<Stretch> stretches_of(const Liver& liver);
 
 // How far a tumour is from the cut, which lies between the voxels that go and those that stay.
 MarginAnswer margin_of(std::size_t number, const Removal& removal, const Organ& organ,
@@ -163,10 +175,7 @@ Result<Planner> Planner::open(const LiverParts& parts, const Progress& progress)
       if (!liver->trusted_kPa.empty()) liver->trusted_kPa[voxel] = 0;
     }
   }
-  for (std::size_t v = 0; v < organ.voxels; ++v) {
-    const std::size_t place = liver->segment[v] * Counts::segment + (liver->tumour[v] != 0 ? Counts::tumour : 0);
-    liver->place.push_back(static_cast<std::uint8_t>(place));
-  }
+  liver->stretches = stretches_of(*liver);
   progress.report(1, GLISSON_TEXT("done"));
   return Planner(liver);
 }
@@ -184,29 +193,34 @@ Result<PlanAnswer> Planner::answer(const std::vector<Cut>& cuts) const {
   for (const std::int32_t one : off.cause) {
     cause.push_back(static_cast<std::uint32_t>(one < 0 ? static_cast<std::int32_t>(off.cut.size()) : one));
   }
+  const auto nowhere = static_cast<std::uint32_t>(off.cut.size());
   std::mutex adding;
-  parallel_for(liver.organ.voxels, 1 << 16, [&](std::size_t begin, std::size_t end) {
+  parallel_for(liver.stretches.size(), 1 << 14, [&](std::size_t begin, std::size_t end) {
     Counts here;
     here.affected.assign(off.cut.size() + 1, 0);  // the last: those that hang on no cut
-    const auto nowhere = static_cast<std::uint32_t>(off.cut.size());
-    const auto cut_for = [&](std::size_t system, std::size_t voxel) {
-      return liver.has_system[system] ? cause[liver.point[system][voxel]] : nowhere;
-    };
-    for (std::size_t v = begin; v < end; ++v) {
-      std::size_t place = liver.place[v];
-      if (removal->removed[v] != 0) {
-        ++here.voxels[place | Counts::removed];
+    for (std::size_t n = begin; n < end; ++n) {
+      const Stretch& stretch = liver.stretches[n];
+      const std::uint8_t* goes = removal->removed.data() + stretch.first;
+      std::size_t gone = 0;
+      for (std::size_t v = 0; v < stretch.voxels; ++v) gone += goes[v] != 0 ? 1 : 0;
+      here.voxels[stretch.place | Counts::removed] += gone;
+      if (gone == stretch.voxels) continue;
+      const std::size_t left = stretch.voxels - gone;
+      const std::uint32_t starved = cause[stretch.point[0]], held_up = cause[stretch.point[1]];
+      here.affected[starved] += left;
+      here.affected[held_up] += left;
+      here.voxels[stretch.place | (starved != nowhere ? Counts::starved : 0) |
+                  (held_up != nowhere ? Counts::held_up : 0)] += left;
+      const std::size_t segment = stretch.place / Counts::segment;
+      if (gone == 0) {
+        here.kPa[segment] += static_cast<double>(stretch.kPa);
+        here.trusted[segment] += stretch.trusted;
         continue;
       }
-      const std::uint32_t starved = cut_for(0, v), held_up = cut_for(1, v);
-      ++here.affected[starved];
-      ++here.affected[held_up];
-      place |= (starved != nowhere ? Counts::starved : 0) | (held_up != nowhere ? Counts::held_up : 0);
-      ++here.voxels[place];
-      if (liver.trusted_kPa.empty()) continue;
-      if (const float kPa = liver.trusted_kPa[v]; kPa > 0) {
-        here.kPa[place / Counts::segment] += static_cast<double>(kPa);
-        ++here.trusted[place / Counts::segment];
+      for (std::size_t v = 0; v < stretch.voxels && stretch.trusted > 0; ++v) {
+        const float kPa = goes[v] != 0 ? 0 : liver.trusted_kPa[stretch.first + v];
+        here.kPa[segment] += static_cast<double>(kPa);
+        here.trusted[segment] += kPa > 0 ? 1 : 0;
       }
     }
     const std::lock_guard lock(adding);
@@ -368,6 +382,26 @@ std::vector<Tissue> Planner::branches() const {
 }
 
 namespace {
+
+template <typename Liver>
+std::vector<Stretch> stretches_of(const Liver& liver) {
+  constexpr std::size_t longest = 1000;
+  std::vector<Stretch> stretches;
+  const auto nowhere = static_cast<std::uint32_t>(liver.points.count());
+  for (std::size_t v = 0; v < liver.organ.voxels; ++v) {
+    const auto point = [&](std::size_t system) { return liver.has_system[system] ? liver.point[system][v] : nowhere; };
+    const std::size_t place = liver.segment[v] * Counts::segment + (liver.tumour[v] != 0 ? Counts::tumour : 0);
+    const Stretch here{static_cast<std::uint32_t>(v), {point(0), point(1)}, 0, 0, 0, static_cast<std::uint8_t>(place)};
+    if (stretches.empty() || stretches.back().point != here.point || stretches.back().place != here.place ||
+        stretches.back().voxels == longest) {
+      stretches.push_back(here);
+    }
+    ++stretches.back().voxels;
+    stretches.back().kPa += liver.youngs_at(v);
+    stretches.back().trusted += liver.youngs_at(v) > 0 ? 1 : 0;
+  }
+  return stretches;
+}
 
 imaging::Mask organ_mask(const LiverParts& parts) {
   imaging::Mask organ = parts.liver;

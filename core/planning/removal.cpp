@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <limits>
 
 #include "base/parallel.h"
 
@@ -225,11 +226,17 @@ std::size_t mark_above_plane(const CutSurface& plane, const Organ& organ, std::v
     for (std::size_t r = begin; r < end; ++r) {
       const Run& run = organ.runs[r];
       const double start_mm = plane.height_mm(organ.grid.position_mm(run.i, run.j, run.k));
-      std::uint8_t* out = above.data() + run.first;
-      for (int n = 0; n < run.length; ++n) {
-        out[n] = static_cast<std::uint8_t>(start_mm + n * rise_mm > 0);
-        here += out[n];
-      }
+      // Heights change evenly along a run: from one voxel on it is on the other side.
+      const double crossing = rise_mm != 0 ? -start_mm / rise_mm : std::numeric_limits<double>::infinity();
+      const auto voxel = [&](double n) {
+        return static_cast<int>(std::clamp(n, 0.0, static_cast<double>(run.length)));
+      };
+      const int first = rise_mm > 0 ? voxel(std::floor(crossing) + 1) : 0;
+      const int last = rise_mm > 0   ? run.length
+                       : rise_mm < 0 ? voxel(std::ceil(crossing))
+                                     : static_cast<int>(start_mm > 0) * run.length;
+      if (first < last) std::fill_n(above.data() + run.first + first, last - first, std::uint8_t{1});
+      here += static_cast<std::size_t>(std::max(0, last - first));
     }
     count += here;
   });

@@ -3,6 +3,7 @@
 //   build/release/bin/bench_planning
 
 #include <benchmark/benchmark.h>
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -16,7 +17,7 @@ using Eigen::Vector3d;
 using planning::Planner;
 using vasculature::System;
 
-// 1.5 l of liver: an egg with a lobe, 0.7 x 0.7 x 1 mm.
+// A liver of ordinary size: an egg with a lobe, 0.7 x 0.7 x 1 mm.
 imaging::Mask liver() {
   imaging::Mask mask;
   mask.grid.size = {512, 512, 300};
@@ -104,11 +105,19 @@ const Planner& opened() {
   return made;
 }
 
+// The last figure of each is the fastest: what else a machine does only makes an answer slower.
+template <int repetitions>
+void fastest_of(benchmark::internal::Benchmark* benchmark) {
+  benchmark->Unit(benchmark::kMillisecond)->UseRealTime()->Repetitions(repetitions)->ReportAggregatesOnly();
+  benchmark->ComputeStatistics(
+      "fastest", [](const std::vector<double>& times) { return *std::min_element(times.begin(), times.end()); });
+}
+
 void open(benchmark::State& state) {
   const auto& parts = one_liver();
   for (auto _ : state) benchmark::DoNotOptimize(Planner::open(parts));
 }
-BENCHMARK(open)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(open)->Apply(fastest_of<5>);
 
 void drag(benchmark::State& state, const std::vector<planning::Cut>& start) {
   const Planner& planner = opened();
@@ -132,18 +141,14 @@ planning::SheetCut sheet() {
   return cut;
 }
 BENCHMARK_CAPTURE(drag, plane, {planning::PlaneCut{{0, 0, 0}, {1, 0.2, 0.1}, planning::Removed::smaller}})
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
-BENCHMARK_CAPTURE(drag, sheet_of_20_points, {sheet()})->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK_CAPTURE(drag, segments, {planning::SegmentsCut{{6, 7}}})->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK_CAPTURE(drag, around_a_tumour, {planning::MarginCut{"tumour-1", 10}})
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
+    ->Apply(fastest_of<15>);
+BENCHMARK_CAPTURE(drag, sheet_of_20_points, {sheet()})->Apply(fastest_of<15>);
+BENCHMARK_CAPTURE(drag, segments, {planning::SegmentsCut{{6, 7}}})->Apply(fastest_of<15>);
+BENCHMARK_CAPTURE(drag, around_a_tumour, {planning::MarginCut{"tumour-1", 10}})->Apply(fastest_of<15>);
 BENCHMARK_CAPTURE(drag, plane_and_two_tumours,
                   {planning::PlaneCut{{-60, 0, 0}, {1, 0.2, 0.1}, planning::Removed::smaller},
                    planning::MarginCut{"tumour-2", 10}, planning::MarginCut{"tumour-3", 20}})
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
+    ->Apply(fastest_of<15>);
 
 }  // namespace
 

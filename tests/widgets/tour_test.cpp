@@ -12,6 +12,7 @@
 #include "support/tour_picture.h"
 #include "widgets/evidence/evidence_view.h"
 #include "widgets/main_window.h"
+#include "widgets/resect/resect_panel.h"
 #include "widgets/views/wave_view.h"
 
 namespace glisson::widgets {
@@ -120,6 +121,8 @@ class TourTest : public QObject {
     QTest::qWait(400);
     QTRY_VERIFY_WITH_TIMEOUT(!window_->work().busy(), patience_ms);
     QTRY_VERIFY_WITH_TIMEOUT(window_->rehearsal().solving() != Solving::solving, patience_ms);
+    const auto* resect = window_->findChild<ResectPanel*>();
+    QTRY_VERIFY_WITH_TIMEOUT(!resect->by_anatomy().live().opening(), patience_ms);
     QTest::qWait(600);
   }
 

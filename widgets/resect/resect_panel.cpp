@@ -4,6 +4,7 @@
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
+#include "scene/anatomy.h"
 #include "widgets/panels/parts.h"
 #include "widgets/words/keep_translated.h"
 #include "widgets/words/paths.h"
@@ -32,6 +33,8 @@ ResectPanel::ResectPanel(WorkspaceContext context, QWidget* parent) : QWidget(pa
   cut_controls_ = new CutControls(controls_);
   column->addWidget(cut_controls_);
   column->addWidget(make_outcome());
+  by_anatomy_ = new PlanByAnatomy(context_, controls_);
+  column->addWidget(by_anatomy_);
   column->addStretch(1);
 
   connect(cut_controls_, &CutControls::kind_chosen, this, &ResectPanel::cut_changed);
@@ -67,6 +70,9 @@ ResectPanel::ResectPanel(WorkspaceContext context, QWidget* parent) : QWidget(pa
     if (isVisible()) pieces_.draw_apart(context_.views.space().view(), apart_->value());
   });
   connect(live_, &LiveResection::changed, this, &ResectPanel::show_result);
+  connect(by_anatomy_, &PlanByAnatomy::taken_changed, this, &ResectPanel::cut_changed);
+  connect(by_anatomy_, &PlanByAnatomy::drawing_changed, this, &ResectPanel::show_scene);
+  connect(by_anatomy_, &PlanByAnatomy::plan_chosen, this, &ResectPanel::take_up);
   keep_translated(this, [=, this] {
     title->setText(tr("Plan a resection"));
     missing_->setText(tr("Needs a model of the liver. Build it first, or open the demo patient."));
@@ -128,6 +134,7 @@ QWidget* ResectPanel::make_outcome() {
     plane_.reset();
     points_mm_.clear();
     clicks_mm_.clear();
+    by_anatomy_->clear();
     cut_changed();
   });
   connect(save_, &QPushButton::clicked, this, &ResectPanel::save);
@@ -150,6 +157,7 @@ void ResectPanel::show_patient(const Patient& patient) {
   missing_->setVisible(!patient.rehearsal);
   controls_->setVisible(patient.rehearsal != nullptr);
   live_->set_patient(patient);
+  by_anatomy_->show_patient(patient);
   hold_as_rehearsed();
   if (other) take_up_saved_plan();
   cut_changed();
@@ -173,6 +181,24 @@ void ResectPanel::take_up_saved_plan() {
   } else {
     cut_controls_->choose(CutControls::sheet_cut);
   }
+}
+
+void ResectPanel::take_up(const planning::Plan& plan) {
+  plane_.reset();
+  points_mm_.clear();
+  clicks_mm_.clear();
+  cut_controls_->choose(CutControls::plane_cut);
+  for (const planning::Cut& cut : plan.cuts) {
+    if (const auto* plane = std::get_if<planning::PlaneCut>(&cut)) {
+      plane_ = plane_through(plane->point_mm, plane->normal);
+      removed_ = plane->removed == planning::Removed::larger ? Removed::larger : Removed::smaller;
+    } else if (const auto* sheet = std::get_if<planning::SheetCut>(&cut)) {
+      cut_controls_->choose(CutControls::sheet_cut);
+      points_mm_ = sheet->through_mm;
+      removed_ = sheet->removed == planning::Removed::larger ? Removed::larger : Removed::smaller;
+    }
+  }
+  cut_changed();
 }
 
 void ResectPanel::showEvent(QShowEvent* event) {
@@ -256,6 +282,10 @@ std::optional<casefile::PlannedCut> ResectPanel::cut() const {
   return cut;
 }
 
+std::optional<casefile::PlannedCut> ResectPanel::cut_of_mesh() const {
+  return by_anatomy_->taken().empty() ? cut() : std::nullopt;
+}
+
 std::optional<LiveResection::Holding> ResectPanel::holding() const {
   const LiveRehearsal& rehearsal = context_.rehearsal;
   const auto& frame = rehearsal.frame();
@@ -288,7 +318,9 @@ void ResectPanel::cut_changed() {
   handles_->set_plane(shown);
   handles_->set_points(by_plane ? clicks_mm_ : points_mm_);
   move_drawn_plane();
-  live_->set_cut(cut());
+  live_->set_cut(cut_of_mesh());
+  const auto planned = cut();
+  by_anatomy_->set_surface(planned && !live_->holding() ? std::optional(casefile::cut_of(*planned)) : std::nullopt);
   word_state();
   if (!live_->result() || !drawn_plane_ || !shown) show_scene();
   context_.views.redraw();
@@ -305,11 +337,19 @@ void ResectPanel::show_scene() {
   if (!isVisible()) return;
   WorkspaceScene scene;
   const bool drawing = cut_controls_->drawing();
-  const bool in_parts = live_->result() != nullptr && !drawing;
+  const bool by_anatomy = by_anatomy_->draws_liver() && !drawing;
+  const bool in_parts = by_anatomy || (live_->result() != nullptr && !drawing);
   scene.patient = in_parts           ? WorkspaceScene::Patient::at_rest_in_slices_only
                   : live_->holding() ? WorkspaceScene::Patient::as_rehearsed
                                      : WorkspaceScene::Patient::at_rest;
-  if (in_parts) {
+  if (by_anatomy) {
+    by_anatomy_->add_to(scene);
+    for (const PatientStructure& structure : patient_.structures) {
+      if (structure.name == "liver") continue;
+      const scene::Appearance look = scene::appearance_of(structure.name);
+      scene.surfaces.push_back({structure.name, structure.surface, look.colour, look.opacity, look.finish, {}});
+    }
+  } else if (in_parts) {
     pieces_.add_to(scene);
     scene.key = {{specimen_colour(), tr("Removed").toStdString()}, {remnant_colour(), tr("Stays").toStdString()}};
   }
@@ -342,7 +382,7 @@ void ResectPanel::word_state() {
   cut_controls_->show_points(points_mm_.size());
   const bool planned = live_->result() != nullptr;
   for (QWidget* each : std::initializer_list<QWidget*>{apart_, other_part_}) each->setEnabled(planned);
-  no_cut_->setEnabled(plane_ || !points_mm_.empty());
+  no_cut_->setEnabled(plane_ || !points_mm_.empty() || !by_anatomy_->taken().empty());
   save_->setEnabled(planned && !patient_.folder.empty());
   save_->setToolTip(patient_.folder.empty() ? tr("This patient is not kept in a case folder")
                     : planned               ? tr("Writes resection.json, parts.vtu and cut.vtp into results/resection")
@@ -350,7 +390,7 @@ void ResectPanel::word_state() {
 }
 
 QString ResectPanel::why_nothing() const {
-  if (live_->result()) return {};
+  if (live_->result() || !by_anatomy_->taken().empty()) return {};
   if (cut_controls_->kind() == CutControls::sheet_cut) {
     return tr("Set three or more points where the cut is to pass: on the liver, or in the slices.");
   }

@@ -12,6 +12,7 @@
 #include "widgets/resect/cut_controls.h"
 #include "widgets/resect/cut_handles.h"
 #include "widgets/resect/live_resection.h"
+#include "widgets/resect/plan_by_anatomy.h"
 #include "widgets/resect/resection_results.h"
 #include "widgets/resect/resection_scene.h"
 #include "widgets/workspaces/workspace.h"
@@ -27,6 +28,7 @@ class ResectPanel : public QWidget {
 
   void show_patient(const Patient& patient);
   [[nodiscard]] const LiveResection& live() const { return *live_; }
+  [[nodiscard]] const PlanByAnatomy& by_anatomy() const { return *by_anatomy_; }
   [[nodiscard]] const std::optional<CutPlane>& plane() const { return plane_; }
   [[nodiscard]] const std::vector<Eigen::Vector3d>& points_mm() const { return points_mm_; }
 
@@ -41,6 +43,8 @@ class ResectPanel : public QWidget {
   void move_plane(const CutPlane& plane);
   void set_points(std::vector<Eigen::Vector3d> points_mm);
   void take_up_saved_plan();
+  // Its plane or sheet; what else it takes, by_anatomy_ knows.
+  void take_up(const planning::Plan& plan);
   void set_drawing(bool drawing);
   // The cut has changed: plan it anew, and show where it is.
   void cut_changed();
@@ -54,6 +58,8 @@ class ResectPanel : public QWidget {
   void describe_holding();
   [[nodiscard]] std::optional<LiveResection::Holding> holding() const;
   [[nodiscard]] std::optional<casefile::PlannedCut> cut() const;
+  // What the mesh is divided by: a plane or sheet alone.
+  [[nodiscard]] std::optional<casefile::PlannedCut> cut_of_mesh() const;
   [[nodiscard]] QString why_nothing() const;
   [[nodiscard]] geometry::Box around_liver() const;  // within which the plane is drawn
 
@@ -75,6 +81,7 @@ class ResectPanel : public QWidget {
   QPushButton* other_part_;
   QPushButton* no_cut_;
   ResectionResults* results_;
+  PlanByAnatomy* by_anatomy_;
   QSlider* apart_;
   QPushButton* save_;
 };

@@ -1,13 +1,13 @@
 #include "widgets/resect/resection_results.h"
 
 #include <QGridLayout>
-#include <QHeaderView>
 #include <QLocale>
 #include <QVBoxLayout>
 
 #include "widgets/panels/parts.h"
 #include "widgets/panels/swatch.h"
 #include "widgets/resect/resection_scene.h"
+#include "widgets/resect/small_table.h"
 #include "widgets/theme.h"
 #include "widgets/words/keep_translated.h"
 #include "widgets/words/translated.h"
@@ -16,36 +16,6 @@ namespace glisson::widgets {
 namespace {
 
 using rehearsal::ResectionSide;
-
-QTableWidget* table(const char* name, int columns, QWidget* parent) {
-  auto* made = new QTableWidget(0, columns, parent);
-  made->setObjectName(name);
-  made->verticalHeader()->hide();
-  made->verticalHeader()->setDefaultSectionSize(24);
-  made->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  made->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
-  made->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  made->setSelectionMode(QAbstractItemView::NoSelection);
-  made->setFocusPolicy(Qt::TabFocus);
-  made->setShowGrid(false);
-  made->setAlternatingRowColors(true);
-  made->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  return made;
-}
-
-QTableWidgetItem* put(QTableWidget& table, int row, int column, const QString& text) {
-  if (table.item(row, column) == nullptr) table.setItem(row, column, new QTableWidgetItem);
-  QTableWidgetItem* cell = table.item(row, column);
-  cell->setText(text);
-  cell->setToolTip(text);
-  cell->setForeground(QBrush());
-  return cell;
-}
-
-// As tall as its rows, so that the panel scrolls and not each table in it.
-void fit_height(QTableWidget& table) {
-  table.setFixedHeight(table.horizontalHeader()->sizeHint().height() + 24 * std::max(1, table.rowCount()) + 4);
-}
 
 }  // namespace
 
@@ -94,11 +64,11 @@ ResectionResults::ResectionResults(QWidget* parent) : QWidget(parent) {
   rows->addWidget(retraction_);
   QLabel* margins_title = heading(answer_);
   rows->addWidget(margins_title);
-  margins_ = table("margins", 4, answer_);
+  margins_ = small_table("margins", 4, answer_);
   rows->addWidget(margins_);
   QLabel* crossings_title = heading(answer_);
   rows->addWidget(crossings_title);
-  crossings_ = table("crossings", 2, answer_);
+  crossings_ = small_table("crossings", 2, answer_);
   rows->addWidget(crossings_);
   no_crossings_ = new QLabel(answer_);
   no_crossings_->setObjectName("faint");
@@ -152,11 +122,11 @@ void ResectionResults::fill_margins(const rehearsal::Resection& plan) {
   int row = 0;
   for (const rehearsal::TumourMargin& tumour : plan.tumours) {
     const QString flag = margin_flag(tumour);
-    put(*margins_, row, structure_column, structure_label(tumour.name));
-    put(*margins_, row, side_column, side_label(tumour.side));
-    put(*margins_, row, margin_column, QLocale().toString(tumour.margin_mm, 'f', 1))
+    put_text(*margins_, row, structure_column, structure_label(tumour.name));
+    put_text(*margins_, row, side_column, side_label(tumour.side));
+    put_text(*margins_, row, margin_column, QLocale().toString(tumour.margin_mm, 'f', 1))
         ->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    put(*margins_, row, flag_column, flag);
+    put_text(*margins_, row, flag_column, flag);
     // Colour repeats what the words say.
     if (!flag.isEmpty()) {
       for (const int column : {margin_column, flag_column})
@@ -165,10 +135,10 @@ void ResectionResults::fill_margins(const rehearsal::Resection& plan) {
     ++row;
   }
   for (const rehearsal::StructureSide& cyst : plan.cysts) {
-    put(*margins_, row, structure_column, structure_label(cyst.name));
-    put(*margins_, row, side_column, side_label(cyst.side));
-    put(*margins_, row, margin_column, "–")->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    put(*margins_, row, flag_column, {});
+    put_text(*margins_, row, structure_column, structure_label(cyst.name));
+    put_text(*margins_, row, side_column, side_label(cyst.side));
+    put_text(*margins_, row, margin_column, "–")->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    put_text(*margins_, row, flag_column, {});
     ++row;
   }
   fit_height(*margins_);
@@ -180,8 +150,8 @@ void ResectionResults::fill_crossings(const rehearsal::Resection& plan) {
   crossings_->setRowCount(static_cast<int>(plan.crossings.size()));
   int row = 0;
   for (const rehearsal::VesselCrossing& crossing : plan.crossings) {
-    put(*crossings_, row, 0, structure_label(crossing.name));
-    put(*crossings_, row, 1, QLocale().toString(crossing.diameter_mm, 'f', 1))
+    put_text(*crossings_, row, 0, structure_label(crossing.name));
+    put_text(*crossings_, row, 1, QLocale().toString(crossing.diameter_mm, 'f', 1))
         ->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
     ++row;
   }

@@ -1,0 +1,172 @@
+// Resect with what is known of a liver's anatomy: segments found, taken by a click, the margin around a tumour, the
+// true remnant told while a plane is dragged, plans kept, compared, undone.
+
+#include <QCheckBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QTableWidget>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "kept_pictures.h"
+#include "run_test.h"
+#include "shown.h"
+#include "vascular_case.h"
+#include "widgets/main_window.h"
+#include "widgets/resect/resect_panel.h"
+#include "widgets/session/load_patient.h"
+
+namespace glisson::widgets {
+namespace {
+
+constexpr int patience_ms = 60000;
+
+class PlanByAnatomyTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void initTestCase() {
+    folder_ = test::vascular_case(std::filesystem::path(parent_.path().toStdString()));
+    window_ = shown_window({1500, 1000});
+    const auto patient = load_patient(folder_, {});
+    QVERIFY(patient.has_value());
+    liver_ = geometry::bounding_box(patient->structures.front().surface->points_mm);
+    window_->show_patient(*patient);
+    window_->go_to("resect");
+    panel_ = window_->findChild<ResectPanel*>();
+    QVERIFY(panel_->isVisible());
+    QTRY_VERIFY_WITH_TIMEOUT(live().anatomy() != nullptr, patience_ms);
+  }
+
+  void finds_segments_at_a_click() {
+    QVERIFY(!child<QTableWidget>("segments")->isVisible());
+    auto* find = child<QPushButton>("find_segments");
+    QVERIFY(find->isVisibleTo(panel_));
+    find->click();
+    QTRY_VERIFY_WITH_TIMEOUT(live().anatomy() && live().anatomy()->has_segments, patience_ms);
+    QVERIFY(live().anatomy()->has_trees);
+    const auto* segments = child<QTableWidget>("segments");
+    QTRY_VERIFY(segments->isVisibleTo(panel_) && segments->rowCount() > 4);
+    double all_ml = 0;
+    for (int row = 0; row < segments->rowCount(); ++row) {
+      all_ml += segments->item(row, PlanByAnatomy::whole_column)->text().toDouble();
+    }
+    QVERIFY(std::abs(all_ml - live().anatomy()->planner.segments()[0].ml) < 8);
+    child<QCheckBox>("show_segments")->click();
+    QTest::qWait(600);
+    QVERIFY(window_->grab().save(glisson::test::kept_picture("plan-segments.png")));
+    child<QCheckBox>("show_segments")->click();
+  }
+
+  // While it is dragged the answers follow, and a branch that is cut is named.
+  void tells_what_lives_as_a_plane_moves() {
+    window_->views().set_crosshair(liver_.center_mm());
+    child<QPushButton>("cut_through_crosshair")->click();
+    QTRY_VERIFY_WITH_TIMEOUT(live().result() != nullptr, patience_ms);
+    const auto& answer = live().result()->answer;
+    QVERIFY(answer.living_ml && *answer.living_ml > 0 && *answer.living_ml <= answer.remnant_ml);
+    QVERIFY(child<QLabel>("alive_told")->text().contains("stay alive"));
+    const auto* branches = child<QTableWidget>("branches_cut");
+    QVERIFY(branches->rowCount() > 0);
+    QVERIFY(branches->item(0, PlanByAnatomy::branch_column)->text().contains(" vein"));
+    const double before_ml = answer.remnant_ml;
+    auto* shift = child<QDoubleSpinBox>("cut_shift");
+    shift->setValue(shift->value() + 12);
+    QTRY_VERIFY_WITH_TIMEOUT(live().result() && std::abs(live().result()->answer.remnant_ml - before_ml) > 5,
+                             patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(panel_->live().result() != nullptr, patience_ms);
+    // Voxels and mesh agree on how much stays.
+    const double by_mesh = panel_->live().result()->plan.remnant_percent();
+    const auto& now = live().result()->answer;
+    QVERIFY2(std::abs(100 * now.remnant_ml / now.liver_ml - by_mesh) < 3, qPrintable(QString::number(by_mesh)));
+    QTest::qWait(500);
+    QVERIFY(window_->grab().save(glisson::test::kept_picture("plan-plane.png")));
+    keep("By a plane");
+    QTRY_COMPARE_WITH_TIMEOUT(live().kept().size(), std::size_t{1}, patience_ms);
+    child<QPushButton>("no_cut")->click();
+    QTRY_VERIFY(!live().result());
+  }
+
+  void takes_segments_and_what_is_around_a_tumour() {
+    auto* segments = child<QTableWidget>("segments");
+    auto* take = child<QPushButton>("take_segments");
+    QVERIFY(!take->isEnabled());
+    const double first_ml = segments->item(0, PlanByAnatomy::whole_column)->text().toDouble();
+    segments->item(0, PlanByAnatomy::segment_column)->setCheckState(Qt::Checked);
+    QVERIFY(take->isEnabled());
+    take->click();
+    QTRY_VERIFY_WITH_TIMEOUT(live().result() && live().result()->removed, patience_ms);
+    QVERIFY(std::abs(live().result()->answer.removed_ml - live().result()->answer.tumours_ml - first_ml) <
+            1 + live().result()->answer.tumours_ml);
+    QCOMPARE(segments->item(0, PlanByAnatomy::stays_column)->text(), QString("0"));
+    const double segment_alone_ml = live().result()->answer.removed_ml;
+    child<QPushButton>("take_around")->click();
+    QTRY_VERIFY_WITH_TIMEOUT(live().result() && live().result()->cuts.size() == 2, patience_ms);
+    QVERIFY(live().result()->answer.removed_ml > segment_alone_ml);
+    QVERIFY(live().result()->answer.margin_mm.value_or(0) > 8);
+    QVERIFY(panel_->live().result() == nullptr);  // the mesh is divided by planes and sheets alone
+    QTest::qWait(500);
+    QVERIFY(window_->grab().save(glisson::test::kept_picture("plan-segments-and-margin.png")));
+    keep("Segment and margin");
+    QTRY_COMPARE_WITH_TIMEOUT(live().kept().size(), std::size_t{2}, patience_ms);
+  }
+
+  void compares_plans_and_takes_one_up_again() {
+    auto* plans = child<QTableWidget>("plans");
+    QTRY_COMPARE(plans->rowCount(), 2);
+    for (int row = 0; row < 2; ++row) {
+      QVERIFY(plans->item(row, PlanByAnatomy::stays_percent_column)->text().endsWith("%"));
+      QVERIFY(plans->item(row, PlanByAnatomy::alive_column)->text().endsWith("%"));
+    }
+    QTest::qWait(300);
+    Q_EMIT plans->cellClicked(0, 0);
+    QTRY_VERIFY_WITH_TIMEOUT(panel_->plane().has_value() && panel_->by_anatomy().taken().empty(), patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(live().result() && live().result()->cuts.size() == 1, patience_ms);
+    Q_EMIT plans->cellClicked(1, 0);
+    QTRY_VERIFY_WITH_TIMEOUT(panel_->by_anatomy().taken().size() == 2, patience_ms);
+    panel_->findChild<QScrollArea*>()->ensureWidgetVisible(child<QPushButton>("keep_plan"));
+    QTest::qWait(300);
+    QVERIFY(window_->grab().save(glisson::test::kept_picture("plan-compared.png")));
+    // Undone and done again like anything else.
+    press_key(*window_, Qt::Key_Z, Qt::ControlModifier);
+    QTRY_COMPARE_WITH_TIMEOUT(live().kept().size(), std::size_t{1}, patience_ms);
+    press_key(*window_, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    QTRY_COMPARE_WITH_TIMEOUT(live().kept().size(), std::size_t{2}, patience_ms);
+    plans->selectRow(0);
+    child<QPushButton>("drop_plan")->click();
+    QTRY_COMPARE_WITH_TIMEOUT(live().kept().size(), std::size_t{1}, patience_ms);
+  }
+
+  void names_branches_in_words() {
+    QCOMPARE(branch_label("portal/right/posterior/VI/2"), QString("Portal vein, right, posterior, VI, 2"));
+    QCOMPARE(branch_label("hepatic/middle"), QString("Hepatic vein, middle"));
+  }
+
+  void shuts_down_cleanly() { window_.reset(); }
+
+ private:
+  [[nodiscard]] const LivePlan& live() const { return panel_->by_anatomy().live(); }
+  template <typename Widget>
+  Widget* child(const char* name) {
+    return child_of<Widget>(*panel_, name);
+  }
+  void keep(const char* name) {
+    child<QLineEdit>("plan_name")->setText(name);
+    child<QPushButton>("keep_plan")->click();
+  }
+
+  QTemporaryDir parent_;
+  std::filesystem::path folder_;
+  geometry::Box liver_;
+  std::unique_ptr<MainWindow> window_;
+  ResectPanel* panel_ = nullptr;
+};
+
+}  // namespace
+}  // namespace glisson::widgets
+
+int main(int argc, char** argv) { return glisson::widgets::run_test<glisson::widgets::PlanByAnatomyTest>(argc, argv); }
+
+#include "plan_by_anatomy_test.moc"

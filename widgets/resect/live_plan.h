@@ -1,0 +1,74 @@
+#pragma once
+// What the liver's anatomy says of a cut while it is moved, and the plans that the case keeps: worked out off the UI
+// thread, one cut at a time, the newest next.
+
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <QObject>
+#include <QString>
+#include <vector>
+
+#include "casefile/plans.h"
+#include "geometry/surface.h"
+
+namespace glisson::widgets {
+
+// One state of a case, opened for planning.
+struct OpenedAnatomy {
+  planning::Planner planner;
+  std::vector<Sentence> remarks;
+  bool has_segments = false, has_trees = false;
+  std::array<std::shared_ptr<const geometry::Surface>, 9> segments;  // to be drawn; null where there is none
+};
+
+struct LivePlanResult {
+  std::vector<planning::Cut> cuts;  // of which this is the answer
+  planning::PlanAnswer answer;
+  std::shared_ptr<const geometry::Surface> removed, left;  // to be drawn, where the cut is no surface
+};
+
+struct KeptPlanAnswer {
+  casefile::KeptPlan kept;
+  std::optional<planning::PlanAnswer> answer;  // by what the case holds now
+  std::optional<Error> problem;                // where it no longer holds
+};
+
+class LivePlan : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit LivePlan(QObject* parent = nullptr);
+
+  // Reads this case anew; an empty path: none.
+  void open(const std::filesystem::path& case_folder);
+  void set_cuts(const std::vector<planning::Cut>& cuts);  // none: nothing is cut
+  void read_kept();
+
+  [[nodiscard]] const std::shared_ptr<const OpenedAnatomy>& anatomy() const { return anatomy_; }
+  [[nodiscard]] bool opening() const { return opening_; }
+  [[nodiscard]] const std::shared_ptr<const LivePlanResult>& result() const { return result_; }
+  [[nodiscard]] const std::optional<Error>& problem() const { return problem_; }
+  [[nodiscard]] const std::vector<KeptPlanAnswer>& kept() const { return kept_; }
+
+ Q_SIGNALS:
+  void opened();        // anatomy() is new
+  void changed();       // result() or problem() is new
+  void kept_changed();  // kept() is new
+
+ private:
+  void compute();
+
+  std::filesystem::path folder_;
+  std::shared_ptr<const OpenedAnatomy> anatomy_;
+  std::vector<planning::Cut> wanted_;
+  std::shared_ptr<const LivePlanResult> result_;
+  std::optional<Error> problem_;
+  std::vector<KeptPlanAnswer> kept_;
+  int openings_ = 0;  // counts them, so that an answer of an older one is known when it arrives
+  int asked_ = 0;
+  bool opening_ = false, computing_ = false;
+};
+
+}  // namespace glisson::widgets

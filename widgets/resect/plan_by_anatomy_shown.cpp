@@ -1,0 +1,238 @@
+// What PlanByAnatomy shows: segments, the answer to a cut, the plans that are kept, and all of it in space.
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <QCoreApplication>
+#include <QLocale>
+
+#include "scene/anatomy.h"
+#include "vasculature/couinaud.h"
+#include "widgets/panels/swatch.h"
+#include "widgets/resect/plan_by_anatomy.h"
+#include "widgets/resect/resection_scene.h"
+#include "widgets/resect/small_table.h"
+#include "widgets/theme.h"
+#include "widgets/words/translated.h"
+
+namespace glisson::widgets {
+namespace {
+
+// As territories/couinaud has them for 3D Slicer.
+constexpr std::array<scene::Colour, 9> segment_colours = {{{0, 0, 0},
+                                                           {0.55, 0.55, 0.55},
+                                                           {0.90, 0.62, 0.00},
+                                                           {0.34, 0.71, 0.91},
+                                                           {0.00, 0.62, 0.45},
+                                                           {0.94, 0.89, 0.26},
+                                                           {0.00, 0.45, 0.70},
+                                                           {0.84, 0.37, 0.00},
+                                                           {0.80, 0.47, 0.65}}};
+
+QString number(double value, int decimals) { return QLocale().toString(value, 'f', decimals); }
+
+// Figures stand to the right.
+QTableWidgetItem* put(QTableWidget& table, int row, int column, const QString& text) {
+  QTableWidgetItem* cell = put_text(table, row, column, text);
+  if (column > 0) cell->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  return cell;
+}
+
+}  // namespace
+
+QString branch_label(const std::string& name) {
+  static const std::map<QString, const char*> words = {{"portal", QT_TRANSLATE_NOOP("vessels", "Portal vein")},
+                                                       {"hepatic", QT_TRANSLATE_NOOP("vessels", "Hepatic vein")},
+                                                       {"right", QT_TRANSLATE_NOOP("vessels", "right")},
+                                                       {"left", QT_TRANSLATE_NOOP("vessels", "left")},
+                                                       {"middle", QT_TRANSLATE_NOOP("vessels", "middle")},
+                                                       {"anterior", QT_TRANSLATE_NOOP("vessels", "anterior")},
+                                                       {"posterior", QT_TRANSLATE_NOOP("vessels", "posterior")},
+                                                       {"lateral", QT_TRANSLATE_NOOP("vessels", "lateral")},
+                                                       {"medial", QT_TRANSLATE_NOOP("vessels", "medial")},
+                                                       {"caudate", QT_TRANSLATE_NOOP("vessels", "caudate")},
+                                                       {"stem", QT_TRANSLATE_NOOP("vessels", "stem")}};
+  QStringList parts;
+  for (const QString& part : QString::fromStdString(name).split('/', Qt::SkipEmptyParts)) {
+    const auto word = words.find(part);
+    parts << (word == words.end() ? part : QCoreApplication::translate("vessels", word->second));
+  }
+  return parts.join(", ");
+}
+
+void PlanByAnatomy::show_anatomy() {
+  const auto& anatomy = live_->anatomy();
+  const bool segments = anatomy && anatomy->has_segments;
+  QStringList told;
+  if (live_->opening()) told << tr("Looking at the liver's anatomy...");
+  if (segments && !anatomy->has_trees) told << tr("By the liver's shape alone: it has no vessel trees.");
+  if (anatomy) {
+    for (const Sentence& remark : anatomy->remarks) told << translated(remark);
+  }
+  told_->setText(told.join(" "));
+  told_->setVisible(!told.isEmpty());
+  find_->setVisible(anatomy && (!segments || !anatomy->remarks.empty()));
+  anatomy_->setVisible(segments);
+  around_->setVisible(anatomy && !anatomy->planner.tumours().empty());
+  if (!anatomy) return;
+  const QString before = tumour_->currentData().toString();
+  tumour_->clear();
+  for (const std::string& name : anatomy->planner.tumours()) {
+    tumour_->addItem(structure_label(name), QString::fromStdString(name));
+  }
+  tumour_->setCurrentIndex(std::max(0, tumour_->findData(before)));
+  if (!segments) return;
+  const std::vector<int> before_ticked = ticked();
+  const QSignalBlocker quiet(segments_);
+  const auto tissue = anatomy->planner.segments();
+  segments_->setRowCount(0);
+  for (int s = 1; s <= 8; ++s) {
+    const planning::Tissue& whole = tissue.at(static_cast<std::size_t>(s));
+    if (whole.ml <= 0) continue;
+    const int row = segments_->rowCount();
+    segments_->insertRow(row);
+    QTableWidgetItem* item = put(*segments_, row, segment_column,
+                                 QChar::Space + QString(vasculature::segment_name(static_cast<std::size_t>(s))));
+    item->setData(Qt::UserRole, s);
+    item->setIcon(swatch(segment_colours.at(static_cast<std::size_t>(s))));
+    item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsUserCheckable);
+    const bool was = std::find(before_ticked.begin(), before_ticked.end(), s) != before_ticked.end();
+    item->setCheckState(was ? Qt::Checked : Qt::Unchecked);
+    put(*segments_, row, whole_column, number(whole.ml, 0));
+    put(*segments_, row, stays_column, {});
+    QTableWidgetItem* stiffness =
+        put(*segments_, row, stiffness_column, whole.mean_kPa ? number(*whole.mean_kPa, 1) : QString("–"));
+    if (whole.mean_kPa) {
+      stiffness->setToolTip(tr("%1 % of the segment was measured.").arg(100 * whole.confident_share, 0, 'f', 0));
+      if (whole.confident_share < 0.5) stiffness->setForeground(theme_colour("faint"));
+    }
+  }
+  take_segments_->setEnabled(!ticked().empty());
+  fit_height(*segments_);
+  show_answer();
+}
+
+void PlanByAnatomy::show_answer() {
+  const auto& result = live_->result();
+  answer_->setVisible(result || (live_->problem() && !cuts().empty()));
+  keep_->setEnabled(result != nullptr);
+  const planning::PlanAnswer* answer = result ? &result->answer : nullptr;
+  for (int row = 0; row < segments_->rowCount(); ++row) {
+    const int s = segments_->item(row, segment_column)->data(Qt::UserRole).toInt();
+    QString left;
+    for (const planning::SegmentAnswer& segment : answer ? answer->segments : std::vector<planning::SegmentAnswer>{}) {
+      if (segment.number == s) left = number(segment.left.ml, 0);
+    }
+    const QSignalBlocker quiet(segments_);
+    put(*segments_, row, stays_column, left);
+  }
+  branches_title_->setVisible(answer && !answer->branches.empty());
+  branches_->setVisible(answer && !answer->branches.empty());
+  if (answer == nullptr) {
+    alive_->setText(live_->problem() ? translated(*live_->problem()) : QString());
+    Q_EMIT drawing_changed();
+    return;
+  }
+  QStringList lines;
+  const auto of_liver = [](double percent) { return QLocale().toString(percent, 'f', 1); };
+  const bool told_elsewhere = taken_.empty();  // a plane or sheet is measured on the mesh, with its margins
+  if (told_elsewhere) {
+    lines << tr("%1 % of the liver without tumours stay.").arg(of_liver(answer->remnant_percent()));
+  } else {
+    lines << tr("<b>%1 ml</b> removed, <b>%2 ml</b> stay: %3 % of the liver without tumours.")
+                 .arg(number(answer->removed_ml, 0), number(answer->remnant_ml, 0),
+                      of_liver(answer->remnant_percent()));
+  }
+  if (answer->living_ml) {
+    lines << tr("<b>%1 ml</b> of it stay alive, perfused and drained (%2 %); without inflow %3 ml, without outflow %4 "
+                "ml.")
+                 .arg(number(*answer->living_ml, 0), of_liver(answer->living_percent()),
+                      number(*answer->ischaemic_ml, 0), number(*answer->congested_ml, 0));
+  }
+  if (answer->margin_mm && !told_elsewhere) {
+    lines << (answer->margin_is_at_least ? tr("Smallest margin: at least %1 mm.") : tr("Smallest margin: %1 mm."))
+                 .arg(number(*answer->margin_mm, 1));
+  }
+  for (const planning::MarginAnswer& tumour : answer->tumours) {
+    if (told_elsewhere) break;
+    if (tumour.side == planning::Side::left)
+      lines << tr("▲ %1 stays in the patient.").arg(structure_label(tumour.tumour));
+    if (tumour.side == planning::Side::cut_through)
+      lines << tr("▲ %1 is cut through.").arg(structure_label(tumour.tumour));
+  }
+  if (answer->left.mean_kPa) {
+    lines << tr("What stays has %1 kPa; %2 % of it was measured.")
+                 .arg(number(*answer->left.mean_kPa, 1), number(100 * answer->left.confident_share, 0));
+  }
+  alive_->setText(lines.join("<br>"));
+  constexpr double worth_a_row_ml = 1;
+  constexpr int most_rows = 12;
+  branches_->setRowCount(0);
+  for (const planning::CutBranch& cut : answer->branches) {
+    if (cut.beyond_ml < worth_a_row_ml || branches_->rowCount() == most_rows) break;
+    const int row = branches_->rowCount();
+    branches_->insertRow(row);
+    put(*branches_, row, branch_column, branch_label(live_->anatomy()->planner.trees().branches[cut.branch].name));
+    put(*branches_, row, width_column, number(2 * cut.radius_mm, 1));
+    put(*branches_, row, beyond_column, number(cut.beyond_ml, 0));
+    QTableWidgetItem* left = put(*branches_, row, left_column, number(cut.affected_ml, 0));
+    if (cut.affected_ml >= 10) left->setForeground(theme_colour("warning"));
+  }
+  fit_height(*branches_);
+  Q_EMIT drawing_changed();
+}
+
+void PlanByAnatomy::show_plans() {
+  plans_box_->setVisible(live_->anatomy() != nullptr);
+  plans_->setVisible(!live_->kept().empty());
+  drop_->setVisible(!live_->kept().empty());
+  plans_->clearSelection();
+  plans_->setRowCount(static_cast<int>(live_->kept().size()));
+  drop_->setEnabled(false);
+  int row = 0;
+  for (const KeptPlanAnswer& plan : live_->kept()) {
+    const auto text = [&](auto value) { return plan.answer ? value(*plan.answer) : QString("–"); };
+    QTableWidgetItem* name = put(*plans_, row, name_column, QString::fromStdString(plan.kept.plan.name));
+    if (!plan.kept.remarks.empty() || plan.problem) {
+      name->setText("▲ " + name->text());
+      name->setToolTip(plan.problem ? translated(*plan.problem)
+                                    : tr("What it was made from has changed since; the figures are those of now."));
+    }
+    const auto percent = [](double value) { return number(value, 0) + " %"; };
+    put(*plans_, row, stays_percent_column,
+        text([&](const auto& answer) { return percent(answer.remnant_percent()); }));
+    put(*plans_, row, alive_column,
+        text([&](const auto& answer) { return answer.living_ml ? percent(answer.living_percent()) : QString("–"); }));
+    put(*plans_, row, plan_margin_column, text([&](const auto& answer) {
+      return answer.margin_mm ? (answer.margin_is_at_least ? "≥ " : "") + number(*answer.margin_mm, 1) : QString("–");
+    }));
+    put(*plans_, row, cut_branches_column,
+        text([](const auto& answer) { return QString::number(answer.branches.size()); }));
+    ++row;
+  }
+  fit_height(*plans_);
+}
+
+bool PlanByAnatomy::draws_liver() const {
+  return (live_->anatomy() && show_segments_->isChecked()) || (live_->result() && live_->result()->removed);
+}
+
+void PlanByAnatomy::add_to(WorkspaceScene& scene) const {
+  const auto& anatomy = live_->anatomy();
+  if (anatomy && show_segments_->isChecked()) {
+    for (std::size_t s = 1; s <= 8; ++s) {
+      if (!anatomy->segments[s]) continue;
+      scene.surfaces.push_back({"liver", anatomy->segments[s], segment_colours.at(s), 0.75, scene::Finish::solid, {}});
+      scene.key.push_back({segment_colours.at(s), vasculature::segment_name(s)});
+    }
+    return;
+  }
+  const auto& result = live_->result();
+  if (!result || !result->removed) return;
+  const scene::Appearance look = scene::appearance_of("liver");
+  if (result->left) scene.surfaces.push_back({"liver", result->left, look.colour, look.opacity, look.finish, {}});
+  scene.surfaces.push_back({"liver", result->removed, specimen_colour(), look.opacity, look.finish, {}});
+  scene.key = {{specimen_colour(), tr("Removed").toStdString()}, {remnant_colour(), tr("Stays").toStdString()}};
+}
+
+}  // namespace glisson::widgets
