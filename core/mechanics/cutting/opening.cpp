@@ -313,11 +313,13 @@ MatrixXd Opening::jumps_mm(const MatrixXd& load) const {
 }
 
 VectorXd Opening::seen_mm(const VectorXd& jumps_mm) const {
-  VectorXd sum_mm;
+  return state_->open.empty() ? VectorXd() : seen_mm(jumps_mm, state_->open.front()->v.rows());
+}
+
+VectorXd Opening::seen_mm(const VectorXd& jumps_mm, Index rows) const {
+  VectorXd sum_mm = VectorXd::Zero(rows);
   for (std::size_t i = 0; i < state_->open.size(); ++i) {
-    const MatrixXd& v = state_->open[i]->v;
-    if (i == 0) sum_mm = VectorXd::Zero(v.rows());
-    sum_mm -= v * jumps_mm.segment<3>(static_cast<Index>(3 * i));
+    sum_mm -= state_->open[i]->v.topRows(rows) * jumps_mm.segment<3>(static_cast<Index>(3 * i));
   }
   return sum_mm;
 }

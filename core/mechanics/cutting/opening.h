@@ -88,9 +88,11 @@ class Opening {
   [[nodiscard]] Eigen::VectorXd load_of_force(Eigen::Index row, const Eigen::Vector3d& force_mN) const;
   [[nodiscard]] Eigen::VectorXd load_of_push(std::size_t point, const Eigen::Vector3d& direction) const;
 
-  // The jumps (mm, 3 a point) under loads on them, and by how much what is seen moves because of those.
+  // The jumps (mm, 3 a point) under loads on them, and by how much what is seen moves because of those: all of it, or
+  // its first rows alone.
   [[nodiscard]] Eigen::MatrixXd jumps_mm(const Eigen::MatrixXd& load) const;
   [[nodiscard]] Eigen::VectorXd seen_mm(const Eigen::VectorXd& jumps_mm) const;
+  [[nodiscard]] Eigen::VectorXd seen_mm(const Eigen::VectorXd& jumps_mm, Eigen::Index rows) const;
 
   // Of the cuts' walls within the body (mm2), one side of them.
   [[nodiscard]] double open_mm2() const;

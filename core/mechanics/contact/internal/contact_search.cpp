@@ -63,7 +63,7 @@ Result<void> ContactSearch::hold(const ContactState& before) {
   const auto solves = responses_.remember(asked);
   if (!solves) return failure(solves.error());
   report_.new_solves += *solves;
-  auto seen_mm = responses_.seen_under(force_mN_, wall_mN_);
+  auto seen_mm = responses_.seen_under(force_mN_, wall_mN_, SurfaceResponses::Part::surface);
   if (!seen_mm) return failure(std::move(seen_mm.error()));
   seen_mm_ = std::move(*seen_mm);
   for (std::size_t t = 0; t < tools_.size(); ++t) {
@@ -99,8 +99,9 @@ Result<ContactState> ContactSearch::run() {
     report_.rounds += report_.converged;
     break;
   }
-  ContactState reached = state();
-  reached.report.solve_ms = 1e3 * watch.seconds();
+  auto reached = state();
+  if (!reached) return failure(std::move(reached.error()));
+  reached->report.solve_ms = 1e3 * watch.seconds();
   return reached;
 }
 
@@ -127,7 +128,7 @@ Result<bool> ContactSearch::round() {
   for (std::size_t t = 0; t < tools_.size(); ++t) {
     if (pushed(tools_[t]) != nullptr) next_advance_mm[static_cast<Eigen::Index>(t)] = forces_.advance[drive++];
   }
-  auto next_seen_mm = responses_.seen_under(next_mN, next_wall_mN);
+  auto next_seen_mm = responses_.seen_under(next_mN, next_wall_mN, SurfaceResponses::Part::surface);
   if (!next_seen_mm) return failure(std::move(next_seen_mm.error()));
 
   const Eigen::Index surface_values = responses_.surface_values();
@@ -229,7 +230,7 @@ Result<void> ContactSearch::set_up_columns() {
           *pull_mN * (gripped.weights[i] * unit_or_zero(grasp.direction));
     }
   }
-  const auto seen_given_mm = responses_.seen_under(given_mN_, {});
+  const auto seen_given_mm = responses_.seen_under(given_mN_, {}, SurfaceResponses::Part::surface);
   if (!seen_given_mm) return failure(seen_given_mm.error());
   const auto work = [](const Column& column, const VectorXd& moved_mm) {
     double sum = 0;
@@ -257,12 +258,18 @@ Result<void> ContactSearch::set_up_columns() {
     column.start_mm = cut_contact.gap_mm(*seen_given_mm);
     columns_.push_back(std::move(column));
   }
+  // Of a live cut's walls those that are near each other or push now. One that another round brings near joins then.
+  constexpr double near_mm = 1.0;
   const VectorXd jumps_given_mm = responses_.jumps_under(given_mN_, {});
+  const VectorXd jumps_now_mm = responses_.jumps_under(force_mN_, wall_mN_);
   for (Eigen::Index wall = 0; wall < jumps_given_mm.size() / 3; ++wall) {
+    const Vector3d& normal = responses_.opening()->normals()[static_cast<std::size_t>(wall)];
+    const auto number = static_cast<int>(wall);
+    if (normal.dot(jumps_now_mm.segment<3>(3 * wall)) > near_mm && walls_met_.count(number) == 0) continue;
+    walls_met_.insert(number);
     Column column;
-    column.wall = static_cast<int>(wall);
-    column.start_mm =
-        responses_.opening()->normals()[static_cast<std::size_t>(wall)].dot(jumps_given_mm.segment<3>(3 * wall));
+    column.wall = number;
+    column.start_mm = normal.dot(jumps_given_mm.segment<3>(3 * wall));
     columns_.push_back(std::move(column));
   }
   two_sided_ = 0;
@@ -344,7 +351,10 @@ void ContactSearch::add_opening(ContactProblem& problem) const {
   problem.compliance += load.transpose() * opening.jumps_mm(load);
 }
 
-ContactState ContactSearch::state() const {
+Result<ContactState> ContactSearch::state() const {
+  const auto seen = responses_.seen_under(force_mN_, wall_mN_);
+  if (!seen) return failure(seen.error());
+  const VectorXd& seen_mm = *seen;
   ContactState state;
   state.force_mN = force_mN_;
   state.wall_mN = wall_mN_;
@@ -354,7 +364,7 @@ ContactState ContactSearch::state() const {
   std::erase_if(state.force_mN, [](const auto& item) { return item.second.norm() == 0; });
   const Eigen::Index surface_values = responses_.surface_values();
   for (Eigen::Index i = 0; i < surface_values + responses_.watched_values(); i += 3) {
-    (i < surface_values ? state.surface_mm : state.watched_mm).emplace_back(seen_mm_.segment<3>(i));
+    (i < surface_values ? state.surface_mm : state.watched_mm).emplace_back(seen_mm.segment<3>(i));
   }
   for (std::size_t t = 0; t < tools_.size(); ++t) {
     state.tools.push_back({tools_[t].id, Vector3d::Zero(), 0, advance_mm_[static_cast<Eigen::Index>(t)], 0});
@@ -368,7 +378,7 @@ ContactState ContactSearch::state() const {
     ++contact.contacts;
     state.touched.push_back({contact.id, places_[c].rod, places_[c].points, places_[c].weights});
   }
-  for (const ContactCandidate& place : contact_candidates(responses_.surface(), tools_, advance_mm_, seen_mm_, 0.0)) {
+  for (const ContactCandidate& place : contact_candidates(responses_.surface(), tools_, advance_mm_, seen_mm, 0.0)) {
     state.tools[place.tool].penetration_mm = std::max(state.tools[place.tool].penetration_mm, -place.gap_mm);
   }
   Eigen::Index two_sided = forces_.force.size() - two_sided_;
@@ -384,7 +394,7 @@ ContactState ContactSearch::state() const {
     }
   }
   state.report = report_;
-  const StrainRange strains = responses_.strain_range(seen_mm_, jumps_mm);
+  const StrainRange strains = responses_.strain_range(seen_mm, jumps_mm);
   state.report.largest_strain = strains.largest_strain;
   state.report.inverted_cells = strains.inverted_cells;
   state.report.relative_residual = responses_.relative_residual();

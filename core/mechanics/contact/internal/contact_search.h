@@ -3,6 +3,8 @@
 // forces on the body's remembered answers, move the surface and the pushed tools on, and look again. Inside of this
 // room.
 
+#include <set>
+
 #include "mechanics/contact/contact.h"
 #include "mechanics/contact/internal/contact_candidates.h"
 #include "mechanics/contact/internal/contact_forces.h"
@@ -41,7 +43,7 @@ class ContactSearch {
   [[nodiscard]] Result<void> set_up_columns();
   [[nodiscard]] ContactProblem problem() const;
   void add_opening(ContactProblem& problem) const;
-  [[nodiscard]] ContactState state() const;
+  [[nodiscard]] Result<ContactState> state() const;
   [[nodiscard]] double deepest_mm();
   [[nodiscard]] double live_overlap_mm() const;
 
@@ -53,8 +55,9 @@ class ContactSearch {
   PointForces force_mN_;
   WallForces wall_mN_;
   Eigen::VectorXd advance_mm_;  // one a tool; 0 for one that is held
-  Eigen::VectorXd seen_mm_;
+  Eigen::VectorXd seen_mm_;     // up to date for the surface alone
   bool from_rest_ = false;
+  std::set<int> walls_met_;  // of a live cut; they stay in the problem until the state is found
   std::vector<Gripped> grips_;
   std::vector<TrackedContact> kept_;
 

@@ -134,13 +134,14 @@ VectorXd SurfaceResponses::jumps_under(const PointForces& force_mN, const WallFo
   return opening_->jumps_mm(load_mN);
 }
 
-Result<VectorXd> SurfaceResponses::seen_under(const PointForces& force_mN, const WallForces& wall_mN) const {
+Result<VectorXd> SurfaceResponses::seen_under(const PointForces& force_mN, const WallForces& wall_mN, Part part) const {
   VectorXd seen_mm = standing_seen_mm_;
-  if (opening_) seen_mm += opening_->seen_mm(jumps_under(force_mN, wall_mN));
+  const Eigen::Index rows = part == Part::surface ? surface_values() : seen_values();
+  if (opening_) seen_mm.head(rows) += opening_->seen_mm(jumps_under(force_mN, wall_mN), rows);
   VectorXd of_mutual_mN;
   for (const auto& [point, force] : force_mN) {
     if (mutual_of_point_[point] < 0) {
-      seen_mm += *memory_->responses[point] * force;
+      seen_mm.head(rows) += memory_->responses[point]->topRows(rows) * force;
       continue;
     }
     if (of_mutual_mN.size() == 0) of_mutual_mN = VectorXd::Zero(3 * static_cast<Eigen::Index>(model_.nodes().nodes()));
@@ -223,7 +224,8 @@ StrainRange SurfaceResponses::strain_range(const VectorXd& seen_mm, const Vector
     for (const int side : {0, 1}) {
       Corners u_mm = corners_of(static_cast<std::size_t>(cell.cell));
       for (int i = 0; i < 4; ++i) {
-        if (cell.jump[i] >= 0) u_mm.col(i) += (side - (cell.height_mm[i] > 0 ? 1 : 0)) * jumps_mm.segment<3>(3 * cell.jump[i]);
+        if (cell.jump[i] >= 0)
+          u_mm.col(i) += (side - (cell.height_mm[i] > 0 ? 1 : 0)) * jumps_mm.segment<3>(3 * cell.jump[i]);
       }
       count(static_cast<std::size_t>(cell.cell), u_mm, range);
     }

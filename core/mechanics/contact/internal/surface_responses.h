@@ -59,9 +59,11 @@ class SurfaceResponses {
   [[nodiscard]] const Eigen::VectorXd& standing_seen_mm() const { return standing_seen_mm_; }
   // The jumps of the opening (mm, 3 a point) under such forces; none: without values.
   [[nodiscard]] Eigen::VectorXd jumps_under(const PointForces& force_mN, const WallForces& wall_mN) const;
-  // Where all that is seen is under forces on points that are remembered or mutual, and on walls. Failure:
-  // "not-converged".
-  [[nodiscard]] Result<Eigen::VectorXd> seen_under(const PointForces& force_mN, const WallForces& wall_mN) const;
+  // Where what is seen is under forces on points that are remembered or mutual, and on walls; of the surface alone the
+  // other values are those of the standing loads, and it costs a fraction. Failure: "not-converged".
+  enum class Part { surface, all };
+  [[nodiscard]] Result<Eigen::VectorXd> seen_under(const PointForces& force_mN, const WallForces& wall_mN,
+                                                   Part part = Part::all) const;
   [[nodiscard]] Eigen::Index surface_values() const { return 3 * static_cast<Eigen::Index>(mesh_point_.size()); }
   [[nodiscard]] Eigen::Index watched_values() const { return 3 * static_cast<Eigen::Index>(watched_.size()); }
 
