@@ -38,7 +38,7 @@ struct LiveOptions {
   int settling_rounds = 60, settling_gradients = 60;
   double settled_mm = 0.01;         // what the weighted residual leaves at the judged places when it has come to rest
   double relative_residual = 1e-3;  // of all forces, then
-  double penetration_tolerance_mm = 0.03, movement_tolerance_mm = 0.05;
+  double penetration_tolerance_mm = 0.05, movement_tolerance_mm = 0.05;
 };
 
 // A place of the surface that a tool is near, with the force found so far.
