@@ -213,7 +213,7 @@ Result<Outcome> run(const Options& options, const Progress& progress) {
     const bool is_last = i + 1 == commands->size();
     if (!frame.settled && (options.settle == Settling::each || (options.settle == Settling::last && is_last))) {
       const rehearsal::SessionFrame rest = engine->settled_frame();
-      json["settled_ms"] = frame.step_ms + rest.step_ms;
+      json["settled_ms"] = rest.settled ? Json(frame.step_ms + rest.step_ms) : Json();  // null: it found no rest
       json["at_rest"] = json_of(rest);
     } else if (!frame.settled) {
       json.erase("settled_ms");
