@@ -56,10 +56,17 @@ void LiveSession::Impl::run(const std::stop_token& closing, RehearsalSetup setup
   }
   latest = engine->shared_frame();
   int settles = 0;  // since the last command
+  bool may_prepare = false;
   for (;;) {
     const auto may_settle = [&] { return !latest->settled && settles < SessionEngine::most_settles; };
-    changed.wait(lock, [&] { return closing.stop_requested() || !waiting.empty() || may_settle(); });
+    changed.wait(lock, [&] { return closing.stop_requested() || !waiting.empty() || may_settle() || may_prepare; });
     if (closing.stop_requested()) return;
+    if (waiting.empty() && !may_settle()) {
+      lock.unlock();
+      may_prepare = engine->prepare_the_next_cut();
+      lock.lock();
+      continue;
+    }
     SessionCommand command = Settle{};
     if (waiting.empty()) {
       ++settles;
@@ -74,6 +81,7 @@ void LiveSession::Impl::run(const std::stop_token& closing, RehearsalSetup setup
     lock.lock();
     is_stepping = false;
     latest = engine->shared_frame();
+    may_prepare = latest->cut != nullptr;
     recording.emplace_back(std::move(command), latest->digest);
   }
 }

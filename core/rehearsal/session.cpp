@@ -287,6 +287,20 @@ SessionFrame SessionEngine::Impl::frame_of(const Moment& moment) const {
   return frame;
 }
 
+bool SessionEngine::prepare_the_next_cut() const {
+  const Moment& now = impl_->moments.back();
+  if (now.cuts.empty()) return false;
+  constexpr double back_mm = 15.0, ahead_mm = 20.0;  // points open a cell before the front comes to them
+  const mechanics::CutStrip& last = now.cuts.back();
+  const Vector3d forward = (last.to_mm - last.from_mm).normalized();
+  const mechanics::CutStrip ahead{last.surface, last.to_mm - back_mm * forward, last.to_mm + ahead_mm * forward};
+  std::future<Result<bool>> beside;
+  if (now.atlas_body) beside = std::async(std::launch::async, [&] { return now.atlas_body->prepare(ahead); });
+  const auto patient = now.patient_body.prepare(ahead);
+  const auto atlas = now.atlas_body ? beside.get() : Result<bool>(false);
+  return (patient && *patient) || (atlas && *atlas);
+}
+
 const SessionFrame& SessionEngine::frame() const { return *impl_->latest; }
 std::shared_ptr<const SessionFrame> SessionEngine::shared_frame() const { return impl_->latest; }
 const geometry::Surface& SessionEngine::surface() const { return impl_->moments.front().patient_body.surface(); }

@@ -90,6 +90,10 @@ class SessionEngine {
   // The present frame at rest, as Settle after Settle makes it; the session stays where it is.
   [[nodiscard]] SessionFrame settled_frame() const;
 
+  // A tenth of a second's work for what a cut would open next if it went on; no frame changes by it, nor its bits.
+  // False where there is nothing to do.
+  [[nodiscard]] bool prepare_the_next_cut() const;
+
   [[nodiscard]] const SessionFrame& frame() const;
   [[nodiscard]] std::shared_ptr<const SessionFrame> shared_frame() const;
   [[nodiscard]] const geometry::Surface& surface() const;

@@ -80,6 +80,11 @@ Result<SessionBody> SessionBody::opened(const mechanics::CutStrip& strip) const 
   return small->opened(strip).map([](ContactBody body) { return SessionBody(std::move(body)); });
 }
 
+Result<bool> SessionBody::prepare(const mechanics::CutStrip& ahead) const {
+  const auto* small = std::get_if<ContactBody>(&body_);
+  return small == nullptr ? Result<bool>(false) : small->prepare(ahead);
+}
+
 std::optional<SessionCut> SessionBody::cut(const BodyState& state) const {
   const auto* small = std::get_if<ContactBody>(&body_);
   if (small == nullptr || small->opening() == nullptr) return {};

@@ -138,6 +138,20 @@ TEST(Opening, IsTheSameHoweverManyAdvancesLedToIt) {
   for (std::size_t p = 0; p < a_mm.size(); ++p) EXPECT_LT((a_mm[p] - b_mm[p]).norm(), 1e-7);
 }
 
+TEST(Opening, WhatWasPreparedOpensToTheSameBitsAndIsNotSolvedAgain) {
+  const StaticModel whole = model_of(bar(10, 4, 5));
+  const Opening first = nothing_open(whole).advanced({wall, on_front_mm(40), on_front_mm(30)}).value();
+  const CutStrip next{wall, on_front_mm(30), on_front_mm(20)};
+  const Opening unprepared =
+      nothing_open(whole).advanced({wall, on_front_mm(40), on_front_mm(30)})->advanced(next).value();
+  int groups = 0;
+  while (first.prepare(next).value()) ++groups;
+  EXPECT_GT(groups, 0);
+  const Opening prepared = first.advanced(next).value();
+  EXPECT_EQ(prepared.jumps_mm(prepared.standing_load()), unprepared.jumps_mm(unprepared.standing_load()));
+  EXPECT_FALSE(nothing_open(whole).prepare(next).value());
+}
+
 // Undo is the value before.
 TEST(Opening, AnAdvanceLeavesTheOneBeforeAsItWas) {
   const StaticModel whole = model_of(bar(10, 4, 5));

@@ -74,6 +74,10 @@ Result<geometry::Surface> ContactBody::opened_surface(const ContactState& state)
   });
 }
 
+Result<bool> ContactBody::prepare(const CutStrip& ahead) const {
+  return opening() == nullptr ? Result<bool>(false) : opening()->prepare(ahead);
+}
+
 const Opening* ContactBody::opening() const { return impl_->responses.opening(); }
 
 Result<StaticResult> ContactBody::whole_result(const ContactState& state) const {

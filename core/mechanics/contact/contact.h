@@ -123,6 +123,8 @@ class ContactBody {
   // model has mutual points.
   [[nodiscard]] Result<ContactBody> opened(const CutStrip& strip) const;
   [[nodiscard]] const Opening* opening() const;  // nullptr: nothing is cut
+  // Opening::prepare; false where nothing is cut.
+  [[nodiscard]] Result<bool> prepare(const CutStrip& ahead) const;
 
   // The outer surface at rest.
   [[nodiscard]] const geometry::Surface& surface() const;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
+#include <mutex>
+#include <utility>
 
 #include "mechanics/cutting/internal/jump_functions.h"
 #include "mechanics/elements/load_vector.h"
@@ -18,20 +20,39 @@ using Eigen::VectorXd;
 
 namespace {
 
-// One surface wherever it crosses the body.
+struct SurfaceInBody;
+
+// What was solved for of one point.
+struct SolvedPoint {
+  MatrixXd v;  // its columns of V
+  Vector3d standing_load;
+  // B^T K^-1 of its columns of B, 3 rows a candidate of each surface that there was.
+  std::vector<std::pair<const SurfaceInBody*, MatrixXd>> products;
+  double relative_residual = 0;
+};
+
+// One surface wherever it crosses the body. Its candidates are the points that may open, in the order in which the
+// first strip's front comes to them; they are solved for in fixed groups, so that what is solved does not depend on who
+// asked first.
 struct SurfaceInBody {
   geometry::CutSurface surface;
   Crossing crossing;
-};
+  std::vector<int> candidates;           // points of the mesh
+  std::vector<double> at_mm;             // of each, along the first strip
+  Eigen::SparseMatrix<double> coupling;  // their columns of B
+  Vector3d begin_mm, forward;            // of the first strip
 
-// A point whose jump is open, with all that was solved for.
+  mutable std::mutex mutex;  // what is solved grows behind it
+  mutable std::vector<std::shared_ptr<const SolvedPoint>> solved;
+};
+constexpr std::size_t points_in_a_group = 4;  // a dozen right-hand sides, a tenth of a second on a liver
+
+// A point whose jump is open.
 struct OpenPoint {
-  int point;
+  int candidate;
   std::shared_ptr<const SurfaceInBody> along;
-  Vector3d normal;                       // of its wall, to above
-  Eigen::SparseMatrix<double> coupling;  // its columns of B
-  MatrixXd v;                            // its columns of V
-  Vector3d standing_load;
+  std::shared_ptr<const SolvedPoint> solved;
+  [[nodiscard]] int point() const { return along->candidates[static_cast<std::size_t>(candidate)]; }
 };
 
 // The part of a crossed cell's wall that is still whole: integrals over it of the corners' linear shape functions and
@@ -49,6 +70,7 @@ struct PartlyCut {
 };
 
 bool same(const geometry::CutSurface& a, const geometry::CutSurface& b);
+std::shared_ptr<const SurfaceInBody> surface_in_body(const Body& body, const CutStrip& first);
 std::vector<double> volumes_around_mm3(const geometry::TetMesh& mesh);
 bool is_fixed(const Body& body, int point);
 std::vector<WholeWall> walls_of(const geometry::TetMesh& mesh, const PartlyCut& cut);
@@ -71,7 +93,7 @@ struct Opening::State {
   SeenPart seen;
 
   std::vector<PartlyCut> cuts;
-  std::vector<std::shared_ptr<const OpenPoint>> open;
+  std::vector<OpenPoint> open;
   MatrixXd stiffness;  // S without the bridges
   Eigen::LLT<MatrixXd> factor;
 
@@ -81,9 +103,12 @@ struct Opening::State {
   VectorXd standing_load;
   double relative_residual = 0;
 
-  [[nodiscard]] std::vector<int> points_to_open(const PartlyCut& cut) const;
+  [[nodiscard]] std::vector<int> candidates_to_open(const PartlyCut& cut) const;
   [[nodiscard]] bool meets_another_cut(const std::vector<int>& new_points, const SurfaceInBody& along) const;
-  Result<void> solve_for(const std::vector<int>& new_points, const std::shared_ptr<const SurfaceInBody>& along);
+  // What is known of a candidate, solved for with its group where it was not.
+  Result<std::shared_ptr<const SolvedPoint>> solved(const SurfaceInBody& along, int candidate) const;
+  [[nodiscard]] Result<void> solve_group(const SurfaceInBody& along, std::size_t group) const;
+  Result<void> open_points(const std::vector<int>& candidates, const std::shared_ptr<const SurfaceInBody>& along);
   Result<void> factorise();
 };
 
@@ -131,16 +156,18 @@ Result<Opening> Opening::advanced(const CutStrip& strip) const {
   auto cut = std::find_if(next->cuts.begin(), next->cuts.end(),
                           [&](const PartlyCut& known) { return same(known.along->surface, strip.surface); });
   if (cut == next->cuts.end()) {
-    auto along =
-        std::make_shared<const SurfaceInBody>(SurfaceInBody{strip.surface, crossing_of(body.mesh, strip.surface)});
-    cut = next->cuts.insert(cut, {std::move(along), {}, {}});
+    cut = next->cuts.insert(cut, {surface_in_body(body, strip), {}, {}});
     cut->walls = walls_of(body.mesh, *cut);
   }
   const double whole_before_mm2 = whole_area_mm2(*cut);
   cut->strips.push_back(strip);
   cut->walls = walls_of(body.mesh, *cut);
 
-  const std::vector<int> new_points = next->points_to_open(*cut);
+  const std::vector<int> candidates = next->candidates_to_open(*cut);
+  std::vector<int> new_points;
+  for (const int candidate : candidates) {
+    new_points.push_back(cut->along->candidates[static_cast<std::size_t>(candidate)]);
+  }
   if (next->meets_another_cut(new_points, *cut->along)) {
     return failure(Error{"cuts-meet",
                          GLISSON_TEXT("The cut crosses an earlier one, whose walls would have to be divided too."),
@@ -152,26 +179,21 @@ Result<Opening> Opening::advanced(const CutStrip& strip) const {
     return failure("cut-misses", GLISSON_TEXT("The cut opens nothing: all that lies along it is open already, held, or "
                                               "outside of the body."));
   }
-  if (auto solved = next->solve_for(new_points, cut->along); !solved) return failure(std::move(solved.error()));
+  if (auto opened = next->open_points(candidates, cut->along); !opened) return failure(std::move(opened.error()));
   if (auto factorised = next->factorise(); !factorised) return failure(std::move(factorised.error()));
   return Opening(std::move(next));
 }
 
 // Those that have begun to open and were not.
-std::vector<int> Opening::State::points_to_open(const PartlyCut& cut) const {
-  const Body& body = model.body();
-  const Crossing& crossing = cut.along->crossing;
-  std::vector<std::uint8_t> known(body.mesh.points_mm.size(), 0);
+std::vector<int> Opening::State::candidates_to_open(const PartlyCut& cut) const {
+  const geometry::TetMesh& mesh = model.mesh();
+  std::vector<std::uint8_t> known(mesh.points_mm.size(), 0);
   for (const int point : points) known[point] = 1;
-  const std::vector<double> around_mm3 = volumes_around_mm3(body.mesh);
   std::vector<int> found;
-  for (std::size_t p = 0; p < body.mesh.points_mm.size(); ++p) {
-    const int point = static_cast<int>(p);
-    if (known[p] != 0 || crossing.cells_of_point[p].empty() || is_fixed(body, point)) continue;
-    constexpr double begun = 0.02, next_to_nothing = 1e-4;
-    if (cut_share(cut, body.mesh, point) < begun) continue;
-    if (share_filled(body.mesh, crossing, point, around_mm3) < next_to_nothing) continue;
-    found.push_back(point);
+  for (std::size_t c = 0; c < cut.along->candidates.size(); ++c) {
+    constexpr double begun = 0.02;
+    const int point = cut.along->candidates[c];
+    if (known[point] == 0 && cut_share(cut, mesh, point) >= begun) found.push_back(static_cast<int>(c));
   }
   return found;
 }
@@ -180,7 +202,7 @@ std::vector<int> Opening::State::points_to_open(const PartlyCut& cut) const {
 bool Opening::State::meets_another_cut(const std::vector<int>& new_points, const SurfaceInBody& along) const {
   const geometry::TetMesh& mesh = model.mesh();
   std::vector<const SurfaceInBody*> surface_of_point(mesh.points_mm.size(), nullptr);
-  for (const auto& known : open) surface_of_point[known->point] = known->along.get();
+  for (const OpenPoint& known : open) surface_of_point[known.point()] = known.along.get();
   const auto meets = [&](const Crossing& crossing, int point) {
     const auto& cells = crossing.cells_of_point[point];
     return std::any_of(cells.begin(), cells.end(), [&](int c) {
@@ -196,62 +218,104 @@ bool Opening::State::meets_another_cut(const std::vector<int>& new_points, const
   });
 }
 
-Result<void> Opening::State::solve_for(const std::vector<int>& new_points,
-                                       const std::shared_ptr<const SurfaceInBody>& along) {
-  if (new_points.empty()) return {};
+Result<std::shared_ptr<const SolvedPoint>> Opening::State::solved(const SurfaceInBody& along, int candidate) const {
+  const std::lock_guard lock(along.mutex);
+  const auto c = static_cast<std::size_t>(candidate);
+  const auto knows_all = [&](const SolvedPoint& known) {
+    return std::all_of(cuts.begin(), cuts.end(), [&](const PartlyCut& cut) {
+      return std::any_of(known.products.begin(), known.products.end(),
+                         [&](const auto& product) { return product.first == cut.along.get(); });
+    });
+  };
+  if (!along.solved[c] || !knows_all(*along.solved[c])) {
+    if (auto done = solve_group(along, c / points_in_a_group); !done) return failure(std::move(done.error()));
+  }
+  return along.solved[c];
+}
+
+Result<void> Opening::State::solve_group(const SurfaceInBody& along, std::size_t group) const {
   const Body& body = model.body();
-  const Crossing& crossing = along->crossing;
-  const Eigen::SparseMatrix<double> columns = coupling(body, crossing, new_points);
+  const std::size_t first = group * points_in_a_group;
+  const std::size_t size = std::min(points_in_a_group, along.candidates.size() - first);
+  const std::vector<int> group_points(along.candidates.begin() + static_cast<std::ptrdiff_t>(first),
+                                      along.candidates.begin() + static_cast<std::ptrdiff_t>(first + size));
+  const auto columns = along.coupling.middleCols(static_cast<Index>(3 * first), static_cast<Index>(3 * size));
   const StaticModel::Responses solved = model.respond(MatrixXd(columns));
   if (!solved.converged) {
     return failure("not-converged",
                    GLISSON_TEXT("The body's answer to the cut was not found: the relative residual stayed at {0}."),
                    {fmt::format("{:.1e}", solved.relative_residual)});
   }
-  relative_residual = std::max(relative_residual, solved.relative_residual);
   const MatrixXd& w = solved.displacement_mm;
   MatrixXd v = seen.of_nodes(w);
   for (const SeenPart::Place& place : seen.places) {
-    for (std::size_t i = 0; i < new_points.size(); ++i) {
-      const double value = value_at(body.mesh, crossing, new_points[i], place.at);
+    for (std::size_t i = 0; i < size; ++i) {
+      const double value = value_at(body.mesh, along.crossing, group_points[i], place.at);
       if (value != 0) v.block<3, 3>(place.row, 3 * static_cast<Index>(i)).diagonal().array() -= value;
     }
   }
-  const VectorXd load = load_on(body, crossing, standing_loads, new_points) - w.transpose() * standing_force_mN;
-
-  const auto known = static_cast<Index>(3 * open.size()), added = static_cast<Index>(3 * new_points.size());
-  stiffness.conservativeResize(known + added, known + added);
-  std::vector<int> along_it;
-  std::vector<Index> row_of;
-  for (std::size_t i = 0; i < open.size(); ++i) {
-    const auto row = static_cast<Index>(3 * i);
-    stiffness.block(row, known, 3, added) = -MatrixXd(open[i]->coupling.transpose() * w);
-    if (open[i]->along != along) continue;
-    along_it.push_back(open[i]->point);
-    row_of.push_back(row);
-  }
-  const MatrixXd between = stiffness_between(body, crossing, along_it, new_points);
-  for (std::size_t i = 0; i < along_it.size(); ++i) {
-    stiffness.block(row_of[i], known, 3, added) += between.middleRows<3>(3 * static_cast<Index>(i));
-  }
-  stiffness.block(known, 0, added, known) = stiffness.block(0, known, known, added).transpose();
-  stiffness.block(known, known, added, added) =
-      stiffness_between(body, crossing, new_points, new_points) - MatrixXd(columns.transpose() * w);
-
-  standing_load.conservativeResize(known + added);
-  standing_load.tail(added) = load;
-  for (std::size_t i = 0; i < new_points.size(); ++i) {
+  const VectorXd load = load_on(body, along.crossing, standing_loads, group_points) - w.transpose() * standing_force_mN;
+  std::vector<MatrixXd> products;
+  for (const PartlyCut& cut : cuts) products.emplace_back(cut.along->coupling.transpose() * w);
+  for (std::size_t i = 0; i < size; ++i) {
     const auto column = static_cast<Index>(3 * i);
-    Vector3d normal = Vector3d::Zero();
-    for (const int c : crossing.cells_of_point[new_points[i]]) {
-      normal += crossing.cells[c].wall_area_mm2 * crossing.cells[c].wall_normal;
+    auto point = std::make_shared<SolvedPoint>();
+    point->v = v.middleCols<3>(column);
+    point->standing_load = load.segment<3>(column);
+    for (std::size_t c = 0; c < cuts.size(); ++c) {
+      point->products.emplace_back(cuts[c].along.get(), products[c].middleCols<3>(column));
     }
-    points.push_back(new_points[i]);
-    normals.push_back(normal.normalized());
-    open.push_back(
-        std::make_shared<const OpenPoint>(OpenPoint{new_points[i], along, normals.back(), columns.middleCols(column, 3),
-                                                    v.middleCols<3>(column), load.segment<3>(column)}));
+    point->relative_residual = solved.relative_residual;
+    along.solved[first + i] = std::move(point);
   }
+  return {};
+}
+
+Result<void> Opening::State::open_points(const std::vector<int>& candidates,
+                                         const std::shared_ptr<const SurfaceInBody>& along) {
+  const std::size_t known = open.size();
+  std::vector<int> new_points, along_it;
+  std::vector<Index> row_of;
+  for (std::size_t i = 0; i < known; ++i) {
+    if (open[i].along != along) continue;
+    along_it.push_back(open[i].point());
+    row_of.push_back(static_cast<Index>(3 * i));
+  }
+  for (const int candidate : candidates) {
+    auto point = solved(*along, candidate);
+    if (!point) return failure(std::move(point.error()));
+    relative_residual = std::max(relative_residual, (*point)->relative_residual);
+    open.push_back({candidate, along, std::move(*point)});
+    row_of.push_back(static_cast<Index>(3 * (open.size() - 1)));
+    new_points.push_back(open.back().point());
+    along_it.push_back(new_points.back());
+    points.push_back(new_points.back());
+    Vector3d normal = Vector3d::Zero();
+    for (const int c : along->crossing.cells_of_point[new_points.back()]) {
+      normal += along->crossing.cells[c].wall_area_mm2 * along->crossing.cells[c].wall_normal;
+    }
+    normals.push_back(normal.normalized());
+  }
+
+  const auto all = static_cast<Index>(3 * open.size()), first = static_cast<Index>(3 * known);
+  stiffness.conservativeResize(all, all);
+  standing_load.conservativeResize(all);
+  for (std::size_t j = known; j < open.size(); ++j) {
+    const auto column = static_cast<Index>(3 * j);
+    standing_load.segment<3>(column) = open[j].solved->standing_load;
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      const auto& products = open[j].solved->products;
+      const auto of_surface = std::find_if(products.begin(), products.end(),
+                                           [&](const auto& product) { return product.first == open[i].along.get(); });
+      stiffness.block<3, 3>(static_cast<Index>(3 * i), column) =
+          -of_surface->second.middleRows<3>(3 * static_cast<Index>(open[i].candidate));
+    }
+  }
+  const MatrixXd between = stiffness_between(model.body(), along->crossing, along_it, new_points);
+  for (std::size_t i = 0; i < along_it.size(); ++i) {
+    stiffness.block(row_of[i], first, 3, all - first) += between.middleRows<3>(3 * static_cast<Index>(i));
+  }
+  stiffness.block(first, 0, all - first, first) = stiffness.block(0, first, first, all - first).transpose();
   return {};
 }
 
@@ -261,7 +325,7 @@ Result<void> Opening::State::factorise() {
   for (const PartlyCut& cut : cuts) {
     std::vector<int> number(body.mesh.points_mm.size(), -1);
     for (std::size_t i = 0; i < open.size(); ++i) {
-      if (open[i]->along == cut.along) number[open[i]->point] = static_cast<int>(i);
+      if (open[i].along == cut.along) number[open[i].point()] = static_cast<int>(i);
     }
     for (std::size_t c = 0; c < cut.walls.size(); ++c) {
       const auto cell = static_cast<std::size_t>(cut.along->crossing.cells[c].cell);
@@ -289,6 +353,26 @@ Result<void> Opening::State::factorise() {
                        {}});
 }
 
+Result<bool> Opening::prepare(const CutStrip& ahead) const {
+  const auto cut = std::find_if(state_->cuts.begin(), state_->cuts.end(),
+                                [&](const PartlyCut& known) { return same(known.along->surface, ahead.surface); });
+  if (cut == state_->cuts.end()) return false;
+  const SurfaceInBody& along = *cut->along;
+  const double from_mm = (ahead.from_mm - along.begin_mm).dot(along.forward);
+  const double until_mm = (ahead.to_mm - along.begin_mm).dot(along.forward);
+  for (std::size_t c = 0; c < along.candidates.size(); ++c) {
+    if (along.at_mm[c] < from_mm || along.at_mm[c] > until_mm) continue;
+    {
+      const std::lock_guard lock(along.mutex);
+      if (along.solved[c]) continue;
+    }
+    auto point = state_->solved(along, static_cast<int>(c));
+    if (!point) return failure(std::move(point.error()));
+    return true;
+  }
+  return false;
+}
+
 const std::vector<int>& Opening::points() const { return state_->points; }
 const std::vector<Vector3d>& Opening::normals() const { return state_->normals; }
 const VectorXd& Opening::standing_load() const { return state_->standing_load; }
@@ -297,7 +381,7 @@ double Opening::relative_residual() const { return state_->relative_residual; }
 VectorXd Opening::load_of_force(Index row, const Vector3d& force_mN) const {
   VectorXd load(state_->standing_load.size());
   for (std::size_t i = 0; i < state_->open.size(); ++i) {
-    load.segment<3>(static_cast<Index>(3 * i)) = -state_->open[i]->v.middleRows<3>(row).transpose() * force_mN;
+    load.segment<3>(static_cast<Index>(3 * i)) = -state_->open[i].solved->v.middleRows<3>(row).transpose() * force_mN;
   }
   return load;
 }
@@ -313,13 +397,13 @@ MatrixXd Opening::jumps_mm(const MatrixXd& load) const {
 }
 
 VectorXd Opening::seen_mm(const VectorXd& jumps_mm) const {
-  return state_->open.empty() ? VectorXd() : seen_mm(jumps_mm, state_->open.front()->v.rows());
+  return state_->open.empty() ? VectorXd() : seen_mm(jumps_mm, state_->open.front().solved->v.rows());
 }
 
 VectorXd Opening::seen_mm(const VectorXd& jumps_mm, Index rows) const {
   VectorXd sum_mm = VectorXd::Zero(rows);
   for (std::size_t i = 0; i < state_->open.size(); ++i) {
-    sum_mm -= state_->open[i]->v.topRows(rows) * jumps_mm.segment<3>(static_cast<Index>(3 * i));
+    sum_mm -= state_->open[i].solved->v.topRows(rows) * jumps_mm.segment<3>(static_cast<Index>(3 * i));
   }
   return sum_mm;
 }
@@ -341,7 +425,8 @@ double Opening::whole_mm2() const {
 VectorXd Opening::force_on_nodes_mN(const VectorXd& jumps_mm) const {
   VectorXd force_mN = VectorXd::Zero(state_->standing_force_mN.size());
   for (std::size_t i = 0; i < state_->open.size(); ++i) {
-    force_mN -= state_->open[i]->coupling * jumps_mm.segment<3>(static_cast<Index>(3 * i));
+    const OpenPoint& open = state_->open[i];
+    force_mN -= open.along->coupling.middleCols(3 * open.candidate, 3) * jumps_mm.segment<3>(static_cast<Index>(3 * i));
   }
   return force_mN;
 }
@@ -352,7 +437,7 @@ std::vector<OpenCell> Opening::cells() const {
   for (const PartlyCut& cut : state_->cuts) {
     std::vector<int> number(mesh.points_mm.size(), -1);
     for (std::size_t i = 0; i < state_->open.size(); ++i) {
-      if (state_->open[i]->along == cut.along) number[state_->open[i]->point] = static_cast<int>(i);
+      if (state_->open[i].along == cut.along) number[state_->open[i].point()] = static_cast<int>(i);
     }
     for (const CrossedCell& crossed : cut.along->crossing.cells) {
       OpenCell cell{crossed.cell, {}, Eigen::Vector4d::Zero(), crossed.division.wall};
@@ -372,6 +457,31 @@ namespace {
 bool same(const geometry::CutSurface& a, const geometry::CutSurface& b) {
   if (!a.is_plane() || !b.is_plane()) return false;
   return a.normal().isApprox(b.normal(), 1e-9) && std::abs(a.height_mm(b.point_mm())) < 1e-6;
+}
+
+std::shared_ptr<const SurfaceInBody> surface_in_body(const Body& body, const CutStrip& first) {
+  auto made = std::make_shared<SurfaceInBody>();
+  made->surface = first.surface;
+  made->crossing = crossing_of(body.mesh, first.surface);
+  made->begin_mm = first.from_mm;
+  made->forward = (first.to_mm - first.from_mm).normalized();
+  const std::vector<double> around_mm3 = volumes_around_mm3(body.mesh);
+  std::vector<std::pair<double, int>> in_order;
+  for (std::size_t p = 0; p < body.mesh.points_mm.size(); ++p) {
+    const int point = static_cast<int>(p);
+    if (made->crossing.cells_of_point[p].empty() || is_fixed(body, point)) continue;
+    constexpr double next_to_nothing = 1e-4;
+    if (share_filled(body.mesh, made->crossing, point, around_mm3) < next_to_nothing) continue;
+    in_order.emplace_back((body.mesh.points_mm[p] - made->begin_mm).dot(made->forward), point);
+  }
+  std::sort(in_order.begin(), in_order.end());
+  for (const auto& [at_mm, point] : in_order) {
+    made->candidates.push_back(point);
+    made->at_mm.push_back(at_mm);
+  }
+  made->coupling = coupling(body, made->crossing, made->candidates);
+  made->solved.resize(made->candidates.size());
+  return made;
 }
 
 std::vector<double> volumes_around_mm3(const geometry::TetMesh& mesh) {

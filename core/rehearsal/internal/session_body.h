@@ -31,6 +31,7 @@ class SessionBody {
                                           const std::vector<mechanics::ContactTool>& tools) const;
   // With a cut opened further. Failures: those of ContactBody::opened; "not-available" at large strain.
   [[nodiscard]] Result<SessionBody> opened(const mechanics::CutStrip& strip) const;
+  [[nodiscard]] Result<bool> prepare(const mechanics::CutStrip& ahead) const;  // as ContactBody's
   // What its cut has come to in that state; nothing where none is open.
   [[nodiscard]] std::optional<SessionCut> cut(const BodyState& state) const;
   [[nodiscard]] Result<mechanics::StaticResult> whole_result(const BodyState& state) const;
