@@ -10,6 +10,7 @@
 #include "closedloop/palpation/internal/effects.h"
 #include "closedloop/palpation/internal/structure.h"
 #include "mechanics/elements/quadrature.h"
+#include "mechanics/elements/shape_functions.h"
 
 namespace glisson::closedloop {
 namespace {
@@ -141,7 +142,7 @@ double left_after_long(const Learnt& effect, bool material_test) {
 
 void put_in(const Inclusion& inclusion, const geometry::TetMesh& mesh, std::vector<double>& youngs_kPa) {
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
-    const double edge_mm = std::cbrt(6.0 * std::sqrt(2.0) * geometry::cell_volume_mm3(mesh, c));
+    const double edge_mm = mechanics::regular_edge_mm(geometry::cell_volume_mm3(mesh, c));
     double mean = 0;
     for (const mechanics::TetPoint& at : mechanics::tet_points_degree_2()) {
       Eigen::Vector3d place_mm = Eigen::Vector3d::Zero();

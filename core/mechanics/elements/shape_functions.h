@@ -3,6 +3,7 @@
 // quadratic ones are L_i (2 L_i - 1) at corners and 4 L_i L_j at the middle of the edge i-j.
 // Source: any text, e.g. Zienkiewicz and Taylor, The Finite Element Method, 8.10. Node order: node_layout.h.
 
+#include <cmath>
 #include <Eigen/Core>
 
 #include "geometry/tetrahedra.h"
@@ -41,6 +42,9 @@ struct CellGeometry {
   Eigen::Matrix<double, 4, 3> barycentric_gradients;
   double volume_mm3;
 };
+
+// The edge of the regular tetrahedron of that volume: how large a cell is.
+inline double regular_edge_mm(double volume_mm3) { return std::cbrt(6.0 * std::sqrt(2.0) * volume_mm3); }
 
 CellGeometry cell_geometry(const geometry::TetMesh& mesh, std::size_t cell);
 

@@ -18,7 +18,7 @@ Elements elements_of(const mechanics::Body& body) {
   elements.edge_mm.reserve(elements.cells.size());
   for (std::size_t c = 0; c < elements.cells.size(); ++c) {
     const mechanics::CellGeometry shape = mechanics::cell_geometry(body.mesh, c);
-    elements.edge_mm.push_back(std::cbrt(6.0 * std::sqrt(2.0) * shape.volume_mm3));
+    elements.edge_mm.push_back(mechanics::regular_edge_mm(shape.volume_mm3));
     for (const mechanics::TetPoint& at : quadrature) {
       Elements::Point point;
       point.gradients =
