@@ -1,7 +1,5 @@
 #include "mechanics/contact/live_body.h"
 
-#include <cmath>
-
 #include "mechanics/contact/internal/live_step.h"
 #include "mechanics/elements/shape_functions.h"
 #include "mechanics/potentials/total_potential.h"
@@ -38,14 +36,7 @@ Result<LiveBody> LiveBody::create(StaticModel model, const ChosenLaw& law, const
     parts.node_of_point.push_back(parts.body.layout.node_of_point[static_cast<std::size_t>(p)]);
   }
   parts.watched = std::move(watched);
-  // A few times as stiff as the surface itself is at a point, which answers with about E times an edge.
-  double mean_kPa = 0;
-  for (const double youngs : parts.body.youngs_kPa) {
-    mean_kPa += youngs / static_cast<double>(parts.body.youngs_kPa.size());
-  }
-  const double edge_mm = std::sqrt(4 / std::sqrt(3.0) * geometry::area_mm2(parts.surface) /
-                                   static_cast<double>(parts.surface.triangles.size()));
-  parts.k_mN_mm = 5 * mean_kPa * edge_mm;
+  parts.k_mN_mm = penalty_stiffness_mN_mm(5, parts.body, parts.surface);
   if (judged > 0) {
     const auto answered = parts.model.respond(parts.unit_forces_at_watched(judged));
     parts.adjoints = answered.displacement_mm.cast<float>();

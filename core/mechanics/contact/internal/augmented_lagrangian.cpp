@@ -16,9 +16,6 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-// A penetration that nobody can see: where all forces are smaller than it makes, there is nothing left to solve.
-constexpr double hair_mm = 1e-3;
-
 }  // namespace
 
 Result<AugmentedLagrangian> AugmentedLagrangian::create(const Body& body, const std::vector<ContactTool>& tools,
@@ -62,13 +59,8 @@ AugmentedLagrangian::AugmentedLagrangian(const Body& body, const ContactOptions&
   for (const double p : geometry::find_field(surface_.point_fields, "mesh_point")->values) {
     node_of_point_.push_back(body_->layout.node_of_point[static_cast<std::size_t>(p)]);
   }
-  // Some fifty times as stiff as the surface itself is at a point, which answers with about E times an edge: what a
-  // round leaves of a penetration is then a fiftieth, and the matrix stays far from singular.
-  double mean_kPa = 0;
-  for (const double youngs : body_->youngs_kPa) mean_kPa += youngs / static_cast<double>(body_->youngs_kPa.size());
-  const double edge_mm =
-      std::sqrt(4 / std::sqrt(3.0) * geometry::area_mm2(surface_) / static_cast<double>(surface_.triangles.size()));
-  k_mN_mm_ = 50 * mean_kPa * edge_mm;
+  // What a round leaves of a penetration is then a fiftieth, and the matrix stays far from singular.
+  k_mN_mm_ = penalty_stiffness_mN_mm(50, body, surface_);
 }
 
 AppliedLoads AugmentedLagrangian::with_pulls(AppliedLoads loads, const std::vector<ContactTool>& tools) const {
@@ -221,12 +213,9 @@ void AugmentedLagrangian::update_multipliers(const std::vector<ContactTool>& too
     keep({near.tool, near.rod, near.points, near.weights}, surface_, kept);
   }
   for (std::size_t i = constraints_.size(); i < kept.size(); ++i) {
-    ContactConstraint constraint{kept[i], rod_of(kept[i], tools), {}, Vector3d::Zero()};
+    ContactConstraint constraint = constraint_at(kept[i], surface_, node_of_point_);
+    constraint.rod = rod_of(kept[i], tools);
     constraint.friction = std::get<TouchingTool>(tools[kept[i].tool].what).friction;
-    for (int c = 0; c < 3; ++c) {
-      constraint.nodes[c] = node_of_point_[kept[i].points[c]];
-      constraint.rest_mm += kept[i].weights[c] * surface_.points_mm[kept[i].points[c]];
-    }
     restart_friction(constraint, tools);
     constraints_.push_back(constraint);
   }

@@ -9,6 +9,25 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
+ContactConstraint constraint_at(const TrackedContact& place, const geometry::Surface& surface,
+                                const std::vector<int>& node_of_point) {
+  ContactConstraint constraint{place, {}, {}, Vector3d::Zero()};
+  for (int c = 0; c < 3; ++c) {
+    const auto point = static_cast<std::size_t>(place.points[c]);
+    constraint.nodes[c] = node_of_point[point];
+    constraint.rest_mm += place.weights[c] * surface.points_mm[point];
+  }
+  return constraint;
+}
+
+double penalty_stiffness_mN_mm(double times, const Body& body, const geometry::Surface& surface) {
+  double mean_kPa = 0;
+  for (const double youngs : body.youngs_kPa) mean_kPa += youngs / static_cast<double>(body.youngs_kPa.size());
+  const double edge_mm =
+      std::sqrt(4 / std::sqrt(3.0) * geometry::area_mm2(surface) / static_cast<double>(surface.triangles.size()));
+  return times * mean_kPa * edge_mm;
+}
+
 Vector3d place_of(const ContactConstraint& constraint, const VectorXd& u_mm) {
   Vector3d at_mm = constraint.rest_mm;
   for (int i = 0; i < 3; ++i) at_mm += constraint.place.weights[i] * u_mm.segment<3>(3 * constraint.nodes[i]);

@@ -4,8 +4,10 @@
 
 #include <array>
 #include <Eigen/Core>
+#include <vector>
 
 #include "mechanics/contact/internal/contact_candidates.h"
+#include "mechanics/elements/body.h"
 
 namespace glisson::mechanics {
 
@@ -23,6 +25,16 @@ struct ContactConstraint {
   Eigen::Vector3d from_on_tool_mm{0, 0, 0}, from_mm{0, 0, 0};  // where it slid from: on the tool, and where that is now
   bool slips = false;
 };
+
+// On the surface of a body, `node_of_point` being its points' nodes; its rod is the caller's.
+[[nodiscard]] ContactConstraint constraint_at(const TrackedContact& place, const geometry::Surface& surface,
+                                              const std::vector<int>& node_of_point);
+
+// So many times as stiff (mN/mm) as the surface itself is at a point, which answers with about E times an edge.
+[[nodiscard]] double penalty_stiffness_mN_mm(double times, const Body& body, const geometry::Surface& surface);
+
+// A penetration that nobody can see: where all forces are smaller than it makes, there is nothing left to solve.
+inline constexpr double hair_mm = 1e-3;
 
 // Where the place is now.
 [[nodiscard]] Eigen::Vector3d place_of(const ContactConstraint& constraint, const Eigen::VectorXd& u_mm);

@@ -13,8 +13,6 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-// A penetration that nobody can see: where all forces are smaller than it makes, there is nothing left to solve.
-constexpr double hair_mm = 1e-3;
 // The bound: so many times the weighted residual and the deepest penetration, which multipliers that lag leave, and a
 // tenth of a millimetre. Found on the tuning paths of docs/performance.md and not changed after.
 constexpr double of_residual = 2.5, of_penetration = 1.5, beside_mm = 0.1;
@@ -84,10 +82,9 @@ Result<void> LiveStep::take_tools(const LiveState& from) {
       }
       for (const LivePlace& place : from.places) {
         if (place.tool != tools_[t].id || place.rod >= touching->shape.size()) continue;
-        kept_.push_back({t, place.rod, place.points, place.weights});
-        ContactConstraint constraint{kept_.back(), {}, {}, Vector3d::Zero()};
-        constraint.multiplier_mN = place.multiplier_mN;
-        places_.push_back(constraint);
+        places_.push_back(
+            constraint_at({t, place.rod, place.points, place.weights}, parts_.surface, parts_.node_of_point));
+        places_.back().multiplier_mN = place.multiplier_mN;
       }
       continue;
     }
@@ -109,13 +106,6 @@ Result<void> LiveStep::take_tools(const LiveState& from) {
     }
     grips_.push_back(std::move(*gripped));
   }
-  for (ContactConstraint& place : places_) {
-    for (int c = 0; c < 3; ++c) {
-      const auto point = static_cast<std::size_t>(place.place.points[c]);
-      place.nodes[c] = parts_.node_of_point[point];
-      place.rest_mm += place.place.weights[c] * parts_.surface.points_mm[point];
-    }
-  }
   place_rods();
   return {};
 }
@@ -123,27 +113,18 @@ Result<void> LiveStep::take_tools(const LiveState& from) {
 // Those that come near join without a force; those that were left go.
 void LiveStep::find_places() {
   constexpr double margin_mm = 1.0;
-  std::size_t stay = 0;
-  for (std::size_t i = 0; i < places_.size(); ++i) {
-    const Gap gap = gap_of(places_[i], state_.u_mm);
-    if (gap.mm > margin_mm && normal_force_mN(places_[i], parts_.k_mN_mm, gap) == 0) continue;
-    places_[stay] = places_[i];
-    kept_[stay++] = kept_[i];
-  }
-  places_.resize(stay);
-  kept_.resize(stay);
+  std::erase_if(places_, [&](const ContactConstraint& place) {
+    const Gap gap = gap_of(place, state_.u_mm);
+    return gap.mm > margin_mm && normal_force_mN(place, parts_.k_mN_mm, gap) == 0;
+  });
+  std::vector<TrackedContact> kept;
+  for (const ContactConstraint& place : places_) kept.push_back(place.place);
   const VectorXd moved_mm = parts_.surface_of(state_.u_mm);
   for (const ContactCandidate& near : contact_candidates(parts_.surface, tools_, advance_mm_, moved_mm, margin_mm)) {
-    keep({near.tool, near.rod, near.points, near.weights}, parts_.surface, kept_);
+    keep({near.tool, near.rod, near.points, near.weights}, parts_.surface, kept);
   }
-  for (std::size_t i = places_.size(); i < kept_.size(); ++i) {
-    ContactConstraint place{kept_[i], {}, {}, Vector3d::Zero()};
-    for (int c = 0; c < 3; ++c) {
-      const auto point = static_cast<std::size_t>(kept_[i].points[c]);
-      place.nodes[c] = parts_.node_of_point[point];
-      place.rest_mm += kept_[i].weights[c] * parts_.surface.points_mm[point];
-    }
-    places_.push_back(place);
+  for (std::size_t i = places_.size(); i < kept.size(); ++i) {
+    places_.push_back(constraint_at(kept[i], parts_.surface, parts_.node_of_point));
   }
   place_rods();
 }

@@ -120,7 +120,6 @@ class LiveStep {
   Eigen::VectorXd advance_mm_;  // one a tool
   std::vector<Jaws> jaws_;
   std::vector<Gripped> grips_;
-  std::vector<TrackedContact> kept_;
   std::vector<ContactConstraint> places_;
   std::vector<StiffRow> rows_;
   std::vector<Bend> bends_;
