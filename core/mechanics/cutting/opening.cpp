@@ -9,6 +9,8 @@
 #include <utility>
 
 #include "mechanics/cutting/internal/jump_functions.h"
+#include "mechanics/cutting/internal/surface_in_body.h"
+#include "mechanics/cutting/internal/whole_walls.h"
 #include "mechanics/elements/load_vector.h"
 
 namespace glisson::mechanics {
@@ -20,31 +22,6 @@ using Eigen::VectorXd;
 
 namespace {
 
-struct SurfaceInBody;
-
-// What was solved for of one point.
-struct SolvedPoint {
-  MatrixXd v;  // its columns of V
-  Vector3d standing_load;
-  // B^T K^-1 of its columns of B, 3 rows a candidate of each surface that there was.
-  std::vector<std::pair<const SurfaceInBody*, MatrixXd>> products;
-  double relative_residual = 0;
-};
-
-// One surface wherever it crosses the body. Its candidates are the points that may open, in the order in which the
-// first strip's front comes to them; they are solved for in fixed groups, so that what is solved does not depend on who
-// asked first.
-struct SurfaceInBody {
-  geometry::CutSurface surface;
-  Crossing crossing;
-  std::vector<int> candidates;           // points of the mesh
-  std::vector<double> at_mm;             // of each, along the first strip
-  Eigen::SparseMatrix<double> coupling;  // their columns of B
-  Vector3d begin_mm, forward;            // of the first strip
-
-  mutable std::mutex mutex;  // what is solved grows behind it
-  mutable std::vector<std::shared_ptr<const SolvedPoint>> solved;
-};
 constexpr std::size_t points_in_a_group = 4;  // a dozen right-hand sides, a tenth of a second on a liver
 
 // A point whose jump is open.
@@ -55,13 +32,6 @@ struct OpenPoint {
   [[nodiscard]] int point() const { return along->candidates[static_cast<std::size_t>(candidate)]; }
 };
 
-// The part of a crossed cell's wall that is still whole: integrals over it of the corners' linear shape functions and
-// of their products, and of the functions over all of the wall (mm2).
-struct WholeWall {
-  Eigen::Vector4d all_mm2 = Eigen::Vector4d::Zero(), whole_mm2 = Eigen::Vector4d::Zero();
-  Eigen::Matrix4d products_mm2 = Eigen::Matrix4d::Zero();
-};
-
 // A surface as far as it is cut.
 struct PartlyCut {
   std::shared_ptr<const SurfaceInBody> along;
@@ -70,14 +40,6 @@ struct PartlyCut {
 };
 
 bool same(const geometry::CutSurface& a, const geometry::CutSurface& b);
-std::shared_ptr<const SurfaceInBody> surface_in_body(const Body& body, const CutStrip& first);
-std::vector<double> volumes_around_mm3(const geometry::TetMesh& mesh);
-bool is_fixed(const Body& body, int point);
-std::vector<WholeWall> walls_of(const geometry::TetMesh& mesh, const PartlyCut& cut);
-// How much of a point's share of the wall is cut, between 0 and 1.
-double cut_share(const PartlyCut& cut, const geometry::TetMesh& mesh, int point);
-double whole_area_mm2(const PartlyCut& cut);
-
 }  // namespace
 
 struct Opening::State {
@@ -109,28 +71,10 @@ struct Opening::State {
   Result<std::shared_ptr<const SolvedPoint>> solved(const SurfaceInBody& along, int candidate) const;
   [[nodiscard]] Result<void> solve_group(const SurfaceInBody& along, std::size_t group) const;
   Result<void> open_points(const std::vector<int>& candidates, const std::shared_ptr<const SurfaceInBody>& along);
+  // Of each point of the mesh the number of its jump along that surface, -1: none.
+  [[nodiscard]] std::vector<int> jumps_along(const SurfaceInBody& along) const;
   Result<void> factorise();
 };
-
-bool lies_within(const CutStrip& strip, const Vector3d& place_mm) {
-  const Vector3d way_mm = strip.to_mm - strip.from_mm;
-  const double at = (place_mm - strip.from_mm).dot(way_mm) / way_mm.squaredNorm();
-  return at >= 0 && at <= 1;
-}
-
-bool crosses(const CutStrip& strip, const geometry::Surface& surface) {
-  std::vector<double> height_mm;
-  for (const Vector3d& point : surface.points_mm) height_mm.push_back(strip.surface.height_mm(point));
-  return std::any_of(surface.triangles.begin(), surface.triangles.end(), [&](const std::array<int, 3>& triangle) {
-    for (int i = 0; i < 3; ++i) {
-      const auto a = static_cast<std::size_t>(triangle[i]), b = static_cast<std::size_t>(triangle[(i + 1) % 3]);
-      if ((height_mm[a] > 0) == (height_mm[b] > 0)) continue;
-      const double share = height_mm[a] / (height_mm[a] - height_mm[b]);
-      if (lies_within(strip, (1.0 - share) * surface.points_mm[a] + share * surface.points_mm[b])) return true;
-    }
-    return false;
-  });
-}
 
 Result<Opening> Opening::of(StaticModel model, Loads standing_loads, SeenPart seen) {
   const Body& body = model.body();
@@ -155,13 +99,11 @@ Result<Opening> Opening::advanced(const CutStrip& strip) const {
   auto next = std::make_shared<State>(*state_);
   auto cut = std::find_if(next->cuts.begin(), next->cuts.end(),
                           [&](const PartlyCut& known) { return same(known.along->surface, strip.surface); });
-  if (cut == next->cuts.end()) {
-    cut = next->cuts.insert(cut, {surface_in_body(body, strip), {}, {}});
-    cut->walls = walls_of(body.mesh, *cut);
-  }
-  const double whole_before_mm2 = whole_area_mm2(*cut);
+  if (cut == next->cuts.end()) cut = next->cuts.insert(cut, {surface_in_body(body, strip), {}, {}});
+  const std::vector<WholeWall> before = std::exchange(cut->walls, {});
   cut->strips.push_back(strip);
-  cut->walls = walls_of(body.mesh, *cut);
+  cut->walls = whole_walls(body.mesh, cut->along->crossing, cut->strips);
+  const double whole_before_mm2 = before.empty() ? all_area_mm2(cut->walls) : whole_area_mm2(before);
 
   const std::vector<int> candidates = next->candidates_to_open(*cut);
   std::vector<int> new_points;
@@ -175,7 +117,7 @@ Result<Opening> Opening::advanced(const CutStrip& strip) const {
                          GLISSON_TEXT("Go on along the earlier cut, or keep a cell's distance from it."),
                          {}});
   }
-  if (new_points.empty() && whole_area_mm2(*cut) == whole_before_mm2) {
+  if (new_points.empty() && whole_area_mm2(cut->walls) == whole_before_mm2) {
     return failure("cut-misses", GLISSON_TEXT("The cut opens nothing: all that lies along it is open already, held, or "
                                               "outside of the body."));
   }
@@ -193,7 +135,8 @@ std::vector<int> Opening::State::candidates_to_open(const PartlyCut& cut) const 
   for (std::size_t c = 0; c < cut.along->candidates.size(); ++c) {
     constexpr double begun = 0.02;
     const int point = cut.along->candidates[c];
-    if (known[point] == 0 && cut_share(cut, mesh, point) >= begun) found.push_back(static_cast<int>(c));
+    if (known[point] == 0 && cut_share(mesh, cut.along->crossing, cut.walls, point) >= begun)
+      found.push_back(static_cast<int>(c));
   }
   return found;
 }
@@ -319,26 +262,18 @@ Result<void> Opening::State::open_points(const std::vector<int>& candidates,
   return {};
 }
 
+std::vector<int> Opening::State::jumps_along(const SurfaceInBody& along) const {
+  std::vector<int> number(model.mesh().points_mm.size(), -1);
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    if (open[i].along.get() == &along) number[open[i].point()] = static_cast<int>(i);
+  }
+  return number;
+}
+
 Result<void> Opening::State::factorise() {
-  const Body& body = model.body();
   MatrixXd bridged = stiffness;
   for (const PartlyCut& cut : cuts) {
-    std::vector<int> number(body.mesh.points_mm.size(), -1);
-    for (std::size_t i = 0; i < open.size(); ++i) {
-      if (open[i].along == cut.along) number[open[i].point()] = static_cast<int>(i);
-    }
-    for (std::size_t c = 0; c < cut.walls.size(); ++c) {
-      const auto cell = static_cast<std::size_t>(cut.along->crossing.cells[c].cell);
-      const double edge_mm = std::cbrt(6.0 * std::sqrt(2.0) * geometry::cell_volume_mm3(body.mesh, cell));
-      const double bridge = bridge_stiffness * body.youngs_kPa[cell] / edge_mm;
-      for (int i = 0; i < 4; ++i) {
-        for (int j = 0; j < 4; ++j) {
-          const int row = number[body.mesh.cells[cell][i]], column = number[body.mesh.cells[cell][j]];
-          if (row < 0 || column < 0) continue;
-          bridged.block<3, 3>(3 * row, 3 * column).diagonal().array() += bridge * cut.walls[c].products_mm2(i, j);
-        }
-      }
-    }
+    add_bridges(bridge_stiffness, model.body(), cut.along->crossing, cut.walls, jumps_along(*cut.along), bridged);
   }
   factor.compute(bridged);
   // What nothing holds has no stiffness but rounding's.
@@ -410,15 +345,13 @@ VectorXd Opening::seen_mm(const VectorXd& jumps_mm, Index rows) const {
 
 double Opening::open_mm2() const {
   double all_mm2 = 0;
-  for (const PartlyCut& cut : state_->cuts) {
-    for (const WholeWall& wall : cut.walls) all_mm2 += wall.all_mm2.sum();
-  }
+  for (const PartlyCut& cut : state_->cuts) all_mm2 += all_area_mm2(cut.walls);
   return all_mm2 - whole_mm2();
 }
 
 double Opening::whole_mm2() const {
   double sum_mm2 = 0;
-  for (const PartlyCut& cut : state_->cuts) sum_mm2 += whole_area_mm2(cut);
+  for (const PartlyCut& cut : state_->cuts) sum_mm2 += whole_area_mm2(cut.walls);
   return sum_mm2;
 }
 
@@ -435,10 +368,7 @@ std::vector<OpenCell> Opening::cells() const {
   const geometry::TetMesh& mesh = state_->model.mesh();
   std::vector<OpenCell> cells;
   for (const PartlyCut& cut : state_->cuts) {
-    std::vector<int> number(mesh.points_mm.size(), -1);
-    for (std::size_t i = 0; i < state_->open.size(); ++i) {
-      if (state_->open[i].along == cut.along) number[state_->open[i].point()] = static_cast<int>(i);
-    }
+    const std::vector<int> number = state_->jumps_along(*cut.along);
     for (const CrossedCell& crossed : cut.along->crossing.cells) {
       OpenCell cell{crossed.cell, {}, Eigen::Vector4d::Zero(), crossed.division.wall};
       for (int i = 0; i < 4; ++i) {
@@ -457,82 +387,6 @@ namespace {
 bool same(const geometry::CutSurface& a, const geometry::CutSurface& b) {
   if (!a.is_plane() || !b.is_plane()) return false;
   return a.normal().isApprox(b.normal(), 1e-9) && std::abs(a.height_mm(b.point_mm())) < 1e-6;
-}
-
-std::shared_ptr<const SurfaceInBody> surface_in_body(const Body& body, const CutStrip& first) {
-  auto made = std::make_shared<SurfaceInBody>();
-  made->surface = first.surface;
-  made->crossing = crossing_of(body.mesh, first.surface);
-  made->begin_mm = first.from_mm;
-  made->forward = (first.to_mm - first.from_mm).normalized();
-  const std::vector<double> around_mm3 = volumes_around_mm3(body.mesh);
-  std::vector<std::pair<double, int>> in_order;
-  for (std::size_t p = 0; p < body.mesh.points_mm.size(); ++p) {
-    const int point = static_cast<int>(p);
-    if (made->crossing.cells_of_point[p].empty() || is_fixed(body, point)) continue;
-    constexpr double next_to_nothing = 1e-4;
-    if (share_filled(body.mesh, made->crossing, point, around_mm3) < next_to_nothing) continue;
-    in_order.emplace_back((body.mesh.points_mm[p] - made->begin_mm).dot(made->forward), point);
-  }
-  std::sort(in_order.begin(), in_order.end());
-  for (const auto& [at_mm, point] : in_order) {
-    made->candidates.push_back(point);
-    made->at_mm.push_back(at_mm);
-  }
-  made->coupling = coupling(body, made->crossing, made->candidates);
-  made->solved.resize(made->candidates.size());
-  return made;
-}
-
-std::vector<double> volumes_around_mm3(const geometry::TetMesh& mesh) {
-  std::vector<double> volumes_mm3(mesh.points_mm.size(), 0.0);
-  for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
-    for (const int point : mesh.cells[c]) volumes_mm3[point] += geometry::cell_volume_mm3(mesh, c);
-  }
-  return volumes_mm3;
-}
-
-bool is_fixed(const Body& body, int point) {
-  const auto first = body.resolved.fixed.begin() + 3 * static_cast<std::ptrdiff_t>(body.layout.node_of_point[point]);
-  return std::any_of(first, first + 3, [](std::uint8_t fixed) { return fixed != 0; });
-}
-
-std::vector<WholeWall> walls_of(const geometry::TetMesh& mesh, const PartlyCut& cut) {
-  std::vector<WholeWall> walls;
-  for (const CrossedCell& crossed : cut.along->crossing.cells) {
-    Eigen::Matrix<double, 3, 4> corner_mm;
-    for (int i = 0; i < 4; ++i) corner_mm.col(i) = mesh.points_mm[mesh.cells[crossed.cell][i]];
-    WholeWall wall;
-    for (const auto& [at, area_mm2] : places_on_wall(crossed, corner_mm)) {
-      wall.all_mm2 += area_mm2 * at;
-      const Vector3d place_mm = corner_mm * at;
-      if (std::any_of(cut.strips.begin(), cut.strips.end(),
-                      [&](const CutStrip& strip) { return lies_within(strip, place_mm); })) {
-        continue;
-      }
-      wall.whole_mm2 += area_mm2 * at;
-      wall.products_mm2 += area_mm2 * at * at.transpose();
-    }
-    walls.push_back(wall);
-  }
-  return walls;
-}
-
-double whole_area_mm2(const PartlyCut& cut) {
-  double sum_mm2 = 0;
-  for (const WholeWall& wall : cut.walls) sum_mm2 += wall.whole_mm2.sum();
-  return sum_mm2;
-}
-
-double cut_share(const PartlyCut& cut, const geometry::TetMesh& mesh, int point) {
-  double all_mm2 = 0, whole_mm2 = 0;
-  for (const int c : cut.along->crossing.cells_of_point[point]) {
-    const auto& corners = mesh.cells[cut.along->crossing.cells[c].cell];
-    const auto local = std::find(corners.begin(), corners.end(), point) - corners.begin();
-    all_mm2 += cut.walls[c].all_mm2[local];
-    whole_mm2 += cut.walls[c].whole_mm2[local];
-  }
-  return 1.0 - whole_mm2 / all_mm2;
 }
 
 }  // namespace

@@ -1,0 +1,72 @@
+#include "mechanics/cutting/internal/whole_walls.h"
+
+#include <algorithm>
+
+#include "mechanics/elements/shape_functions.h"
+
+namespace glisson::mechanics {
+
+using Eigen::Vector3d;
+
+std::vector<WholeWall> whole_walls(const geometry::TetMesh& mesh, const Crossing& crossing,
+                                   const std::vector<CutStrip>& strips) {
+  std::vector<WholeWall> walls;
+  for (const CrossedCell& crossed : crossing.cells) {
+    Eigen::Matrix<double, 3, 4> corner_mm;
+    for (int i = 0; i < 4; ++i) corner_mm.col(i) = mesh.points_mm[mesh.cells[crossed.cell][i]];
+    WholeWall wall;
+    for (const auto& [at, area_mm2] : places_on_wall(crossed, corner_mm)) {
+      wall.all_mm2 += area_mm2 * at;
+      const Vector3d place_mm = corner_mm * at;
+      if (std::any_of(strips.begin(), strips.end(),
+                      [&](const CutStrip& strip) { return lies_within(strip, place_mm); })) {
+        continue;
+      }
+      wall.whole_mm2 += area_mm2 * at;
+      wall.products_mm2 += area_mm2 * at * at.transpose();
+    }
+    walls.push_back(wall);
+  }
+  return walls;
+}
+
+double whole_area_mm2(const std::vector<WholeWall>& walls) {
+  double sum_mm2 = 0;
+  for (const WholeWall& wall : walls) sum_mm2 += wall.whole_mm2.sum();
+  return sum_mm2;
+}
+
+double all_area_mm2(const std::vector<WholeWall>& walls) {
+  double sum_mm2 = 0;
+  for (const WholeWall& wall : walls) sum_mm2 += wall.all_mm2.sum();
+  return sum_mm2;
+}
+
+double cut_share(const geometry::TetMesh& mesh, const Crossing& crossing, const std::vector<WholeWall>& walls,
+                 int point) {
+  double all_mm2 = 0, whole_mm2 = 0;
+  for (const int c : crossing.cells_of_point[point]) {
+    const auto& corners = mesh.cells[crossing.cells[c].cell];
+    const auto local = std::find(corners.begin(), corners.end(), point) - corners.begin();
+    all_mm2 += walls[c].all_mm2[local];
+    whole_mm2 += walls[c].whole_mm2[local];
+  }
+  return 1.0 - whole_mm2 / all_mm2;
+}
+
+void add_bridges(double times, const Body& body, const Crossing& crossing, const std::vector<WholeWall>& walls,
+                 const std::vector<int>& number, Eigen::MatrixXd& stiffness) {
+  for (std::size_t c = 0; c < walls.size(); ++c) {
+    const auto cell = static_cast<std::size_t>(crossing.cells[c].cell);
+    const double bridge = times * body.youngs_kPa[cell] / regular_edge_mm(geometry::cell_volume_mm3(body.mesh, cell));
+    for (int i = 0; i < 4; ++i) {
+      for (int j = 0; j < 4; ++j) {
+        const int row = number[body.mesh.cells[cell][i]], column = number[body.mesh.cells[cell][j]];
+        if (row < 0 || column < 0) continue;
+        stiffness.block<3, 3>(3 * row, 3 * column).diagonal().array() += bridge * walls[c].products_mm2(i, j);
+      }
+    }
+  }
+}
+
+}  // namespace glisson::mechanics

@@ -1,0 +1,36 @@
+#pragma once
+// What of a cut's walls still holds: the bridges before the front, and their share. Inside of this room.
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "mechanics/cutting/cut_strip.h"
+#include "mechanics/cutting/internal/crossed_cells.h"
+#include "mechanics/elements/body.h"
+
+namespace glisson::mechanics {
+
+// The part of a crossed cell's wall that is still whole: integrals over it of the corners' linear shape functions and
+// of their products, and of the functions over all of the wall (mm2).
+struct WholeWall {
+  Eigen::Vector4d all_mm2 = Eigen::Vector4d::Zero(), whole_mm2 = Eigen::Vector4d::Zero();
+  Eigen::Matrix4d products_mm2 = Eigen::Matrix4d::Zero();
+};
+
+// Of the crossing's cells, in their order, where these strips are cut.
+[[nodiscard]] std::vector<WholeWall> whole_walls(const geometry::TetMesh& mesh, const Crossing& crossing,
+                                                 const std::vector<CutStrip>& strips);
+
+[[nodiscard]] double whole_area_mm2(const std::vector<WholeWall>& walls);
+[[nodiscard]] double all_area_mm2(const std::vector<WholeWall>& walls);
+
+// How much of a point's share of the wall is cut, between 0 and 1.
+[[nodiscard]] double cut_share(const geometry::TetMesh& mesh, const Crossing& crossing,
+                               const std::vector<WholeWall>& walls, int point);
+
+// Adds the springs of `times` Young's modulus over a cell's edge, per area that is whole, to the stiffness of jumps;
+// `number` is of each point of the mesh its jump, -1: none.
+void add_bridges(double times, const Body& body, const Crossing& crossing, const std::vector<WholeWall>& walls,
+                 const std::vector<int>& number, Eigen::MatrixXd& stiffness);
+
+}  // namespace glisson::mechanics
