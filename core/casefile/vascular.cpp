@@ -90,18 +90,10 @@ Error no_vessels() {
 }
 
 std::vector<imaging::SegmentInfo> couinaud_segment_infos() {
-  static constexpr std::array<std::array<double, 3>, 8> colors = {{{0.55, 0.55, 0.55},
-                                                                   {0.90, 0.62, 0.00},
-                                                                   {0.34, 0.71, 0.91},
-                                                                   {0.00, 0.62, 0.45},
-                                                                   {0.94, 0.89, 0.26},
-                                                                   {0.00, 0.45, 0.70},
-                                                                   {0.84, 0.37, 0.00},
-                                                                   {0.80, 0.47, 0.65}}};
   std::vector<imaging::SegmentInfo> infos;
-  for (std::size_t n = 0; n < colors.size(); ++n) {
+  for (std::size_t n = 1; n <= 8; ++n) {
     infos.push_back(
-        {fmt::format("segment {}", vasculature::segment_name(n + 1)), static_cast<int>(n) + 1, colors.at(n)});
+        {fmt::format("segment {}", vasculature::segment_name(n)), static_cast<int>(n), vasculature::segment_colour(n)});
   }
   return infos;
 }

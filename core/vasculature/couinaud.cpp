@@ -207,6 +207,18 @@ const char* segment_name(std::size_t number) {
   return names.at(number);
 }
 
+const std::array<double, 3>& segment_colour(std::size_t number) {
+  static constexpr std::array<std::array<double, 3>, 8> colours = {{{0.55, 0.55, 0.55},
+                                                                    {0.90, 0.62, 0.00},
+                                                                    {0.34, 0.71, 0.91},
+                                                                    {0.00, 0.62, 0.45},
+                                                                    {0.94, 0.89, 0.26},
+                                                                    {0.00, 0.45, 0.70},
+                                                                    {0.84, 0.37, 0.00},
+                                                                    {0.80, 0.47, 0.65}}};
+  return colours.at(number - 1);
+}
+
 void measure(CouinaudSegments& segments) {
   segments.volume_ml.fill(0);
   std::array<double, 9> doubts{};

@@ -19,6 +19,9 @@ namespace glisson::vasculature {
 // "I" to "VIII" of 1 to 8.
 [[nodiscard]] const char* segment_name(std::size_t number);
 
+// Red, green and blue, 0 to 1, of 1 to 8: told apart by the colour blind too (Okabe and Ito 2008, and a grey).
+[[nodiscard]] const std::array<double, 3>& segment_colour(std::size_t number);
+
 enum class SegmentsFrom { trees, shape };
 
 struct CouinaudSegments {

@@ -19,15 +19,10 @@ namespace glisson::widgets {
 namespace {
 
 // As territories/couinaud has them for 3D Slicer.
-constexpr std::array<scene::Colour, 9> segment_colours = {{{0, 0, 0},
-                                                           {0.55, 0.55, 0.55},
-                                                           {0.90, 0.62, 0.00},
-                                                           {0.34, 0.71, 0.91},
-                                                           {0.00, 0.62, 0.45},
-                                                           {0.94, 0.89, 0.26},
-                                                           {0.00, 0.45, 0.70},
-                                                           {0.84, 0.37, 0.00},
-                                                           {0.80, 0.47, 0.65}}};
+scene::Colour colour_of_segment(std::size_t number) {
+  const auto& [red, green, blue] = vasculature::segment_colour(number);
+  return {red, green, blue};
+}
 
 QString number(double value, int decimals) { return QLocale().toString(value, 'f', decimals); }
 
@@ -94,7 +89,7 @@ void PlanByAnatomy::show_anatomy() {
     QTableWidgetItem* item = put(*segments_, row, segment_column,
                                  QChar::Space + QString(vasculature::segment_name(static_cast<std::size_t>(s))));
     item->setData(Qt::UserRole, s);
-    item->setIcon(swatch(segment_colours.at(static_cast<std::size_t>(s))));
+    item->setIcon(swatch(colour_of_segment(static_cast<std::size_t>(s))));
     item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsUserCheckable);
     const bool was = std::find(before_ticked.begin(), before_ticked.end(), s) != before_ticked.end();
     item->setCheckState(was ? Qt::Checked : Qt::Unchecked);
@@ -222,8 +217,8 @@ void PlanByAnatomy::add_to(WorkspaceScene& scene) const {
   if (anatomy && show_segments_->isChecked()) {
     for (std::size_t s = 1; s <= 8; ++s) {
       if (!anatomy->segments[s]) continue;
-      scene.surfaces.push_back({"liver", anatomy->segments[s], segment_colours.at(s), 0.75, scene::Finish::solid, {}});
-      scene.key.push_back({segment_colours.at(s), vasculature::segment_name(s)});
+      scene.surfaces.push_back({"liver", anatomy->segments[s], colour_of_segment(s), 0.75, scene::Finish::solid, {}});
+      scene.key.push_back({colour_of_segment(s), vasculature::segment_name(s)});
     }
     return;
   }
