@@ -165,11 +165,11 @@ std::vector<OutlinePiece> pieces_on_organ(const std::vector<SurfaceLine>& lines,
   return pieces;
 }
 
-// How far behind the organ's front each of the places lies; the least, or nothing where the front is before none.
-std::optional<double> least_deep_mm(const std::vector<Vector3d>& organ_mm,
-                                    const std::vector<std::array<int, 3>>& triangles,
-                                    const std::vector<Vector3d>& places_mm) {
-  std::optional<double> least;
+// How far behind the organ's front each of the places lies; the minimum, or nothing where the front is before none.
+std::optional<double> minimum_depth_mm(const std::vector<Vector3d>& organ_mm,
+                                       const std::vector<std::array<int, 3>>& triangles,
+                                       const std::vector<Vector3d>& places_mm) {
+  std::optional<double> minimum;
   for (const Vector3d& place : places_mm) {
     const double away_mm = place.norm();
     if (place.z() <= 0) continue;
@@ -191,9 +191,9 @@ std::optional<double> least_deep_mm(const std::vector<Vector3d>& organ_mm,
       const double at_mm = v.dot(other) / area;
       if (at_mm > 0) front_mm = std::min(front_mm, at_mm);
     }
-    if (!least || away_mm - front_mm < *least) least = away_mm - front_mm;
+    if (!minimum || away_mm - front_mm < *minimum) minimum = away_mm - front_mm;
   }
-  return least;
+  return minimum;
 }
 
 // The places at which a structure's depth is taken: a few suffice.
@@ -274,7 +274,7 @@ std::vector<PlacedOutline> placed_outlines(const vision::Camera& camera, int wid
     const JudgedPlaces judged(camera, structure, placement);
     PlacedOutline outline{s, mean_depth_mm(points_mm), judged.largest_mm, {}, {}};
     if (s > 0) {
-      outline.deep_mm = least_deep_mm(organ_mm, structures.front().at_rest.triangles, some_of(points_mm));
+      outline.deep_mm = minimum_depth_mm(organ_mm, structures.front().at_rest.triangles, some_of(points_mm));
     }
     outline.pieces = pieces_around(camera, width, height, points_mm, structure.at_rest.triangles, canvas, judged);
     outlines.push_back(std::move(outline));
