@@ -25,8 +25,7 @@ constexpr double film_frames_per_second = 15;  // as the timeline plays
 
 }  // namespace
 
-GuidePage::GuidePage(WorkspaceContext context, QWidget* parent)
-    : QWidget(parent), context_(std::move(context)), images_(256 << 10) {
+GuidePage::GuidePage(WorkspaceContext context, QWidget* parent) : QWidget(parent), context_(std::move(context)) {
   setObjectName("guide_page");
   setFocusPolicy(Qt::StrongFocus);
   auto* column = new QVBoxLayout(this);
@@ -319,16 +318,10 @@ void GuidePage::say(std::function<QString()> words) {
 
 void GuidePage::keyPressEvent(QKeyEvent* event) {
   if (!has_video()) return QWidget::keyPressEvent(event);
-  switch (event->key()) {
-    case Qt::Key_O: panel_->turn_outlines(); break;
-    case Qt::Key_Space: timeline_->play(!timeline_->playing()); break;
-    case Qt::Key_Left: timeline_->step(-1); break;
-    case Qt::Key_Right: timeline_->step(1); break;
-    case Qt::Key_PageUp: timeline_->step(-10); break;
-    case Qt::Key_PageDown: timeline_->step(10); break;
-    case Qt::Key_Home: timeline_->show_frame(0); break;
-    case Qt::Key_End: timeline_->show_frame(timeline_->frames() - 1); break;
-    default: QWidget::keyPressEvent(event);
+  if (event->key() == Qt::Key_O) {
+    panel_->turn_outlines();
+  } else if (!timeline_->take_key(event->key())) {
+    QWidget::keyPressEvent(event);
   }
 }
 

@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
-#include <QCache>
 #include <QLabel>
 #include <QStackedWidget>
 #include <QTimer>
@@ -15,6 +14,7 @@
 #include "widgets/guide/guide_welcome.h"
 #include "widgets/guide/guided_video.h"
 #include "widgets/guide/overlay_view.h"
+#include "widgets/panels/frame_images.h"
 #include "widgets/panels/timeline.h"
 #include "widgets/views/space_view.h"
 #include "widgets/workspaces/workspace.h"
@@ -84,7 +84,6 @@ class GuidePage : public QWidget {
   [[nodiscard]] QString label_of(const guidance::PlacedOutline& outline) const;
   [[nodiscard]] QString remark() const;   // over the frame
   [[nodiscard]] QString reading() const;  // what to conclude of this frame
-  [[nodiscard]] QImage frame_image(int frame);
   [[nodiscard]] std::size_t frame() const { return static_cast<std::size_t>(timeline_->frame()); }
   // The words are asked for again when the language changes.
   void say(std::function<QString()> words);
@@ -102,7 +101,7 @@ class GuidePage : public QWidget {
   std::vector<guidance::PlacedOutline> hand_outlines_;
   QTimer hand_due_;
   std::function<QString()> said_;
-  QCache<int, QImage> images_;
+  FrameImages images_;
   QSize size_px_;
   bool looked_in_space_ = false;
 

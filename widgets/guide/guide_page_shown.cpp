@@ -24,30 +24,14 @@ QString why_not(const guidance::ElasticPlacement& placement, std::size_t frame) 
 
 }  // namespace
 
-QImage GuidePage::frame_image(int frame) {
-  if (const QImage* known = images_.object(frame)) return *known;
-  const std::filesystem::path& file = video_->sequence.images[static_cast<std::size_t>(frame)];
-  if (file.empty()) return {};
-  const auto read = vision::read_frame(file);
-  if (!read) {
-    say_error(read.error());
-    return {};
-  }
-  const QImage image =
-      QImage(read->rgb.data(), read->width, read->height, 3 * read->width, QImage::Format_RGB888).copy();
-  images_.insert(frame, new QImage(image), static_cast<qsizetype>(image.sizeInBytes() >> 10));
-  return image;
-}
-
 void GuidePage::show_frame() {
   if (!has_video()) return;
-  const QImage image = frame_image(timeline_->frame());
+  const auto read = images_.image(timeline_->frame(), video_->sequence.images[frame()]);
+  if (!read) say_error(read.error());
+  const QImage image = read.value_or(QImage());
   if (!image.isNull()) size_px_ = image.size();
   // Without a picture the outlines are drawn on black, as large as the camera's middle tells.
-  if (size_px_.isEmpty() && video_->sequence.camera) {
-    const Eigen::Matrix3d& matrix = video_->sequence.camera->matrix;
-    size_px_ = QSize(static_cast<int>(std::lround(2 * matrix(0, 2))), static_cast<int>(std::lround(2 * matrix(1, 2))));
-  }
+  if (size_px_.isEmpty() && video_->sequence.camera) size_px_ = picture_size(video_->sequence.camera->matrix);
   view_->show_frame(image, size_px_);
   show_overlay();
   show_in_space();

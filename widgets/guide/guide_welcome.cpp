@@ -6,21 +6,6 @@
 #include "widgets/words/keep_translated.h"
 
 namespace glisson::widgets {
-namespace {
-
-// As wide as is read easily; a layout's alignment would cut wrapped lines off.
-QHBoxLayout* in_the_middle(QLabel* text) {
-  constexpr int widest = 640;
-  text->setFixedWidth(widest);
-  text->setAlignment(Qt::AlignCenter);
-  auto* row = new QHBoxLayout;
-  row->addStretch();
-  row->addWidget(text);
-  row->addStretch();
-  return row;
-}
-
-}  // namespace
 
 GuideWelcome::GuideWelcome(QWidget* parent) : QWidget(parent) {
   auto* column = new QVBoxLayout(this);

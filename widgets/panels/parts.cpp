@@ -44,6 +44,17 @@ SidePanel lay_out_side_panel(QWidget* panel) {
   return made;
 }
 
+QHBoxLayout* in_the_middle(QLabel* text) {
+  constexpr int widest = 640;
+  text->setFixedWidth(widest);
+  text->setAlignment(Qt::AlignCenter);
+  auto* row = new QHBoxLayout;
+  row->addStretch();
+  row->addWidget(text);
+  row->addStretch();
+  return row;
+}
+
 QLabel* heading(QWidget* parent) { return named("heading", new QLabel(parent)); }
 
 QLabel* wrapped_label(const char* name, QWidget* parent) {

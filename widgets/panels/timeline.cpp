@@ -85,4 +85,17 @@ void Timeline::word() {
   slider_->setToolTip(empty_ ? lacking : tr("The frame that is shown (Left, Right, Page Up, Page Down, Home, End)"));
 }
 
+bool Timeline::take_key(int key) {
+  switch (key) {
+    case Qt::Key_Space: play(!playing()); return true;
+    case Qt::Key_Left: step(-1); return true;
+    case Qt::Key_Right: step(1); return true;
+    case Qt::Key_PageUp: step(-10); return true;
+    case Qt::Key_PageDown: step(10); return true;
+    case Qt::Key_Home: show_frame(0); return true;
+    case Qt::Key_End: show_frame(frames() - 1); return true;
+    default: return false;
+  }
+}
+
 }  // namespace glisson::widgets

@@ -20,6 +20,8 @@ class Timeline : public QWidget {
   void show_frame(int frame);
   void step(int frames);
   void play(bool playing);
+  // Space plays, arrows go by one frame, page up and down by ten, home and end to the ends; false for other keys.
+  bool take_key(int key);
 
   [[nodiscard]] int frames() const { return slider_->maximum() + 1; }
   [[nodiscard]] int frame() const { return slider_->value(); }

@@ -30,7 +30,7 @@ Result<std::shared_ptr<const OpenedSequence>> read(const fs::path& file) {
 
 }  // namespace
 
-RegisterPage::RegisterPage(BackgroundWork& work, QWidget* parent) : QWidget(parent), work_(work), images_(256 << 10) {
+RegisterPage::RegisterPage(BackgroundWork& work, QWidget* parent) : QWidget(parent), work_(work) {
   setObjectName("register_page");
   setFocusPolicy(Qt::StrongFocus);
   auto* column = new QVBoxLayout(this);
@@ -286,17 +286,7 @@ void RegisterPage::say(std::function<QString()> words) {
 }
 
 void RegisterPage::keyPressEvent(QKeyEvent* event) {
-  if (!has_sequence()) return QWidget::keyPressEvent(event);
-  switch (event->key()) {
-    case Qt::Key_Space: timeline_->play(!timeline_->playing()); break;
-    case Qt::Key_Left: timeline_->step(-1); break;
-    case Qt::Key_Right: timeline_->step(1); break;
-    case Qt::Key_PageUp: timeline_->step(-10); break;
-    case Qt::Key_PageDown: timeline_->step(10); break;
-    case Qt::Key_Home: timeline_->show_frame(0); break;
-    case Qt::Key_End: timeline_->show_frame(timeline_->frames() - 1); break;
-    default: QWidget::keyPressEvent(event);
-  }
+  if (!has_sequence() || !timeline_->take_key(event->key())) QWidget::keyPressEvent(event);
 }
 
 }  // namespace glisson::widgets

@@ -8,11 +8,11 @@
 #include <functional>
 #include <map>
 #include <memory>
-#include <QCache>
 #include <QLabel>
 #include <QStackedWidget>
 #include <QWidget>
 
+#include "widgets/panels/frame_images.h"
 #include "widgets/panels/timeline.h"
 #include "widgets/register/algorithm_choice.h"
 #include "widgets/register/heat_legend.h"
@@ -76,7 +76,6 @@ class RegisterPage : public QWidget {
   void word();
   void word_views();
   [[nodiscard]] QString hint(int side, std::size_t triangle) const;
-  [[nodiscard]] QImage frame_image(int frame);
   // The words are asked for again when the language changes.
   void say(std::function<QString()> words);
 
@@ -86,7 +85,7 @@ class RegisterPage : public QWidget {
   std::map<registration_quality::SequenceMethod, std::shared_ptr<const Judged>> judged_;
   std::array<std::optional<std::size_t>, 2> chosen_;
   std::function<QString()> said_;
-  QCache<int, QImage> images_;
+  FrameImages images_;
   QSize size_px_;
 
   QStackedWidget* pages_;

@@ -11,36 +11,19 @@
 namespace glisson::widgets {
 namespace {
 
-namespace fs = std::filesystem;
-
 QString number(double value, int decimals = 1) { return QLocale().toString(value, 'f', decimals); }
 
 }  // namespace
 
-QImage RegisterPage::frame_image(int frame) {
-  if (const QImage* known = images_.object(frame)) return *known;
-  const fs::path& file = sequence_->files.images[static_cast<std::size_t>(frame)];
-  if (file.empty()) return {};
-  const auto read = vision::read_frame(file);
-  if (!read) {
-    say([error = read.error()] { return translated(error); });
-    return {};
-  }
-  const QImage image =
-      QImage(read->rgb.data(), read->width, read->height, 3 * read->width, QImage::Format_RGB888).copy();
-  images_.insert(frame, new QImage(image), static_cast<qsizetype>(image.sizeInBytes() >> 10));
-  return image;
-}
-
 void RegisterPage::show_frame() {
   if (!has_sequence()) return;
-  const QImage image = frame_image(timeline_->frame());
+  const int frame = timeline_->frame();
+  const auto read = images_.image(frame, sequence_->files.images[static_cast<std::size_t>(frame)]);
+  if (!read) say([error = read.error()] { return translated(error); });
+  const QImage image = read.value_or(QImage());
   if (!image.isNull()) size_px_ = image.size();
   // Without a picture the mesh is drawn on black, as large as the camera's middle tells.
-  if (size_px_.isEmpty() && sequence_->files.camera) {
-    const Eigen::Matrix3d& matrix = sequence_->files.camera->matrix;
-    size_px_ = QSize(static_cast<int>(std::lround(2 * matrix(0, 2))), static_cast<int>(std::lround(2 * matrix(1, 2))));
-  }
+  if (size_px_.isEmpty() && sequence_->files.camera) size_px_ = picture_size(sequence_->files.camera->matrix);
   for (HeatVideo* video : videos_) video->show_frame(image, size_px_);
 }
 

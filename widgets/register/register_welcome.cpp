@@ -3,23 +3,10 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "widgets/panels/parts.h"
 #include "widgets/words/keep_translated.h"
 
 namespace glisson::widgets {
-namespace {
-
-// As wide as is read easily; a layout's alignment would cut wrapped lines off.
-QHBoxLayout* in_the_middle(QLabel* text) {
-  constexpr int widest = 640;
-  text->setFixedWidth(widest);
-  auto* row = new QHBoxLayout;
-  row->addStretch();
-  row->addWidget(text);
-  row->addStretch();
-  return row;
-}
-
-}  // namespace
 
 RegisterWelcome::RegisterWelcome(QWidget* parent) : QWidget(parent) {
   auto* column = new QVBoxLayout(this);
@@ -27,17 +14,10 @@ RegisterWelcome::RegisterWelcome(QWidget* parent) : QWidget(parent) {
   auto* title = new QLabel;
   title->setObjectName("welcome_title");
   title->setAlignment(Qt::AlignCenter);
-  auto* text = new QLabel;
-  text->setWordWrap(true);
-  text->setAlignment(Qt::AlignCenter);
-  auto* open = new QPushButton;
-  open->setObjectName("open_sequence");
-  auto* make = new QPushButton;
-  make->setObjectName("primary");
-  says_ = new QLabel;
-  says_->setObjectName("register_says");
-  says_->setWordWrap(true);
-  says_->setAlignment(Qt::AlignCenter);
+  QLabel* text = wrapped_label("register_about");
+  QPushButton* open = named_button("open_sequence");
+  QPushButton* make = named_button("primary");
+  says_ = wrapped_label("register_says");
   column->addWidget(title);
   column->addSpacing(8);
   column->addLayout(in_the_middle(text));
