@@ -10,56 +10,14 @@
 // Some rows c of stiffness k (contacts, jaws) may stand beside A. They are answered exactly, by what the levels answer
 // to them (Sherman, Morrison and Woodbury; e.g. Golub and Van Loan, Matrix Computations, 2.1.4).
 
-#include <array>
 #include <cstdint>
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 #include <vector>
 
+#include "mechanics/contact/internal/spline_lattice.h"
+
 namespace glisson::mechanics {
-
-// Quadratic B-splines over a regular lattice, and the nodes among them; those twice as wide. Values are 3 a node, and 4
-// a point of the narrow lattice, the last of which is nothing; 3 a point of the wide one.
-class SplineLattice {
- public:
-  using Values = std::vector<Eigen::Vector4f>;
-  template <typename Value>
-  using Shares = std::vector<std::pair<int, Value>>;
-
-  // The finest with at most so many wide points near the nodes. `fixed` has 1 where a displacement is held.
-  SplineLattice(const std::vector<Eigen::Vector3d>& positions_mm, const std::vector<std::uint8_t>& fixed,
-                int most_wide_points);
-
-  [[nodiscard]] int points() const { return static_cast<int>(wide_of_.size()); }
-  [[nodiscard]] int wide_points() const { return wide_points_; }
-  [[nodiscard]] bool is_fixed(int node, int axis) const {
-    return fixed_[static_cast<std::size_t>(3 * node + axis)] != 0;
-  }
-  // The points around a node, and the wide ones, with their splines' values there.
-  [[nodiscard]] Shares<float> around(int node) const;
-  [[nodiscard]] Shares<float> wide_around(int node) const;
-
-  // P^T r; and Q^T of that.
-  void down(const Eigen::VectorXd& r, Values& values) const;
-  void down_to_wide(const Values& values, Eigen::VectorXf& wide) const;
-  // values += Q wide; z += P values.
-  void up_from_wide(const Eigen::VectorXf& wide, Values& values) const;
-  void up(const Values& values, Eigen::VectorXd& z) const;
-
- private:
-  struct Place {
-    int first;                                    // of the lattice's points around the node
-    std::array<std::array<float, 3>, 3> weights;  // along each axis
-  };
-  struct WideShare {
-    int point;  // -1: none
-    float weight;
-  };
-  int nx_ = 0, ny_ = 0, nz_ = 0, wide_points_ = 0;
-  std::vector<Place> places_;
-  std::vector<std::uint8_t> fixed_;
-  std::vector<std::array<WideShare, 8>> wide_of_;  // of each point: a narrow spline is in two wide ones along each axis
-};
 
 // What a row sees: directions at nodes, and how far one of the further unknowns goes against it.
 struct StiffRow {
