@@ -9,16 +9,14 @@
 // After it, and once a target.
 #include <hwy/contrib/math/math-inl.h>
 
+#include "mechanics/elements/internal/matrix_lanes-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace glisson::mechanics {
 namespace HWY_NAMESPACE {
 
-namespace hn = hwy::HWY_NAMESPACE;
-using Tag = hn::CappedTag<double, QuadraticBatch::lanes>;
-using Vector = hn::Vec<Tag>;
-struct Matrix {
-  Vector m[3][3];
-};
+static_assert(QuadraticBatch::lanes == cells_at_a_time);
+
 struct Point {
   Vector v[3];
 };
@@ -26,22 +24,6 @@ struct Point {
 constexpr double a = 0.58541019662496845446, b = 0.13819660112501051518;  // quadrature.h
 // The edge k-q of a cell, by its corners: node_layout.h.
 constexpr int node_of[4][4] = {{0, 4, 6, 7}, {4, 1, 5, 8}, {6, 5, 2, 9}, {7, 8, 9, 3}};
-
-HWY_INLINE Vector dot3(Vector a0, Vector b0, Vector a1, Vector b1, Vector a2, Vector b2) {
-  return hn::MulAdd(a0, b0, hn::MulAdd(a1, b1, hn::Mul(a2, b2)));
-}
-
-HWY_INLINE Matrix cofactor(const Matrix& x) {
-  Matrix c;
-  for (int i = 0; i < 3; ++i) {
-    const int i1 = (i + 1) % 3, i2 = (i + 2) % 3;
-    for (int j = 0; j < 3; ++j) {
-      const int j1 = (j + 1) % 3, j2 = (j + 2) % 3;
-      c.m[i][j] = hn::MulSub(x.m[i1][j1], x.m[i2][j2], hn::Mul(x.m[i1][j2], x.m[i2][j1]));
-    }
-  }
-  return c;
-}
 
 HWY_INLINE Vector squared_norm(const Matrix& x) {
   Vector sum = hn::Zero(Tag());
@@ -171,7 +153,7 @@ HWY_INLINE Seen add_forces(const QuadraticBatch* begin, const QuadraticBatch* en
           }
         }
         const Matrix cof = cofactor(f);
-        const Vector j = dot3(f.m[0][0], cof.m[0][0], f.m[1][0], cof.m[1][0], f.m[2][0], cof.m[2][0]);
+        const Vector j = determinant(f, cof);
         const Vector norm2 = squared_norm(f);
         const Matrix c = right_cauchy_green(f);
         Matrix strained = c;

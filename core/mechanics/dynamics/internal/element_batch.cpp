@@ -6,17 +6,14 @@
 #define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
+// After it, and once a target.
+#include "mechanics/elements/internal/matrix_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glisson::mechanics {
 namespace HWY_NAMESPACE {
 
-namespace hn = hwy::HWY_NAMESPACE;
-using Tag = hn::CappedTag<double, ElementBatch::lanes>;
-using Vector = hn::Vec<Tag>;
-struct Matrix {
-  Vector m[3][3];
-};
+static_assert(ElementBatch::lanes == cells_at_a_time);
 
 HWY_INLINE Matrix load(const std::array<std::array<ElementBatch::Lanes, 3>, 3>& from, std::size_t lane) {
   Matrix matrix;
@@ -24,10 +21,6 @@ HWY_INLINE Matrix load(const std::array<std::array<ElementBatch::Lanes, 3>, 3>& 
     for (int c = 0; c < 3; ++c) matrix.m[r][c] = hn::Load(Tag(), from[r][c].data() + lane);
   }
   return matrix;
-}
-
-HWY_INLINE Vector dot3(Vector a0, Vector b0, Vector a1, Vector b1, Vector a2, Vector b2) {
-  return hn::MulAdd(a0, b0, hn::MulAdd(a1, b1, hn::Mul(a2, b2)));
 }
 
 HWY_INLINE Matrix transposed_times(const Matrix& a, const Matrix& b) {
@@ -76,23 +69,6 @@ HWY_INLINE Matrix gradient(const ElementBatch& batch, std::size_t lane, const do
   }
   add_to_diagonal(f, hn::Set(tag, rest));
   return f;
-}
-
-// det X by X.
-HWY_INLINE Matrix cofactor(const Matrix& x) {
-  Matrix c;
-  for (int i = 0; i < 3; ++i) {
-    const int i1 = (i + 1) % 3, i2 = (i + 2) % 3;
-    for (int j = 0; j < 3; ++j) {
-      const int j1 = (j + 1) % 3, j2 = (j + 2) % 3;
-      c.m[i][j] = hn::MulSub(x.m[i1][j1], x.m[i2][j2], hn::Mul(x.m[i1][j2], x.m[i2][j1]));
-    }
-  }
-  return c;
-}
-
-HWY_INLINE Vector determinant(const Matrix& x, const Matrix& cofactors) {
-  return dot3(x.m[0][0], cofactors.m[0][0], x.m[1][0], cofactors.m[1][0], x.m[2][0], cofactors.m[2][0]);
 }
 
 HWY_INLINE bool lane_of(const std::uint8_t* bits, std::size_t lane) { return (bits[lane / 8] >> (lane % 8)) & 1; }
