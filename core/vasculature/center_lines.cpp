@@ -2,70 +2,21 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <queue>
 
-#include "imaging/filters.h"
 #include "vasculature/internal/bridges.h"
+#include "vasculature/internal/vessel_voxels.h"
 
 namespace glisson::vasculature {
 namespace {
 
 using Eigen::Vector3d;
-using imaging::Grid;
 using imaging::Mask;
 
 constexpr float unreached = std::numeric_limits<float>::infinity();
-
-// The part of the mask around its voxels, with a border of one that is empty; pits of single voxels are filled.
-Mask cropped(const Mask& mask);
-
-// The voxels of a mask as a list, each with its depth under the wall and its way to the root of its piece.
-class Voxels {
- public:
-  explicit Voxels(const Mask& mask);
-
-  [[nodiscard]] std::size_t count() const { return offset_.size(); }
-  [[nodiscard]] Vector3d position_mm(int v) const;
-  [[nodiscard]] double depth_mm(int v) const { return depth_[static_cast<std::size_t>(v)]; }
-
-  // Calls visit(neighbour, length) for the neighbours in the mask, of 26.
-  template <typename Visit>
-  void for_neighbours(int v, const Visit& visit) const {
-    const std::size_t at = offset_[static_cast<std::size_t>(v)];
-    for (const Step& step : steps_) {
-      const int other = id_[static_cast<std::size_t>(static_cast<std::ptrdiff_t>(at) + step.offset)];
-      if (other >= 0) visit(other, step.length_mm);
-    }
-  }
-  // Calls visit(voxel) for the mask's voxels in a ball.
-  template <typename Visit>
-  void for_ball(int center, double radius_mm, const Visit& visit) const;
-
-  [[nodiscard]] const Grid& grid() const { return grid_; }
-
- private:
-  struct Step {
-    std::ptrdiff_t offset;
-    float length_mm;
-  };
-  Grid grid_;
-  std::vector<int> id_;
-  std::vector<std::size_t> offset_;
-  std::vector<float> depth_;
-  std::array<Step, 26> steps_;
-};
-
-// Paths through the voxels: for each voxel the next one towards the root of its piece.
-struct Paths {
-  std::vector<int> next;                 // -1 at a root
-  std::vector<float> length_mm;          // to the root
-  std::vector<std::vector<int>> pieces;  // voxels in the order in which they were reached; the root first
-};
-Paths paths_along_the_middle(const Voxels& voxels);
 
 // Which voxels lie on a centre line: those on the paths from whatever is far and not covered.
 std::vector<char> on_lines(const Voxels& voxels, const Paths& paths, const CenterLineOptions& options,
@@ -154,137 +105,6 @@ Result<void> check_not_a_blob(const Voxels& voxels, const Paths& paths, const st
     }
   }
   return {};
-}
-
-Mask cropped(const Mask& mask) {
-  std::array<int, 3> low = mask.grid.size, high{-1, -1, -1};
-  const auto& size = mask.grid.size;
-  for (int k = 0; k < size[2]; ++k) {
-    for (int j = 0; j < size[1]; ++j) {
-      for (int i = 0; i < size[0]; ++i) {
-        if (mask.at(i, j, k) == 0) continue;
-        low = {std::min(low[0], i), std::min(low[1], j), std::min(low[2], k)};
-        high = {std::max(high[0], i), std::max(high[1], j), std::max(high[2], k)};
-      }
-    }
-  }
-  Mask part{mask.grid, {}};
-  for (std::size_t a = 0; a < 3; ++a) part.grid.size[a] = high[a] - low[a] + 3;
-  part.grid.origin_mm = mask.grid.position_mm(low[0] - 1, low[1] - 1, low[2] - 1);
-  part.values.assign(part.grid.voxels(), 0);
-  for (int k = low[2]; k <= high[2]; ++k) {
-    for (int j = low[1]; j <= high[1]; ++j) {
-      for (int i = low[0]; i <= high[0]; ++i) {
-        part.at(i - low[0] + 1, j - low[1] + 1, k - low[2] + 1) = mask.at(i, j, k) != 0 ? 1 : 0;
-      }
-    }
-  }
-  // A voxel outside with vessel on five of its six sides is a pit of noise.
-  const Mask before = part;
-  for (int k = 1; k + 1 < part.grid.size[2]; ++k) {
-    for (int j = 1; j + 1 < part.grid.size[1]; ++j) {
-      for (int i = 1; i + 1 < part.grid.size[0]; ++i) {
-        if (before.at(i, j, k) != 0) continue;
-        const int sides = before.at(i - 1, j, k) + before.at(i + 1, j, k) + before.at(i, j - 1, k) +
-                          before.at(i, j + 1, k) + before.at(i, j, k - 1) + before.at(i, j, k + 1);
-        if (sides >= 5) part.at(i, j, k) = 1;
-      }
-    }
-  }
-  return part;
-}
-
-Voxels::Voxels(const Mask& mask) : grid_(mask.grid), id_(mask.values.size(), -1) {
-  const std::vector<float> squared = imaging::squared_depths_mm2(mask);
-  for (std::size_t i = 0; i < mask.values.size(); ++i) {
-    if (mask.values[i] == 0) continue;
-    id_[i] = static_cast<int>(offset_.size());
-    offset_.push_back(i);
-    depth_.push_back(std::sqrt(squared[i]));
-  }
-  std::size_t s = 0;
-  for (int k = -1; k <= 1; ++k) {
-    for (int j = -1; j <= 1; ++j) {
-      for (int i = -1; i <= 1; ++i) {
-        if (i == 0 && j == 0 && k == 0) continue;
-        const std::ptrdiff_t row = grid_.size[0], slice = row * grid_.size[1];
-        steps_.at(s++) = {i + j * row + k * slice,
-                          static_cast<float>(grid_.spacing_mm.cwiseProduct(Vector3d(i, j, k)).norm())};
-      }
-    }
-  }
-}
-
-Vector3d Voxels::position_mm(int v) const {
-  const std::size_t at = offset_[static_cast<std::size_t>(v)];
-  const auto row = static_cast<std::size_t>(grid_.size[0]), column = static_cast<std::size_t>(grid_.size[1]);
-  return grid_.position_mm(static_cast<int>(at % row), static_cast<int>(at / row % column),
-                           static_cast<int>(at / row / column));
-}
-
-template <typename Visit>
-void Voxels::for_ball(int center, double radius_mm, const Visit& visit) const {
-  const std::size_t at = offset_[static_cast<std::size_t>(center)];
-  const auto row = static_cast<std::size_t>(grid_.size[0]), column = static_cast<std::size_t>(grid_.size[1]);
-  const std::array<int, 3> c = {static_cast<int>(at % row), static_cast<int>(at / row % column),
-                                static_cast<int>(at / row / column)};
-  std::array<int, 3> low{}, high{};
-  for (std::size_t a = 0; a < 3; ++a) {
-    const int reach = static_cast<int>(radius_mm / grid_.spacing_mm[static_cast<Eigen::Index>(a)]);
-    low[a] = std::max(0, c[a] - reach);
-    high[a] = std::min(grid_.size[a] - 1, c[a] + reach);
-  }
-  for (int k = low[2]; k <= high[2]; ++k) {
-    for (int j = low[1]; j <= high[1]; ++j) {
-      for (int i = low[0]; i <= high[0]; ++i) {
-        const int other = id_[grid_.offset(i, j, k)];
-        if (other < 0) continue;
-        const Vector3d way = grid_.spacing_mm.cwiseProduct(Vector3d(i - c[0], j - c[1], k - c[2]));
-        if (way.squaredNorm() <= radius_mm * radius_mm) visit(other);
-      }
-    }
-  }
-}
-
-Paths paths_along_the_middle(const Voxels& voxels) {
-  const std::size_t count = voxels.count();
-  Paths paths{std::vector<int>(count, -1), std::vector<float>(count, 0), {}};
-  std::vector<float> cost(count, unreached);
-  std::vector<char> done(count, 0);
-  std::vector<int> deepest_first(count);
-  for (std::size_t v = 0; v < count; ++v) deepest_first[v] = static_cast<int>(v);
-  std::stable_sort(deepest_first.begin(), deepest_first.end(),
-                   [&](int a, int b) { return voxels.depth_mm(a) > voxels.depth_mm(b); });
-  const auto dear = [&](int v) { return static_cast<float>(1 / (voxels.depth_mm(v) * voxels.depth_mm(v))); };
-
-  using Waiting = std::pair<float, int>;
-  std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>> queue;
-  for (const int root : deepest_first) {
-    if (cost[static_cast<std::size_t>(root)] != unreached) continue;
-    cost[static_cast<std::size_t>(root)] = 0;
-    queue.emplace(0.0F, root);
-    std::vector<int>& piece = paths.pieces.emplace_back();
-    while (!queue.empty()) {
-      const auto [reached, v] = queue.top();
-      queue.pop();
-      if (done[static_cast<std::size_t>(v)] != 0) continue;
-      done[static_cast<std::size_t>(v)] = 1;
-      piece.push_back(v);
-      const float here = dear(v);
-      voxels.for_neighbours(v, [&, from = v, so_far = reached](int other, float length) {
-        const float offered = so_far + 0.5F * length * (here + dear(other));
-        const auto o = static_cast<std::size_t>(other);
-        if (offered >= cost[o]) return;
-        cost[o] = offered;
-        paths.next[o] = from;
-        paths.length_mm[o] = paths.length_mm[static_cast<std::size_t>(from)] + length;
-        queue.emplace(offered, other);
-      });
-    }
-  }
-  std::stable_sort(paths.pieces.begin(), paths.pieces.end(),
-                   [](const auto& a, const auto& b) { return a.size() > b.size(); });
-  return paths;
 }
 
 std::vector<char> on_lines(const Voxels& voxels, const Paths& paths, const CenterLineOptions& options,
