@@ -6,20 +6,11 @@
 #include <mutex>
 
 #include "base/parallel.h"
+#include "planning/internal/margin_to_cut.h"
 #include "planning/internal/removal.h"
+#include "planning/internal/tissue_counts.h"
 
 namespace glisson::planning {
-
-using Eigen::Vector3d;
-
-// Voxels one after the other that hang on the same points and are of the same segment: counted at once where none goes.
-struct Stretch {
-  std::uint32_t first = 0;  // the number of its first voxel
-  std::array<std::uint32_t, 2> point{};
-  std::uint16_t voxels = 0, trusted = 0;
-  float kPa = 0;           // summed
-  std::uint8_t place = 0;  // in Counts::voxels, of what no cut changes
-};
 
 struct Planner::Liver {
   Organ organ;
@@ -48,56 +39,10 @@ struct Planner::Liver {
 
 namespace {
 
-constexpr std::size_t segments_and_none = 9;
+// What of that segment goes and stays; nothing where it is empty.
+void add_segment(int number, const Counts& counts, double voxel_ml, PlanAnswer& answer);
 
-// Voxels counted by segment, tumour, removed, and whether either vessel is cut off.
-struct Counts {
-  // What a place in `voxels` is made of.
-  static constexpr std::size_t segment = 16, tumour = 8, removed = 4, starved = 2, held_up = 1;
-  struct Key {
-    std::size_t segment;
-    bool tumour, removed, starved, held_up;
-  };
-  std::array<std::size_t, segments_and_none * segment> voxels{};
-  std::array<double, segments_and_none> kPa{};  // summed over tissue that stays and is trusted
-  std::array<std::size_t, segments_and_none> trusted{};
-  std::vector<std::size_t> affected;  // of each place of a cut, what stays
-
-  void add(const Counts& other) {
-    for (std::size_t n = 0; n < voxels.size(); ++n) voxels[n] += other.voxels[n];
-    for (std::size_t s = 0; s < segments_and_none; ++s) {
-      kPa[s] += other.kPa[s];
-      trusted[s] += other.trusted[s];
-    }
-    for (std::size_t n = 0; n < affected.size(); ++n) affected[n] += other.affected[n];
-  }
-  // How many of those for which `counts(key)`.
-  template <typename Asked>
-  [[nodiscard]] std::size_t of(const Asked& counts) const {
-    std::size_t sum = 0;
-    for (std::size_t n = 0; n < voxels.size(); ++n) {
-      const Key key{n / segment, (n & tumour) != 0, (n & removed) != 0, (n & starved) != 0, (n & held_up) != 0};
-      if (counts(key)) sum += voxels[n];
-    }
-    return sum;
-  }
-};
-
-Tissue tissue(std::size_t voxels, double summed_kPa, std::size_t trusted, double voxel_ml) {
-  Tissue made{static_cast<double>(voxels) * voxel_ml, {}, 0};
-  if (trusted == 0) return made;
-  made.mean_kPa = summed_kPa / static_cast<double>(trusted);
-  made.confident_share = static_cast<double>(trusted) / static_cast<double>(voxels);
-  return made;
-}
-
-template <typename Liver>
-std::vector<Stretch> stretches_of(const Liver& liver);
-
-// How far a tumour is from the cut, which lies between the voxels that go and those that stay.
-MarginAnswer margin_of(std::size_t number, const Removal& removal, const Organ& organ,
-                       const std::vector<TumourSurroundings>& tumours);
-
+// The liver's outline and its tumours, which outlines often leave out.
 imaging::Mask organ_mask(const LiverParts& parts);
 
 }  // namespace
@@ -175,7 +120,8 @@ Result<Planner> Planner::open(const LiverParts& parts, const Progress& progress)
       if (!liver->trusted_kPa.empty()) liver->trusted_kPa[voxel] = 0;
     }
   }
-  liver->stretches = stretches_of(*liver);
+  liver->stretches =
+      stretches_of({liver->segment, liver->tumour, liver->point, liver->trusted_kPa, liver->points.count()});
   progress.report(1, GLISSON_TEXT("done"));
   return Planner(liver);
 }
@@ -187,46 +133,7 @@ Result<PlanAnswer> Planner::answer(const std::vector<Cut>& cuts) const {
   const CutOff off = liver.cut_off_by(*removal);
   const double voxel_ml = liver.organ.voxel_ml();
 
-  Counts counts;
-  counts.affected.assign(off.cut.size() + 1, 0);
-  std::vector<std::uint32_t> cause;  // of each point, the number of cuts where none
-  for (const std::int32_t one : off.cause) {
-    cause.push_back(static_cast<std::uint32_t>(one < 0 ? static_cast<std::int32_t>(off.cut.size()) : one));
-  }
-  const auto nowhere = static_cast<std::uint32_t>(off.cut.size());
-  std::mutex adding;
-  parallel_for(liver.stretches.size(), 1 << 14, [&](std::size_t begin, std::size_t end) {
-    Counts here;
-    here.affected.assign(off.cut.size() + 1, 0);  // the last: those that hang on no cut
-    for (std::size_t n = begin; n < end; ++n) {
-      const Stretch& stretch = liver.stretches[n];
-      const std::uint8_t* goes = removal->removed.data() + stretch.first;
-      std::size_t gone = 0;
-      for (std::size_t v = 0; v < stretch.voxels; ++v) gone += goes[v] != 0 ? 1 : 0;
-      here.voxels[stretch.place | Counts::removed] += gone;
-      if (gone == stretch.voxels) continue;
-      const std::size_t left = stretch.voxels - gone;
-      const std::uint32_t starved = cause[stretch.point[0]], held_up = cause[stretch.point[1]];
-      here.affected[starved] += left;
-      here.affected[held_up] += left;
-      here.voxels[stretch.place | (starved != nowhere ? Counts::starved : 0) |
-                  (held_up != nowhere ? Counts::held_up : 0)] += left;
-      const std::size_t segment = stretch.place / Counts::segment;
-      if (gone == 0) {
-        here.kPa[segment] += static_cast<double>(stretch.kPa);
-        here.trusted[segment] += stretch.trusted;
-        continue;
-      }
-      for (std::size_t v = 0; v < stretch.voxels && stretch.trusted > 0; ++v) {
-        const float kPa = goes[v] != 0 ? 0 : liver.trusted_kPa[stretch.first + v];
-        here.kPa[segment] += static_cast<double>(kPa);
-        here.trusted[segment] += kPa > 0 ? 1 : 0;
-      }
-    }
-    const std::lock_guard lock(adding);
-    counts.add(here);
-  });
-
+  const Counts counts = counted(liver.stretches, removal->removed, off, liver.trusted_kPa);
   using Key = Counts::Key;
   const auto ml = [&](auto asked) { return static_cast<double>(counts.of(asked)) * voxel_ml; };
   PlanAnswer answer;
@@ -245,22 +152,13 @@ Result<PlanAnswer> Planner::answer(const std::vector<Cut>& cuts) const {
   if (liver.has_system[0] && liver.has_system[1]) {
     answer.living_ml = ml([](const Key& key) { return !key.removed && !key.starved && !key.held_up; });
   }
-  double all_kPa = 0;
-  std::size_t all_trusted = 0;
+  TissueSum left{counts.of([](const Key& key) { return !key.removed && !key.tumour; }), 0, 0};
   for (std::size_t s = 0; s < segments_and_none; ++s) {
-    all_kPa += counts.kPa[s];
-    all_trusted += counts.trusted[s];
-    const std::size_t left = counts.of([&](const Key& key) { return key.segment == s && !key.tumour && !key.removed; });
-    const std::size_t removed =
-        counts.of([&](const Key& key) { return key.segment == s && !key.tumour && key.removed; });
-    if (s == 0 || left + removed == 0) continue;
-    answer.segments.push_back({static_cast<int>(s), static_cast<double>(removed) * voxel_ml,
-                               tissue(left, counts.kPa[s], counts.trusted[s], voxel_ml), ml([&](const Key& key) {
-                                 return key.segment == s && !key.tumour && !key.removed && !key.starved && !key.held_up;
-                               })});
+    left.kPa += counts.kPa[s];
+    left.trusted += counts.trusted[s];
+    if (s != 0) add_segment(static_cast<int>(s), counts, voxel_ml, answer);
   }
-  answer.left =
-      tissue(counts.of([](const Key& key) { return !key.removed && !key.tumour; }), all_kPa, all_trusted, voxel_ml);
+  answer.left = left.tissue(voxel_ml);
   answer.functional_remnant_ml = answer.left.ml;
 
   for (std::size_t c = 0; c < off.cut.size(); ++c) {
@@ -279,7 +177,7 @@ Result<PlanAnswer> Planner::answer(const std::vector<Cut>& cuts) const {
                    [](const CutBranch& a, const CutBranch& b) { return a.beyond_ml > b.beyond_ml; });
 
   for (std::size_t t = 0; t < liver.tumours.size(); ++t) {
-    answer.tumours.push_back(margin_of(t, *removal, liver.organ, liver.tumours));
+    answer.tumours.push_back(margin_to_cut(t, *removal, liver.organ, liver.tumours));
     const MarginAnswer& tumour = answer.tumours.back();
     if (tumour.side == Side::left || (answer.margin_mm && *answer.margin_mm <= tumour.margin_mm)) continue;
     answer.margin_mm = tumour.margin_mm;
@@ -340,19 +238,15 @@ std::vector<std::string> Planner::tumours() const {
 }
 
 std::array<Tissue, 9> Planner::segments() const {
-  std::array<std::size_t, 9> voxels{}, trusted{};
-  std::array<double, 9> kPa{};
+  std::array<TissueSum, 9> sums;
   for (std::size_t v = 0; v < liver_->organ.voxels; ++v) {
     if (liver_->tumour[v] != 0) continue;
-    const float value = liver_->youngs_at(v);
-    for (const std::size_t s : {std::size_t{0}, std::size_t{liver_->segment[v]}}) {
-      ++voxels[s];
-      if (value > 0) kPa[s] += static_cast<double>(value), ++trusted[s];
-      if (liver_->segment[v] == 0) break;
-    }
+    const float kPa = liver_->youngs_at(v);
+    sums[0].add(kPa);
+    if (liver_->segment[v] != 0) sums.at(liver_->segment[v]).add(kPa);
   }
   std::array<Tissue, 9> made;
-  for (std::size_t s = 0; s < 9; ++s) made[s] = tissue(voxels[s], kPa[s], trusted[s], liver_->organ.voxel_ml());
+  for (std::size_t s = 0; s < 9; ++s) made[s] = sums[s].tissue(liver_->organ.voxel_ml());
   return made;
 }
 
@@ -364,44 +258,19 @@ std::vector<Tissue> Planner::branches() const {
       branch_of[p] = static_cast<std::uint32_t>(b);
     }
   }
-  std::vector<std::size_t> voxels(count), trusted(count);
-  std::vector<double> kPa(count);
+  std::vector<TissueSum> sums(count);
   for (const auto& points : liver_->point) {
     for (std::size_t v = 0; v < points.size(); ++v) {
       if (points[v] >= branch_of.size() || liver_->tumour[v] != 0) continue;
-      const std::size_t b = branch_of[points[v]];
-      ++voxels[b];
-      if (const float value = liver_->youngs_at(v); value > 0) kPa[b] += static_cast<double>(value), ++trusted[b];
+      sums[branch_of[points[v]]].add(liver_->youngs_at(v));
     }
   }
   std::vector<Tissue> made;
-  for (std::size_t b = 0; b < count; ++b) {
-    made.push_back(tissue(voxels[b], kPa[b], trusted[b], liver_->organ.voxel_ml()));
-  }
+  for (const TissueSum& sum : sums) made.push_back(sum.tissue(liver_->organ.voxel_ml()));
   return made;
 }
 
 namespace {
-
-template <typename Liver>
-std::vector<Stretch> stretches_of(const Liver& liver) {
-  constexpr std::size_t longest = 1000;
-  std::vector<Stretch> stretches;
-  const auto nowhere = static_cast<std::uint32_t>(liver.points.count());
-  for (std::size_t v = 0; v < liver.organ.voxels; ++v) {
-    const auto point = [&](std::size_t system) { return liver.has_system[system] ? liver.point[system][v] : nowhere; };
-    const std::size_t place = liver.segment[v] * Counts::segment + (liver.tumour[v] != 0 ? Counts::tumour : 0);
-    const Stretch here{static_cast<std::uint32_t>(v), {point(0), point(1)}, 0, 0, 0, static_cast<std::uint8_t>(place)};
-    if (stretches.empty() || stretches.back().point != here.point || stretches.back().place != here.place ||
-        stretches.back().voxels == longest) {
-      stretches.push_back(here);
-    }
-    ++stretches.back().voxels;
-    stretches.back().kPa += liver.youngs_at(v);
-    stretches.back().trusted += liver.youngs_at(v) > 0 ? 1 : 0;
-  }
-  return stretches;
-}
 
 imaging::Mask organ_mask(const LiverParts& parts) {
   imaging::Mask organ = parts.liver;
@@ -412,54 +281,18 @@ imaging::Mask organ_mask(const LiverParts& parts) {
   return organ;
 }
 
-// Where each voxel of the organ stands, by its number.
-Vector3d position_mm(const Organ& organ, std::uint32_t voxel) {
-  const auto after = std::upper_bound(organ.runs.begin(), organ.runs.end(), static_cast<std::size_t>(voxel),
-                                      [](std::size_t number, const Run& run) { return number < run.first; });
-  const Run& run = *std::prev(after);
-  return organ.grid.position_mm(run.i + static_cast<int>(voxel - run.first), run.j, run.k);
-}
-
-MarginAnswer margin_of(std::size_t number, const Removal& removal, const Organ& organ,
-                       const std::vector<TumourSurroundings>& tumours) {
-  const TumourSurroundings& tumour = tumours[number];
-  const auto removed = static_cast<std::size_t>(std::count_if(
-      tumour.voxels.begin(), tumour.voxels.end(), [&](std::uint32_t v) { return removal.removed[v] != 0; }));
-  MarginAnswer margin{tumour.name, removed == 0 ? Side::left : Side::removed, 0, false};
-  if (removed != 0 && removed != tumour.voxels.size()) {
-    margin.side = Side::cut_through;
-    return margin;
-  }
-  // A voxel on the other side of the cut lies some way beyond it: by its height over a surface, else by half a voxel.
-  const bool goes = margin.side == Side::removed;
-  const double half_mm = 0.5 * organ.voxel_mm(), deepest_mm = organ.grid.spacing_mm.norm();
-  const auto beyond_cut_mm = [&](const TumourSurroundings::Near& near) {
-    double beyond_mm = goes ? deepest_mm : 0;
-    for (const PreparedCut& cut : removal.cuts) {
-      double here_mm = goes ? half_mm : 0;
-      if (cut.surface) {
-        here_mm = (goes ? -cut.sign : cut.sign) * cut.surface->height_mm(position_mm(organ, near.voxel));
-      } else if (cut.tumour == number && goes) {
-        here_mm = static_cast<double>(near.distance_mm) - cut.margin_mm;
-      } else if (!goes) {
-        here_mm = half_mm;
-      }
-      beyond_mm = goes ? std::min(beyond_mm, here_mm) : std::max(beyond_mm, here_mm);
-    }
-    return std::clamp(beyond_mm, 0.0, deepest_mm);
-  };
-  margin.margin_mm = largest_margin_mm;
-  margin.is_at_least = true;
-  for (const auto& near : tumour.around) {
-    const auto distance_mm = static_cast<double>(near.distance_mm);
-    if (!margin.is_at_least && distance_mm > margin.margin_mm + deepest_mm + 0.05) break;
-    if ((removal.removed[near.voxel] != 0) == goes) continue;
-    const double to_cut_mm = std::max(0.0, distance_mm - beyond_cut_mm(near));
-    if (!margin.is_at_least && to_cut_mm >= margin.margin_mm) continue;
-    margin.margin_mm = to_cut_mm;
-    margin.is_at_least = false;
-  }
-  return margin;
+void add_segment(int number, const Counts& counts, double voxel_ml, PlanAnswer& answer) {
+  using Key = Counts::Key;
+  const auto s = static_cast<std::size_t>(number);
+  const auto healthy = [&](const Key& key) { return key.segment == s && !key.tumour; };
+  const std::size_t removed = counts.of([&](const Key& key) { return healthy(key) && key.removed; });
+  const TissueSum left{counts.of([&](const Key& key) { return healthy(key) && !key.removed; }), counts.trusted[s],
+                       counts.kPa[s]};
+  if (left.voxels + removed == 0) return;
+  const std::size_t living =
+      counts.of([&](const Key& key) { return healthy(key) && !key.removed && !key.starved && !key.held_up; });
+  answer.segments.push_back(
+      {number, static_cast<double>(removed) * voxel_ml, left.tissue(voxel_ml), static_cast<double>(living) * voxel_ml});
 }
 
 }  // namespace
