@@ -106,39 +106,17 @@ void MainWindow::make_workspaces() {
   study_page_ = findChild<StudyPage*>();
   add_workspace(SegmentPanel::workspace(context()));
   add_workspace(ModelPanel::workspace(context()));
-  rehearse_panel_ = new RehearsePanel(rehearsal_);
-  add_workspace({.id = "rehearse",
-                 .name = [] { return tr("Rehearse"); },
-                 .about = [] { return tr("Pull with a tool, and see what moves and how far."); },
-                 .widget = rehearse_panel_,
-                 .show_patient =
-                     [this](const Patient& patient) {
-                       rehearse_panel_->set_ready(patient.rehearsal != nullptr);
-                       rehearse_panel_->show_image(patient.anatomy);
-                       rehearse_panel_->show_evidence(patient.evidence);
-                       rehearse_panel_->show_assumed_stiffness(patient.assumed_stiffness);
-                     },
-                 .missing = model_missing});
+  add_workspace(RehearsePanel::workspace(
+      context(), [this](const QString& what, const auto& kept) { keep_landmarks(what, kept); }));
+  rehearse_panel_ = findChild<RehearsePanel*>();
   add_workspace(ResectPanel::workspace(context()));
-  QWidget* platforms = PlatformView::shipped();
-  add_workspace(ReportView::workspace(context(), [view = qobject_cast<PlatformView*>(platforms)] {
+  const Workspace platform = PlatformView::workspace();
+  add_workspace(ReportView::workspace(context(), [view = qobject_cast<PlatformView*>(platform.widget)] {
     return view != nullptr ? view->plan() : std::nullopt;
   }));
   add_workspace(GuidePage::workspace(context()));
   add_workspace(RegisterPage::workspace(context()));
-  add_workspace({.id = "platform",
-                 .name = [] { return tr("Platform"); },
-                 .about = [] { return tr("Find what can be worn for this case."); },
-                 .widget = platforms,
-                 .place = Workspace::Place::whole_window,
-                 .group = Workspace::Group::research,
-                 .show_patient =
-                     [view = qobject_cast<PlatformView*>(platforms)](const Patient& patient) {
-                       if (view == nullptr || patient.name.empty()) return;
-                       const PatientStructure* liver = patient.liver();
-                       view->show_case(QString::fromStdString(patient.name), liver != nullptr ? liver->volume_ml : 0,
-                                       patient.mean_youngs_kPa, patient.assumed_stiffness.has_value());
-                     }});
+  add_workspace(platform);
   add_workspace(EvidenceView::workspace(context()));
 }
 
@@ -233,12 +211,6 @@ void MainWindow::show_error(const Error& error) {
   const auto words = [error] { return translated(error); };
   if (error.code == "case-open-elsewhere") return notices_->note(words);  // nothing went wrong
   notices_->say(words);
-}
-
-void MainWindow::show_frame() {
-  const auto& frame = rehearsal_.frame();
-  patient_views_->show_frame(frame ? &*frame : nullptr, rehearse_panel_->tools_in_view());
-  rehearse_panel_->show_drawing_ms(views_->space().last_frame_ms());
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

@@ -79,7 +79,6 @@ class MainWindow : public QMainWindow {
   void connect_parts();
   void connect_work();
   void connect_case();
-  void connect_rehearsal();
 
   void choose_case();
   void choose_study();
@@ -109,7 +108,6 @@ class MainWindow : public QMainWindow {
   void take_next_step(NextStep step);
   void keep_landmarks(const QString& what, const std::vector<mechanics::Landmark>& landmarks);
   void show_error(const Error& error);
-  void show_frame();
   [[nodiscard]] bool may_change();  // or says why not
   [[nodiscard]] bool asked_to_give_up();
   void word_patient();

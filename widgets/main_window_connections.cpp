@@ -1,7 +1,6 @@
 // How the window's parts hear of each other.
 
 #include "widgets/main_window.h"
-#include "widgets/rehearse/planned_course.h"
 #include "widgets/words/translated.h"
 
 namespace glisson::widgets {
@@ -9,7 +8,6 @@ namespace glisson::widgets {
 void MainWindow::connect_parts() {
   connect_work();
   connect_case();
-  connect_rehearsal();
 }
 
 void MainWindow::connect_work() {
@@ -66,54 +64,6 @@ void MainWindow::connect_case() {
   connect(views_, &LinkedViews::picture_not_saved, this, [this](const QString& file) {
     notices_->say([file] { return tr("The picture could not be written to %1.").arg(file); });
   });
-}
-
-void MainWindow::connect_rehearsal() {
-  connect(rehearse_panel_, &RehearsePanel::bodies_chosen, patient_views_, &PatientViews::set_bodies);
-  connect(rehearse_panel_, &RehearsePanel::liver_colour_chosen, patient_views_, &PatientViews::set_liver_colour);
-  connect(rehearse_panel_, &RehearsePanel::landmark_chosen, patient_views_, &PatientViews::set_marked_landmark);
-  connect(rehearse_panel_, &RehearsePanel::placing_changed, this, [this](bool placing) {
-    views_->space().setCursor(placing ? Qt::CrossCursor : Qt::ArrowCursor);
-    status_->say(placing ? tr("Click on the liver where the tool is to touch it.") : QString());
-  });
-  const auto place_tool = [this](const std::optional<PatientViews::PlaceOnLiver>& place) {
-    if (place) rehearse_panel_->place_at(place->at_rest_mm, place->outward);
-  };
-  for (SpaceView* space : {&views_->space(), &views_->second_space()}) {
-    connect(space, &SpaceView::clicked, this, [this, place_tool](const scene::View::Pick& pick) {
-      if (rehearse_panel_->placing()) {
-        place_tool(patient_views_->place_on_liver(pick));
-      } else {
-        views_->set_crosshair(pick.position_mm);
-      }
-    });
-    connect(space, &SpaceView::touch_dragged, this,
-            [this, place_tool](const scene::View::Pick& over) { place_tool(patient_views_->place_on_liver(over)); });
-    connect(space, &SpaceView::free_end_dragged, rehearse_panel_, &RehearsePanel::drag_arrow);
-    connect(space, &SpaceView::grip_released, rehearse_panel_, &RehearsePanel::let_arrow_go);
-  }
-  connect(rehearse_panel_, &RehearsePanel::place_at_crosshair, this,
-          [this, place_tool] { place_tool(patient_views_->nearest_on_liver(views_->crosshair_mm())); });
-  connect(rehearse_panel_, &RehearsePanel::landmark_wanted, this, [this](const std::string& name) {
-    std::vector<mechanics::Landmark> landmarks = landmarks_;
-    landmarks.push_back({name, views_->crosshair_mm()});
-    keep_landmarks(tr("Set landmark"), landmarks);
-  });
-  connect(rehearse_panel_, &RehearsePanel::landmarks_wanted, this, &MainWindow::keep_landmarks);
-  connect(rehearse_panel_, &RehearsePanel::at_work, patient_views_, &PatientViews::set_tool_movable);
-  connect(rehearse_panel_, &RehearsePanel::at_work, this, [this](bool here) {
-    if (!here) return;
-    std::vector<std::string> names;
-    for (const PatientStructure& structure : patient_.structures) names.push_back(structure.name);
-    const PlannedCourse plan = planned_course(patient_);
-    rehearse_panel_->show_plan(plan.course, plan.why_not, std::move(names));
-  });
-  connect(rehearse_panel_, &RehearsePanel::failed, this, &MainWindow::show_error);
-  connect(rehearse_panel_, &RehearsePanel::said, status_, &StatusLine::say);
-  rehearse_panel_->track().set_camera([this] { return views_->space().picture(); });
-  connect(&rehearsal_, &LiveRehearsal::frame_changed, this, &MainWindow::show_frame);
-  connect(&rehearsal_, &LiveRehearsal::placed, this,
-          [this](double solve_ms) { status_->say(tr("Tool placed in %1 ms.").arg(solve_ms, 0, 'f', 0)); });
 }
 
 }  // namespace glisson::widgets

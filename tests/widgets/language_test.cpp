@@ -103,7 +103,7 @@ class LanguageTest : public QObject {
     QFETCH(QString, language);
     WaveView waves("/nowhere");
     ManualWindow manual("/nowhere");
-    const std::unique_ptr<QWidget> worn(PlatformView::shipped());
+    const std::unique_ptr<QWidget> worn(PlatformView::workspace().widget);
     choose("en");
     const std::vector<QString> english = texts_of({window_.get(), &waves, &manual, worn.get()});
     choose(language);

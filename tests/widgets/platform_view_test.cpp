@@ -19,7 +19,7 @@ class PlatformViewTest : public QObject {
 
  private Q_SLOTS:
   void init() {
-    page_.reset(PlatformView::shipped());
+    page_.reset(PlatformView::workspace().widget);
     view_ = qobject_cast<PlatformView*>(page_.get());
     QVERIFY2(view_ != nullptr, "the shipped tables cannot be read");
     view_->resize(1500, 960);

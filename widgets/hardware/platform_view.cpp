@@ -53,6 +53,23 @@ hardware::ProblemGrid grid_around(double volume_cm3) {
   return grid;
 }
 
+// With the table and the curve that ship; a sentence in its place where they cannot be read.
+QWidget* shipped_view() {
+  const auto resources = resource_folder();
+  const auto devices = resources.and_then(
+      [](const std::filesystem::path& folder) { return hardware::read_devices(folder / "devices" / "devices.json"); });
+  const auto curve = resources.and_then([](const std::filesystem::path& folder) {
+    return hardware::read_convergence_curve(folder / "devices" / "convergence.json");
+  });
+  if (devices && curve) return new PlatformView(*devices, *curve);
+  auto* sorry = new QLabel;
+  keep_translated(sorry,
+                  [sorry, error = devices ? curve.error() : devices.error()] { sorry->setText(translated(error)); });
+  sorry->setWordWrap(true);
+  sorry->setAlignment(Qt::AlignCenter);
+  return sorry;
+}
+
 }  // namespace
 
 PlatformView::PlatformView(std::vector<Device> devices, hardware::ConvergenceCurve curve, QWidget* parent)
@@ -85,20 +102,21 @@ PlatformView::PlatformView(std::vector<Device> devices, hardware::ConvergenceCur
   });
 }
 
-QWidget* PlatformView::shipped(QWidget* parent) {
-  const auto resources = resource_folder();
-  const auto devices = resources.and_then(
-      [](const std::filesystem::path& folder) { return hardware::read_devices(folder / "devices" / "devices.json"); });
-  const auto curve = resources.and_then([](const std::filesystem::path& folder) {
-    return hardware::read_convergence_curve(folder / "devices" / "convergence.json");
-  });
-  if (devices && curve) return new PlatformView(*devices, *curve, parent);
-  auto* sorry = new QLabel(parent);
-  keep_translated(sorry,
-                  [sorry, error = devices ? curve.error() : devices.error()] { sorry->setText(translated(error)); });
-  sorry->setWordWrap(true);
-  sorry->setAlignment(Qt::AlignCenter);
-  return sorry;
+Workspace PlatformView::workspace() {
+  QWidget* shown = shipped_view();
+  return {.id = "platform",
+          .name = [] { return tr("Platform"); },
+          .about = [] { return tr("Find what can be worn for this case."); },
+          .widget = shown,
+          .place = Workspace::Place::whole_window,
+          .group = Workspace::Group::research,
+          .show_patient =
+              [view = qobject_cast<PlatformView*>(shown)](const Patient& patient) {
+                if (view == nullptr || patient.name.empty()) return;
+                const PatientStructure* liver = patient.liver();
+                view->show_case(QString::fromStdString(patient.name), liver != nullptr ? liver->volume_ml : 0,
+                                patient.mean_youngs_kPa, patient.assumed_stiffness.has_value());
+              }};
 }
 
 void PlatformView::show_case(const QString& name, double liver_volume_cm3, double youngs_kPa, bool assumed) {

@@ -14,6 +14,7 @@
 #include "widgets/hardware/platform_table.h"
 #include "widgets/panels/number_slider.h"
 #include "widgets/plots/contour_plot.h"
+#include "widgets/workspaces/workspace.h"
 
 namespace glisson::widgets {
 
@@ -23,8 +24,8 @@ class PlatformView : public QWidget {
  public:
   PlatformView(std::vector<hardware::Device> devices, hardware::ConvergenceCurve curve, QWidget* parent = nullptr);
 
-  // With the table and the curve that ship; a sentence in their place where they cannot be read.
-  static QWidget* shipped(QWidget* parent = nullptr);
+  // As a workspace, with the table and the curve that ship; a sentence in its place where they cannot be read.
+  [[nodiscard]] static Workspace workspace();
 
   // Takes volume and mean Young's modulus over; 0 where the case does not know.
   void show_case(const QString& name, double liver_volume_cm3, double youngs_kPa, bool assumed = false);

@@ -1,6 +1,7 @@
 #pragma once
 // The right panel: choose a tool, place it, pull; see what moves and how far, now and over time.
 
+#include <functional>
 #include <QCheckBox>
 #include <QLabel>
 #include <QPushButton>
@@ -16,6 +17,7 @@
 #include "widgets/rehearse/tool_controls.h"
 #include "widgets/rehearse/track_controls.h"
 #include "widgets/session/live_rehearsal.h"
+#include "widgets/workspaces/workspace.h"
 
 namespace glisson::widgets {
 
@@ -24,6 +26,10 @@ class RehearsePanel : public QWidget {
 
  public:
   explicit RehearsePanel(LiveRehearsal& rehearsal, QWidget* parent = nullptr);
+
+  // As a workspace. `keep_landmarks`: these and no others, one step of undo under that name.
+  using KeepLandmarks = std::function<void(const QString& what, const std::vector<mechanics::Landmark>& landmarks)>;
+  [[nodiscard]] static Workspace workspace(const WorkspaceContext& context, KeepLandmarks keep_landmarks);
 
   // With a model there is something to rehearse; without, the panel says what is missing.
   void set_ready(bool ready);
