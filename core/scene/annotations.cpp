@@ -16,7 +16,7 @@ constexpr Colour amber{1.0, 0.77, 0.30};
 // The page that one frame is laid out on: sizes in pixels of this frame, colours that suit its background.
 struct Page {
   Overlay& overlay;
-  const Frame& frame;
+  const Viewport& viewport;
   const FlatContent& content;
   double unit;       // one pixel of the design, in pixels of the frame
   double floor = 0;  // the height that the warning's band takes up
@@ -29,7 +29,7 @@ struct Page {
   [[nodiscard]] TextStyle small() const { return {faint, 13 * unit, false, 0, plate, 1}; }
 };
 
-Page page_for(Overlay& overlay, const Frame& frame, const FlatContent& content, double pixel_scale);
+Page page_for(Overlay& overlay, const Viewport& viewport, const FlatContent& content, double pixel_scale);
 void lay_out_crosshair(Page& page);
 void lay_out_lines(Page& page);
 std::optional<Eigen::AlignedBox2d> place_of_scale_bar(const Page& page);
@@ -43,8 +43,8 @@ void lay_out_cube(Page& page);
 
 }  // namespace
 
-void lay_out(Overlay& overlay, const Frame& frame, const FlatContent& content, double pixel_scale) {
-  Page page = page_for(overlay, frame, content, pixel_scale);
+void lay_out(Overlay& overlay, const Viewport& viewport, const FlatContent& content, double pixel_scale) {
+  Page page = page_for(overlay, viewport, content, pixel_scale);
   overlay.begin();
   lay_out_warning(page);
   lay_out_crosshair(page);
@@ -60,10 +60,10 @@ void lay_out(Overlay& overlay, const Frame& frame, const FlatContent& content, d
 
 namespace {
 
-Page page_for(Overlay& overlay, const Frame& frame, const FlatContent& content, double pixel_scale) {
+Page page_for(Overlay& overlay, const Viewport& viewport, const FlatContent& content, double pixel_scale) {
   const bool dark = content.background != Background::light;
   return {overlay,
-          frame,
+          viewport,
           content,
           pixel_scale * content.annotations.text_scale,
           0,
@@ -90,14 +90,14 @@ void knob(Page& page, const Vector2d& at, double radius, const Colour& colour) {
 void lay_out_crosshair(Page& page) {
   if (!page.content.crosshair) return;
   const CrosshairItem& cross = *page.content.crosshair;
-  const Vector2d at = page.frame.pixel_of(cross.position_mm);
+  const Vector2d at = page.viewport.pixel_of(cross.position_mm);
   const double gap = 9 * page.unit;
   const double width = std::max(1.0, std::round(page.unit));
-  const double beyond = 2.0 * (page.frame.width + page.frame.height);
+  const double beyond = 2.0 * (page.viewport.width + page.viewport.height);
   for (Eigen::Index k = 0; k < 3; ++k) {
-    const Vector3d along = cross.axes.col(k).cross(page.frame.camera.sight);
+    const Vector3d along = cross.axes.col(k).cross(page.viewport.camera.sight);
     if (along.norm() < 0.5) continue;  // this plane is the picture's own
-    const Vector2d way = Vector2d(along.dot(page.frame.right()), along.dot(page.frame.camera.up)).normalized();
+    const Vector2d way = Vector2d(along.dot(page.viewport.right()), along.dot(page.viewport.camera.up)).normalized();
     const Colour& colour = cross.axis_colours[static_cast<std::size_t>(k)];
     for (const double side : {-1.0, 1.0}) {
       page.overlay.line(at + side * gap * way, at + side * beyond * way, width, colour, 0.75);
@@ -109,7 +109,7 @@ void lay_out_crosshair(Page& page) {
 void lay_out_lines(Page& page) {
   for (const LineItem& line : page.content.lines) {
     std::vector<Vector2d> at;
-    for (const Vector3d& point_mm : line.points_mm) at.push_back(page.frame.pixel_of(point_mm));
+    for (const Vector3d& point_mm : line.points_mm) at.push_back(page.viewport.pixel_of(point_mm));
     for (const auto& [width, colour] : {std::pair(3.6, page.plate), std::pair(1.6, line.colour)}) {
       for (std::size_t k = 0; k + 1 < at.size(); ++k) page.overlay.line(at[k], at[k + 1], width * page.unit, colour);
     }
@@ -128,18 +128,18 @@ struct Label {
 // the scale bar moves up, and a thin line then leads to its point.
 void lay_out_labels(Page& page) {
   std::vector<Label> labels;
-  const double scale = page.frame.pixels_per_mm();
+  const double scale = page.viewport.pixels_per_mm();
   for (const LandmarkItem& landmark : page.content.landmarks) {
     if (landmark.label.empty()) continue;
-    labels.push_back({landmark.label, page.frame.pixel_of(landmark.position_mm), scale * landmark.radius_mm});
+    labels.push_back({landmark.label, page.viewport.pixel_of(landmark.position_mm), scale * landmark.radius_mm});
   }
   for (const LineItem& line : page.content.lines) {
     if (line.label.empty() || line.points_mm.empty()) continue;
-    labels.push_back({line.label, page.frame.pixel_of(line.points_mm.back()), 3});
+    labels.push_back({line.label, page.viewport.pixel_of(line.points_mm.back()), 3});
   }
   for (const ArrowItem& arrow : page.content.arrows) {
     if (arrow.label.empty()) continue;
-    labels.push_back({arrow.label, page.frame.pixel_of(arrow.tail_mm), scale * arrow.thickness_mm});
+    labels.push_back({arrow.label, page.viewport.pixel_of(arrow.tail_mm), scale * arrow.thickness_mm});
   }
   std::sort(labels.begin(), labels.end(), [](const Label& a, const Label& b) { return a.anchor.y() > b.anchor.y(); });
 
@@ -151,8 +151,8 @@ void lay_out_labels(Page& page) {
     const double away = label.clearance * 0.75 + 5 * page.unit;
     const Vector2d size(0.56 * style.size_px * static_cast<double>(label.words.size()), 1.25 * style.size_px);
     Vector2d low = label.anchor + Vector2d(away, 0.4 * away);
-    low.x() = std::clamp(low.x(), 0.0, std::max(0.0, page.frame.width - size.x()));
-    low.y() = std::clamp(low.y(), page.floor, std::max(page.floor, page.frame.height - size.y()));
+    low.x() = std::clamp(low.x(), 0.0, std::max(0.0, page.viewport.width - size.x()));
+    low.y() = std::clamp(low.y(), page.floor, std::max(page.floor, page.viewport.height - size.y()));
     const auto covers = [&](const Eigen::AlignedBox2d& other) {
       return other.intersects(Eigen::AlignedBox2d(low, low + size));
     };
@@ -176,7 +176,7 @@ void lay_out_warning(Page& page) {
   const std::string& words = page.content.annotations.warning;
   if (words.empty()) return;
   page.floor = 30 * page.unit;
-  page.overlay.rectangle({0, 0}, {double(page.frame.width), page.floor}, {0.16, 0.11, 0.02}, 0.88);
+  page.overlay.rectangle({0, 0}, {double(page.viewport.width), page.floor}, {0.16, 0.11, 0.02}, 0.88);
   page.overlay.rectangle({0, 0}, {4 * page.unit, page.floor}, amber);
   TextStyle style = page.body(14);
   style.colour = amber;
@@ -186,7 +186,7 @@ void lay_out_warning(Page& page) {
 
 void lay_out_titles(Page& page) {
   const Annotations& annotations = page.content.annotations;
-  double top = page.frame.height - page.margin();
+  double top = page.viewport.height - page.margin();
   TextStyle title = page.body(21);
   title.bold = true;
   if (!annotations.title.empty()) {
@@ -207,7 +207,7 @@ void lay_out_titles(Page& page) {
 
 // The longest of 1, 2, 5, 10, ... mm that takes at most a fifth of the width; it holds in the plane of the focus.
 double scale_bar_mm(const Page& page) {
-  const double room_mm = 0.2 * page.frame.width / page.frame.pixels_per_mm();
+  const double room_mm = 0.2 * page.viewport.width / page.viewport.pixels_per_mm();
   if (!(room_mm > 0)) return 0;
   const double decade = std::pow(10.0, std::floor(std::log10(room_mm)));
   return decade * (room_mm >= 5 * decade ? 5 : room_mm >= 2 * decade ? 2 : 1);
@@ -218,7 +218,7 @@ std::optional<Eigen::AlignedBox2d> place_of_scale_bar(const Page& page) {
   const double length_mm = scale_bar_mm(page);
   if (page.content.annotations.scale_bar != Annotations::ScaleBar::shown || !(length_mm > 0)) return std::nullopt;
   const Vector2d low(page.margin(), page.floor + page.margin());
-  return Eigen::AlignedBox2d(low, low + Vector2d(length_mm * page.frame.pixels_per_mm(), 24 * page.unit));
+  return Eigen::AlignedBox2d(low, low + Vector2d(length_mm * page.viewport.pixels_per_mm(), 24 * page.unit));
 }
 
 void lay_out_scale_bar(Page& page) {
@@ -248,12 +248,12 @@ std::string mark_text(double value, double step) {
 void lay_out_legends(Page& page) {
   const double bar_width = 14 * page.unit;
   const double column = 92 * page.unit;
-  double right = page.frame.width - page.margin();
+  double right = page.viewport.width - page.margin();
   for (const Legend& legend : page.content.legends) {
     // In the middle of the right edge, above the cube.
-    const double wanted = std::min(0.42 * page.frame.height, 300 * page.unit);
-    const double low = std::max(0.5 * (page.frame.height - wanted), page.floor + 104 * page.unit);
-    const double height = std::min(wanted, page.frame.height - low - 48 * page.unit);
+    const double wanted = std::min(0.42 * page.viewport.height, 300 * page.unit);
+    const double low = std::max(0.5 * (page.viewport.height - wanted), page.floor + 104 * page.unit);
+    const double height = std::min(wanted, page.viewport.height - low - 48 * page.unit);
     if (height < 40 * page.unit) return;  // no room in a picture this small
     const double left = right - column + 30 * page.unit;
     constexpr int steps = 128;
@@ -290,12 +290,12 @@ std::string side_of(const Vector3d& direction) {
 }
 
 void lay_out_letters(Page& page) {
-  const double w = page.frame.width;
-  const double h = page.frame.height;
+  const double w = page.viewport.width;
+  const double h = page.viewport.height;
   TextStyle style = page.body(15);
   style.bold = true;
-  const Vector3d right = page.frame.right();
-  const Vector3d up = page.frame.camera.up;
+  const Vector3d right = page.viewport.right();
+  const Vector3d up = page.viewport.camera.up;
   page.overlay.text(side_of(right), {w - page.margin(), 0.5 * h}, Anchor::right_centre, style);
   page.overlay.text(side_of(-right), {page.margin(), 0.5 * h}, Anchor::left_centre, style);
   page.overlay.text(side_of(up), {0.5 * w, h - page.margin() - 8 * page.unit}, Anchor::centre, style);
@@ -305,16 +305,16 @@ void lay_out_letters(Page& page) {
 // A small cube in the lower right corner that turns with the patient, its faces named.
 void lay_out_cube(Page& page) {
   const double half = 23 * page.unit;
-  const Vector2d center(page.frame.width - page.margin() - 1.6 * half, page.floor + page.margin() + 1.6 * half);
-  const Vector3d right = page.frame.right();
-  const Vector3d up = page.frame.camera.up;
+  const Vector2d center(page.viewport.width - page.margin() - 1.6 * half, page.floor + page.margin() + 1.6 * half);
+  const Vector3d right = page.viewport.right();
+  const Vector3d up = page.viewport.camera.up;
   const auto flat = [&](const Vector3d& corner) {
     return Vector2d(center + half * Vector2d(corner.dot(right), corner.dot(up)));
   };
   for (int axis = 0; axis < 3; ++axis) {
     for (const double side : {-1.0, 1.0}) {
       const Vector3d normal = side * Vector3d::Unit(axis);
-      const double facing = -normal.dot(page.frame.camera.sight);
+      const double facing = -normal.dot(page.viewport.camera.sight);
       if (facing <= 0.02) continue;
       const Vector3d a = Vector3d::Unit((axis + 1) % 3);
       const Vector3d b = Vector3d::Unit((axis + 2) % 3);

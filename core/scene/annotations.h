@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "scene/frame.h"
 #include "scene/overlay.h"
 #include "scene/scene.h"
+#include "scene/viewport.h"
 
 namespace glisson::scene {
 
@@ -26,6 +26,6 @@ struct FlatContent {
   Background background = Background::dark;
 };
 
-void lay_out(Overlay& overlay, const Frame& frame, const FlatContent& content, double pixel_scale);
+void lay_out(Overlay& overlay, const Viewport& viewport, const FlatContent& content, double pixel_scale);
 
 }  // namespace glisson::scene

@@ -82,16 +82,16 @@ std::vector<Legend> legends_of(const Scene& scene) {
   return legends;
 }
 
-void place(vtkCamera& camera, const Frame& frame) {
-  const Eigen::Vector3d eye = frame.eye_mm();
-  const Eigen::Vector3d& focus = frame.camera.focus_mm;
-  const Eigen::Vector3d& up = frame.camera.up;
+void place(vtkCamera& camera, const Viewport& viewport) {
+  const Eigen::Vector3d eye = viewport.eye_mm();
+  const Eigen::Vector3d& focus = viewport.camera.focus_mm;
+  const Eigen::Vector3d& up = viewport.camera.up;
   camera.SetPosition(eye.x(), eye.y(), eye.z());
   camera.SetFocalPoint(focus.x(), focus.y(), focus.z());
   camera.SetViewUp(up.x(), up.y(), up.z());
   camera.SetViewAngle(perspective_angle_deg);
-  camera.SetParallelProjection(frame.camera.projection == Projection::parallel ? 1 : 0);
-  camera.SetParallelScale(0.5 * frame.camera.visible_height_mm);
+  camera.SetParallelProjection(viewport.camera.projection == Projection::parallel ? 1 : 0);
+  camera.SetParallelScale(0.5 * viewport.camera.visible_height_mm);
 }
 
 bool same_colour(const Colour& a, const Colour& b) { return a.red == b.red && a.green == b.green && a.blue == b.blue; }
@@ -116,7 +116,7 @@ struct Painter::Impl {
   void build(const Scene& wanted, const std::map<SurfaceId, Points>& moved);
   void change_slices(const std::map<std::size_t, ViewChanges::Slice>& changes);
   void move(const SurfaceId& surface, const Points& points_mm);
-  void lay_out_frame(const Frame& frame, int shrink);
+  void lay_out_viewport(const Viewport& viewport, int shrink);
   DrawnFrame read(int width, int height);
 
   vtkSmartPointer<vtkRenderWindow> window;  // none before the first frame
@@ -161,10 +161,10 @@ Result<DrawnFrame> Painter::paint(const ViewChanges& changes) {
   }
   parts.window->MakeCurrent();  // another painter may have drawn on this thread since
   parts.apply(changes);
-  const int width = std::max(changes.frame.width / changes.shrink, 1);
-  const int height = std::max(changes.frame.height / changes.shrink, 1);
+  const int width = std::max(changes.viewport.width / changes.shrink, 1);
+  const int height = std::max(changes.viewport.height / changes.shrink, 1);
   parts.window->SetSize(width, height);
-  parts.lay_out_frame(changes.frame, changes.shrink);
+  parts.lay_out_viewport(changes.viewport, changes.shrink);
   parts.window->Render();
   return parts.read(width, height);
 }
@@ -270,15 +270,15 @@ void Painter::Impl::move(const SurfaceId& surface, const Points& points_mm) {
   }
 }
 
-void Painter::Impl::lay_out_frame(const Frame& frame, int shrink) {
-  place(*renderer->GetActiveCamera(), frame);
+void Painter::Impl::lay_out_viewport(const Viewport& viewport, int shrink) {
+  place(*renderer->GetActiveCamera(), viewport);
   renderer->SetUseDepthPeeling(*transparency == Transparency::exact ? 1 : 0);
   for (const auto& [surface, drawn] : surfaces) drawn.actor->sort_what_is_clear(*transparency == Transparency::exact);
   renderer->ResetCameraClippingRange();
-  const Eigen::Vector3d towards_viewer_mm = -frame.camera.sight * 0.002 * frame.camera.visible_height_mm;
+  const Eigen::Vector3d towards_viewer_mm = -viewport.camera.sight * 0.002 * viewport.camera.visible_height_mm;
   for (const auto& slice : slices) slice->lift_lines(towards_viewer_mm);
   drawing.lift(towards_viewer_mm);
-  Frame drawn = frame;
+  Viewport drawn = viewport;
   drawn.width = std::max(drawn.width / shrink, 1);
   drawn.height = std::max(drawn.height / shrink, 1);
   lay_out(overlay, drawn,

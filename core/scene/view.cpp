@@ -114,8 +114,8 @@ void View::set_drawn_cells(const std::optional<DrawnCells>& cells) { changes_.dr
 void View::set_detail(Detail detail) { changes_.detail = detail; }
 
 void View::set_size(int width, int height) {
-  frame_.width = width;
-  frame_.height = height;
+  viewport_.width = width;
+  viewport_.height = height;
 }
 
 void View::set_pixel_scale(double pixel_scale) {
@@ -125,20 +125,20 @@ void View::set_pixel_scale(double pixel_scale) {
 }
 
 void View::set_camera(const Camera& camera) {
-  frame_.camera = camera;
+  viewport_.camera = camera;
   framed_ = true;
 }
 
 ViewChanges View::take_changes(int width, int height, int shrink) {
-  frame_.width = std::max(width, 1);
-  frame_.height = std::max(height, 1);
-  changes_.frame = frame_;
+  viewport_.width = std::max(width, 1);
+  viewport_.height = std::max(height, 1);
+  changes_.viewport = viewport_;
   changes_.shrink = shrink;
   return std::exchange(changes_, {});
 }
 
 std::optional<View::Pick> View::pick(double x, double y) const {
-  const Ray ray = frame_.ray_through(x, frame_.height - y);
+  const Ray ray = viewport_.ray_through(x, viewport_.height - y);
   std::optional<Pick> nearest;
   double nearest_mm = 0;
   for (const auto& [surface, shown] : surfaces_) {
@@ -152,19 +152,19 @@ std::optional<View::Pick> View::pick(double x, double y) const {
 }
 
 Eigen::Vector3d View::position_in_focal_plane(double x, double y) const {
-  return frame_.in_focal_plane(x, frame_.height - y);
+  return viewport_.in_focal_plane(x, viewport_.height - y);
 }
 
 Eigen::Vector3d View::position_beside(const Eigen::Vector3d& place_mm, double x, double y) const {
-  const Ray ray = frame_.ray_through(x, frame_.height - y);
+  const Ray ray = viewport_.ray_through(x, viewport_.height - y);
   const double along_mm =
-      frame_.camera.sight.dot(place_mm - ray.origin_mm) / std::max(frame_.camera.sight.dot(ray.direction), 1e-6);
+      viewport_.camera.sight.dot(place_mm - ray.origin_mm) / std::max(viewport_.camera.sight.dot(ray.direction), 1e-6);
   return ray.origin_mm + along_mm * ray.direction;
 }
 
 Eigen::Vector2d View::pixel_of(const Eigen::Vector3d& place_mm) const {
-  const Eigen::Vector2d from_below = frame_.pixel_of(place_mm);
-  return {from_below.x(), frame_.height - from_below.y()};
+  const Eigen::Vector2d from_below = viewport_.pixel_of(place_mm);
+  return {from_below.x(), viewport_.height - from_below.y()};
 }
 
 }  // namespace glisson::scene

@@ -47,7 +47,7 @@ class View {
   // In device pixels, until changes are taken for another size: what pixels are asked for.
   void set_size(int width, int height);
   void set_camera(const Camera& camera);
-  [[nodiscard]] const Camera& camera() const { return frame_.camera; }
+  [[nodiscard]] const Camera& camera() const { return viewport_.camera; }
 
   // What a Painter needs for the next frame, of that size in device pixels; the view begins to gather anew.
   [[nodiscard]] ViewChanges take_changes(int width, int height, int shrink = 1);
@@ -77,7 +77,7 @@ class View {
     Visibility visibility = Visibility::shown;
   };
 
-  Frame frame_;
+  Viewport viewport_;
   bool framed_ = false;  // whether a camera was ever chosen
   std::map<SurfaceId, Shown> surfaces_;
   std::map<SurfaceId, Shown> cut_;  // those that slices cut

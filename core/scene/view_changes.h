@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "scene/drawing.h"
-#include "scene/frame.h"
 #include "scene/scene.h"
+#include "scene/viewport.h"
 
 namespace glisson::scene {
 
@@ -53,7 +53,7 @@ struct ViewChanges {
 
   // Of every frame. `shrink` 2: drawn at half that size each way, to be enlarged by whoever shows it; everything that
   // is said in pixels stays in those of the full size.
-  Frame frame;
+  Viewport viewport;
   int shrink = 1;
 };
 

@@ -1,16 +1,16 @@
-#include "scene/frame.h"
+#include "scene/viewport.h"
 
 #include <cmath>
 #include <numbers>
 
 namespace glisson::scene {
 
-double Frame::eye_distance_mm() const {
+double Viewport::eye_distance_mm() const {
   const double half_angle = 0.5 * perspective_angle_deg * std::numbers::pi / 180;
   return 0.5 * camera.visible_height_mm / std::tan(half_angle);
 }
 
-Eigen::Vector2d Frame::pixel_of(const Eigen::Vector3d& position_mm) const {
+Eigen::Vector2d Viewport::pixel_of(const Eigen::Vector3d& position_mm) const {
   const Eigen::Vector3d from_focus = position_mm - camera.focus_mm;
   double scale = pixels_per_mm();
   if (camera.projection == Projection::perspective) {
@@ -20,12 +20,12 @@ Eigen::Vector2d Frame::pixel_of(const Eigen::Vector3d& position_mm) const {
   return {0.5 * width + scale * from_focus.dot(right()), 0.5 * height + scale * from_focus.dot(camera.up)};
 }
 
-Eigen::Vector3d Frame::in_focal_plane(double x, double y) const {
+Eigen::Vector3d Viewport::in_focal_plane(double x, double y) const {
   return camera.focus_mm + (x - 0.5 * width) / pixels_per_mm() * right() +
          (y - 0.5 * height) / pixels_per_mm() * camera.up;
 }
 
-Ray Frame::ray_through(double x, double y) const {
+Ray Viewport::ray_through(double x, double y) const {
   const Eigen::Vector3d through_mm = in_focal_plane(x, y);
   if (camera.projection == Projection::parallel) {
     return {through_mm - eye_distance_mm() * camera.sight, camera.sight};

@@ -17,7 +17,7 @@ struct Ray {
   Eigen::Vector3d direction{0, 0, 1};  // unit
 };
 
-struct Frame {
+struct Viewport {
   Camera camera;
   int width = 1;
   int height = 1;
