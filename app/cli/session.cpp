@@ -116,58 +116,58 @@ void add_reaction(Json& json, const rehearsal::SessionStep& step) {
   json["torque_Nmm"] = json_of(-step.torque_mNmm * 1e-3);
 }
 
-Json json_of(const rehearsal::SessionFrame& frame) {
-  Json json{{"number", frame.number},
-            {"patient", json_of(frame.patient_step)},
-            {"state", to_string(frame.validity.state())},
-            {"largest_strain", frame.validity.largest_strain},
-            {"relative_residual", frame.patient_step.report.relative_residual},
-            {"inverted_cells", frame.validity.inverted_cells},
-            {"usable", frame.validity.usable()},
-            {"settled", frame.settled},
-            {"error_bound_mm", frame.error_bound_mm.value_or(0.0)},
-            {"step_ms", frame.step_ms},
-            {"digest", frame.digest},
+Json json_of(const rehearsal::SessionState& state) {
+  Json json{{"number", state.number},
+            {"patient", json_of(state.patient_step)},
+            {"state", to_string(state.validity.state())},
+            {"largest_strain", state.validity.largest_strain},
+            {"relative_residual", state.patient_step.report.relative_residual},
+            {"inverted_cells", state.validity.inverted_cells},
+            {"usable", state.validity.usable()},
+            {"settled", state.settled},
+            {"error_bound_mm", state.error_bound_mm.value_or(0.0)},
+            {"step_ms", state.step_ms},
+            {"digest", state.digest},
             {"landmarks", Json::array()}};
-  add_reaction(json, frame.patient_step);
-  if (!frame.refused.empty()) json["refused"] = frame.refused;
-  if (frame.atlas_step) json["atlas"] = json_of(*frame.atlas_step);
-  if (frame.cut) {
-    json["cut"] = {{"open_mm2", frame.cut->open_mm2},
-                   {"bridge_mm2", frame.cut->bridge_mm2},
-                   {"largest_opening_mm", frame.cut->largest_opening_mm}};
+  add_reaction(json, state.patient_step);
+  if (!state.refused.empty()) json["refused"] = state.refused;
+  if (state.atlas_step) json["atlas"] = json_of(*state.atlas_step);
+  if (state.cut) {
+    json["cut"] = {{"open_mm2", state.cut->open_mm2},
+                   {"bridge_mm2", state.cut->bridge_mm2},
+                   {"largest_opening_mm", state.cut->largest_opening_mm}};
   }
-  if (frame.validity.state() != mechanics::AnswerState::within) json["reason"] = frame.validity.sentence().message();
-  if (!frame.validity.usable()) return json;
-  json["max_displacement_mm"] = frame.patient.max_displacement_mm;
-  if (frame.atlas) json["max_difference_mm"] = frame.max_difference_mm;
-  for (std::size_t l = 0; l < frame.patient.landmarks.size(); ++l) {
-    const auto& landmark = frame.patient.landmarks[l];
+  if (state.validity.state() != mechanics::AnswerState::within) json["reason"] = state.validity.sentence().message();
+  if (!state.validity.usable()) return json;
+  json["max_displacement_mm"] = state.patient.max_displacement_mm;
+  if (state.atlas) json["max_difference_mm"] = state.max_difference_mm;
+  for (std::size_t l = 0; l < state.patient.landmarks.size(); ++l) {
+    const auto& landmark = state.patient.landmarks[l];
     Json entry{{"id", landmark.id},
                {"displaced_mm", json_of(landmark.displaced_mm)},
                {"displacement_mm", landmark.displacement_mm}};
-    if (frame.atlas) entry["atlas_displaced_mm"] = json_of(frame.atlas->landmarks[l].displaced_mm);
-    if (l < frame.differences.size()) {
-      entry["difference_mm"] = frame.differences[l].difference_mm;
-      entry["significant"] = frame.differences[l].significant();
+    if (state.atlas) entry["atlas_displaced_mm"] = json_of(state.atlas->landmarks[l].displaced_mm);
+    if (l < state.differences.size()) {
+      entry["difference_mm"] = state.differences[l].difference_mm;
+      entry["significant"] = state.differences[l].significant();
     }
     json["landmarks"].push_back(std::move(entry));
   }
   return json;
 }
 
-std::string in_words(const rehearsal::SessionFrame& frame) {
+std::string in_words(const rehearsal::SessionState& state) {
   std::string moved = "-";
-  if (frame.validity.usable()) {
-    moved = fmt::format("moved by {:6.2f} mm", frame.patient.max_displacement_mm);
-    if (frame.atlas) moved += fmt::format(", atlas apart by {:5.2f} mm", frame.max_difference_mm);
+  if (state.validity.usable()) {
+    moved = fmt::format("moved by {:6.2f} mm", state.patient.max_displacement_mm);
+    if (state.atlas) moved += fmt::format(", atlas apart by {:5.2f} mm", state.max_difference_mm);
   }
-  if (frame.error_bound_mm) {
-    moved += fmt::format(", landmarks within {:.2f} mm{}", *frame.error_bound_mm,
-                         *frame.error_bound_mm > rehearsal::SessionEngine::shown_mm ? " (still settling)" : "");
+  if (state.error_bound_mm) {
+    moved += fmt::format(", landmarks within {:.2f} mm{}", *state.error_bound_mm,
+                         *state.error_bound_mm > rehearsal::SessionEngine::shown_mm ? " (still settling)" : "");
   }
-  return fmt::format("{:3}  {}, in {:6.1f} ms. {}{}\n", frame.number, moved, frame.step_ms,
-                     frame.validity.sentence().message(), frame.refused.empty() ? "" : "  REFUSED: " + frame.refused);
+  return fmt::format("{:3}  {}, in {:6.1f} ms. {}{}\n", state.number, moved, state.step_ms,
+                     state.validity.sentence().message(), state.refused.empty() ? "" : "  REFUSED: " + state.refused);
 }
 
 // A file where it is called one, and else a folder with the recording and the answer.
@@ -204,22 +204,22 @@ Result<Outcome> run(const Options& options, const Progress& progress) {
     progress.report(0.5 + 0.5 * double(i) / double(commands->size()), GLISSON_TEXT("Moving the tools"));
     if (progress.cancelled()) return cancelled();
     const auto& [command, recorded] = (*commands)[i];
-    const rehearsal::SessionFrame& frame = engine->step(command);
-    if (!recorded.empty() && recorded != frame.digest && !first_other) first_other = i;
-    recording.emplace_back(command, frame.digest);
-    all_ms += frame.step_ms;
-    Json json = json_of(frame);
-    json["settled_ms"] = frame.step_ms;
+    const rehearsal::SessionState& state = engine->step(command);
+    if (!recorded.empty() && recorded != state.digest && !first_other) first_other = i;
+    recording.emplace_back(command, state.digest);
+    all_ms += state.step_ms;
+    Json json = json_of(state);
+    json["settled_ms"] = state.step_ms;
     const bool is_last = i + 1 == commands->size();
-    if (!frame.settled && (options.settle == Settling::each || (options.settle == Settling::last && is_last))) {
-      const rehearsal::SessionFrame rest = engine->settled_frame();
-      json["settled_ms"] = rest.settled ? Json(frame.step_ms + rest.step_ms) : Json();  // null: it found no rest
+    if (!state.settled && (options.settle == Settling::each || (options.settle == Settling::last && is_last))) {
+      const rehearsal::SessionState rest = engine->settled_state();
+      json["settled_ms"] = rest.settled ? Json(state.step_ms + rest.step_ms) : Json();  // null: it found no rest
       json["at_rest"] = json_of(rest);
-    } else if (!frame.settled) {
+    } else if (!state.settled) {
       json.erase("settled_ms");
     }
     outcome.document["frames"].push_back(std::move(json));
-    outcome.text += in_words(frame);
+    outcome.text += in_words(state);
   }
   if (all_ms > 0) outcome.document["frames_per_s"] = 1e3 * double(commands->size()) / all_ms;
   if (first_other) {

@@ -1,4 +1,4 @@
-// The thread of a live session: commands wait in a queue, frames are handed over whole.
+// The thread of a live session: commands wait in a queue, states are handed over whole.
 
 #include <condition_variable>
 #include <deque>
@@ -25,7 +25,7 @@ struct LiveSession::Impl {
   std::condition_variable changed;
   std::deque<SessionCommand> waiting;
   bool is_stepping = false;
-  std::shared_ptr<const SessionFrame> latest;
+  std::shared_ptr<const SessionState> latest;
   std::optional<Error> error;
   Recording recording;
   std::jthread thread;
@@ -54,7 +54,7 @@ void LiveSession::Impl::run(const std::stop_token& closing, RehearsalSetup setup
     error = std::move(engine.error());
     return;
   }
-  latest = engine->shared_frame();
+  latest = engine->shared_state();
   int settles = 0;  // since the last command
   bool may_prepare = false;
   for (;;) {
@@ -80,7 +80,7 @@ void LiveSession::Impl::run(const std::stop_token& closing, RehearsalSetup setup
     engine->step(command);
     lock.lock();
     is_stepping = false;
-    latest = engine->shared_frame();
+    latest = engine->shared_state();
     may_prepare = latest->cut != nullptr;
     recording.emplace_back(std::move(command), latest->digest);
   }
@@ -95,14 +95,14 @@ void LiveSession::post(SessionCommand command) {
   impl_->changed.notify_all();
 }
 
-SessionState LiveSession::state() const {
+SessionPhase LiveSession::phase() const {
   const std::lock_guard lock(impl_->mutex);
-  if (impl_->error) return SessionState::failed;
-  if (!impl_->latest) return SessionState::preparing;
-  return impl_->is_stepping || !impl_->waiting.empty() ? SessionState::stepping : SessionState::ready;
+  if (impl_->error) return SessionPhase::failed;
+  if (!impl_->latest) return SessionPhase::preparing;
+  return impl_->is_stepping || !impl_->waiting.empty() ? SessionPhase::stepping : SessionPhase::ready;
 }
 
-std::shared_ptr<const SessionFrame> LiveSession::latest() const {
+std::shared_ptr<const SessionState> LiveSession::latest() const {
   const std::lock_guard lock(impl_->mutex);
   return impl_->latest;
 }

@@ -46,7 +46,7 @@ struct SessionEngine::Impl {
   std::vector<geometry::Surface> structures;
   std::vector<Moment> moments;  // the first untouched, the last the present
   std::uint64_t commands = 0;
-  std::shared_ptr<const SessionFrame> latest;
+  std::shared_ptr<const SessionState> latest;
 
   // What `next` makes of both bodies, the reference body beside the patient's on a thread of its own.
   using Next = std::function<Result<BodyState>(const SessionBody&, const BodyState&)>;
@@ -57,7 +57,7 @@ struct SessionEngine::Impl {
   void forget_the_oldest();
   [[nodiscard]] RehearsalBody shown(const SessionBody& body, const BodyState& state) const;
   [[nodiscard]] std::shared_ptr<const SessionCut> cut_of(const Moment& moment) const;
-  [[nodiscard]] SessionFrame frame_of(const Moment& moment) const;
+  [[nodiscard]] SessionState state_of(const Moment& moment) const;
 };
 
 Result<SessionEngine> SessionEngine::create(RehearsalSetup setup, const Progress& progress) {
@@ -87,11 +87,11 @@ Result<SessionEngine> SessionEngine::create(RehearsalSetup setup, const Progress
     untouched.atlas_body = std::move(*atlas);
   }
   parts->moments.push_back(std::move(untouched));
-  parts->latest = std::make_shared<SessionFrame>(parts->frame_of(parts->moments.back()));
+  parts->latest = std::make_shared<SessionState>(parts->state_of(parts->moments.back()));
   return SessionEngine(std::move(parts));
 }
 
-const SessionFrame& SessionEngine::step(const SessionCommand& command) {
+const SessionState& SessionEngine::step(const SessionCommand& command) {
   const auto start = Clock::now();
   Impl& parts = *impl_;
   ++parts.commands;
@@ -137,33 +137,33 @@ const SessionFrame& SessionEngine::step(const SessionCommand& command) {
       parts.forget_the_oldest();
     }
   }
-  SessionFrame frame = parts.frame_of(parts.moments.back());
-  frame.number = parts.commands;
-  frame.refused = std::move(refused);
-  frame.step_ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-  parts.latest = std::make_shared<SessionFrame>(std::move(frame));
+  SessionState state = parts.state_of(parts.moments.back());
+  state.number = parts.commands;
+  state.refused = std::move(refused);
+  state.step_ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+  parts.latest = std::make_shared<SessionState>(std::move(state));
   return *parts.latest;
 }
 
-SessionFrame SessionEngine::settled_frame() const {
+SessionState SessionEngine::settled_state() const {
   const auto start = Clock::now();
   const Impl& parts = *impl_;
   Moment moment = parts.moments.back();
   std::string refused;
-  SessionFrame frame = parts.frame_of(moment);
-  for (int settle = 0; settle < most_settles && !frame.settled && refused.empty(); ++settle) {
+  SessionState state = parts.state_of(moment);
+  for (int settle = 0; settle < most_settles && !state.settled && refused.empty(); ++settle) {
     auto next = parts.nearer_to_rest(moment);
     if (next) {
       moment = std::move(*next);
-      frame = parts.frame_of(moment);
+      state = parts.state_of(moment);
     } else {
       refused = next.error().message();
     }
   }
-  frame.number = parts.commands;
-  frame.refused = std::move(refused);
-  frame.step_ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-  return frame;
+  state.number = parts.commands;
+  state.refused = std::move(refused);
+  state.step_ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+  return state;
 }
 
 Result<Moment> SessionEngine::Impl::moved(const Moment& from, const Tools& tools) const {
@@ -262,29 +262,29 @@ std::shared_ptr<const SessionCut> SessionEngine::Impl::cut_of(const Moment& mome
   return std::make_shared<const SessionCut>(*std::move(cut));
 }
 
-SessionFrame SessionEngine::Impl::frame_of(const Moment& moment) const {
-  SessionFrame frame;
-  frame.tools = moment.tools;
-  frame.patient = shown(moment.patient_body, moment.patient);
-  frame.cut = cut_of(moment);
-  frame.patient_step = step_of(moment.patient, moment.tools, moment.patient_body.surface());
-  const mechanics::ContactReport& report = frame.patient_step.report;
-  frame.validity = {report.converged, report.largest_strain, report.inverted_cells, mechanics::strain_limit(law.law)};
-  frame.error_bound_mm = frame.patient_step.error_bound_mm;
-  frame.settled = frame.patient_step.settled;
+SessionState SessionEngine::Impl::state_of(const Moment& moment) const {
+  SessionState state;
+  state.tools = moment.tools;
+  state.patient = shown(moment.patient_body, moment.patient);
+  state.cut = cut_of(moment);
+  state.patient_step = step_of(moment.patient, moment.tools, moment.patient_body.surface());
+  const mechanics::ContactReport& report = state.patient_step.report;
+  state.validity = {report.converged, report.largest_strain, report.inverted_cells, mechanics::strain_limit(law.law)};
+  state.error_bound_mm = state.patient_step.error_bound_mm;
+  state.settled = state.patient_step.settled;
   if (moment.atlas) {
-    frame.atlas = shown(*moment.atlas_body, *moment.atlas);
-    frame.atlas_step = step_of(*moment.atlas, moment.tools, moment.atlas_body->surface());
-    if (frame.error_bound_mm) frame.error_bound_mm = std::max(*frame.error_bound_mm, *frame.atlas_step->error_bound_mm);
-    frame.settled = frame.settled && frame.atlas_step->settled;
-    frame.differences = differences_between(frame.patient.landmarks, frame.atlas->landmarks);
-    for (std::size_t p = 0; p < frame.patient.surface_mm.size(); ++p) {
-      frame.max_difference_mm =
-          std::max(frame.max_difference_mm, (frame.patient.surface_mm[p] - frame.atlas->surface_mm[p]).norm());
+    state.atlas = shown(*moment.atlas_body, *moment.atlas);
+    state.atlas_step = step_of(*moment.atlas, moment.tools, moment.atlas_body->surface());
+    if (state.error_bound_mm) state.error_bound_mm = std::max(*state.error_bound_mm, *state.atlas_step->error_bound_mm);
+    state.settled = state.settled && state.atlas_step->settled;
+    state.differences = differences_between(state.patient.landmarks, state.atlas->landmarks);
+    for (std::size_t p = 0; p < state.patient.surface_mm.size(); ++p) {
+      state.max_difference_mm =
+          std::max(state.max_difference_mm, (state.patient.surface_mm[p] - state.atlas->surface_mm[p]).norm());
     }
   }
-  frame.digest = digest_of(moment);
-  return frame;
+  state.digest = digest_of(moment);
+  return state;
 }
 
 bool SessionEngine::prepare_the_next_cut() const {
@@ -301,8 +301,8 @@ bool SessionEngine::prepare_the_next_cut() const {
   return (patient && *patient) || (atlas && *atlas);
 }
 
-const SessionFrame& SessionEngine::frame() const { return *impl_->latest; }
-std::shared_ptr<const SessionFrame> SessionEngine::shared_frame() const { return impl_->latest; }
+const SessionState& SessionEngine::state() const { return *impl_->latest; }
+std::shared_ptr<const SessionState> SessionEngine::shared_state() const { return impl_->latest; }
 const geometry::Surface& SessionEngine::surface() const { return impl_->moments.front().patient_body.surface(); }
 Result<mechanics::StaticResult> SessionEngine::whole_result() const {
   const Moment& now = impl_->moments.back();
@@ -312,8 +312,8 @@ Result<mechanics::StaticResult> SessionEngine::whole_result() const {
 std::optional<std::size_t> replay(SessionEngine& engine, const Recording& recording) {
   std::optional<std::size_t> first_other;
   for (std::size_t i = 0; i < recording.size(); ++i) {
-    const SessionFrame& frame = engine.step(recording[i].first);
-    if (!first_other && !recording[i].second.empty() && frame.digest != recording[i].second) first_other = i;
+    const SessionState& state = engine.step(recording[i].first);
+    if (!first_other && !recording[i].second.empty() && state.digest != recording[i].second) first_other = i;
   }
   return first_other;
 }

@@ -2,16 +2,16 @@
 // A rehearsal with tools in the hand: the patient's liver and its reference body (the atlas) under the same tools, step
 // by step.
 //
-// SessionEngine is the rehearsal itself, without a clock: a command and what was before give the next frame, always the
+// SessionEngine is the rehearsal itself, without a clock: a command and what was before give the next state, always the
 // same to the bit. LiveSession runs one on a thread of its own and never keeps its caller waiting.
 //
-// At small strain (RehearsalSetup::law is linear) a frame is at rest. At large strain (mechanics/contact/live_body.h) a
+// At small strain (RehearsalSetup::law is linear) a state is at rest. At large strain (mechanics/contact/live_body.h) a
 // command gives a first picture with a bound of how far its landmarks are from rest, and Settle brings it nearer; a
 // LiveSession does so by itself while nobody asks for more, and records that it did.
 //
-// The states, and what can be asked in each: a session is `preparing` (nothing to show yet), `ready` (the latest frame
+// The phases, and what can be asked in each: a session is `preparing` (nothing to show yet), `ready` (the latest state
 // is of all that was asked), `stepping` (it is of what came before) or `failed` (it never came to be, and says why). A
-// force without a tool, a tool without a pose or a frame before the model cannot be said.
+// force without a tool, a tool without a pose or a state before the model cannot be said.
 
 #include <cstdint>
 #include <filesystem>
@@ -54,7 +54,7 @@ struct SessionStep {
   bool settled = true;
 };
 
-struct SessionFrame {
+struct SessionState {
   std::uint64_t number = 0;  // of the commands that led here
   std::vector<mechanics::ContactTool> tools;
   RehearsalBody patient;
@@ -67,11 +67,11 @@ struct SessionFrame {
   bool settled = true;                          // both
   std::vector<LandmarkDifference> differences;  // those of 5 mm and more are significant()
   double max_difference_mm = 0;                 // over the surface
-  // Empty where the last command was carried out. Otherwise why it was not: the frame then shows what was before it,
+  // Empty where the last command was carried out. Otherwise why it was not: the state then shows what was before it,
   // and says so here; a shape that did not converge is never shown.
   std::string refused;
   double step_ms = 0;
-  std::string digest;  // SHA-256 of every displacement and force: two frames of the same digest are the same bits
+  std::string digest;  // SHA-256 of every displacement and force: two states of the same digest are the same bits
 };
 
 class SessionEngine {
@@ -79,25 +79,25 @@ class SessionEngine {
   // Failures: those of StaticRehearsal::create and of LiveBody::create.
   static Result<SessionEngine> create(RehearsalSetup setup, const Progress& progress = {});
 
-  // A bound beyond which a frame says that it is still settling.
+  // A bound beyond which a state says that it is still settling.
   static constexpr double shown_mm = 0.5;
-  // Settle commands after which a frame that has not come to rest will not.
+  // Settle commands after which a state that has not come to rest will not.
   static constexpr int most_settles = 12;
 
   // One step. Large moves are made in small ones, which only the last shows. Undo reaches back over 10,000 steps, at
   // large strain over 100.
-  const SessionFrame& step(const SessionCommand& command);
-  // The present frame at rest, as Settle after Settle makes it; the session stays where it is.
-  [[nodiscard]] SessionFrame settled_frame() const;
+  const SessionState& step(const SessionCommand& command);
+  // The present state at rest, as Settle after Settle makes it; the session stays where it is.
+  [[nodiscard]] SessionState settled_state() const;
 
-  // A tenth of a second's work for what a cut would open next if it went on; no frame changes by it, nor its bits.
+  // A tenth of a second's work for what a cut would open next if it went on; no state changes by it, nor its bits.
   // False where there is nothing to do.
   [[nodiscard]] bool prepare_the_next_cut() const;
 
-  [[nodiscard]] const SessionFrame& frame() const;
-  [[nodiscard]] std::shared_ptr<const SessionFrame> shared_frame() const;
+  [[nodiscard]] const SessionState& state() const;
+  [[nodiscard]] std::shared_ptr<const SessionState> shared_state() const;
   [[nodiscard]] const geometry::Surface& surface() const;
-  // Every mesh point's displacement in the present frame, by a solve of its own.
+  // Every mesh point's displacement in the present state, by a solve of its own.
   [[nodiscard]] Result<mechanics::StaticResult> whole_result() const;
 
  private:
@@ -106,7 +106,7 @@ class SessionEngine {
   std::shared_ptr<Impl> impl_;
 };
 
-enum class SessionState { preparing, ready, stepping, failed };
+enum class SessionPhase { preparing, ready, stepping, failed };
 
 class LiveSession {
  public:
@@ -119,11 +119,11 @@ class LiveSession {
   // Returns at once. Of several waiting moves of one tool only the last is made.
   void post(SessionCommand command);
 
-  [[nodiscard]] SessionState state() const;
-  [[nodiscard]] std::shared_ptr<const SessionFrame> latest() const;  // nullptr until there is one
+  [[nodiscard]] SessionPhase phase() const;
+  [[nodiscard]] std::shared_ptr<const SessionState> latest() const;  // nullptr until there is one
   [[nodiscard]] std::optional<Error> error() const;                  // why it failed
 
-  // What was carried out, with each frame's digest: enough to see it again.
+  // What was carried out, with each state's digest: enough to see it again.
   [[nodiscard]] std::vector<std::pair<SessionCommand, std::string>> recording() const;
 
  private:
@@ -138,7 +138,7 @@ using Recording = std::vector<std::pair<SessionCommand, std::string>>;
 [[nodiscard]] std::string recording_text(const Recording& recording);
 Result<Recording> parse_recording(std::string_view json, const std::filesystem::path& file = {});
 
-// Steps through all commands. The first whose frame is not the one recorded, from 0; nothing where all are.
+// Steps through all commands. The first whose state is not the one recorded, from 0; nothing where all are.
 [[nodiscard]] std::optional<std::size_t> replay(SessionEngine& engine, const Recording& recording);
 
 }  // namespace glisson::rehearsal

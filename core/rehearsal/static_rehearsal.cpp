@@ -219,27 +219,27 @@ RehearsalBody StaticRehearsal::Impl::body_under(const BodyResponse& response, co
   return body;
 }
 
-RehearsalFrame PlacedTool::answer(const Vector3d& force_N) const {
+RehearsalState PlacedTool::answer(const Vector3d& force_N) const {
   GLISSON_ASSERT(force_N.allFinite());
   const auto start = Clock::now();
-  RehearsalFrame frame;
-  frame.force_N = force_N;
-  frame.patient = impl_->rehearsal->body_under(impl_->patient, force_N);
-  frame.relative_residual = impl_->patient.relative_residual;
+  RehearsalState state;
+  state.force_N = force_N;
+  state.patient = impl_->rehearsal->body_under(impl_->patient, force_N);
+  state.relative_residual = impl_->patient.relative_residual;
   const mechanics::StrainRange strain = impl_->patient.strain->under(force_N);
-  frame.validity = {true, strain.largest_strain, strain.inverted_cells};
+  state.validity = {true, strain.largest_strain, strain.inverted_cells};
   if (impl_->atlas) {
-    frame.atlas = impl_->rehearsal->body_under(*impl_->atlas, force_N);
-    frame.relative_residual = std::max(frame.relative_residual, impl_->atlas->relative_residual);
-    frame.differences = differences_between(frame.patient.landmarks, frame.atlas->landmarks);
+    state.atlas = impl_->rehearsal->body_under(*impl_->atlas, force_N);
+    state.relative_residual = std::max(state.relative_residual, impl_->atlas->relative_residual);
+    state.differences = differences_between(state.patient.landmarks, state.atlas->landmarks);
     double squared_mm2 = 0;
-    for (std::size_t p = 0; p < frame.patient.surface_mm.size(); ++p) {
-      squared_mm2 = std::max(squared_mm2, (frame.patient.surface_mm[p] - frame.atlas->surface_mm[p]).squaredNorm());
+    for (std::size_t p = 0; p < state.patient.surface_mm.size(); ++p) {
+      squared_mm2 = std::max(squared_mm2, (state.patient.surface_mm[p] - state.atlas->surface_mm[p]).squaredNorm());
     }
-    frame.max_difference_mm = std::sqrt(squared_mm2);
+    state.max_difference_mm = std::sqrt(squared_mm2);
   }
-  frame.answer_ms = milliseconds_since(start);
-  return frame;
+  state.answer_ms = milliseconds_since(start);
+  return state;
 }
 
 // Strain is convex along a line of forces, so that what lies within begins at 0 and ends once.

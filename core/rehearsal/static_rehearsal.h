@@ -64,7 +64,7 @@ struct RehearsalBody {
   double max_displacement_mm = 0;  // over the surface
 };
 
-struct RehearsalFrame {
+struct RehearsalState {
   Eigen::Vector3d force_N{0, 0, 0};
   RehearsalBody patient;
   std::optional<RehearsalBody> atlas;
@@ -84,7 +84,7 @@ class PlacedTool {
   [[nodiscard]] double solve_ms() const;  // what placing it cost
 
   // The bodies under that force (N, patient LPS). The force must be finite.
-  [[nodiscard]] RehearsalFrame answer(const Eigen::Vector3d& force_N) const;
+  [[nodiscard]] RehearsalState answer(const Eigen::Vector3d& force_N) const;
 
   // The largest force (N, to a thousandth of `maximum_N`) along that unit direction which stays within the model; at
   // most `maximum_N`. 0 where the standing loads leave it already.
@@ -108,7 +108,7 @@ class StaticRehearsal {
   // Failures: "tool-touches-nothing"; "not-converged" where a solve may not be used.
   [[nodiscard]] Result<PlacedTool> place_tool(const Eigen::Vector3d& center_mm, double radius_mm) const;
 
-  // The liver's outer surface at rest, whose points the frames displace.
+  // The liver's outer surface at rest, whose points the states displace.
   [[nodiscard]] const geometry::Surface& surface() const;
   [[nodiscard]] const std::shared_ptr<const RehearsalModels>& models() const;
   [[nodiscard]] const mechanics::StaticModel& patient() const;

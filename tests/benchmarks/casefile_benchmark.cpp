@@ -26,7 +26,7 @@ Result<casefile::PatientModel> model_of_case() {
 
 // A retractor is pushed at segment VI with 2 N and held, and a probe of 0.3 N drawn over the front, half
 // a millimetre a step, 80 steps there and back. `place_ms` is the retractor's first touch, `first_ms` a step of the
-// probe's first way, on which each new place is solved for once; `error_mm` how far the last frame's landmarks are from
+// probe's first way, on which each new place is solved for once; `error_mm` how far the last state's landmarks are from
 // those of a hundredfold tighter contact.
 void SessionOnACase(benchmark::State& state) {
   auto model = model_of_case();
@@ -54,26 +54,26 @@ void SessionOnACase(benchmark::State& state) {
   const std::clock_t before = std::clock();  // of all threads
   engine.step(rehearsal::HoldTool{hook});
   state.counters["place_cpu_ms"] = 1e3 * double(std::clock() - before) / CLOCKS_PER_SEC;
-  state.counters["place_ms"] = engine.frame().step_ms;
-  state.counters["place_solves"] = engine.frame().patient_step.report.new_solves;
-  state.counters["moved_mm"] = engine.frame().patient.max_displacement_mm;
-  double refused = engine.frame().refused.empty() ? 0 : 1;
+  state.counters["place_ms"] = engine.state().step_ms;
+  state.counters["place_solves"] = engine.state().patient_step.report.new_solves;
+  state.counters["moved_mm"] = engine.state().patient.max_displacement_mm;
+  double refused = engine.state().refused.empty() ? 0 : 1;
   const auto draw = [&] {
     at += step;
     if (at == 0 || at == 80) step = -step;
     engine.step(rehearsal::HoldTool{probe()});
-    refused += engine.frame().refused.empty() ? 0 : 1;
+    refused += engine.state().refused.empty() ? 0 : 1;
   };
   double first_ms = 0, first_slowest_ms = 0;
   for (int i = 0; i < 80; ++i) {
     draw();
-    first_ms += engine.frame().step_ms / 80;
-    first_slowest_ms = std::max(first_slowest_ms, engine.frame().step_ms);
+    first_ms += engine.state().step_ms / 80;
+    first_slowest_ms = std::max(first_slowest_ms, engine.state().step_ms);
   }
   double slowest_ms = 0, steps = 0;
   for (auto _ : state) {
     draw();
-    slowest_ms = std::max(slowest_ms, engine.frame().step_ms);
+    slowest_ms = std::max(slowest_ms, engine.state().step_ms);
     ++steps;
   }
   state.counters["steps_per_s"] = benchmark::Counter(steps, benchmark::Counter::kIsRate);
@@ -83,7 +83,7 @@ void SessionOnACase(benchmark::State& state) {
   state.counters["refused"] = refused;
 
   state.counters["landmarks"] = double(setup.landmarks.size());
-  state.counters["error_mm"] = landmark_error_mm(setup, hook, probe(), engine.frame());
+  state.counters["error_mm"] = landmark_error_mm(setup, hook, probe(), engine.state());
 }
 
 // The same at large strain: a retractor at segment VI with 0.5 N, a probe of 0.3 N drawn over the front, half a
@@ -117,7 +117,7 @@ void SessionAtLargeStrain(benchmark::State& state) {
       {"hook", mechanics::TouchingTool{mechanics::nathanson_retractor(),
                                        mechanics::pose_towards(place.center_mm - 40 * place.direction, place.direction),
                                        500.0}}});
-  state.counters["place_ms"] = engine.frame().step_ms;
+  state.counters["place_ms"] = engine.state().step_ms;
   std::vector<double> errors_mm;
   double steps = 0, step_ms = 0, slowest_ms = 0, refused = 0, over = 0, holds = 0, unsettled = 0, settled_ms = 0;
   const std::clock_t before = std::clock();  // of all threads
@@ -125,16 +125,16 @@ void SessionAtLargeStrain(benchmark::State& state) {
   for (auto _ : state) {
     engine.step(rehearsal::HoldTool{probe()});
     ++at;
-    const rehearsal::SessionFrame& frame = engine.frame();
+    const rehearsal::SessionState& moved = engine.state();
     ++steps;
-    step_ms += frame.step_ms;
-    slowest_ms = std::max(slowest_ms, frame.step_ms);
-    refused += frame.refused.empty() ? 0 : 1;
-    over += *frame.error_bound_mm > rehearsal::SessionEngine::shown_mm ? 1 : 0;
+    step_ms += moved.step_ms;
+    slowest_ms = std::max(slowest_ms, moved.step_ms);
+    refused += moved.refused.empty() ? 0 : 1;
+    over += *moved.error_bound_mm > rehearsal::SessionEngine::shown_mm ? 1 : 0;
     if (at % 5 != 0) continue;
     state.PauseTiming();
     const std::clock_t beside = std::clock();
-    const rehearsal::SessionFrame rest = engine.settled_frame();
+    const rehearsal::SessionState rest = engine.settled_state();
     beside_s += double(std::clock() - beside) / CLOCKS_PER_SEC;
     settled_ms += rest.step_ms;
     if (rest.settled) {
@@ -143,11 +143,11 @@ void SessionAtLargeStrain(benchmark::State& state) {
         const auto off_mm = [&](const rehearsal::RehearsalBody& shown, const rehearsal::RehearsalBody& settled) {
           return (shown.landmarks[l].displaced_mm - settled.landmarks[l].displaced_mm).norm();
         };
-        farthest_mm = std::max(farthest_mm, off_mm(frame.patient, rest.patient));
-        if (frame.atlas) farthest_mm = std::max(farthest_mm, off_mm(*frame.atlas, *rest.atlas));
+        farthest_mm = std::max(farthest_mm, off_mm(moved.patient, rest.patient));
+        if (moved.atlas) farthest_mm = std::max(farthest_mm, off_mm(*moved.atlas, *rest.atlas));
       }
       errors_mm.push_back(farthest_mm);
-      holds += farthest_mm <= *frame.error_bound_mm ? 1 : 0;
+      holds += farthest_mm <= *moved.error_bound_mm ? 1 : 0;
     } else {
       ++unsettled;
     }
@@ -162,7 +162,7 @@ void SessionAtLargeStrain(benchmark::State& state) {
   state.counters["unsettled"] = unsettled;
   state.counters["refused"] = refused;
   state.counters["over_0.5_mm"] = over;
-  state.counters["strain"] = engine.frame().validity.largest_strain;
+  state.counters["strain"] = engine.state().validity.largest_strain;
   if (errors_mm.empty()) return;
   state.counters["p95_mm"] = errors_mm[std::size_t(0.95 * double(errors_mm.size() - 1) + 0.5)];
   state.counters["worst_mm"] = errors_mm.back();

@@ -222,12 +222,12 @@ void RehearsalWithTools(benchmark::State& state) {
   double first_ms = 0, slowest_ms = 0, refused = 0, steps = 0;
   for (int i = 0; i < 80; ++i) {
     draw();
-    first_ms += engine.frame().step_ms / 80;
+    first_ms += engine.state().step_ms / 80;
   }
   for (auto _ : state) {
     draw();
-    slowest_ms = std::max(slowest_ms, engine.frame().step_ms);
-    refused += engine.frame().refused.empty() ? 0 : 1;
+    slowest_ms = std::max(slowest_ms, engine.state().step_ms);
+    refused += engine.state().refused.empty() ? 0 : 1;
     ++steps;
   }
   state.counters["steps_per_s"] = benchmark::Counter(steps, benchmark::Counter::kIsRate);
@@ -235,7 +235,7 @@ void RehearsalWithTools(benchmark::State& state) {
   state.counters["slowest_ms"] = slowest_ms;
   state.counters["refused"] = refused;
 
-  state.counters["error_mm"] = landmark_error_mm(setup, hook, probe(), engine.frame());
+  state.counters["error_mm"] = landmark_error_mm(setup, hook, probe(), engine.state());
 }
 
 // The beam of SOFA's published figures by its number of nodes: 16 x 16 x 76 = 19,456, corotational, clamped at one end,

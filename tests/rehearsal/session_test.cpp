@@ -44,26 +44,26 @@ ContactTool jaws(const Vector3d& drawn_mm) { return {"grasper", Grasp{{66, 40, 4
 
 TEST(Session, FollowsLandmarksAndStructuresAndComparesWithTheTwin) {
   auto engine = SessionEngine::create(block()).value();
-  EXPECT_EQ(engine.frame().patient.max_displacement_mm, 0);
-  const SessionFrame& frame = engine.step(HoldTool{probe({35, 40, 40})});
-  EXPECT_EQ(frame.refused, "");
-  EXPECT_TRUE(frame.patient_step.report.converged);
-  EXPECT_LE(frame.patient_step.report.penetration_mm, 0.1);
-  EXPECT_EQ(frame.patient_step.report.inverted_cells, 0);
-  EXPECT_TRUE(frame.validity.usable());
+  EXPECT_EQ(engine.state().patient.max_displacement_mm, 0);
+  const SessionState& state = engine.step(HoldTool{probe({35, 40, 40})});
+  EXPECT_EQ(state.refused, "");
+  EXPECT_TRUE(state.patient_step.report.converged);
+  EXPECT_LE(state.patient_step.report.penetration_mm, 0.1);
+  EXPECT_EQ(state.patient_step.report.inverted_cells, 0);
+  EXPECT_TRUE(state.validity.usable());
   // By corners: no more than the whole solve finds at the corners of quadratic cells, and not far from it.
   const double whole_strain = engine.whole_result()->largest_strain;
-  EXPECT_LE(frame.validity.largest_strain, whole_strain);
-  EXPECT_GT(frame.validity.largest_strain, 0.4 * whole_strain);
-  EXPECT_GT(frame.patient_step.report.energy_uJ, 0);
-  EXPECT_LT(frame.patient_step.report.relative_residual, 1e-8);
-  EXPECT_GT(frame.patient.landmarks[0].displacement_mm, 2);
-  EXPECT_LT(frame.patient.landmarks[1].displacement_mm, 1);
-  EXPECT_LT(frame.patient.structures_mm[0][0].z(), 30);
+  EXPECT_LE(state.validity.largest_strain, whole_strain);
+  EXPECT_GT(state.validity.largest_strain, 0.4 * whole_strain);
+  EXPECT_GT(state.patient_step.report.energy_uJ, 0);
+  EXPECT_LT(state.patient_step.report.relative_residual, 1e-8);
+  EXPECT_GT(state.patient.landmarks[0].displacement_mm, 2);
+  EXPECT_LT(state.patient.landmarks[1].displacement_mm, 1);
+  EXPECT_LT(state.patient.structures_mm[0][0].z(), 30);
   // The tool is placed alike in both; the force that this takes is not.
-  EXPECT_GT(std::abs(frame.patient_step.tools[0].force_mN.z() - frame.atlas_step->tools[0].force_mN.z()), 30);
+  EXPECT_GT(std::abs(state.patient_step.tools[0].force_mN.z() - state.atlas_step->tools[0].force_mN.z()), 30);
   // Under the same force they give way differently.
-  const SessionFrame& pushed = engine.step(HoldTool{probe({35, 40, 60}, 600.0)});
+  const SessionState& pushed = engine.step(HoldTool{probe({35, 40, 60}, 600.0)});
   EXPECT_EQ(pushed.refused, "");
   EXPECT_NEAR(pushed.patient_step.tools[0].force_mN.z(), -600, 1);
   EXPECT_GT(std::abs(pushed.patient_step.tools[0].advance_mm - pushed.atlas_step->tools[0].advance_mm), 0.1);
@@ -79,7 +79,7 @@ TEST(Session, FollowsLandmarksAndStructuresAndComparesWithTheTwin) {
 
 TEST(Session, UndoGoesBackToTheSameBits) {
   auto engine = SessionEngine::create(block()).value();
-  const std::string untouched = engine.frame().digest;
+  const std::string untouched = engine.state().digest;
   const std::string one = engine.step(HoldTool{probe({35, 40, 44})}).digest;
   const std::string two = engine.step(HoldTool{jaws({0, 0, 4})}).digest;
   EXPECT_NE(one, two);
@@ -88,7 +88,7 @@ TEST(Session, UndoGoesBackToTheSameBits) {
   engine.step(Undo{});
   EXPECT_EQ(engine.step(Undo{}).digest, untouched);
   EXPECT_THAT(engine.step(Undo{}).refused, HasSubstr("nothing to undo"));
-  EXPECT_EQ(engine.frame().digest, untouched);
+  EXPECT_EQ(engine.state().digest, untouched);
 }
 
 TEST(Session, ARecordingReplaysToTheBitThroughItsFile) {
@@ -102,7 +102,7 @@ TEST(Session, ARecordingReplaysToTheBitThroughItsFile) {
                                              ReleaseTool{"probe"},
                                              ReleaseTool{"nothing such"}};
   for (const SessionCommand& command : commands) recording.emplace_back(command, engine.step(command).digest);
-  EXPECT_THAT(engine.frame().refused, HasSubstr("no tool nothing such"));
+  EXPECT_THAT(engine.state().refused, HasSubstr("no tool nothing such"));
 
   const auto read = parse_recording(recording_text(recording)).value();
   auto again = SessionEngine::create(block()).value();
@@ -142,16 +142,16 @@ TEST(Session, ACutOpensUnderTractionStepByStepAndBackAgain) {
   auto engine = SessionEngine::create(block()).value();
   const ContactTool lifting{"grasper", Grasp{{30, 56, 40}, 9, 800.0, {0, 0.6, 1}}};
   Recording recording;
-  const auto carry_out = [&](const SessionCommand& command) -> const SessionFrame& {
-    const SessionFrame& frame = engine.step(command);
-    EXPECT_EQ(frame.refused, "");
-    recording.emplace_back(command, frame.digest);
-    return frame;
+  const auto carry_out = [&](const SessionCommand& command) -> const SessionState& {
+    const SessionState& state = engine.step(command);
+    EXPECT_EQ(state.refused, "");
+    recording.emplace_back(command, state.digest);
+    return state;
   };
-  const SessionFrame uncut = carry_out(HoldTool{lifting});
+  const SessionState uncut = carry_out(HoldTool{lifting});
   EXPECT_EQ(uncut.cut, nullptr);
-  const SessionFrame first = carry_out(advance(80, 55));
-  const SessionFrame second = carry_out(advance(55, 25));
+  const SessionState first = carry_out(advance(80, 55));
+  const SessionState second = carry_out(advance(55, 25));
   ASSERT_TRUE(first.cut && second.cut);
   EXPECT_GT(second.cut->open_mm2, first.cut->open_mm2);
   EXPECT_NEAR(second.cut->open_mm2 + second.cut->bridge_mm2, first.cut->open_mm2 + first.cut->bridge_mm2, 1e-6);
@@ -169,10 +169,10 @@ TEST(Session, ACutOpensUnderTractionStepByStepAndBackAgain) {
     EXPECT_LT((shown - whole.displacement_mm[static_cast<std::size_t>(mesh_point[p])]).norm(), 1e-5);
   }
 
-  const SessionFrame& back = carry_out(Undo{});
+  const SessionState& back = carry_out(Undo{});
   EXPECT_EQ(back.digest, first.digest);
   EXPECT_EQ(carry_out(advance(55, 25)).digest, second.digest);
-  const SessionFrame& beside = engine.step(advance(-20, -30));
+  const SessionState& beside = engine.step(advance(-20, -30));
   EXPECT_THAT(beside.refused, HasSubstr("opens nothing"));
   EXPECT_EQ(beside.digest, second.digest);
 
@@ -185,7 +185,7 @@ TEST(Session, ACommandThatCannotBeCarriedOutLeavesWhatWasAndSaysWhy) {
   const std::string before = engine.step(HoldTool{probe({35, 40, 44})}).digest;
   ContactTool lost = probe({35, 40, -60}, 100.0);  // under the ground, going away
   lost.id = "lost";
-  const SessionFrame& refused = engine.step(HoldTool{lost});
+  const SessionState& refused = engine.step(HoldTool{lost});
   EXPECT_THAT(refused.refused, HasSubstr("meets no surface"));
   EXPECT_EQ(refused.digest, before);
   EXPECT_THAT(parse_recording("{}").error().message(), HasSubstr("glisson-session/1"));
@@ -207,32 +207,32 @@ RehearsalSetup soft_block() {
 
 TEST(SessionAtLargeStrain, ShowsAFirstPictureWithABoundAndSettlesToRest) {
   auto engine = SessionEngine::create(soft_block()).value();
-  EXPECT_TRUE(engine.frame().settled);
+  EXPECT_TRUE(engine.state().settled);
   for (int i = 0; i < 6; ++i) {
-    const SessionFrame frame = engine.step(HoldTool{probe({35.0 + i, 40, 44.0 - 0.5 * i})});
-    ASSERT_EQ(frame.refused, "");
-    EXPECT_FALSE(frame.settled);
-    EXPECT_TRUE(frame.validity.usable());
-    ASSERT_TRUE(frame.error_bound_mm.has_value());
-    const SessionFrame rest = engine.settled_frame();
+    const SessionState state = engine.step(HoldTool{probe({35.0 + i, 40, 44.0 - 0.5 * i})});
+    ASSERT_EQ(state.refused, "");
+    EXPECT_FALSE(state.settled);
+    EXPECT_TRUE(state.validity.usable());
+    ASSERT_TRUE(state.error_bound_mm.has_value());
+    const SessionState rest = engine.settled_state();
     EXPECT_TRUE(rest.settled);
     EXPECT_LE(rest.patient_step.report.penetration_mm, 0.1);
-    for (std::size_t l = 0; l < frame.patient.landmarks.size(); ++l) {
+    for (std::size_t l = 0; l < state.patient.landmarks.size(); ++l) {
       const auto off_mm = [&](const RehearsalBody& shown, const RehearsalBody& settled) {
         return (shown.landmarks[l].displaced_mm - settled.landmarks[l].displaced_mm).norm();
       };
-      EXPECT_LE(off_mm(frame.patient, rest.patient), *frame.error_bound_mm);
-      EXPECT_LE(off_mm(*frame.atlas, *rest.atlas), *frame.error_bound_mm);
+      EXPECT_LE(off_mm(state.patient, rest.patient), *state.error_bound_mm);
+      EXPECT_LE(off_mm(*state.atlas, *rest.atlas), *state.error_bound_mm);
     }
-    EXPECT_EQ(engine.frame().digest, frame.digest);  // to look at rest moves nothing
+    EXPECT_EQ(engine.state().digest, state.digest);  // to look at rest moves nothing
   }
   // Settle after settle comes to the same rest, to the bit.
-  const std::string rest = engine.settled_frame().digest;
-  for (int i = 0; i < SessionEngine::most_settles && !engine.frame().settled; ++i) engine.step(Settle{});
-  EXPECT_EQ(engine.frame().digest, rest);
+  const std::string rest = engine.settled_state().digest;
+  for (int i = 0; i < SessionEngine::most_settles && !engine.state().settled; ++i) engine.step(Settle{});
+  EXPECT_EQ(engine.state().digest, rest);
   EXPECT_EQ(engine.step(Settle{}).digest, rest);
   // A ball turns about nothing: its contacts' moment about it is little beside its force times its radius.
-  const SessionStep& step = engine.frame().patient_step;
+  const SessionStep& step = engine.state().patient_step;
   EXPECT_LT(step.torque_mNmm.norm(), 0.05 * 8 * step.tools[0].force_mN.norm());
 }
 
@@ -242,11 +242,11 @@ TEST(SessionAtLargeStrain, IsWhatSmallStrainSaysWhereStrainIsSmall) {
   const HoldTool light{probe({35, 40, 60}, 20.0)};
   small.step(light);
   large.step(light);
-  const SessionFrame rest = large.settled_frame();
+  const SessionState rest = large.settled_state();
   ASSERT_TRUE(rest.settled);
   EXPECT_LT(rest.validity.largest_strain, 0.1);
   for (std::size_t l = 0; l < rest.patient.landmarks.size(); ++l) {
-    EXPECT_NEAR(rest.patient.landmarks[l].displacement_mm, small.frame().patient.landmarks[l].displacement_mm, 0.1);
+    EXPECT_NEAR(rest.patient.landmarks[l].displacement_mm, small.state().patient.landmarks[l].displacement_mm, 0.1);
   }
 }
 
@@ -270,14 +270,14 @@ TEST(SessionAtLargeStrain, ReplaysToTheBitWithItsSettling) {
 TEST(SessionAtLargeStrain, AStepThatWouldCrushTheBodyIsRefusedAndLeavesWhatWas) {
   auto engine = SessionEngine::create(soft_block()).value();
   const std::string before = engine.step(HoldTool{probe({35, 40, 46})}).digest;
-  const SessionFrame& crushed = engine.step(HoldTool{probe({35, 40, 0})});
+  const SessionState& crushed = engine.step(HoldTool{probe({35, 40, 0})});
   EXPECT_NE(crushed.refused, "");
   EXPECT_EQ(crushed.digest, before);
 }
 
-void wait_for(const LiveSession& session, SessionState state) {
-  for (int i = 0; i < 3000 && session.state() != state; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  ASSERT_EQ(session.state(), state);
+void wait_for(const LiveSession& session, SessionPhase phase) {
+  for (int i = 0; i < 3000 && session.phase() != phase; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  ASSERT_EQ(session.phase(), phase);
 }
 
 TEST(LiveSession, NeverKeepsItsCallerWaitingAndRecordsWhatItDid) {
@@ -291,7 +291,7 @@ TEST(LiveSession, NeverKeepsItsCallerWaitingAndRecordsWhatItDid) {
                           std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - before).count());
   }
   EXPECT_LT(longest_ms, 200);  // nothing against a step of this machine at its busiest; a blocked caller waits seconds
-  wait_for(session, SessionState::ready);
+  wait_for(session, SessionPhase::ready);
   const auto recording = session.recording();
   ASSERT_FALSE(recording.empty());
   EXPECT_LT(recording.size(), 200u);  // of moves that waited only the last was made
@@ -305,7 +305,7 @@ TEST(LiveSession, NeverKeepsItsCallerWaitingAndRecordsWhatItDid) {
 TEST(LiveSession, AtLargeStrainItComesToRestByItselfAndRecordsHow) {
   LiveSession session(soft_block());
   for (int i = 0; i < 20; ++i) session.post(HoldTool{probe({30 + 0.2 * i, 40, 45})});
-  for (int i = 0; i < 3000 && !(session.state() == SessionState::ready && session.latest()->settled &&
+  for (int i = 0; i < 3000 && !(session.phase() == SessionPhase::ready && session.latest()->settled &&
                                 !session.latest()->tools.empty());
        ++i) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
@@ -321,7 +321,7 @@ TEST(LiveSession, ASessionThatCannotBeIsFailedAndSaysWhy) {
   RehearsalSetup setup = block();
   setup.supports.clear();
   const LiveSession session(std::move(setup));
-  wait_for(session, SessionState::failed);
+  wait_for(session, SessionPhase::failed);
   EXPECT_EQ(session.error()->code, "body-free");
   EXPECT_FALSE(session.latest());
 }

@@ -39,7 +39,7 @@ TEST(StaticRehearsal, AnswersWhatAFullSolveOfBothBodiesWould) {
   const auto rehearsal = StaticRehearsal::create(setup).value();
   const auto tool = rehearsal.place_tool(tool_center_mm, tool_radius_mm).value();
   for (const Vector3d& force_N : {Vector3d(0, 0, 0), Vector3d(0.1, -0.2, 0.3)}) {
-    const RehearsalFrame frame = tool.answer(force_N);
+    const RehearsalState state = tool.answer(force_N);
     mechanics::Loads loads = setup.standing_loads;
     loads.push_back(mechanics::ToolLoad{tool_center_mm, tool_radius_mm, force_N.unaryExpr(&units::mN_from_N)});
     const auto full = rehearsal.patient().solve(loads).value();
@@ -49,15 +49,15 @@ TEST(StaticRehearsal, AnswersWhatAFullSolveOfBothBodiesWould) {
     const auto& mesh_point = geometry::find_field(rehearsal.surface().point_fields, "mesh_point")->values;
     for (std::size_t p = 0; p < mesh_point.size(); ++p) {
       const auto point = static_cast<std::size_t>(mesh_point[p]);
-      EXPECT_LT((frame.patient.surface_mm[p] - setup.mesh.points_mm[point] - full.displacement_mm[point]).norm(), 1e-9);
-      EXPECT_LT((frame.atlas->surface_mm[p] - setup.mesh.points_mm[point] - atlas.displacement_mm[point]).norm(), 1e-9);
+      EXPECT_LT((state.patient.surface_mm[p] - setup.mesh.points_mm[point] - full.displacement_mm[point]).norm(), 1e-9);
+      EXPECT_LT((state.atlas->surface_mm[p] - setup.mesh.points_mm[point] - atlas.displacement_mm[point]).norm(), 1e-9);
     }
     const auto places = mechanics::locate_points(setup.mesh, {setup.landmarks[0].position_mm, {45, 20, 20}});
     const auto moved = rehearsal.patient().displacement_at(full, places);
-    EXPECT_LT((frame.patient.landmarks[0].displaced_mm - setup.landmarks[0].position_mm - moved[0]).norm(), 1e-9);
-    EXPECT_LT((frame.patient.structures_mm[0][1] - Vector3d(45, 20, 20) - moved[1]).norm(), 1e-9);
-    EXPECT_NEAR(frame.validity.largest_strain, full.largest_strain, 1e-9);
-    EXPECT_LE(frame.relative_residual, 1e-9);
+    EXPECT_LT((state.patient.landmarks[0].displaced_mm - setup.landmarks[0].position_mm - moved[0]).norm(), 1e-9);
+    EXPECT_LT((state.patient.structures_mm[0][1] - Vector3d(45, 20, 20) - moved[1]).norm(), 1e-9);
+    EXPECT_NEAR(state.validity.largest_strain, full.largest_strain, 1e-9);
+    EXPECT_LE(state.relative_residual, 1e-9);
 
     const auto saved = tool.patient_displacement_mm(force_N);
     for (std::size_t p = 0; p < saved.size(); ++p) EXPECT_LT((saved[p] - full.displacement_mm[p]).norm(), 1e-9);
@@ -109,13 +109,13 @@ TEST(StaticRehearsal, KnowsTheForceAtWhichTheModelEnds) {
 
 TEST(StaticRehearsal, ComparesEachLandmarkWithTheAtlasTwin) {
   const auto rehearsal = StaticRehearsal::create(slab()).value();
-  const auto frame = rehearsal.place_tool(tool_center_mm, tool_radius_mm)->answer({0, -1, 0});
-  ASSERT_EQ(frame.differences.size(), 2u);
+  const auto state = rehearsal.place_tool(tool_center_mm, tool_radius_mm)->answer({0, -1, 0});
+  ASSERT_EQ(state.differences.size(), 2u);
   for (std::size_t i = 0; i < 2; ++i) {
-    EXPECT_NEAR(frame.differences[i].difference_mm,
-                (frame.patient.landmarks[i].displaced_mm - frame.atlas->landmarks[i].displaced_mm).norm(), 1e-12);
+    EXPECT_NEAR(state.differences[i].difference_mm,
+                (state.patient.landmarks[i].displaced_mm - state.atlas->landmarks[i].displaced_mm).norm(), 1e-12);
   }
-  EXPECT_GT(frame.max_difference_mm, 0);
+  EXPECT_GT(state.max_difference_mm, 0);
 }
 
 TEST(StaticRehearsal, GoesWithoutATwinWhereNoneIsAsked) {
@@ -123,9 +123,9 @@ TEST(StaticRehearsal, GoesWithoutATwinWhereNoneIsAsked) {
   setup.atlas_youngs_kPa.reset();
   const auto rehearsal = StaticRehearsal::create(std::move(setup)).value();
   EXPECT_EQ(rehearsal.atlas(), nullptr);
-  const auto frame = rehearsal.place_tool(tool_center_mm, tool_radius_mm)->answer({0, -1, 0});
-  EXPECT_FALSE(frame.atlas);
-  EXPECT_TRUE(frame.differences.empty());
+  const auto state = rehearsal.place_tool(tool_center_mm, tool_radius_mm)->answer({0, -1, 0});
+  EXPECT_FALSE(state.atlas);
+  EXPECT_TRUE(state.differences.empty());
 }
 
 TEST(StaticRehearsal, RefusesAToolInTheAirAndALandmarkFarOutside) {

@@ -198,7 +198,7 @@ class EvidenceTest : public QObject {
     QVERIFY(placed.wait(patience_ms));
     const std::size_t moments = rehearsal.track().moments().size();
     QVERIFY(moments > 0);
-    const double before_mm = rehearsal.frame()->patient.max_displacement_mm;
+    const double before_mm = rehearsal.state()->patient.max_displacement_mm;
     const QString title = window_->windowTitle();
 
     answer_question("evidence_accept", nullptr);
@@ -213,7 +213,7 @@ class EvidenceTest : public QObject {
     QVERIFY(rehearsal.track().moments().size() >= moments);
     QCOMPARE(window_->windowTitle(), title);
     // Half as stiff; springs beneath do not soften, so that it moves by less than twice as far.
-    const double after_mm = rehearsal.frame()->patient.max_displacement_mm;
+    const double after_mm = rehearsal.state()->patient.max_displacement_mm;
     QVERIFY2(after_mm > 1.2 * before_mm && after_mm < 2.1 * before_mm, qPrintable(QString::number(after_mm)));
     QTest::mouseClick(child<QPushButton>("evidence_take_back"), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(!child<QPushButton>("evidence_take_back")->isEnabled(), patience_ms);

@@ -32,7 +32,7 @@ class LandmarksTest : public QObject {
     QSignalSpy placed(&window_->rehearsal(), &LiveRehearsal::placed);
     window_->rehearsal().hold({"palpation-probe", on_top_mm, {0, 0, 1}, 8, {0, 0, -1}, 0.2});
     QVERIFY(placed.wait(patience_ms));
-    QTRY_VERIFY_WITH_TIMEOUT(window_->rehearsal().frame().has_value(), patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->rehearsal().state().has_value(), patience_ms);
     rows_ = table().rowCount();
   }
 
@@ -49,7 +49,7 @@ class LandmarksTest : public QObject {
     QCOMPARE(kept[0].id, std::string("landmark-1"));
     QVERIFY((kept[0].position_mm - clicked_mm_).norm() < 1e-9);
     // It moves with the liver, under the tool that stayed.
-    const auto& frame = window_->rehearsal().frame();
+    const auto& frame = window_->rehearsal().state();
     QTRY_VERIFY_WITH_TIMEOUT(frame.has_value(), patience_ms);
     QCOMPARE(frame->patient.landmarks.back().id, std::string("landmark-1"));
     QVERIFY(frame->patient.landmarks.back().displacement_mm > 0);
@@ -102,7 +102,7 @@ class LandmarksTest : public QObject {
   }
 
   void the_table_of_the_rehearsal_has_them() {
-    QVERIFY(landmark_csv(*window_->rehearsal().frame()).find("cantlie-front") != std::string::npos);
+    QVERIFY(landmark_csv(*window_->rehearsal().state()).find("cantlie-front") != std::string::npos);
   }
 
   void a_case_opened_again_has_them() {
@@ -112,7 +112,7 @@ class LandmarksTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(window_->rehearsal().body() != nullptr && !window_->work().busy(), patience_ms);
     window_->rehearsal().hold(
         {"palpation-probe", test::small_middle_mm() + Eigen::Vector3d(0, 0, 12), {0, 0, 1}, 8, {0, 0, -1}, 0.2});
-    QTRY_VERIFY_WITH_TIMEOUT(window_->rehearsal().frame().has_value(), patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->rehearsal().state().has_value(), patience_ms);
     QVERIFY(row_of("cantlie-front") >= 0 && row_of("landmark-1") >= 0);
   }
 

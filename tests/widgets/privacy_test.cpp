@@ -52,7 +52,7 @@ class PrivacyTest : public QObject {
     const auto& surface = window_->rehearsal().body()->surface();
     window_->rehearsal().hold({"palpation-probe", surface.points_mm.front(), {0, -1, 0}, 6, {0, 1, 0}, 1.5});
     QVERIFY(placed.wait(patience_ms));
-    QVERIFY(!mentions(landmark_csv(*window_->rehearsal().frame())));
+    QVERIFY(!mentions(landmark_csv(*window_->rehearsal().state())));
     QVERIFY(!mentions(window_->rehearsal().track().csv({"tumour-1"})));
   }
 

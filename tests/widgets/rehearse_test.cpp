@@ -54,7 +54,7 @@ class RehearseTest : public QObject {
     const Eigen::Vector3d at_mm = rehearsal().tool_center_mm();
     QVERIFY(std::abs(at_mm.x() - 120) < 1e-6);
     QVERIFY((at_mm - Eigen::Vector3d(120, 55, 50)).norm() < 2.5);
-    QVERIFY(rehearsal().frame().has_value());
+    QVERIFY(rehearsal().state().has_value());
   }
 
   void dragging_the_arrow_changes_force_and_direction() {
@@ -88,7 +88,7 @@ class RehearseTest : public QObject {
     std::vector<std::vector<Eigen::Vector3d>> shapes;
     for (const double force_N : {1.0, 1.5, 2.5}) {
       rehearsal().set_force_N(force_N);
-      shapes.push_back(rehearsal().frame()->patient.surface_mm);
+      shapes.push_back(rehearsal().state()->patient.surface_mm);
       QTest::qWait(120);
     }
     const auto& moments = rehearsal().track().moments();
@@ -99,14 +99,14 @@ class RehearseTest : public QObject {
     time->setFocus();
     QTest::keyClick(time, Qt::Key_Home);
     QCOMPARE(rehearsal().shown_moment(), std::optional<std::size_t>(0));
-    QVERIFY(rehearsal().frame()->patient.surface_mm == shapes[0]);
+    QVERIFY(rehearsal().state()->patient.surface_mm == shapes[0]);
     QVERIFY(child<QLabel>("track_clock")->text().startsWith("0.0 of"));
     QTest::keyClick(time, Qt::Key_End);
     QVERIFY(!rehearsal().shown_moment());
-    QVERIFY(rehearsal().frame()->patient.surface_mm == shapes[2]);
+    QVERIFY(rehearsal().state()->patient.surface_mm == shapes[2]);
     // Play runs through it in its own time and ends with now.
     bool played = false;
-    const auto watching = connect(&rehearsal(), &LiveRehearsal::frame_changed, this,
+    const auto watching = connect(&rehearsal(), &LiveRehearsal::state_changed, this,
                                   [&] { played = played || rehearsal().shown_moment().has_value(); });
     QTest::mouseClick(child<QPushButton>("play_track"), Qt::LeftButton);
     QTRY_VERIFY(played);
@@ -181,14 +181,14 @@ class RehearseTest : public QObject {
     QCOMPARE(rehearsal().touch(), Touch::rigid);
     QTRY_COMPARE_WITH_TIMEOUT(rehearsal().solving(), Solving::solved, patience_ms);
     // At balance the body pushes back with what the tool pushes, within the contact's tolerance.
-    QVERIFY(std::abs(rehearsal().frame()->force_N.norm() - 1.0) < 0.05);
-    QVERIFY(rehearsal().frame()->patient.max_displacement_mm > 0.5);
+    QVERIFY(std::abs(rehearsal().state()->force_N.norm() - 1.0) < 0.05);
+    QVERIFY(rehearsal().state()->patient.max_displacement_mm > 0.5);
     QCOMPARE(rehearsal().solids().size(), std::size_t{1});
-    const auto shape = rehearsal().frame()->patient.surface_mm;
+    const auto shape = rehearsal().state()->patient.surface_mm;
     rehearsal().set_direction({1, 0, 0});
     QCOMPARE(rehearsal().solving(), Solving::refused);
     QVERIFY(child<QLabel>("solving_trouble")->text().contains("cannot pull"));
-    QVERIFY(rehearsal().frame()->patient.surface_mm == shape);
+    QVERIFY(rehearsal().state()->patient.surface_mm == shape);
   }
 
   void several_rigid_tools_are_held_at_once() {
@@ -218,7 +218,7 @@ class RehearseTest : public QObject {
     rehearsal().hold({"grasper", {120, 40, 40}, {1, 0, 0}, 15, {1, 0, 0}, 1.0});
     rehearsal().set_touch(Touch::rigid);
     QTRY_COMPARE_WITH_TIMEOUT(rehearsal().solving(), Solving::solved, patience_ms);
-    QVERIFY(!rehearsal().frame()->cut);
+    QVERIFY(!rehearsal().state()->cut);
     double opening_mm = 0;
     for (int step = 1; step <= 12; ++step) {
       QTRY_VERIFY_WITH_TIMEOUT(advance->isEnabled(), patience_ms);
@@ -226,11 +226,11 @@ class RehearseTest : public QObject {
       QTRY_VERIFY_WITH_TIMEOUT(rehearsal().solving() != Solving::solving && rehearsal().cut_steps() == step,
                                patience_ms);
       QVERIFY2(rehearsal().solving() == Solving::solved, qPrintable(child<QLabel>("solving_trouble")->text()));
-      QVERIFY(rehearsal().frame()->cut->largest_opening_mm > opening_mm);
-      opening_mm = rehearsal().frame()->cut->largest_opening_mm;
+      QVERIFY(rehearsal().state()->cut->largest_opening_mm > opening_mm);
+      opening_mm = rehearsal().state()->cut->largest_opening_mm;
     }
     // The front has passed the middle of the section, which is a square seen along a corner.
-    const double share = rehearsal().frame()->cut->open_share();
+    const double share = rehearsal().state()->cut->open_share();
     QVERIFY(share > 0.45 && share < 0.65);
     QVERIFY(state->text().contains(QString("%1 %").arg(100 * share, 0, 'f', 0)));
     space().look_from(scene::PatientView::surgeon);
@@ -239,7 +239,7 @@ class RehearseTest : public QObject {
     QTest::mouseClick(back, Qt::LeftButton);
     QTRY_COMPARE_WITH_TIMEOUT(rehearsal().cut_steps(), 11, patience_ms);
     QTRY_COMPARE_WITH_TIMEOUT(rehearsal().solving(), Solving::solved, patience_ms);
-    QVERIFY(rehearsal().frame()->cut->largest_opening_mm < opening_mm);
+    QVERIFY(rehearsal().state()->cut->largest_opening_mm < opening_mm);
     // A tool that moves closes the way back.
     rehearsal().set_force_N(0.8);
     QTRY_COMPARE_WITH_TIMEOUT(rehearsal().solving(), Solving::solved, patience_ms);
@@ -289,7 +289,7 @@ class RehearseTest : public QObject {
     QVERIFY(trouble->text().contains("beyond 20 %"));
     QVERIFY(table_text(LandmarkTable::moves_column).toDouble() > 0);
     rehearsal().set_force_N(40 * within_N);
-    QVERIFY(rehearsal().frame()->validity.inverted_cells > 0);
+    QVERIFY(rehearsal().state()->validity.inverted_cells > 0);
     QVERIFY(sign->text().contains("Not to be used"));
     QCOMPARE(bar_pixels(), 0);
     child<QCheckBox>("by_displacement")->setChecked(false);
@@ -300,7 +300,7 @@ class RehearseTest : public QObject {
         QString::fromStdString(rehearsal().track().csv({"tumour-1", "hilum"})).trimmed().split('\n');
     QCOMPARE(lines.back().split(',').mid(3, 5), (QStringList{"", "", "", "", "unusable"}));
     QVERIFY(lines[lines.size() - 2].contains(",outside-of-the-model,0.2"));
-    const std::string landmarks = landmark_csv(*rehearsal().frame());
+    const std::string landmarks = landmark_csv(*rehearsal().state());
     QVERIFY(landmarks.find("tumour-1,100.000,40.000,40.000,,,,,,unusable,") != std::string::npos);
   }
 
@@ -312,7 +312,7 @@ class RehearseTest : public QObject {
     QCOMPARE(tool->currentText(), "Nathanson liver retractor");
     window_->findChild<ToolControls*>()->place_at({120, 40, 40}, {1, 0, 0});
     QTRY_COMPARE_WITH_TIMEOUT(rehearsal().solving(), Solving::solved, patience_ms);
-    QCOMPARE(rehearsal().frame()->validity.state(), mechanics::AnswerState::within);
+    QCOMPARE(rehearsal().state()->validity.state(), mechanics::AnswerState::within);
     QVERIFY(rehearsal().force_N() > 0 && rehearsal().force_N() <= 2.0);
     auto* slider = child<MarkedSlider>("force_slider");
     QVERIFY(slider->mark().has_value());
@@ -323,7 +323,7 @@ class RehearseTest : public QObject {
     strong.force_N = 9;
     rehearsal().hold_within_the_model(strong);
     QTRY_COMPARE_WITH_TIMEOUT(rehearsal().solving(), Solving::solved, patience_ms);
-    QCOMPARE(rehearsal().frame()->validity.state(), mechanics::AnswerState::within);
+    QCOMPARE(rehearsal().state()->validity.state(), mechanics::AnswerState::within);
     QVERIFY(std::abs(child<QDoubleSpinBox>("force")->value() - rehearsal().force_N()) < 1e-9);
     QVERIFY2(std::abs(*slider->mark() - slider->value()) <= 1.0,
              qPrintable(QString("mark %1, value %2").arg(*slider->mark()).arg(slider->value())));
@@ -384,7 +384,7 @@ class RehearseTest : public QObject {
   // Where the tissue under the tool is now: the surface's point nearest to it at rest has gone that far.
   Eigen::Vector3d touched_mm() {
     const auto& rest_mm = rehearsal().body()->surface().points_mm;
-    const auto& now_mm = rehearsal().frame()->patient.surface_mm;
+    const auto& now_mm = rehearsal().state()->patient.surface_mm;
     const Eigen::Vector3d at_mm = rehearsal().tool_center_mm();
     std::size_t nearest = 0;
     for (std::size_t p = 1; p < rest_mm.size(); ++p) {

@@ -83,7 +83,7 @@ class ReportViewTest : public QObject {
     QTest::mouseClick(child<QPushButton>("report_refresh"), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(text().contains("Outside of the model: strains reach"), patience_ms);
     window_->rehearsal().set_force_N(60 * within_N);
-    QVERIFY(!window_->rehearsal().frame()->validity.usable());
+    QVERIFY(!window_->rehearsal().state()->validity.usable());
     QTest::mouseClick(child<QPushButton>("report_refresh"), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(text().contains("Not to be used: cells turned inside out"), patience_ms);
     QVERIFY(!text().contains("moves by up to"));

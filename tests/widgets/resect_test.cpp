@@ -110,7 +110,7 @@ class ResectTest : public QObject {
     QVERIFY(as_held->toolTip().contains("Rehearse"));
     LiveRehearsal& rehearsal = window_->rehearsal();
     rehearsal.hold({"palpation-probe", {120, 40, 40}, {1, 0, 0}, 25, {-1, 0, 0}, 2.0});
-    QTRY_VERIFY_WITH_TIMEOUT(rehearsal.solving() == Solving::solved && rehearsal.frame(), patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(rehearsal.solving() == Solving::solved && rehearsal.state(), patience_ms);
     QTRY_VERIFY_WITH_TIMEOUT(as_held->isEnabled(), patience_ms);
     window_->views().set_crosshair({80, 40, 40});
     child<QComboBox>("cut_across")->setCurrentIndex(0);

@@ -159,7 +159,7 @@ class StudyTest : public QObject {
     QSignalSpy placed(&window_->rehearsal(), &LiveRehearsal::placed);
     QTest::mouseClick(hoist, Qt::LeftButton);
     QVERIFY(placed.wait(patience_ms));
-    QVERIFY(window_->rehearsal().frame()->patient.max_displacement_mm > 0.5);
+    QVERIFY(window_->rehearsal().state()->patient.max_displacement_mm > 0.5);
   }
 
   void opens_the_kept_case_again() {

@@ -163,9 +163,9 @@ class WindowTest : public QObject {
     // Linear elasticity: displacement is proportional to force.
     auto* force = child<QDoubleSpinBox>("force");
     type_force("1.5");
-    const double once_mm = window_->rehearsal().frame()->patient.max_displacement_mm;
+    const double once_mm = window_->rehearsal().state()->patient.max_displacement_mm;
     type_force("3.0");
-    const double twice_mm = window_->rehearsal().frame()->patient.max_displacement_mm;
+    const double twice_mm = window_->rehearsal().state()->patient.max_displacement_mm;
     QCOMPARE(force->value(), 3.0);
     QVERIFY(once_mm > 0);
     QVERIFY(std::abs(twice_mm - 2 * once_mm) < 1e-6 * twice_mm);
@@ -301,7 +301,7 @@ class WindowTest : public QObject {
   // The tumour's displacement is proportional to the force.
   double force_for_displacement_mm(double wanted_mm) {
     type_force("1.0");
-    return wanted_mm / window_->rehearsal().frame()->patient.landmarks[0].displacement_mm;
+    return wanted_mm / window_->rehearsal().state()->patient.landmarks[0].displacement_mm;
   }
 
   static qsizetype distinct_colours(RenderWidget& view) {

@@ -32,7 +32,7 @@ AdvanceControls::AdvanceControls(LiveRehearsal& rehearsal, QWidget* parent) : QW
   column->addWidget(state_);
   connect(advance_, &QPushButton::clicked, this, &AdvanceControls::advance);
   connect(back_, &QPushButton::clicked, this, &AdvanceControls::take_back);
-  connect(&rehearsal_, &LiveRehearsal::frame_changed, this, &AdvanceControls::show_state);
+  connect(&rehearsal_, &LiveRehearsal::state_changed, this, &AdvanceControls::show_state);
   connect(&rehearsal_, &LiveRehearsal::solving_changed, this, &AdvanceControls::show_state);
   keep_translated(this, [this] {
     title_->setText(tr("Cut along the plan"));
@@ -66,18 +66,18 @@ void AdvanceControls::show_state() {
   const bool more = course_ && step_mm * rehearsal_.cut_steps() < course_->length_mm;
   advance_->setEnabled(more && rigid && !rehearsal_.frozen());
   back_->setEnabled(rehearsal_.can_take_cut_back());
-  const auto& frame = rehearsal_.frame();
+  const auto& state = rehearsal_.state();
   QString text;
   if (!course_) {
     text = why_not_ ? translated(*why_not_) : tr("Plan a plane in Resect and save the plan, to cut along it here.");
   } else if (!rigid) {
     text = tr("Tick the rigid tool above, to cut while tools hold the liver.");
-  } else if (frame && frame->cut) {
+  } else if (state && state->cut) {
     text = tr("%1 % of the section is open, by up to %2 mm.")
-               .arg(100 * frame->cut->open_share(), 0, 'f', 0)
-               .arg(frame->cut->largest_opening_mm, 0, 'f', 1);
+               .arg(100 * state->cut->open_share(), 0, 'f', 0)
+               .arg(state->cut->largest_opening_mm, 0, 'f', 1);
     QStringList crossed;
-    for (const std::size_t k : frame->cut->crossed) {
+    for (const std::size_t k : state->cut->crossed) {
       if (k > 0 && k < names_.size()) crossed << structure_label(names_[k]);  // the first is the liver
     }
     if (!crossed.isEmpty()) text += " " + tr("Crossed: %1.").arg(crossed.join(", "));

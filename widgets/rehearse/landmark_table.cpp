@@ -53,18 +53,18 @@ std::string LandmarkTable::chosen_own() const {
   return own_.count(id) != 0 ? id : std::string();
 }
 
-void LandmarkTable::show_frame(const rehearsal::RehearsalFrame* frame) {
-  if (frame == nullptr) {
+void LandmarkTable::show_state(const rehearsal::RehearsalState* state) {
+  if (state == nullptr) {
     setRowCount(0);
     return;
   }
-  setColumnHidden(apart_column, !frame->atlas);
+  setColumnHidden(apart_column, !state->atlas);
   filling_ = true;
-  setRowCount(static_cast<int>(frame->patient.landmarks.size()));
-  for (std::size_t k = 0; k < frame->patient.landmarks.size(); ++k) {
+  setRowCount(static_cast<int>(state->patient.landmarks.size()));
+  for (std::size_t k = 0; k < state->patient.landmarks.size(); ++k) {
     const auto row = static_cast<int>(k);
-    fill_row(row, frame->patient.landmarks[k], k < frame->differences.size() ? &frame->differences[k] : nullptr);
-    if (frame->validity.usable()) continue;
+    fill_row(row, state->patient.landmarks[k], k < state->differences.size() ? &state->differences[k] : nullptr);
+    if (state->validity.usable()) continue;
     for (const int column : {moves_column, apart_column}) item(row, column)->setText("–");
     item(row, flag_column)->setText({});
   }
@@ -103,19 +103,19 @@ void LandmarkTable::fill_row(int row, const mechanics::DisplacedLandmark& landma
   flag->setFont(font);
 }
 
-std::string landmark_csv(const rehearsal::RehearsalFrame& frame) {
+std::string landmark_csv(const rehearsal::RehearsalState& state) {
   std::string text =
       "landmark,rest_x_mm,rest_y_mm,rest_z_mm,x_mm,y_mm,z_mm,displacement_mm,atlas_off_mm,"
       "state,largest_strain,inverted_cells\n";
-  const mechanics::Validity& validity = frame.validity;
-  for (std::size_t k = 0; k < frame.patient.landmarks.size(); ++k) {
-    const mechanics::DisplacedLandmark& landmark = frame.patient.landmarks[k];
+  const mechanics::Validity& validity = state.validity;
+  for (std::size_t k = 0; k < state.patient.landmarks.size(); ++k) {
+    const mechanics::DisplacedLandmark& landmark = state.patient.landmarks[k];
     const auto& rest = landmark.rest_mm;
     const auto& now = landmark.displaced_mm;
     text += fmt::format("{},{:.3f},{:.3f},{:.3f},", landmark.id, rest.x(), rest.y(), rest.z());
     if (validity.usable()) {
       text += fmt::format("{:.3f},{:.3f},{:.3f},{:.3f},", now.x(), now.y(), now.z(), landmark.displacement_mm);
-      if (k < frame.differences.size()) text += fmt::format("{:.3f}", frame.differences[k].difference_mm);
+      if (k < state.differences.size()) text += fmt::format("{:.3f}", state.differences[k].difference_mm);
     } else {
       text += ",,,,";
     }

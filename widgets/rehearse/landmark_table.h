@@ -17,8 +17,8 @@ class LandmarkTable : public QTableWidget {
 
   explicit LandmarkTable(QWidget* parent = nullptr);
 
-  // Empty without a frame. Rows keep their order while the same landmarks come.
-  void show_frame(const rehearsal::RehearsalFrame* frame);
+  // Empty without a state. Rows keep their order while the same landmarks come.
+  void show_state(const rehearsal::RehearsalState* state);
   // Those that were set by hand: a double click renames them.
   void set_own(std::set<std::string> ids) { own_ = std::move(ids); }
   // The chosen one, if it was set by hand; else empty.
@@ -37,6 +37,6 @@ class LandmarkTable : public QTableWidget {
 
 // The same as CSV, every landmark a line, lengths in mm, with what the answer is worth; of one that is not usable where
 // the landmarks lie at rest.
-[[nodiscard]] std::string landmark_csv(const rehearsal::RehearsalFrame& frame);
+[[nodiscard]] std::string landmark_csv(const rehearsal::RehearsalState& state);
 
 }  // namespace glisson::widgets

@@ -19,8 +19,8 @@ vision::Frame frame_of(const QImage& picture) {
 }
 
 // The force, and what the answer is worth: whoever sees the movie sees no panel.
-QString caption_of(const rehearsal::RehearsalFrame& frame) {
-  return MovieMaker::tr("%1 N").arg(frame.force_N.norm(), 0, 'f', 1) + "  ·  " + translated(frame.validity.sentence());
+QString caption_of(const rehearsal::RehearsalState& state) {
+  return MovieMaker::tr("%1 N").arg(state.force_N.norm(), 0, 'f', 1) + "  ·  " + translated(state.validity.sentence());
 }
 
 void write_below(QImage& picture, const QString& words) {
@@ -68,7 +68,7 @@ void MovieMaker::next_picture() {
   if (rehearsal_.solving() == Solving::solving) return;  // the shape of this moment is on its way
   const double length_s = rehearsal_.track().length_s();
   QImage picture = grab_();
-  if (rehearsal_.frame()) write_below(picture, caption_of(*rehearsal_.frame()));
+  if (rehearsal_.state()) write_below(picture, caption_of(*rehearsal_.state()));
   auto done = writer_->add(frame_of(picture));
   time_s_ += 1 / frames_per_second;
   Q_EMIT progressed(length_s > 0 ? std::min(1.0, time_s_ / length_s) : 1.0);

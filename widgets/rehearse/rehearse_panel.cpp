@@ -108,7 +108,7 @@ RehearsePanel::RehearsePanel(LiveRehearsal& rehearsal, QWidget* parent) : QWidge
   });
   connect(track_, &TrackControls::failed, this, &RehearsePanel::failed);
   connect(track_, &TrackControls::said, this, &RehearsePanel::said);
-  connect(&rehearsal_, &LiveRehearsal::frame_changed, this, &RehearsePanel::show_frame);
+  connect(&rehearsal_, &LiveRehearsal::state_changed, this, &RehearsePanel::show_state);
   connect(&rehearsal_, &LiveRehearsal::solving_changed, tool_, &ToolControls::follow);
   set_ready(false);
   keep_translated(this, [=, this] {
@@ -124,7 +124,7 @@ RehearsePanel::RehearsePanel(LiveRehearsal& rehearsal, QWidget* parent) : QWidge
     save->setText(tr("Save..."));
     save->setToolTip(tr("Saves the landmarks as CSV, in mm"));
     time_title->setText(tr("Over time"));
-    show_frame();
+    show_state();
   });
 }
 
@@ -157,7 +157,7 @@ void RehearsePanel::show_placed_landmarks(std::vector<mechanics::Landmark> landm
   std::set<std::string> own;
   for (const mechanics::Landmark& landmark : placed_landmarks_) own.insert(landmark.id);
   table_->set_own(std::move(own));
-  show_frame();
+  show_state();
 }
 
 void RehearsePanel::allow_for_landmarks() { remove_landmark_->setEnabled(!table_->chosen_own().empty()); }
@@ -169,12 +169,12 @@ void RehearsePanel::rename_landmark(const std::string& id, const QString& typed)
     return std::find_if(landmarks.begin(), landmarks.end(), [&](const auto& one) { return one.id == wanted; });
   };
   const auto renamed = of_name(id);
-  const auto& shown = rehearsal_.frame();
+  const auto& shown = rehearsal_.state();
   const bool taken = shown && std::any_of(shown->patient.landmarks.begin(), shown->patient.landmarks.end(),
                                           [&](const auto& one) { return one.id == name; });
   if (name == id || name.empty() || taken || renamed == landmarks.end()) {
     if (name != id) Q_EMIT said(name.empty() ? tr("A name has letters or digits.") : tr("This name is taken."));
-    show_frame();
+    show_state();
     return;
   }
   renamed->id = name;
@@ -224,7 +224,7 @@ void RehearsePanel::set_ready(bool ready) {
   tool_->stop_placing();
   comparison_->choose(Bodies::patient);
   by_displacement_->setChecked(false);
-  show_frame();
+  show_state();
 }
 
 void RehearsePanel::drag_arrow(const Eigen::Vector3d& free_end_mm, const Eigen::Vector3d& touch_mm) {
@@ -246,7 +246,7 @@ void RehearsePanel::hold_again(PlacedTool tool) {
 void RehearsePanel::let_arrow_go() {
   if (!dragged_pulls_) return;
   dragged_pulls_.reset();
-  Q_EMIT rehearsal_.frame_changed();
+  Q_EMIT rehearsal_.state_changed();
 }
 
 std::vector<ToolInView> RehearsePanel::tools_in_view() const {
@@ -264,7 +264,7 @@ std::vector<ToolInView> RehearsePanel::tools_in_view() const {
 
 void RehearsePanel::show_image(std::shared_ptr<const imaging::Volume> image) {
   image_ = std::move(image);
-  show_frame();
+  show_state();
 }
 
 // What a tool does where the liver only seems to end, no liver does.
@@ -282,25 +282,25 @@ void RehearsePanel::tell_cap() {
           .arg(translated(side)));
 }
 
-void RehearsePanel::show_frame() {
-  const auto& frame = rehearsal_.frame();
+void RehearsePanel::show_state() {
+  const auto& state = rehearsal_.state();
   tell_cap();
-  table_->show_frame(frame ? &*frame : nullptr);
+  table_->show_state(state ? &*state : nullptr);
   tool_->follow();
   allow_for_landmarks();
-  if (!frame) {
+  if (!state) {
     summary_->setText(tr("Place the tool to see what moves."));
     return;
   }
-  if (!frame->validity.usable()) {
-    summary_->setText(QString("– ") + translated(frame->validity.sentence()));
+  if (!state->validity.usable()) {
+    summary_->setText(QString("– ") + translated(state->validity.sentence()));
     return;
   }
-  QString text = tr("The liver moves by up to %1 mm.").arg(frame->patient.max_displacement_mm, 0, 'f', 1);
-  if (frame->patient.landmarks.empty()) {
+  QString text = tr("The liver moves by up to %1 mm.").arg(state->patient.max_displacement_mm, 0, 'f', 1);
+  if (state->patient.landmarks.empty()) {
     text += " " + tr("There are no landmarks: put the crosshair where one is to be, then press Set.");
   }
-  if (frame->atlas) text += " " + tr("The atlas is off by up to %1 mm.").arg(frame->max_difference_mm, 0, 'f', 1);
+  if (state->atlas) text += " " + tr("The atlas is off by up to %1 mm.").arg(state->max_difference_mm, 0, 'f', 1);
   summary_->setText(text);
 }
 
@@ -315,14 +315,14 @@ void RehearsePanel::hideEvent(QHideEvent* event) {
 }
 
 void RehearsePanel::save_landmarks() {
-  if (!rehearsal_.frame()) {
+  if (!rehearsal_.state()) {
     Q_EMIT said(tr("Place the tool to see what moves."));
     return;
   }
   const QString file =
       ask_where_to_save(this, tr("Save the landmarks as a table"), proposed_file, tr("Tables (*.csv)"));
   if (file.isEmpty()) return;
-  if (auto written = write_text_file(path_of(file), landmark_csv(*rehearsal_.frame())); !written) {
+  if (auto written = write_text_file(path_of(file), landmark_csv(*rehearsal_.state())); !written) {
     Q_EMIT failed(written.error());
   } else {
     Q_EMIT said(tr("Written: %1").arg(file));

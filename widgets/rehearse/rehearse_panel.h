@@ -81,7 +81,7 @@ class RehearsePanel : public QWidget {
  private:
   void word_evidence();
   QWidget* make_look_group();
-  void show_frame();
+  void show_state();
   void tell_cap();
   void save_landmarks();
   void rename_landmark(const std::string& id, const QString& typed);

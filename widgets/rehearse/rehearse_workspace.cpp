@@ -67,10 +67,10 @@ void connect_views(RehearsePanel& panel, const WorkspaceContext& context) {
   }
   QObject::connect(&panel, &RehearsePanel::place_at_crosshair, &panel,
                    [&, place_tool] { place_tool(patient_views.nearest_on_liver(views.crosshair_mm())); });
-  QObject::connect(&context.rehearsal, &LiveRehearsal::frame_changed, &panel,
+  QObject::connect(&context.rehearsal, &LiveRehearsal::state_changed, &panel,
                    [&panel, &views, &patient_views, &rehearsal = context.rehearsal] {
-                     const auto& frame = rehearsal.frame();
-                     patient_views.show_frame(frame ? &*frame : nullptr, panel.tools_in_view());
+                     const auto& state = rehearsal.state();
+                     patient_views.show_state(state ? &*state : nullptr, panel.tools_in_view());
                      panel.show_drawing_ms(views.space().last_frame_ms());
                    });
 }

@@ -24,7 +24,7 @@ SolvingLight::SolvingLight(const LiveRehearsal& rehearsal, QWidget* parent) : QW
   trouble_->hide();
   column->addWidget(trouble_);
   connect(&rehearsal, &LiveRehearsal::solving_changed, this, &SolvingLight::show_state);
-  connect(&rehearsal, &LiveRehearsal::frame_changed, this, &SolvingLight::show_state);
+  connect(&rehearsal, &LiveRehearsal::state_changed, this, &SolvingLight::show_state);
   keep_translated(this, [this] { show_state(); });
 }
 
@@ -35,8 +35,8 @@ void SolvingLight::show_drawing_ms(double drawing_ms) {
 
 void SolvingLight::show_state() {
   using mechanics::AnswerState;
-  const auto& frame = rehearsal_.frame();
-  const AnswerState state = frame ? frame->validity.state() : AnswerState::within;
+  const auto& state = rehearsal_.state();
+  const AnswerState worth = state ? state->validity.state() : AnswerState::within;
   QString words;
   QString colour;
   switch (rehearsal_.solving()) {
@@ -46,11 +46,11 @@ void SolvingLight::show_state() {
       colour = "warning";
       break;
     case Solving::solved:
-      words = state == AnswerState::within                 ? tr("✔ Solved")
-              : state == AnswerState::outside_of_the_model ? tr("▲ Outside of the model")
+      words = worth == AnswerState::within                 ? tr("✔ Solved")
+              : worth == AnswerState::outside_of_the_model ? tr("▲ Outside of the model")
                                                            : tr("▲ Not to be used");
-      colour = state == AnswerState::within                 ? "accent_edge"
-               : state == AnswerState::outside_of_the_model ? "warning"
+      colour = worth == AnswerState::within                 ? "accent_edge"
+               : worth == AnswerState::outside_of_the_model ? "warning"
                                                             : "trouble";
       break;
     case Solving::refused:
@@ -62,16 +62,16 @@ void SolvingLight::show_state() {
   sign_->setText(words);
   sign_->setStyleSheet(colour.isEmpty() ? QString() : QString("color: %1").arg(theme_colour(colour.toLatin1()).name()));
   figures_->setText(
-      frame ? tr("solved in %1 ms · drawn in %2 ms").arg(frame->answer_ms, 0, 'f', 1).arg(drawing_ms_, 0, 'f', 0)
+      state ? tr("solved in %1 ms · drawn in %2 ms").arg(state->answer_ms, 0, 'f', 1).arg(drawing_ms_, 0, 'f', 0)
             : QString());
   figures_->setToolTip(
-      frame ? tr("Residual %1: how far the equations are from balance").arg(frame->relative_residual, 0, 'e', 0)
+      state ? tr("Residual %1: how far the equations are from balance").arg(state->relative_residual, 0, 'e', 0)
             : QString());
   QString trouble;
   if (rehearsal_.refusal()) {
     trouble = translated(*rehearsal_.refusal()) + " " + tr("What is shown is from before.");
-  } else if (state != AnswerState::within) {
-    trouble = translated(frame->validity.sentence()) + " " + tr("Use less force.");
+  } else if (worth != AnswerState::within) {
+    trouble = translated(state->validity.sentence()) + " " + tr("Use less force.");
   }
   trouble_->setText(trouble);
   trouble_->setVisible(!trouble.isEmpty());

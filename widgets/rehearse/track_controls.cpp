@@ -83,7 +83,7 @@ TrackControls::TrackControls(LiveRehearsal& rehearsal, QWidget* parent) : QWidge
   });
   connect(&rehearsal, &LiveRehearsal::track_changed, this, &TrackControls::show_track);
   connect(&rehearsal, &LiveRehearsal::solving_changed, this, &TrackControls::show_state);
-  connect(&rehearsal, &LiveRehearsal::frame_changed, this, &TrackControls::show_state);
+  connect(&rehearsal, &LiveRehearsal::state_changed, this, &TrackControls::show_state);
   keep_translated(this, [this] {
     freeze_->setText(tr("❚❚ Freeze"));
     freeze_->setToolTip(tr("Nothing moves the tool while you look around"));
@@ -144,8 +144,8 @@ void TrackControls::save_table() {
       ask_where_to_save(this, tr("Save the rehearsal as a table"), proposed_table, tr("Tables (*.csv)"));
   if (file.isEmpty()) return;
   std::vector<std::string> ids;
-  if (rehearsal_.frame()) {
-    for (const auto& landmark : rehearsal_.frame()->patient.landmarks) ids.push_back(landmark.id);
+  if (rehearsal_.state()) {
+    for (const auto& landmark : rehearsal_.state()->patient.landmarks) ids.push_back(landmark.id);
   }
   if (auto written = write_text_file(path_of(file), rehearsal_.track().csv(ids)); !written) {
     Q_EMIT failed(written.error());
@@ -178,8 +178,8 @@ void TrackControls::show_time(double time_s) {
 
 void TrackControls::show_track() {
   std::optional<std::size_t> row;
-  if (rehearsal_.frame()) {
-    const auto& landmarks = rehearsal_.frame()->patient.landmarks;
+  if (rehearsal_.state()) {
+    const auto& landmarks = rehearsal_.state()->patient.landmarks;
     for (std::size_t k = 0; k < landmarks.size(); ++k) {
       if (landmarks[k].id == landmark_) row = k;
     }

@@ -29,14 +29,14 @@ namespace fs = std::filesystem;
 const QString html_name = "report.html", pdf_name = "report.pdf";
 
 std::optional<report::RehearsedRetraction> retraction_of(const LiveRehearsal& rehearsal) {
-  const auto& frame = rehearsal.frame();
-  if (!frame) return {};
-  report::RehearsedRetraction made{{}, frame->patient.max_displacement_mm, {}, frame->validity};
+  const auto& state = rehearsal.state();
+  if (!state) return {};
+  report::RehearsedRetraction made{{}, state->patient.max_displacement_mm, {}, state->validity};
   for (const PlacedTool& tool : rehearsal.tools()) made.tools.push_back({tool.preset, tool.force_N, tool.radius_mm});
-  for (std::size_t k = 0; k < frame->patient.landmarks.size(); ++k) {
-    const auto& landmark = frame->patient.landmarks[k];
+  for (std::size_t k = 0; k < state->patient.landmarks.size(); ++k) {
+    const auto& landmark = state->patient.landmarks[k];
     made.landmarks.push_back({landmark.id, landmark.displacement_mm, {}});
-    if (k < frame->differences.size()) made.landmarks.back().atlas_off_mm = frame->differences[k].difference_mm;
+    if (k < state->differences.size()) made.landmarks.back().atlas_off_mm = state->differences[k].difference_mm;
   }
   return made;
 }

@@ -125,7 +125,7 @@ QWidget* ResectPanel::make_outcome() {
     context_.views.space().redraw();
   });
   connect(as_held_, &QCheckBox::toggled, this, &ResectPanel::hold_as_rehearsed);
-  connect(&context_.rehearsal, &LiveRehearsal::frame_changed, this, &ResectPanel::hold_as_rehearsed);
+  connect(&context_.rehearsal, &LiveRehearsal::state_changed, this, &ResectPanel::hold_as_rehearsed);
   connect(other_part_, &QPushButton::clicked, this, [this] {
     removed_ = removed_ == Removed::smaller ? Removed::larger : Removed::smaller;
     cut_changed();
@@ -288,10 +288,10 @@ std::optional<casefile::PlannedCut> ResectPanel::cut_of_mesh() const {
 
 std::optional<LiveResection::Holding> ResectPanel::holding() const {
   const LiveRehearsal& rehearsal = context_.rehearsal;
-  const auto& frame = rehearsal.frame();
-  if (!frame || !frame->validity.usable() || rehearsal.touch() != Touch::patch || !rehearsal.has_tool()) return {};
+  const auto& state = rehearsal.state();
+  if (!state || !state->validity.usable() || rehearsal.touch() != Touch::patch || !rehearsal.has_tool()) return {};
   const PlacedTool& tool = rehearsal.tools().back();
-  return LiveResection::Holding{tool.center_mm, tool.radius_mm, frame->force_N};
+  return LiveResection::Holding{tool.center_mm, tool.radius_mm, state->force_N};
 }
 
 void ResectPanel::hold_as_rehearsed() {

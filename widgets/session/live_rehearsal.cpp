@@ -94,13 +94,13 @@ void LiveRehearsal::start_anew() {
   takes_another_ = false;
   frozen_ = false;
   to_place_.reset();
-  frame_.reset();
+  state_.reset();
   eases_ = false;
   solids_.clear();
   session_timer_.stop();
   end_elsewhere(std::move(session_));
   session_.reset();
-  session_frame_ = 0;
+  session_number_ = 0;
   cut_steps_ = cuts_since_tool_ = 0;
   if (touch_ == Touch::rigid) {
     session_ = std::make_unique<rehearsal::LiveSession>(*setup_);
@@ -109,7 +109,7 @@ void LiveRehearsal::start_anew() {
   clear_track();
   refusal_.reset();
   set_solving(Solving::no_tool);
-  Q_EMIT frame_changed();
+  Q_EMIT state_changed();
 }
 
 void LiveRehearsal::hold(const PlacedTool& tool) {
@@ -195,13 +195,13 @@ void LiveRehearsal::take_tool_away() {
   tools_.pop_back();
   numbers_.pop_back();
   if (tools_.empty()) {
-    frame_.reset();
+    state_.reset();
     set_solving(Solving::no_tool);
   } else {
     force_N_ = tools_.back().force_N;
     direction_ = tools_.back().direction;
   }
-  Q_EMIT frame_changed();
+  Q_EMIT state_changed();
 }
 
 void LiveRehearsal::advance_cut(const mechanics::CutStrip& strip) {
@@ -250,7 +250,7 @@ void LiveRehearsal::answer_now() {
   }
   to_place_ = tool;
   set_solving(Solving::solving);
-  Q_EMIT frame_changed();  // the tool is there already, the shape follows
+  Q_EMIT state_changed();  // the tool is there already, the shape follows
   if (!is_placing_) solve_for(tool);
 }
 
@@ -319,10 +319,10 @@ void LiveRehearsal::solve_for(const PlacedTool& tool) {
 }
 
 void LiveRehearsal::show_answer(const rehearsal::PlacedTool& placed, const PlacedTool& tool) {
-  frame_ = placed.answer(tool.pull_N());
+  state_ = placed.answer(tool.pull_N());
   refusal_.reset();
   set_solving(Solving::solved);
-  Q_EMIT frame_changed();
+  Q_EMIT state_changed();
 }
 
 void LiveRehearsal::post_tool() {
@@ -334,7 +334,7 @@ void LiveRehearsal::post_tool() {
   session_->post(rehearsal::HoldTool{*std::move(hand)});
   cuts_since_tool_ = 0;
   set_solving(Solving::solving);
-  Q_EMIT frame_changed();
+  Q_EMIT state_changed();
 }
 
 void LiveRehearsal::look_for_contact() {
@@ -343,51 +343,51 @@ void LiveRehearsal::look_for_contact() {
     refuse(*error);
     return;
   }
-  // Asked before the frame is taken: of a session that waits, that frame is the answer to all that was posted.
-  const bool all_answered = session_->state() == rehearsal::SessionState::ready;
-  const auto frame = session_->latest();
-  if (!frame) return;
-  const bool is_new = frame->number != session_frame_;
-  session_frame_ = frame->number;
+  // Asked before the state is taken: of a session that waits, that state is the answer to all that was posted.
+  const bool all_answered = session_->phase() == rehearsal::SessionPhase::ready;
+  const auto state = session_->latest();
+  if (!state) return;
+  const bool is_new = state->number != session_number_;
+  session_number_ = state->number;
   if (is_new) {
-    const int steps = frame->cut ? static_cast<int>(frame->cut->advances) : 0;
-    if (!frame->refused.empty() && cuts_since_tool_ > 0 && steps == cut_steps_) --cuts_since_tool_;
+    const int steps = state->cut ? static_cast<int>(state->cut->advances) : 0;
+    if (!state->refused.empty() && cuts_since_tool_ > 0 && steps == cut_steps_) --cuts_since_tool_;
     cut_steps_ = steps;
   }
   if (shown_moment_) return;
-  if (tools_.empty() && !frame->cut) {
-    if (!frame_) return;
-    frame_.reset();  // the cut was taken back, and nothing holds the liver
+  if (tools_.empty() && !state->cut) {
+    if (!state_) return;
+    state_.reset();  // the cut was taken back, and nothing holds the liver
     set_solving(Solving::no_tool);
-    Q_EMIT frame_changed();
+    Q_EMIT state_changed();
     return;
   }
   if (is_new) {
-    show_contact(frame, all_answered ? Solving::solved : Solving::solving);
-    if (frame->refused.empty()) record(frame);
+    show_contact(state, all_answered ? Solving::solved : Solving::solving);
+    if (state->refused.empty()) record(state);
   } else if (all_answered && solving_ == Solving::solving) {
     set_solving(Solving::solved);
   }
 }
 
-void LiveRehearsal::show_contact(const std::shared_ptr<const rehearsal::SessionFrame>& frame, Solving solving) {
-  frame_ = frame_of(*frame);
-  solids_ = solids_of(*frame);
+void LiveRehearsal::show_contact(const std::shared_ptr<const rehearsal::SessionState>& state, Solving solving) {
+  state_ = state_of(*state);
+  solids_ = solids_of(*state);
   refusal_.reset();
-  if (!frame->refused.empty()) {
+  if (!state->refused.empty()) {
     refuse(Error{"not-converged",
                  GLISSON_TEXT("The liver's shape with the tools there was not found: {0}"),
-                 {frame->refused},
+                 {state->refused},
                  GLISSON_TEXT("Press less, or move the tool by smaller steps."),
                  {}});
     return;
   }
   set_solving(solving);
-  Q_EMIT frame_changed();
+  Q_EMIT state_changed();
 }
 
-void LiveRehearsal::record(std::shared_ptr<const rehearsal::SessionFrame> contact) {
-  Moment moment = moment_of(tools_, *frame_);
+void LiveRehearsal::record(std::shared_ptr<const rehearsal::SessionState> contact) {
+  Moment moment = moment_of(tools_, *state_);
   moment.contact = std::move(contact);
   track_.add(std::move(moment), 1e-3 * static_cast<double>(clock_.elapsed()));
   Q_EMIT track_changed();
@@ -423,7 +423,7 @@ void LiveRehearsal::go_on() {
   // The last moment is what there is now.
   if (!track_.empty()) show_moment(track_.moments().size() - 1);
   shown_moment_.reset();
-  Q_EMIT frame_changed();
+  Q_EMIT state_changed();
 }
 
 void LiveRehearsal::set_solving(Solving solving) {
@@ -434,7 +434,7 @@ void LiveRehearsal::set_solving(Solving solving) {
 void LiveRehearsal::refuse(const Error& error) {
   refusal_ = error;
   set_solving(Solving::refused);
-  Q_EMIT frame_changed();
+  Q_EMIT state_changed();
   Q_EMIT failed(error);
 }
 

@@ -75,10 +75,10 @@ class LiveRehearsal : public QObject {
   [[nodiscard]] const std::vector<mechanics::ToolShape>& solids() const { return solids_; }
   [[nodiscard]] double force_N() const { return force_N_; }
   [[nodiscard]] const Eigen::Vector3d& direction() const { return direction_; }
-  [[nodiscard]] const std::optional<rehearsal::RehearsalFrame>& frame() const { return frame_; }
+  [[nodiscard]] const std::optional<rehearsal::RehearsalState>& state() const { return state_; }
 
   [[nodiscard]] Solving solving() const { return solving_; }
-  // Why the last command was not carried out; the frame is of what was before it.
+  // Why the last command was not carried out; the state is of what was before it.
   [[nodiscard]] const std::optional<Error>& refusal() const { return refusal_; }
   // The largest force along the present direction that stays within the model, at most `maximum_N`; known of a patch
   // alone.
@@ -92,7 +92,7 @@ class LiveRehearsal : public QObject {
   [[nodiscard]] std::optional<std::size_t> shown_moment() const { return shown_moment_; }
 
  Q_SIGNALS:
-  void frame_changed();  // frame() is new, or gone; or the tools moved
+  void state_changed();  // state() is new, or gone; or the tools moved
   void solving_changed();
   void track_changed();
   void placed(double solve_ms);
@@ -104,10 +104,10 @@ class LiveRehearsal : public QObject {
   void answer_now();
   void ease(const rehearsal::PlacedTool& placed);
   void show_answer(const rehearsal::PlacedTool& placed, const PlacedTool& tool);
-  void show_contact(const std::shared_ptr<const rehearsal::SessionFrame>& frame, Solving solving);
+  void show_contact(const std::shared_ptr<const rehearsal::SessionState>& state, Solving solving);
   void look_for_contact();
   void post_tool();
-  void record(std::shared_ptr<const rehearsal::SessionFrame> contact);
+  void record(std::shared_ptr<const rehearsal::SessionState> contact);
   void set_solving(Solving solving);
   void refuse(const Error& error);
   void start_anew();
@@ -124,7 +124,7 @@ class LiveRehearsal : public QObject {
   int next_number_ = 0;
   bool takes_another_ = false;
   bool eases_ = false;  // the force is nobody's choice yet
-  std::optional<rehearsal::RehearsalFrame> frame_;
+  std::optional<rehearsal::RehearsalState> state_;
   Solving solving_ = Solving::no_tool;
   std::optional<Error> refusal_;
   std::vector<mechanics::ToolShape> solids_;
@@ -145,7 +145,7 @@ class LiveRehearsal : public QObject {
   mutable std::optional<Within> within_;
 
   std::unique_ptr<rehearsal::LiveSession> session_;
-  std::uint64_t session_frame_ = 0;
+  std::uint64_t session_number_ = 0;
   int cut_steps_ = 0;
   int cuts_since_tool_ = 0;
   QTimer session_timer_;

@@ -53,14 +53,14 @@ std::string RehearsalTrack::csv(const std::vector<std::string>& landmark_ids) co
   return text;
 }
 
-Moment moment_of(std::vector<PlacedTool> tools, const rehearsal::RehearsalFrame& frame) {
+Moment moment_of(std::vector<PlacedTool> tools, const rehearsal::RehearsalState& state) {
   Moment moment;
   moment.tools = std::move(tools);
-  moment.force_N = frame.force_N.norm();
-  moment.max_displacement_mm = frame.patient.max_displacement_mm;
-  moment.validity = frame.validity;
-  if (frame.atlas) moment.atlas_off_mm = frame.max_difference_mm;
-  for (const auto& landmark : frame.patient.landmarks) moment.landmarks_mm.push_back(landmark.displacement_mm);
+  moment.force_N = state.force_N.norm();
+  moment.max_displacement_mm = state.patient.max_displacement_mm;
+  moment.validity = state.validity;
+  if (state.atlas) moment.atlas_off_mm = state.max_difference_mm;
+  for (const auto& landmark : state.patient.landmarks) moment.landmarks_mm.push_back(landmark.displacement_mm);
   return moment;
 }
 

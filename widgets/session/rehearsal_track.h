@@ -20,7 +20,7 @@ struct Moment {
   std::vector<double> landmarks_mm;   // how far each one moves
   mechanics::Validity validity = {};  // what these figures are worth
   // With rigid tools, the shape depends on the way to it and is kept; without, it is answered anew, to the same bit.
-  std::shared_ptr<const rehearsal::SessionFrame> contact;
+  std::shared_ptr<const rehearsal::SessionState> contact;
 };
 
 class RehearsalTrack {
@@ -47,6 +47,6 @@ class RehearsalTrack {
   double last_clock_s_ = 0;
 };
 
-[[nodiscard]] Moment moment_of(std::vector<PlacedTool> tools, const rehearsal::RehearsalFrame& frame);
+[[nodiscard]] Moment moment_of(std::vector<PlacedTool> tools, const rehearsal::RehearsalState& state);
 
 }  // namespace glisson::widgets

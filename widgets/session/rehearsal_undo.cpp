@@ -54,7 +54,7 @@ RehearsalUndo::RehearsalUndo(LiveRehearsal& rehearsal, Undo& undo, QObject* pare
   rest_.setSingleShot(true);
   rest_.setInterval(rest_ms);
   connect(&rest_, &QTimer::timeout, this, &RehearsalUndo::note);
-  connect(&rehearsal_, &LiveRehearsal::frame_changed, this, [this] { rest_.start(); });
+  connect(&rehearsal_, &LiveRehearsal::state_changed, this, [this] { rest_.start(); });
   undo_.keep(key, [this](const QJsonValue& now) { apply(now); });
 }
 

@@ -34,31 +34,31 @@ Result<mechanics::ContactTool> contact_tool(const PlacedTool& tool, const std::s
                                   force_mN}};
 }
 
-rehearsal::RehearsalFrame frame_of(const rehearsal::SessionFrame& session) {
-  rehearsal::RehearsalFrame frame;
-  for (const auto& tool : session.patient_step.tools) frame.force_N += 1e-3 * tool.force_mN;
-  frame.patient = session.patient;
-  frame.atlas = session.atlas;
-  frame.differences = session.differences;
-  frame.max_difference_mm = session.max_difference_mm;
-  frame.relative_residual = session.patient_step.report.relative_residual;
+rehearsal::RehearsalState state_of(const rehearsal::SessionState& session) {
+  rehearsal::RehearsalState state;
+  for (const auto& tool : session.patient_step.tools) state.force_N += 1e-3 * tool.force_mN;
+  state.patient = session.patient;
+  state.atlas = session.atlas;
+  state.differences = session.differences;
+  state.max_difference_mm = session.max_difference_mm;
+  state.relative_residual = session.patient_step.report.relative_residual;
   if (session.atlas_step) {
-    frame.relative_residual = std::max(frame.relative_residual, session.atlas_step->report.relative_residual);
+    state.relative_residual = std::max(state.relative_residual, session.atlas_step->report.relative_residual);
   }
-  frame.validity = session.validity;
-  frame.answer_ms = session.step_ms;
-  frame.cut = session.cut;
-  return frame;
+  state.validity = session.validity;
+  state.answer_ms = session.step_ms;
+  state.cut = session.cut;
+  return state;
 }
 
-std::vector<mechanics::ToolShape> solids_of(const rehearsal::SessionFrame& frame) {
+std::vector<mechanics::ToolShape> solids_of(const rehearsal::SessionState& state) {
   std::vector<mechanics::ToolShape> solids;
-  for (const mechanics::ContactTool& tool : frame.tools) {
+  for (const mechanics::ContactTool& tool : state.tools) {
     mechanics::ToolShape& solid = solids.emplace_back();
     const auto* touching = std::get_if<mechanics::TouchingTool>(&tool.what);
     if (touching == nullptr) continue;
     mechanics::Pose pose = touching->pose;
-    for (const mechanics::ToolContact& contact : frame.patient_step.tools) {
+    for (const mechanics::ToolContact& contact : state.patient_step.tools) {
       if (contact.id == tool.id) pose.position_mm += contact.advance_mm * pose.forward();
     }
     solid = mechanics::placed(touching->shape, pose);

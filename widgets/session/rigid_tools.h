@@ -28,10 +28,10 @@ struct PlacedTool {
 // back. They cannot pull: failure "tool-cannot-pull".
 Result<mechanics::ContactTool> contact_tool(const PlacedTool& tool, const std::string& id);
 
-// A session's frame in the terms of the rehearsal without contact: the force is that of all tools.
-[[nodiscard]] rehearsal::RehearsalFrame frame_of(const rehearsal::SessionFrame& frame);
+// A session's state in the terms of the rehearsal without contact: the force is that of all tools.
+[[nodiscard]] rehearsal::RehearsalState state_of(const rehearsal::SessionState& state);
 
 // Each tool where it is now, in patient coordinates; nothing for a grasper.
-[[nodiscard]] std::vector<mechanics::ToolShape> solids_of(const rehearsal::SessionFrame& frame);
+[[nodiscard]] std::vector<mechanics::ToolShape> solids_of(const rehearsal::SessionState& state);
 
 }  // namespace glisson::widgets

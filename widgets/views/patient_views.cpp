@@ -125,7 +125,7 @@ void PatientViews::show_patient(const Patient& patient) {
   slice_image_ = SliceImage::anatomy;
   hidden_.clear();
   workspace_.reset();
-  frame_.reset();
+  state_.reset();
   tools_.clear();
   patient_body_.clear();
   atlas_body_.clear();
@@ -148,27 +148,27 @@ void PatientViews::show_patient(const Patient& patient) {
 namespace {
 
 // Of an answer that is not to be used no length is told: neither beside a landmark nor by a colour bar.
-bool has_figures(const std::optional<rehearsal::RehearsalFrame>& frame) { return !frame || frame->validity.usable(); }
+bool has_figures(const std::optional<rehearsal::RehearsalState>& state) { return !state || state->validity.usable(); }
 
 }  // namespace
 
-void PatientViews::show_frame(const rehearsal::RehearsalFrame* frame, const std::vector<ToolInView>& tools) {
-  const bool had_figures = has_figures(frame_);
-  frame_ = frame != nullptr ? std::optional(*frame) : std::nullopt;
+void PatientViews::show_state(const rehearsal::RehearsalState* state, const std::vector<ToolInView>& tools) {
+  const bool had_figures = has_figures(state_);
+  state_ = state != nullptr ? std::optional(*state) : std::nullopt;
   tools_ = tools;
-  const double largest_mm = frame_ ? frame_->patient.max_displacement_mm : 0;
-  if (liver_colour_ == LiverColour::displacement && had_figures != has_figures(frame_)) {
+  const double largest_mm = state_ ? state_->patient.max_displacement_mm : 0;
+  if (liver_colour_ == LiverColour::displacement && had_figures != has_figures(state_)) {
     rebuild_space();
     return;
   }
-  if (liver_colour_ == LiverColour::displacement && has_figures(frame_) &&
+  if (liver_colour_ == LiverColour::displacement && has_figures(state_) &&
       (largest_mm > colour_range_mm_ || largest_mm < 0.2 * colour_range_mm_) &&
       round_range_mm(largest_mm) != colour_range_mm_) {
     colour_range_mm_ = round_range_mm(largest_mm);
     rebuild_space();
     return;
   }
-  apply_frame();
+  apply_state();
 }
 
 void PatientViews::draw_cut(const rehearsal::SessionCut* cut) {
@@ -202,7 +202,7 @@ void PatientViews::set_bodies(Bodies bodies) {
 
 void PatientViews::set_tool_movable(bool movable) {
   tool_movable_ = movable;
-  apply_frame();
+  apply_state();
 }
 
 std::optional<PatientViews::PlaceOnLiver> PatientViews::place_on_liver(const scene::View::Pick& pick) const {
@@ -231,7 +231,7 @@ std::optional<PatientViews::PlaceOnLiver> PatientViews::nearest_on_liver(const E
 
 void PatientViews::set_liver_colour(LiverColour colour) {
   liver_colour_ = colour;
-  if (frame_) colour_range_mm_ = round_range_mm(frame_->patient.max_displacement_mm);
+  if (state_) colour_range_mm_ = round_range_mm(state_->patient.max_displacement_mm);
   rebuild_space();
 }
 
@@ -276,7 +276,7 @@ bool PatientViews::at_rest() const {
 
 void PatientViews::set_marked_landmark(const std::string& id) {
   marked_landmark_ = id;
-  apply_frame();
+  apply_state();
 }
 
 scene::SurfaceItem PatientViews::item(std::size_t structure, const Body& body, Bodies bodies) const {
@@ -287,7 +287,7 @@ scene::SurfaceItem PatientViews::item(std::size_t structure, const Body& body, B
     item.colour = &body == &atlas_body_ ? red : blue;
     item.opacity = structure == 0 ? 0.45 : 0.8;
     item.finish = scene::Finish::light;
-  } else if (structure == 0 && liver_colour_ == LiverColour::displacement && has_figures(frame_)) {
+  } else if (structure == 0 && liver_colour_ == LiverColour::displacement && has_figures(state_)) {
     item.opacity = 0.9;
     item.colouring = scene::Colouring{
         distance_field, scene::ColourMap::viridis, {0, colour_range_mm_}, tr("Displacement (mm)").toStdString()};
@@ -308,7 +308,7 @@ void PatientViews::rebuild_space() {
   } else {
     views_.space().show_scene(space_scene(bodies_));
   }
-  apply_frame();
+  apply_state();
   Q_EMIT space_rebuilt();
 }
 
@@ -390,17 +390,17 @@ void PatientViews::rebuild_slices() {
   }
   if (workspace_) content.cuts.insert(content.cuts.end(), workspace_->cuts.begin(), workspace_->cuts.end());
   views_.show_slices(content);
-  apply_frame();
+  apply_state();
   Q_EMIT slices_rebuilt();
 }
 
-void PatientViews::apply_frame() {
-  const bool moved = frame_ && !at_rest();
-  const rehearsal::RehearsalBody* own = moved ? &frame_->patient : nullptr;
-  const rehearsal::RehearsalBody* atlas = moved && frame_->atlas ? &*frame_->atlas : nullptr;
+void PatientViews::apply_state() {
+  const bool moved = state_ && !at_rest();
+  const rehearsal::RehearsalBody* own = moved ? &state_->patient : nullptr;
+  const rehearsal::RehearsalBody* atlas = moved && state_->atlas ? &*state_->atlas : nullptr;
   move_body(patient_body_, own);
   move_body(atlas_body_, atlas);
-  draw_cut(moved ? frame_->cut.get() : nullptr);
+  draw_cut(moved ? state_->cut.get() : nullptr);
 
   draw_marks(views_.space(), bodies_ == Bodies::atlas && atlas != nullptr ? atlas : own);
   if (bodies_ == Bodies::side_by_side) draw_marks(views_.second_space(), atlas != nullptr ? atlas : own);
@@ -415,7 +415,7 @@ void PatientViews::draw_marks(SpaceView& space, const rehearsal::RehearsalBody* 
   if (shown != nullptr) {
     for (const auto& landmark : shown->landmarks) {
       const bool named = landmark.id == marked_landmark_ || landmark.id.starts_with("tumour");
-      const bool known = has_figures(frame_);
+      const bool known = has_figures(state_);
       const bool far = known && landmark.displacement_mm >= rehearsal::significant_mm;
       const QString name = structure_label(landmark.id);
       const QString text = known ? tr("%1  %2 mm").arg(name).arg(landmark.displacement_mm, 0, 'f', 1) : name;
@@ -457,7 +457,7 @@ void PatientViews::move_body(const Body& body, const rehearsal::RehearsalBody* d
     const scene::Points shared_mm = moved ? std::make_shared<const std::vector<Eigen::Vector3d>>(points_mm) : nullptr;
     for (SpaceView* space : {&views_.space(), &views_.second_space()}) space->view().move_surface(body[k], shared_mm);
     for (SliceView* slice : views_.slices()) slice->view().move_surface(body[k], shared_mm);
-    if (k != 0 || liver_colour_ != LiverColour::displacement || !has_figures(frame_) || bodies_ == Bodies::both)
+    if (k != 0 || liver_colour_ != LiverColour::displacement || !has_figures(state_) || bodies_ == Bodies::both)
       continue;
     std::vector<double> distance_mm(points_mm.size());
     for (std::size_t p = 0; p < distance_mm.size(); ++p) distance_mm[p] = (points_mm[p] - rest_mm[p]).norm();

@@ -38,8 +38,8 @@ class PatientViews : public QObject {
   ~PatientViews() override;
 
   void show_patient(const Patient& patient);
-  // At rest without a frame. Tools are drawn where the tissue under them is now; the last one is in hand.
-  void show_frame(const rehearsal::RehearsalFrame* frame, const std::vector<ToolInView>& tools);
+  // At rest without a state. Tools are drawn where the tissue under them is now; the last one is in hand.
+  void show_state(const rehearsal::RehearsalState* state, const std::vector<ToolInView>& tools);
   // Whether the tool in hand can be dragged by its arrow.
   void set_tool_movable(bool movable);
 
@@ -76,7 +76,7 @@ class PatientViews : public QObject {
   [[nodiscard]] scene::Scene space_scene(Bodies bodies) const;
   void draw_marks(SpaceView& space, const rehearsal::RehearsalBody* shown);
   void rebuild_slices();
-  void apply_frame();
+  void apply_state();
   void keep_window_now();
   void move_body(const Body& body, const rehearsal::RehearsalBody* displaced);
   [[nodiscard]] scene::SurfaceItem item(std::size_t structure, const Body& body, Bodies bodies) const;
@@ -93,7 +93,7 @@ class PatientViews : public QObject {
   Body atlas_body_;
   std::vector<std::shared_ptr<const geometry::Surface>> cut_body_;  // empty: nothing is cut
   std::vector<std::size_t> crossed_;                                // structures that the cut has reached
-  std::optional<rehearsal::RehearsalFrame> frame_;
+  std::optional<rehearsal::RehearsalState> state_;
   std::vector<ToolInView> tools_;
   bool tool_movable_ = false;
   Bodies bodies_ = Bodies::patient;
