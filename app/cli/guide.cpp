@@ -3,9 +3,8 @@
 
 #include <fmt/format.h>
 #include <cmath>
-#include <cstdlib>
-#include <sstream>
 
+#include "base/csv.h"
 #include "base/write_file.h"
 #include "casefile/guided_plan.h"
 #include "command.h"
@@ -64,11 +63,8 @@ Result<Outcome> guide_file(const Asked& asked, const Progress& progress) {
 Result<std::optional<Eigen::Isometry3d>> parse_pose(const std::string& text) {
   if (text.empty()) return std::nullopt;
   std::vector<double> numbers;
-  std::stringstream stream(text);
-  for (std::string cell; std::getline(stream, cell, ',');) {
-    char* end = nullptr;
-    numbers.push_back(std::strtod(cell.c_str(), &end));
-    if (cell.empty() || *end != '\0') numbers.back() = std::nan("");
+  for (const CsvRow& row : csv_rows(text)) {
+    for (std::size_t n = 0; n < row.cells.size(); ++n) numbers.push_back(row.number(n));
   }
   const auto pose = guidance::rigid_pose(numbers);
   if (pose) return pose;

@@ -14,9 +14,9 @@ constexpr std::size_t maximum_columns = 256;
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
 std::string_view trimmed(std::string_view cell) {
-  while (!cell.empty() && (cell.front() == ' ' || cell.front() == '"')) cell.remove_prefix(1);
-  while (!cell.empty() && (cell.back() == ' ' || cell.back() == '"' || cell.back() == '\r')) cell.remove_suffix(1);
-  return cell;
+  constexpr std::string_view around = " \"\t\r";
+  cell.remove_prefix(std::min(cell.find_first_not_of(around), cell.size()));
+  return cell.substr(0, cell.find_last_not_of(around) + 1);
 }
 
 double number_in(std::string_view cell) {
@@ -73,6 +73,19 @@ std::vector<std::string> names_from(std::string_view header, char separator, std
   return names;
 }
 
+std::string_view without_byte_order_mark(std::string_view text) {
+  constexpr std::string_view mark = "\xEF\xBB\xBF";
+  return text.starts_with(mark) ? text.substr(mark.size()) : text;
+}
+
+// The first line of the text, which then begins after it.
+std::string_view next_line(std::string_view& text) {
+  const std::size_t end = std::min(text.find('\n'), text.size());
+  const std::string_view line = text.substr(0, end);
+  text.remove_prefix(std::min(end + 1, text.size()));
+  return line;
+}
+
 Failure refuse(const std::filesystem::path& file, std::string code, std::string text, std::string argument = {}) {
   return failure(Error{std::move(code), std::move(text), {file.string(), std::move(argument)}, {}, file});
 }
@@ -100,17 +113,13 @@ Result<CsvTable> read_csv(const std::filesystem::path& file, std::uint64_t limit
 }
 
 Result<CsvTable> parse_csv(std::string_view text, const std::filesystem::path& file) {
-  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-  if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
-
+  text = without_byte_order_mark(text);
   CsvTable table;
   std::string_view line_before;
   char separator = ',';
   std::size_t missing = 0;  // cells that rows shorter than the first do not have
   for (std::size_t line_number = 1; !text.empty(); ++line_number) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    const std::string_view line = text.substr(0, end);
-    text.remove_prefix(std::min(end + 1, text.size()));
+    const std::string_view line = next_line(text);
     if (table.columns.empty()) separator = separator_of(line);
     const auto cells = cells_of(line, separator);
     if (!(table.columns.empty() ? begins_the_table(cells) : begins_with_a_number(cells))) {
@@ -136,6 +145,21 @@ Result<CsvTable> parse_csv(std::string_view text, const std::filesystem::path& f
   }
   if (table.columns.empty()) return refuse(file, "csv-without-numbers", GLISSON_TEXT("{0} holds no rows of numbers."));
   return table;
+}
+
+double CsvRow::number(std::size_t cell) const { return cell < cells.size() ? number_in(cells[cell]) : no_number; }
+
+std::vector<CsvRow> csv_rows(std::string_view text) {
+  text = without_byte_order_mark(text);
+  std::vector<CsvRow> rows;
+  for (std::size_t number = 1; !text.empty(); ++number) {
+    const std::string_view line = next_line(text);
+    if (trimmed(line).empty()) continue;
+    CsvRow row{number, cells_of(line, ',')};
+    for (std::string_view& cell : row.cells) cell = trimmed(cell);
+    rows.push_back(std::move(row));
+  }
+  return rows;
 }
 
 }  // namespace glisson

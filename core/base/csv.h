@@ -1,9 +1,10 @@
 #pragma once
-// Tables of numbers in text: oscilloscopes, test benches, spreadsheets.
+// Tables in text: of numbers (oscilloscopes, test benches, spreadsheets), and with names among them.
 
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/result.h"
@@ -28,5 +29,16 @@ struct CsvTable {
 // missing.
 Result<CsvTable> read_csv(const std::filesystem::path& file, std::uint64_t limit_bytes = std::uint64_t{1} << 29);
 Result<CsvTable> parse_csv(std::string_view text, const std::filesystem::path& file = {});
+
+// A line of a table whose columns need not hold numbers. Cells are parts of the text, without the blanks and quotes
+// around them.
+struct CsvRow {
+  std::size_t line = 0;  // of the text, from 1
+  std::vector<std::string_view> cells;
+
+  [[nodiscard]] double number(std::size_t cell) const;  // NaN where there is no cell, or it holds no finite number
+};
+// The lines that are not blank, the header among them; commas between cells. At most 257 cells of a line are read.
+std::vector<CsvRow> csv_rows(std::string_view text);
 
 }  // namespace glisson

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
-#include <sstream>
 
 #include "base/csv.h"
 #include "base/files.h"
@@ -65,36 +63,17 @@ std::vector<Vector3d> cloud_from(const fs::path& file) {
   return points;
 }
 
-std::vector<std::string> cells_of(const std::string& line) {
-  std::vector<std::string> cells;
-  std::stringstream stream(line);
-  for (std::string cell; std::getline(stream, cell, ',');) {
-    const auto first = cell.find_first_not_of(" \t\r");
-    cells.push_back(first == std::string::npos ? std::string()
-                                               : cell.substr(first, cell.find_last_not_of(" \t\r") - first + 1));
-  }
-  return cells;
-}
-
 std::vector<Target> targets_from(const fs::path& file) {
-  std::stringstream stream(taken(read_text_file(file, std::uint64_t{64} << 20)));
-  std::string line;
-  std::getline(stream, line);
-  if (cells_of(line) != std::vector<std::string>{"id", "x_mm", "y_mm", "z_mm"}) {
+  const std::string text = taken(read_text_file(file, std::uint64_t{64} << 20));
+  const std::vector<CsvRow> rows = csv_rows(text);
+  if (rows.empty() || rows.front().cells != std::vector<std::string_view>{"id", "x_mm", "y_mm", "z_mm"}) {
     refuse({}, GLISSON_TEXT("The first line must be id,x_mm,y_mm,z_mm."), {}, {}, file);
   }
   std::vector<Target> targets;
-  for (std::size_t number = 2; std::getline(stream, line); ++number) {
-    const std::vector<std::string> cells = cells_of(line);
-    if (cells.empty()) continue;
-    Target target{cells[0], Vector3d::Constant(std::nan(""))};
-    for (std::size_t axis = 0; axis < 3 && axis + 1 < cells.size(); ++axis) {
-      char* end = nullptr;
-      const double value = std::strtod(cells[axis + 1].c_str(), &end);
-      if (end != cells[axis + 1].c_str() && *end == '\0') target.at_rest_mm[static_cast<Eigen::Index>(axis)] = value;
-    }
-    if (cells.size() != 4 || !target.at_rest_mm.allFinite()) {
-      refuse({}, GLISSON_TEXT("Line {0} must hold an id and three numbers."), {std::to_string(number)}, {}, file);
+  for (auto row = rows.begin() + 1; row != rows.end(); ++row) {
+    Target target{std::string(row->cells[0]), {row->number(1), row->number(2), row->number(3)}};
+    if (row->cells.size() != 4 || !target.at_rest_mm.allFinite()) {
+      refuse({}, GLISSON_TEXT("Line {0} must hold an id and three numbers."), {std::to_string(row->line)}, {}, file);
     }
     targets.push_back(std::move(target));
   }

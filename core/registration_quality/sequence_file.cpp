@@ -1,10 +1,12 @@
 #include "registration_quality/sequence_file.h"
 
-#include <charconv>
+#include <fmt/format.h>
+#include <cmath>
 #include <map>
 #include <string_view>
 #include <utility>
 
+#include "base/csv.h"
 #include "base/files.h"
 #include "base/json.h"
 #include "geometry/mesh_file.h"
@@ -33,7 +35,7 @@ struct Sighting {
   std::size_t frame = 0;
   Eigen::Vector3d position_mm;
 };
-std::optional<Sighting> parse_sighting(std::string_view line, std::size_t frames);
+std::optional<Sighting> sighting_in(const CsvRow& row, std::size_t frames);
 Result<std::vector<LandmarkTrack>> read_tracks(const fs::path& file, std::size_t frames);
 
 }  // namespace
@@ -158,25 +160,16 @@ Result<std::vector<LandmarkTrack>> read_tracks(const fs::path& file, std::size_t
   if (!text) return failure(text.error());
   std::vector<LandmarkTrack> tracks;
   std::map<std::string, std::size_t> place;
-  std::size_t line_number = 0;
-  for (std::size_t begin = 0; begin < text->size();) {
-    const std::size_t end = std::min(text->find('\n', begin), text->size());
-    std::string_view line = std::string_view(*text).substr(begin, end - begin);
-    begin = end + 1;
-    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
-    if (++line_number == 1) {
-      if (line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
-      std::string names(line);
-      std::erase(names, ' ');
-      if (names != tracks_header) return failure(no_tracks(file));
-      continue;
-    }
-    if (line.empty()) continue;
-    const auto sighting = parse_sighting(line, frames);
+  const std::vector<CsvRow> rows = csv_rows(*text);
+  if (rows.empty() || fmt::format("{}", fmt::join(rows.front().cells, ",")) != tracks_header) {
+    return failure(no_tracks(file));
+  }
+  for (auto row = rows.begin() + 1; row != rows.end(); ++row) {
+    const auto sighting = sighting_in(*row, frames);
     if (!sighting) {
       return failure(Error{"tracks-invalid",
                            GLISSON_TEXT("Line {1} of {0} is not landmark,frame,x_mm,y_mm,z_mm with a frame below {2}."),
-                           {file.filename().string(), std::to_string(line_number), std::to_string(frames)},
+                           {file.filename().string(), std::to_string(row->line), std::to_string(frames)},
                            {},
                            file});
     }
@@ -184,30 +177,16 @@ Result<std::vector<LandmarkTrack>> read_tracks(const fs::path& file, std::size_t
     if (is_new) tracks.push_back({sighting->landmark, std::vector<std::optional<Eigen::Vector3d>>(frames)});
     tracks[found->second].positions_mm[sighting->frame] = sighting->position_mm;
   }
-  if (line_number == 0) return failure(no_tracks(file));
   return tracks;
 }
 
-std::optional<Sighting> parse_sighting(std::string_view line, std::size_t frames) {
-  std::vector<std::string_view> words;
-  for (;;) {
-    const std::size_t comma = line.find(',');
-    words.push_back(line.substr(0, comma));
-    if (comma == std::string_view::npos) break;
-    line.remove_prefix(comma + 1);
-  }
-  if (words.size() != 5) return std::nullopt;
-  const auto read = [](std::string_view word, auto& number) {
-    while (!word.empty() && word.front() == ' ') word.remove_prefix(1);
-    return std::from_chars(word.data(), word.data() + word.size(), number).ec == std::errc{};
-  };
-  Sighting sighting;
-  sighting.landmark = words[0];
-  bool good = read(words[1], sighting.frame) && sighting.frame < frames;
-  for (int axis = 0; axis < 3; ++axis) {
-    good = good && read(words[static_cast<std::size_t>(2 + axis)], sighting.position_mm[axis]);
-  }
-  return good && sighting.position_mm.allFinite() ? std::optional(sighting) : std::nullopt;
+std::optional<Sighting> sighting_in(const CsvRow& row, std::size_t frames) {
+  const double frame = row.number(1);
+  const bool is_one = frame >= 0 && frame < static_cast<double>(frames) && frame == std::floor(frame);
+  if (row.cells.size() != 5 || !is_one) return std::nullopt;
+  const Sighting sighting{
+      std::string(row.cells[0]), static_cast<std::size_t>(frame), {row.number(2), row.number(3), row.number(4)}};
+  return sighting.position_mm.allFinite() ? std::optional(sighting) : std::nullopt;
 }
 
 }  // namespace

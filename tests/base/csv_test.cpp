@@ -62,6 +62,19 @@ TEST(Csv, ATableOfHolesIsRefusedBeforeItFillsTheMemory) {
   EXPECT_TRUE(parse_csv(some).has_value()) << "a few short rows are nothing";
 }
 
+TEST(Csv, RowsWithNamesKeepTheirCellsAndLines) {
+  const std::string text = "\xEF\xBB\xBFid, x_mm ,y_mm\r\n\r\n\"tumour 1\",\t1.5,\n\nhilum,nan,2e1x";
+  const std::vector<CsvRow> rows = csv_rows(text);
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_THAT(rows[0].cells, testing::ElementsAre("id", "x_mm", "y_mm"));
+  EXPECT_EQ(rows[1].line, 3U);
+  EXPECT_EQ(rows[1].cells[0], "tumour 1");
+  EXPECT_EQ(rows[1].number(1), 1.5);
+  EXPECT_EQ(rows[2].line, 5U);
+  for (const std::size_t cell : {0, 1, 2, 3}) EXPECT_TRUE(std::isnan(rows[2].number(cell))) << cell;
+  EXPECT_TRUE(csv_rows(" \n\r\n").empty());
+}
+
 TEST(Csv, WhatIsNoTableIsRefused) {
   EXPECT_EQ(parse_csv("").error().code, "csv-without-numbers");
   EXPECT_EQ(parse_csv("a,b\nc,d\n").error().code, "csv-without-numbers");

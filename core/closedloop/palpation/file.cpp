@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <Eigen/Geometry>
 #include <string_view>
 
+#include "base/csv.h"
 #include "base/files.h"
 #include "base/units.h"
 #include "closedloop/experiment/internal/experiment_source.h"
@@ -112,25 +112,10 @@ struct MarkerTable {
   std::vector<std::size_t> lines;
 };
 
-std::vector<std::string_view> cells_of(std::string_view line) {
-  std::vector<std::string_view> cells;
-  for (bool more = true; more;) {
-    const std::size_t end = line.find(',');
-    more = end != std::string_view::npos;
-    std::string_view cell = line.substr(0, end);
-    while (!cell.empty() && (cell.front() == ' ' || cell.front() == '"')) cell.remove_prefix(1);
-    while (!cell.empty() && (cell.back() == ' ' || cell.back() == '"' || cell.back() == '\r')) cell.remove_suffix(1);
-    cells.push_back(cell);
-    if (more) line.remove_prefix(end + 1);
-  }
-  return cells;
-}
-
 constexpr std::array<std::string_view, 7> marker_columns{"id",   "rest_x_mm", "rest_y_mm", "rest_z_mm",
                                                          "x_mm", "y_mm",      "z_mm"};
 
-std::array<std::size_t, 7> places_of_columns(std::string_view header, const fs::path& file) {
-  const auto names = cells_of(header);
+std::array<std::size_t, 7> places_of_columns(const std::vector<std::string_view>& names, const fs::path& file) {
   std::array<std::size_t, 7> places{};
   for (std::size_t c = 0; c < marker_columns.size(); ++c) {
     const auto found = std::find(names.begin(), names.end(), marker_columns[c]);
@@ -143,36 +128,26 @@ std::array<std::size_t, 7> places_of_columns(std::string_view header, const fs::
   return places;
 }
 
-// `rows` have their names in the first column, which need not be numbers; so base/csv.h cannot read them.
 MarkerTable read_markers(const fs::path& file) {
   const std::string text = taken(read_text_file(file, std::uint64_t{256} << 20));
-  std::string_view rest = text;
-  if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);
+  std::vector<CsvRow> rows = csv_rows(text);
+  if (rows.empty()) rows.emplace_back();
+  const std::array<std::size_t, 7> places = places_of_columns(rows.front().cells, file);
+  rows.erase(rows.begin());
   MarkerTable table;
-  std::array<std::size_t, 7> places{};
-  for (std::size_t line_number = 1; !rest.empty(); ++line_number) {
-    const std::size_t end = std::min(rest.find('\n'), rest.size());
-    const std::string_view line = rest.substr(0, end);
-    rest.remove_prefix(std::min(end + 1, rest.size()));
-    if (line_number == 1) {
-      places = places_of_columns(line, file);
-      continue;
-    }
-    if (line.find_first_not_of(" \r\t") == std::string_view::npos) continue;
-    const auto cells = cells_of(line);
+  for (const CsvRow& row : rows) {
     std::array<double, 6> numbers{};
     for (std::size_t c = 0; c < 6; ++c) {
-      const std::string_view cell = places[c + 1] < cells.size() ? cells[places[c + 1]] : std::string_view();
-      const auto [stop, problem] = std::from_chars(cell.data(), cell.data() + cell.size(), numbers[c]);
-      if (cell.empty() || problem != std::errc() || stop != cell.data() + cell.size() || !std::isfinite(numbers[c]))
+      numbers[c] = row.number(places[c + 1]);
+      if (!std::isfinite(numbers[c]))
         refuse("experiment-invalid", GLISSON_TEXT("Line {0} of {1} has no number under \"{2}\"."),
-               {std::to_string(line_number), file.filename().string(), std::string(marker_columns[c + 1])},
+               {std::to_string(row.line), file.filename().string(), std::string(marker_columns[c + 1])},
                GLISSON_TEXT("Is the table cut off, or written with decimal commas?"), file);
     }
-    table.markers.push_back({std::string(cells[places[0] < cells.size() ? places[0] : 0]),
+    table.markers.push_back({std::string(row.cells[places[0] < row.cells.size() ? places[0] : 0]),
                              {numbers[0], numbers[1], numbers[2]},
                              {numbers[3], numbers[4], numbers[5]}});
-    table.lines.push_back(line_number);
+    table.lines.push_back(row.line);
   }
   if (table.markers.empty())
     refuse("experiment-invalid", GLISSON_TEXT("{0} holds no markers."), {file.filename().string()}, {}, file);
