@@ -61,11 +61,11 @@ struct Truth {
 
   [[nodiscard]] const Sample& nearest(const Vector3d& position_mm) const {
     const Sample* best = &samples.front();
-    double least = 1e30;
+    double nearest_mm = 1e30;
     for (const Sample& sample : samples) {
       const double beyond = (sample.position_mm - position_mm).norm() - sample.radius_mm;
-      if (beyond < least) {
-        least = beyond;
+      if (beyond < nearest_mm) {
+        nearest_mm = beyond;
         best = &sample;
       }
     }
@@ -172,20 +172,20 @@ TreeScore score_of(const vasculature::VesselTrees& trees, const Patient& patient
   std::vector<double> errors;
   for (const Sample& sample : truth.samples) {
     if (sample.radius_mm < calibre_mm || patient.liver->depth_mm(sample.position_mm) < 2) continue;
-    double least = 1e30, radius = 0;
+    double nearest_mm = 1e30, radius = 0;
     for (const vasculature::TreeBranch& branch : trees.branches) {
       if (branch.joint == vasculature::Joint::contact) continue;
       for (const vasculature::CenterPoint& point : branch.points) {
         const double away = (point.position_mm - sample.position_mm).norm();
-        if (away < least) {
-          least = away;
+        if (away < nearest_mm) {
+          nearest_mm = away;
           radius = point.radius_mm;
         }
       }
     }
     auto& counts = of_branch[static_cast<std::size_t>(sample.system)][static_cast<std::size_t>(sample.branch)];
     ++counts[0];
-    if (least > std::max(1.5, 0.8 * sample.radius_mm)) continue;
+    if (nearest_mm > std::max(1.5, 0.8 * sample.radius_mm)) continue;
     ++counts[1];
     errors.push_back(std::abs(radius - sample.radius_mm));
   }
