@@ -28,6 +28,7 @@ void add_export(CLI::App& app, Action& chosen) {
   auto format = std::make_shared<std::string>();
   auto out = std::make_shared<std::string>();
   auto study = std::make_shared<std::optional<std::string>>();
+  auto plan = std::make_shared<std::optional<std::string>>();
   command->add_option("case", *case_folder, "The case")->required();
   command->add_option("--format", *format, "nrrd, nifti, stl, obj, vtp (a folder); dicom-seg, vtu (a file)")
       ->required()
@@ -38,15 +39,17 @@ void add_export(CLI::App& app, Action& chosen) {
   command->add_option("--study", *study,
                       "dicom-seg: the images that the case was made from; the file then carries the patient's name and "
                       "number and names each slice, so that an archive can put it to them");
-  command->callback([&chosen, case_folder, format, out, study] {
+  command->add_option("--plan", *plan, "dicom-seg: a plan of the case, whose remnant and specimen go along");
+  command->callback([&chosen, case_folder, format, out, study, plan] {
     chosen = [=](const Progress& progress) -> Result<Outcome> {
       const auto patient = casefile::Case::open(*case_folder);
       if (!patient) return failure(patient.error());
       const auto wanted = *casefile::export_format(*format);
-      if (*study && wanted != casefile::ExportFormat::dicom_seg) {
-        return failure("export-study-unused", GLISSON_TEXT("--study serves a DICOM SEG alone (--format dicom-seg)."));
+      if ((*study || *plan) && wanted != casefile::ExportFormat::dicom_seg) {
+        return failure("export-study-unused",
+                       GLISSON_TEXT("--study and --plan serve a DICOM SEG alone (--format dicom-seg)."));
       }
-      return casefile::export_case(*patient, wanted, *out, progress, *study).map([&](const auto& files) {
+      return casefile::export_case(*patient, wanted, *out, progress, {*study, *plan}).map([&](const auto& files) {
         return describe(files, messages(casefile::export_remarks(*patient, wanted)));
       });
     };

@@ -6,6 +6,7 @@
 
 #include "base/files.h"
 #include "base/write_file.h"
+#include "casefile/plans.h"
 #include "casefile/structures.h"
 #include "casefile/used_entries.h"
 #include "geometry/mesh_file.h"
@@ -13,10 +14,13 @@
 #include "imaging/dicom_uid.h"
 #include "imaging/study.h"
 #include "imaging/volume_file.h"
+#include "vasculature/couinaud.h"
 
 namespace glisson::casefile {
 namespace fs = std::filesystem;
 namespace {
+
+constexpr const char* couinaud_id = "territories/couinaud";
 
 struct NamedFormat {
   std::string_view name;
@@ -83,12 +87,67 @@ Result<imaging::SegmentationSource> source_in(const Case& patient, const fs::pat
   return other_study();
 }
 
-Result<void> export_segmentation(const Case& patient, const fs::path& target, const std::optional<fs::path>& study) {
+// What has that value in an image of a part, as a mask on the whole grid.
+template <typename Value>
+imaging::Mask on_the_whole(const imaging::Image<Value>& part, Value wanted, const imaging::Grid& whole) {
+  imaging::Mask mask{whole, std::vector<std::uint8_t>(whole.voxels(), 0)};
+  for (int k = 0; k < part.grid.size[2]; ++k) {
+    for (int j = 0; j < part.grid.size[1]; ++j) {
+      for (int i = 0; i < part.grid.size[0]; ++i) {
+        if (part.at(i, j, k) != wanted) continue;
+        const Eigen::Vector3d place = whole.index_of(part.grid.position_mm(i, j, k));
+        const Eigen::Vector3i at = place.array().round().cast<int>();
+        if (whole.contains(at.x(), at.y(), at.z())) mask.at(at.x(), at.y(), at.z()) = 1;
+      }
+    }
+  }
+  return mask;
+}
+
+Result<void> add_couinaud_segments(const Case& patient, std::vector<imaging::SegmentedMask>& segments) {
+  if (patient.find(couinaud_id) == nullptr) return {};
+  const auto map = patient.file_of(couinaud_id).and_then(imaging::read_labels_file);
+  if (!map) return failure(map.error());
+  for (std::uint16_t number = 1; number <= 8; ++number) {
+    segments.push_back({{std::string("segment ") + vasculature::segment_name(number),
+                         static_cast<int>(segments.size()) + 1, vasculature::segment_colour(number)},
+                        on_the_whole(*map, number, segments.front().mask.grid)});
+  }
+  return {};
+}
+
+Result<void> add_plan(const Case& patient, const std::string& name, const Progress& progress,
+                      std::vector<imaging::SegmentedMask>& segments) {
+  const auto kept = kept_plan(patient, name);
+  if (!kept) return failure(kept.error());
+  const auto opened = open_planner(patient, progress);
+  if (!opened) return failure(opened.error());
+  const auto parts = opened->planner.parts(kept->plan.cuts);
+  if (!parts) return failure(parts.error());
+  struct PlanPart {
+    const char* name;
+    std::uint8_t value;
+    std::array<double, 3> color_rgb;
+  };
+  for (const PlanPart& part :
+       {PlanPart{"remnant", 1, {0.55, 0.75, 0.55}}, PlanPart{"specimen", 2, {0.85, 0.55, 0.35}}}) {
+    segments.push_back({{part.name, static_cast<int>(segments.size()) + 1, part.color_rgb},
+                        on_the_whole(*parts, part.value, segments.front().mask.grid)});
+  }
+  return {};
+}
+
+Result<void> export_segmentation(const Case& patient, const fs::path& target, const Progress& progress,
+                                 const SegmentationExport& with) {
   const auto structures = read_structures(patient);
   if (!structures) return failure(structures.error());
   std::vector<imaging::SegmentedMask> segments;
   for (const auto& structure : *structures) {
     segments.push_back({{structure.name, static_cast<int>(segments.size()) + 1, structure.color_rgb}, structure.mask});
+  }
+  if (auto added = add_couinaud_segments(patient, segments); !added) return added;
+  if (with.plan) {
+    if (auto added = add_plan(patient, *with.plan, progress, segments); !added) return added;
   }
   const Entry* anatomy = patient.find("volumes/anatomy");
   const std::string identity = anatomy ? anatomy->sha256 : segments.front().info.name;
@@ -96,8 +155,8 @@ Result<void> export_segmentation(const Case& patient, const fs::path& target, co
   source.study_uid = imaging::uid_from_name("study " + identity);
   source.series_uid = imaging::uid_from_name("series " + identity);
   source.frame_of_reference_uid = imaging::uid_from_name("frame of reference " + identity);
-  if (study) {
-    auto named = source_in(patient, *study);
+  if (with.study) {
+    auto named = source_in(patient, *with.study);
     if (!named) return failure(named.error());
     source = *std::move(named);
     // Of several volumes in one series, or of many frames in one file, which slice is which is not known.
@@ -112,7 +171,7 @@ std::vector<const Entry*> entries_for(const Case& patient, ExportFormat format) 
   const auto wanted = [&](const std::string& id) {
     switch (format) {
       case ExportFormat::nrrd:
-      case ExportFormat::nifti: return id.starts_with("volumes/") || id.starts_with("labels/");
+      case ExportFormat::nifti: return id.starts_with("volumes/") || id.starts_with("labels/") || id == couinaud_id;
       case ExportFormat::dicom_seg: return id.starts_with("labels/");
       case ExportFormat::stl:
       case ExportFormat::obj:
@@ -138,7 +197,7 @@ std::optional<ExportFormat> export_format(std::string_view name) {
 }
 
 Result<std::vector<fs::path>> export_case(const Case& patient, ExportFormat format, const fs::path& out,
-                                          const Progress& progress, const std::optional<fs::path>& study) {
+                                          const Progress& progress, const SegmentationExport& with) {
   const auto entries = entries_for(patient, format);
   if (entries.empty()) {
     return failure(Error{"export-nothing",
@@ -148,7 +207,7 @@ Result<std::vector<fs::path>> export_case(const Case& patient, ExportFormat form
                          patient.folder()});
   }
   if (format == ExportFormat::dicom_seg) {
-    return export_segmentation(patient, out, study).map([&] { return std::vector{out}; });
+    return export_segmentation(patient, out, progress, with).map([&] { return std::vector{out}; });
   }
   if (format == ExportFormat::vtu) {
     return geometry::read_tetrahedra(patient.folder() / entries.front()->file)
@@ -165,10 +224,12 @@ Result<std::vector<fs::path>> export_case(const Case& patient, ExportFormat form
                       std::string(GLISSON_TEXT("Writing")) + ": " + entry->id);
       const fs::path target = out / (fs::path(entry->id).filename().string() + named(format).extension);
       const bool label_as_nrrd = format == ExportFormat::nrrd && entry->id.starts_with("labels/");
+      const bool segments_as_nrrd = format == ExportFormat::nrrd && entry->id == couinaud_id;
       const bool image = format == ExportFormat::nrrd || format == ExportFormat::nifti;
-      auto written = label_as_nrrd ? export_label_as_nrrd(patient, *entry, target)
-                     : image       ? export_image(patient, *entry, target)
-                                   : export_surface(patient, *entry, target);
+      auto written = label_as_nrrd      ? export_label_as_nrrd(patient, *entry, target)
+                     : segments_as_nrrd ? write_copy(patient.folder() / entry->file, target)
+                     : image            ? export_image(patient, *entry, target)
+                                        : export_surface(patient, *entry, target);
       if (!written) return failure(written.error());
       files.push_back(target);
     }

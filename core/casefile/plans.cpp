@@ -137,6 +137,15 @@ Result<std::vector<KeptPlan>> kept_plans(const Case& patient) {
   return plans;
 }
 
+Result<KeptPlan> kept_plan(const Case& patient, const std::string& name) {
+  auto plans = kept_plans(patient);
+  if (!plans) return failure(std::move(plans.error()));
+  for (KeptPlan& kept : *plans) {
+    if (kept.plan.name == name || kept.id == folder + name) return std::move(kept);
+  }
+  return failure("plan-unknown", GLISSON_TEXT("The case has no plan {0}."), {name});
+}
+
 Result<Json> kept_answer(const Case& patient, const std::string& id) {
   const auto document = patient.file_of(id).and_then([](const fs::path& file) { return read_json_file(file); });
   if (!document) return failure(document.error());
@@ -155,12 +164,7 @@ Result<std::string> keep_plan(Case& patient, const planning::Plan& plan, const p
 }
 
 Result<void> drop_plan(Case& patient, const std::string& name) {
-  const auto plans = kept_plans(patient);
-  if (!plans) return failure(plans.error());
-  for (const KeptPlan& kept : *plans) {
-    if (kept.plan.name == name || kept.id == folder + name) return patient.remove(kept.id);
-  }
-  return failure("plan-unknown", GLISSON_TEXT("The case has no plan {0}."), {name});
+  return kept_plan(patient, name).and_then([&](const KeptPlan& kept) { return patient.remove(kept.id); });
 }
 
 }  // namespace glisson::casefile

@@ -43,6 +43,9 @@ struct KeptPlan {
 // In the order in which they came.
 Result<std::vector<KeptPlan>> kept_plans(const Case& patient);
 
+// By its name or its id without the folder. Fails with "plan-unknown".
+Result<KeptPlan> kept_plan(const Case& patient, const std::string& name);
+
 // As it was answered when it was kept. Fails where the file is gone or damaged.
 Result<Json> kept_answer(const Case& patient, const std::string& id);
 

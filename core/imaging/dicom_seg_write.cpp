@@ -12,6 +12,7 @@
 #include "imaging/cielab.h"
 #include "imaging/dicom_text.h"
 #include "imaging/dicom_uid.h"
+#include "imaging/segment_codes.h"
 
 // DCMTK after ours: its headers define macros.
 #include <dcmtk/config/osconfig.h>
@@ -218,43 +219,19 @@ void describe_study(Item& data_set, const std::vector<SegmentedMask>& segments, 
   }
 }
 
-// SNOMED CT codes (PS3.16, CID 7150 and following) by the beginning of the segment's name.
-struct PropertyCode {
-  const char* name;
-  const char* category;
-  const char* category_meaning;
-  const char* type;
-  const char* type_meaning;
-};
-constexpr const char* anatomical = "123037004";
-constexpr const char* anatomical_meaning = "Anatomical Structure";
-constexpr const char* altered = "49755003";
-constexpr const char* altered_meaning = "Morphologically Altered Structure";
-constexpr std::array property_codes = {
-    PropertyCode{"liver", anatomical, anatomical_meaning, "10200004", "Liver"},
-    PropertyCode{"portal-vein", anatomical, anatomical_meaning, "32764006", "Portal vein"},
-    PropertyCode{"hepatic-vein", anatomical, anatomical_meaning, "8993003", "Hepatic vein"},
-    PropertyCode{"gallbladder", anatomical, anatomical_meaning, "28231008", "Gallbladder"},
-    PropertyCode{"artery", anatomical, anatomical_meaning, "51114001", "Artery"},
-    PropertyCode{"tumour", altered, altered_meaning, "108369006", "Neoplasm"},
-    PropertyCode{"cyst", altered, altered_meaning, "367643001", "Cyst"}};
-constexpr PropertyCode any_tissue{"", "85756007", "Tissue", "85756007", "Tissue"};
-
 void describe_segments(Item& data_set, const std::vector<SegmentedMask>& segments) {
   for (std::size_t s = 0; s < segments.size(); ++s) {
     const SegmentInfo& info = segments[s].info;
-    const auto* known = std::find_if(property_codes.begin(), property_codes.end(),
-                                     [&](const PropertyCode& code) { return info.name.starts_with(code.name); });
-    const PropertyCode& code = known == property_codes.end() ? any_tissue : *known;
+    const SegmentCode code = segment_code(info.name);
     const auto lab = cielab_from_srgb(info.color_rgb);
     Item segment = data_set.add(DCM_SegmentSequence);
-    segment.code(DCM_SegmentedPropertyCategoryCodeSequence, code.category, "SCT", code.category_meaning);
+    segment.code(DCM_SegmentedPropertyCategoryCodeSequence, code.category.value, "SCT", code.category.meaning);
     segment.words(DCM_SegmentNumber, {static_cast<Uint16>(s + 1)});
     segment.text(DCM_SegmentLabel, info.name);
     segment.text(DCM_SegmentAlgorithmType, "SEMIAUTOMATIC");
     segment.text(DCM_SegmentAlgorithmName, "Glisson");
     segment.words(DCM_RecommendedDisplayCIELabValue, {lab[0], lab[1], lab[2]});
-    segment.code(DCM_SegmentedPropertyTypeCodeSequence, code.type, "SCT", code.type_meaning);
+    segment.code(DCM_SegmentedPropertyTypeCodeSequence, code.type.value, "SCT", code.type.meaning);
   }
 }
 

@@ -6,11 +6,13 @@
 #include <dcmtk/dcmseg/segdoc.h>
 #include <dcmtk/dcmseg/segment.h>
 #include <dcmtk/dcmseg/segutils.h>
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 #include <Eigen/Geometry>
+#include <set>
 
 #include "base/files.h"
 #include "imaging/cielab.h"
+#include "imaging/segment_codes.h"
 #include "imaging/volume_file.h"
 #include "support/data.h"
 
@@ -96,6 +98,20 @@ TEST(DicomSeg, IsTheSameBytesFromTheSameMasks) {
     ASSERT_TRUE(write_dicom_seg(folder.path() / name, three_segments(), made_up_source()));
   }
   EXPECT_EQ(*sha256_of_file(folder.path() / "a.dcm"), *sha256_of_file(folder.path() / "b.dcm"));
+}
+
+TEST(DicomSeg, NamesCouinaudsSegmentsByTheirOwnCodes) {
+  std::set<std::string> types;
+  for (const char* roman : {"I", "II", "III", "IV", "V", "VI", "VII", "VIII"}) {
+    const SegmentCode code = segment_code(std::string("segment ") + roman);
+    EXPECT_STREQ(code.category.meaning, "Anatomical Structure");
+    EXPECT_EQ(std::string(code.type.meaning), std::string("Couinaud hepatic segment ") + roman);
+    types.insert(code.type.value);
+  }
+  EXPECT_EQ(types.size(), 8U);
+  EXPECT_STREQ(segment_code("segment IX").type.meaning, "Tissue");
+  EXPECT_STREQ(segment_code("tumour-3").type.value, "108369006");
+  EXPECT_THAT(slicer_tags("segment IV"), testing::HasSubstr("~SCT^277958008^Couinaud hepatic segment IV~"));
 }
 
 // dcmseg checks far more of the standard than our reader does, and finds the frames by itself. Of 16 columns, since

@@ -6,9 +6,11 @@
 #include "base/files.h"
 #include "base/json.h"
 #include "base/write_file.h"
+#include "imaging/dicom_seg.h"
 #include "imaging/label_names.h"
 #include "imaging/volume_file.h"
 #include "support/process.h"
+#include "vasculature/couinaud.h"
 
 namespace glisson::test {
 namespace {
@@ -161,6 +163,36 @@ TEST_F(GeneratedCase, GoesFromVesselsToTreesToSegments) {
   const auto page = read_text_file(file("compared/plans.html"));
   ASSERT_TRUE(page);
   EXPECT_THAT(*page, testing::HasSubstr("Right portal vein"));
+  // As other programs read it: the eight segments, and what the plan leaves and takes, voxel for voxel.
+  const auto volumes = [&](const std::string& out) {
+    std::map<std::string, double> by_name_ml;
+    const auto segments = imaging::read_dicom_seg(file(out));
+    EXPECT_TRUE(segments.has_value());
+    for (const imaging::SegmentedMask& one : segments.value_or(std::vector<imaging::SegmentedMask>{})) {
+      by_name_ml[one.info.name] = static_cast<double>(std::count(one.mask.values.begin(), one.mask.values.end(), 1)) *
+                                  one.mask.grid.voxel_volume_mm3() / 1000;
+    }
+    return by_name_ml;
+  };
+  answer({"export", patient(), "--format", "dicom-seg", "--plan", "V to VIII", "--out", file("plan.dcm")});
+  const auto exported_ml = volumes("plan.dcm");
+  for (std::size_t s = 0; s < 8; ++s) {
+    const std::string name = "segment " + std::string(vasculature::segment_name(s + 1));
+    ASSERT_TRUE(exported_ml.contains(name)) << name;
+    EXPECT_NEAR(exported_ml.at(name), found.at("segments")[s].at("volume_ml").get<double>(), 1e-6 * all_ml) << name;
+  }
+  EXPECT_NEAR(exported_ml.at("specimen"), right.at("removed_ml").get<double>(), 1e-6 * all_ml);
+  EXPECT_NEAR(exported_ml.at("remnant"), right.at("remnant_ml").get<double>(), 1e-6 * all_ml);
+  answer({"export", patient(), "--format", "dicom-seg", "--out", file("no-plan.dcm")});
+  EXPECT_EQ(volumes("no-plan.dcm").size() + 2, exported_ml.size());
+  EXPECT_EQ(glisson_cli({"export", patient(), "--format", "dicom-seg", "--plan", "none such", "--out", file("no.dcm")})
+                .exit_code,
+            1);
+  EXPECT_FALSE(std::filesystem::exists(file("no.dcm")));
+  answer({"export", patient(), "--format", "nrrd", "--out", file("nrrd")});
+  EXPECT_EQ(imaging::read_labels_file(file("nrrd/couinaud.nrrd")).value().values,
+            imaging::read_labels_file(file("generated.glisson/territories/couinaud.nrrd")).value().values);
+
   // A structure that changes makes plans stale, and so it is told.
   answer({"segment", patient(), "--structure", "liver", "--unite", "portal-vein"});
   answer({"segment", patient(), "--structure", "liver", "--subtract", "hepatic-vein"});
