@@ -33,6 +33,7 @@ std::string in_words(const Json& plan) {
   std::string text = fmt::format("{}: removes {:.0f} ml, leaves {:.0f} ml ({:.1f} % of the liver without tumours)\n",
                                  plan.at("name").get<std::string>(), number("removed_ml"), number("remnant_ml"),
                                  number("remnant_percent"));
+  if (plan.contains("ablated_ml")) text += fmt::format("  of it {:.0f} ml are ablated\n", number("ablated_ml"));
   if (plan.contains("living_ml")) {
     text += fmt::format("  perfused and drained {:.0f} ml, ischaemic {:.0f} ml, congested {:.0f} ml\n",
                         number("living_ml"), number("ischaemic_ml"), number("congested_ml"));

@@ -43,7 +43,23 @@ struct MarginCut {
 };
 inline constexpr double largest_margin_mm = 30;
 
-using Cut = std::variant<PlaneCut, SheetCut, SegmentsCut, TerritoryCut, MarginCut>;
+// Tissue that is ablated where it stands: a spheroid around the probe. Vessels of 3 mm and more carry the heat away and
+// go on flowing through it (Lu et al. 2002, AJR 178:47); narrower ones close.
+struct AblationCut {
+  Eigen::Vector3d center_mm{0, 0, 0};
+  Eigen::Vector3d direction{0, 0, 1};  // of the probe, any length but zero
+  double radius_along_mm = 15;
+  double radius_across_mm = 15;
+
+  bool operator==(const AblationCut&) const = default;
+};
+inline constexpr double ablation_spares_vessels_mm = 3;  // diameter
+inline constexpr double largest_ablation_mm = 60;        // radius
+
+// How far a place is from the surface of the zone, to first order; negative inside.
+[[nodiscard]] double outside_mm(const AblationCut& zone, const Eigen::Vector3d& place_mm);
+
+using Cut = std::variant<PlaneCut, SheetCut, SegmentsCut, TerritoryCut, MarginCut, AblationCut>;
 
 struct Plan {
   std::string name;

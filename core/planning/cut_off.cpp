@@ -60,6 +60,7 @@ TreePoints points_of(const VesselTrees& trees, const Organ& organ, const std::ve
     points.first.push_back(points.voxel.size());
     for (const CenterPoint& point : branch.points) {
       points.voxel.push_back(voxel_at(point.position_mm, organ, numbers));
+      points.radius_mm.push_back(point.radius_mm);
     }
     const bool grows = branch.parent >= 0 && !branch.points.empty();
     points.joint.push_back(grows ? nearest_point(trees.branches[static_cast<std::size_t>(branch.parent)],

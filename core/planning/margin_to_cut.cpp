@@ -29,6 +29,8 @@ MarginAnswer margin_to_cut(std::size_t number, const Removal& removal, const Org
       double here_mm = goes ? half_mm : 0;
       if (cut.surface) {
         here_mm = (goes ? -cut.sign : cut.sign) * cut.surface->height_mm(position_mm(organ, near.voxel));
+      } else if (cut.ablation) {
+        here_mm = (goes ? 1 : -1) * outside_mm(*cut.ablation, position_mm(organ, near.voxel));
       } else if (cut.tumour == number && goes) {
         here_mm = static_cast<double>(near.distance_mm) - cut.margin_mm;
       } else if (!goes) {

@@ -50,11 +50,20 @@ Cut cut_from(const Json& json, const std::string& where) {
     return MarginCut{name_in(json["around"], where + ", around"),
                      not_negative_in(required(json, "margin_mm", where), where + ", margin_mm")};
   }
-  refuse_at(where, GLISSON_TEXT("{0} needs one of plane, sheet, segments, territory, around."));
+  if (json.contains("ablation")) {
+    const Json& part = json["ablation"];
+    const std::string place = where + ", ablation";
+    only_keys(part, {"center_mm", "direction", "radius_along_mm", "radius_across_mm"}, place);
+    return AblationCut{vector_in(required(part, "center_mm", place), place + ", center_mm"),
+                       vector_in(required(part, "direction", place), place + ", direction"),
+                       not_negative_in(required(part, "radius_along_mm", place), place + ", radius_along_mm"),
+                       not_negative_in(required(part, "radius_across_mm", place), place + ", radius_across_mm")};
+  }
+  refuse_at(where, GLISSON_TEXT("{0} needs one of plane, sheet, segments, territory, around, ablation."));
 }
 
 void only_keys_of_a_cut(const Json& json, const std::string& where) {
-  only_keys(json, {"plane", "sheet", "segments", "territory", "around", "margin_mm"}, where);
+  only_keys(json, {"plane", "sheet", "segments", "territory", "around", "margin_mm", "ablation"}, where);
 }
 
 struct CutJson {
@@ -69,6 +78,13 @@ struct CutJson {
   Json operator()(const SegmentsCut& cut) const { return {{"segments", cut.segments}}; }
   Json operator()(const TerritoryCut& cut) const { return {{"territory", cut.branch}}; }
   Json operator()(const MarginCut& cut) const { return {{"around", cut.tumour}, {"margin_mm", cut.margin_mm}}; }
+  Json operator()(const AblationCut& cut) const {
+    return {{"ablation",
+             {{"center_mm", json_of(cut.center_mm)},
+              {"direction", json_of(cut.direction)},
+              {"radius_along_mm", cut.radius_along_mm},
+              {"radius_across_mm", cut.radius_across_mm}}}};
+  }
 
   static Json side(Removed removed) {
     static constexpr std::array<const char*, 4> words = {"smaller", "larger", "above", "below"};
@@ -104,8 +120,10 @@ Result<Plan> read_plan(const std::filesystem::path& file) {
         plan.cuts.push_back(cut_from(json["cuts"][n], item("cut", n)));
       }
     } else {
-      only_keys(json, {"format", "name", "plane", "sheet", "segments", "territory", "around", "margin_mm", "answer"},
-                "The plan");
+      only_keys(
+          json,
+          {"format", "name", "plane", "sheet", "segments", "territory", "around", "margin_mm", "ablation", "answer"},
+          "The plan");
       plan.cuts.push_back(cut_from(json, "The plan"));
     }
     return plan;
@@ -128,6 +146,7 @@ Json answer_json(const PlanAnswer& answer, const vasculature::VesselTrees& trees
   const auto known = [&](const char* key, const std::optional<double>& value) {
     if (value) json[key] = *value;
   };
+  if (answer.ablated_ml > 0) json["ablated_ml"] = answer.ablated_ml;
   known("perfused_ml", answer.perfused_ml);
   known("drained_ml", answer.drained_ml);
   known("living_ml", answer.living_ml);

@@ -34,6 +34,7 @@ struct Planner::Liver {
   // Which vessels are cut, and what hangs on them. A cut along the anatomy spares a vessel that only runs through: one
   // of which less than half of what hangs on it goes.
   [[nodiscard]] CutOff cut_off_by(const Removal& removal) const;
+  [[nodiscard]] std::vector<std::size_t> removed_on(const Removal& removal) const;  // voxels of each point
   [[nodiscard]] float youngs_at(std::size_t voxel) const { return trusted_kPa.empty() ? 0.0F : trusted_kPa[voxel]; }
 };
 
@@ -141,6 +142,7 @@ Result<PlanAnswer> Planner::answer(const std::vector<Cut>& cuts) const {
   answer.tumours_ml = ml([](const Key& key) { return key.tumour; });
   answer.removed_ml = ml([](const Key& key) { return key.removed; });
   answer.remnant_ml = ml([](const Key& key) { return !key.removed; });
+  answer.ablated_ml = static_cast<double>(removal->ablated) * voxel_ml;
   if (liver.has_system[0]) {
     answer.ischaemic_ml = ml([](const Key& key) { return key.starved; });
     answer.perfused_ml = answer.remnant_ml - *answer.ischaemic_ml;
@@ -187,31 +189,37 @@ Result<PlanAnswer> Planner::answer(const std::vector<Cut>& cuts) const {
 }
 
 CutOff Planner::Liver::cut_off_by(const Removal& removal) const {
-  const auto why = [&](std::size_t number) {
-    const std::int32_t voxel = points.voxel[number];
-    return voxel < 0 ? std::uint8_t{0} : removal.removed[static_cast<std::size_t>(voxel)];
-  };
-  if (!removal.along_anatomy) {
-    return cut_off(trees, points, [&](std::size_t number) { return why(number) != 0; });
+  std::vector<std::size_t> all, gone;  // what hangs on each point, and what of that goes
+  if (removal.along_anatomy) {
+    all.assign(points.count() + 1, 0);
+    for (const auto& of_system : tissue) {
+      for (std::size_t p = 0; p < of_system.size(); ++p) all[p] += of_system[p];
+    }
+    all = sum_beyond(trees, points, all);
+    gone = sum_beyond(trees, points, removed_on(removal));
   }
-  std::vector<std::size_t> all(points.count() + 1, 0), gone(points.count() + 1, 0);
+  return cut_off(trees, points, [&](std::size_t number) {
+    const std::int32_t voxel = points.voxel[number];
+    const std::uint8_t why = voxel < 0 ? std::uint8_t{0} : removal.removed[static_cast<std::size_t>(voxel)];
+    if ((why & goes_with_vessels) != 0) return true;
+    if ((why & goes_by_ablation) != 0 && 2 * points.radius_mm[number] < ablation_spares_vessels_mm) return true;
+    return (why & goes_by_anatomy) != 0 && all[number] > 0 && 2 * gone[number] >= all[number];
+  });
+}
+
+std::vector<std::size_t> Planner::Liver::removed_on(const Removal& removal) const {
+  std::vector<std::size_t> on_point(points.count() + 1, 0);
   for (std::size_t s = 0; s < 2; ++s) {
     if (!has_system[s]) continue;
-    for (std::size_t p = 0; p < all.size(); ++p) all[p] += tissue[s][p];
     std::mutex adding;
     parallel_for(organ.voxels, 1 << 16, [&](std::size_t begin, std::size_t end) {
-      std::vector<std::uint32_t> here(gone.size(), 0);
+      std::vector<std::uint32_t> here(on_point.size(), 0);
       for (std::size_t v = begin; v < end; ++v) here[point[s][v]] += removal.removed[v] != 0 ? 1 : 0;
       const std::lock_guard lock(adding);
-      for (std::size_t p = 0; p < gone.size(); ++p) gone[p] += here[p];
+      for (std::size_t p = 0; p < on_point.size(); ++p) on_point[p] += here[p];
     });
   }
-  all = sum_beyond(trees, points, all);
-  gone = sum_beyond(trees, points, gone);
-  return cut_off(trees, points, [&](std::size_t number) {
-    const std::uint8_t because = why(number);
-    return (because & goes_with_vessels) != 0 || (because != 0 && all[number] > 0 && 2 * gone[number] >= all[number]);
-  });
+  return on_point;
 }
 
 Result<imaging::Mask> Planner::parts(const std::vector<Cut>& cuts) const {

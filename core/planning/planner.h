@@ -73,6 +73,7 @@ struct MarginAnswer {
 struct PlanAnswer {
   double liver_ml = 0, tumours_ml = 0;
   double removed_ml = 0, remnant_ml = 0;  // together the liver
+  double ablated_ml = 0;                  // of what is removed, what no knife takes
   double functional_remnant_ml = 0;       // without tumours
   // Of the remnant; absent where the case has no trees of that system.
   std::optional<double> perfused_ml, ischaemic_ml, drained_ml, congested_ml, living_ml;
@@ -95,7 +96,8 @@ class Planner {
   static Result<Planner> open(const LiverParts& parts, const Progress& progress = {});
 
   // Failures, a sentence each: "plan-empty" (no cut), "cut-invalid", "cut-misses", "segment-unknown", "segment-empty",
-  // "segments-missing", "branch-unknown", "territory-empty", "tumour-unknown", "margin-invalid", "nothing-left".
+  // "segments-missing", "branch-unknown", "territory-empty", "tumour-unknown", "margin-invalid", "ablation-invalid",
+  // "nothing-left".
   [[nodiscard]] Result<PlanAnswer> answer(const std::vector<Cut>& cuts) const;
 
   // 1 where tissue stays and 2 where it goes, on the part of the liver's grid around it. Fails as answer() does.

@@ -36,6 +36,7 @@ class Taking {
   Result<void> operator()(const SegmentsCut& cut);
   Result<void> operator()(const TerritoryCut& cut);
   Result<void> operator()(const MarginCut& cut);
+  Result<void> operator()(const AblationCut& cut);
 
  private:
   Result<void> take_side(CutSurface surface, Removed which);
@@ -89,6 +90,8 @@ Result<Removal> removal_by(const std::vector<Cut>& cuts, const Cuttable& liver) 
   if (std::find(removal.removed.begin(), removal.removed.end(), 0) == removal.removed.end()) {
     return failure("nothing-left", GLISSON_TEXT("The plan takes the whole liver: nothing would be left."));
   }
+  removal.ablated =
+      static_cast<std::size_t>(std::count(removal.removed.begin(), removal.removed.end(), goes_by_ablation));
   return removal;
 }
 
@@ -214,6 +217,38 @@ Result<void> Taking::operator()(const MarginCut& cut) {
     if (near.distance_mm <= cut.margin_mm) removal_.removed[near.voxel] |= goes_with_vessels;
   }
   removal_.cuts.push_back({{}, 1, static_cast<std::size_t>(tumour - liver_.tumours.begin()), cut.margin_mm});
+  return {};
+}
+
+Result<void> Taking::operator()(const AblationCut& cut) {
+  const auto fits = [](double radius_mm) { return radius_mm > 0 && radius_mm <= largest_ablation_mm; };
+  if (!fits(cut.radius_along_mm) || !fits(cut.radius_across_mm) || !(cut.direction.norm() > 0) ||
+      !cut.direction.allFinite() || !cut.center_mm.allFinite()) {
+    return failure("ablation-invalid",
+                   GLISSON_TEXT("An ablation needs a direction, and radii of more than 0 and at most {0} mm."),
+                   {fmt::format("{:g}", largest_ablation_mm)});
+  }
+  std::atomic<std::size_t> count = 0;
+  parallel_for(liver_.organ.runs.size(), 512, [&](std::size_t begin, std::size_t end) {
+    std::size_t here = 0;
+    for (std::size_t r = begin; r < end; ++r) {
+      const Run& run = liver_.organ.runs[r];
+      for (int n = 0; n < run.length; ++n) {
+        if (outside_mm(cut, liver_.organ.grid.position_mm(run.i + n, run.j, run.k)) > 0) continue;
+        removal_.removed[run.first + static_cast<std::size_t>(n)] |= goes_by_ablation;
+        ++here;
+      }
+    }
+    count += here;
+  });
+  if (count == 0) {
+    return failure(Error{"cut-misses",
+                         GLISSON_TEXT("The ablation lies beside the liver."),
+                         {},
+                         GLISSON_TEXT("Move it into the liver; positions are patient coordinates (LPS, mm)."),
+                         {}});
+  }
+  removal_.cuts.push_back({{}, 1, {}, 0, cut});
   return {};
 }
 

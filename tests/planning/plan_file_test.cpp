@@ -30,11 +30,12 @@ TEST_F(PlanFile, ComesBackAsItWasWritten) {
   const Plan plan{
       "right",
       {PlaneCut{{1, 2, 3}, {0, 1, 0}, Removed::larger}, SheetCut{{{0, 0, 0}, {9, 0, 0}, {0, 9, 1}}, Removed::above},
-       SegmentsCut{{6, 7}}, TerritoryCut{"portal/right/posterior"}, MarginCut{"tumour-1", 12.5}}};
+       SegmentsCut{{6, 7}}, TerritoryCut{"portal/right/posterior"}, MarginCut{"tumour-1", 12.5},
+       AblationCut{{1, 2, 3}, {0, 0, 1}, 20, 15}}};
   const auto back = read(plan_json(plan).dump());
   ASSERT_TRUE(back) << back.error().message();
   EXPECT_EQ(plan_json(*back), plan_json(plan));
-  EXPECT_EQ(back->cuts.size(), 5u);
+  EXPECT_EQ(back->cuts.size(), 6u);
 }
 
 TEST_F(PlanFile, OfOneCutNeedsNoList) {
@@ -52,6 +53,8 @@ TEST_F(PlanFile, IsRefusedByItsPlace) {
   EXPECT_THAT(refusal(R"({"name": "x", "cuts": [{"around": "tumour-1"}]})"), testing::HasSubstr("margin_mm"));
   EXPECT_THAT(refusal(R"({"name": "x", "plane": {"point_mm": [0, 0], "normal": [0, 0, 1]}})"),
               testing::HasSubstr("point_mm"));
+  EXPECT_THAT(refusal(R"({"name": "x", "ablation": {"center_mm": [0, 0, 0], "direction": [0, 0, 1]}})"),
+              testing::HasSubstr("radius_along_mm"));
   EXPECT_THAT(refusal(R"({"name": "x", "plain": 3})"), testing::HasSubstr("plain"));
   EXPECT_THAT(refusal(R"([])"), testing::HasSubstr("object"));
 }

@@ -301,6 +301,54 @@ TEST(Planner, TakesSegmentsTerritoriesAndWhatIsAroundATumourTogether) {
                    [&](const Vector3d& at) { return around(at) || at.x() > 15; });
 }
 
+// A spheroid beside the vessels, and one on a branch: wide vessels go on through it, narrow ones close.
+TEST(Planner, AblatesASpheroidAndSparesWideVessels) {
+  LiverParts parts = parts_of_ball();
+  const Vector3d along = Vector3d(1, 2, -1).normalized();
+  const auto zone = [&](const Vector3d& center, double radius_along, double radius_across) {
+    return [=](const Vector3d& at) {
+      const double a = (at - center).dot(along), b = ((at - center) - a * along).norm();
+      return a * a / (radius_along * radius_along) + b * b / (radius_across * radius_across) <= 1;
+    };
+  };
+  const Vector3d beside(5, -25, -12);
+  expect_as_judged(parts, {AblationCut{beside, 2 * along, 9, 6}}, zone(beside, 9, 6));
+
+  const Vector3d on_branch(-12, -2.4, 4.8);  // portal/right, 4 mm wide
+  const auto ablated = [&] { return Planner::open(parts)->answer({AblationCut{on_branch, along, 5, 5}}).value(); };
+  const PlanAnswer spared = ablated();
+  EXPECT_TRUE(spared.branches.empty());
+  EXPECT_NEAR(*spared.living_ml, spared.remnant_ml, 1e-6);
+  EXPECT_NEAR(spared.ablated_ml, spared.removed_ml, 1e-9);
+  EXPECT_NEAR(spared.removed_ml, 4.0 / 3 * 3.14159265 * 125 / 1000, 0.02);
+  for (auto& point : parts.trees.branches[2].points) point.radius_mm = 1.4;
+  const PlanAnswer closed = ablated();
+  ASSERT_EQ(closed.branches.size(), 1u);
+  EXPECT_EQ(parts.trees.branches[closed.branches.front().branch].name, "portal/right");
+  EXPECT_GT(*closed.ischaemic_ml, 1);
+}
+
+TEST(Planner, MeasuresTheMarginOfAnAblation) {
+  const auto planner = Planner::open(parts_of_ball());
+  ASSERT_TRUE(planner);
+  for (const double margin_mm : {2.0, 5.0, 8.0}) {
+    const double radius_mm = tumour_radius_mm + margin_mm;
+    const auto centred = planner->answer({AblationCut{tumour_mm, {0, 0, 1}, radius_mm, radius_mm}});
+    ASSERT_TRUE(centred);
+    EXPECT_EQ(centred->tumours.front().side, Side::removed);
+    EXPECT_NEAR(centred->tumours.front().margin_mm, margin_mm, 0.75);
+    const auto longer = planner->answer({AblationCut{tumour_mm, {0, 1, 0}, radius_mm + 9, radius_mm}});
+    EXPECT_NEAR(longer->tumours.front().margin_mm, margin_mm, 0.75);
+    const auto aside = planner->answer({AblationCut{tumour_mm + Vector3d(1.5, 0, 0), {0, 0, 1}, radius_mm, radius_mm}});
+    EXPECT_NEAR(aside->tumours.front().margin_mm, margin_mm - 1.5, 0.75);
+  }
+  EXPECT_EQ(planner->answer({AblationCut{tumour_mm, {0, 0, 1}, 5, 5}})->tumours.front().side, Side::cut_through);
+  EXPECT_EQ(planner->answer({AblationCut{{900, 0, 0}, {0, 0, 1}, 5, 5}}).error().code, "cut-misses");
+  EXPECT_EQ(planner->answer({AblationCut{tumour_mm, {0, 0, 0}, 5, 5}}).error().code, "ablation-invalid");
+  EXPECT_EQ(planner->answer({AblationCut{tumour_mm, {0, 0, 1}, 5, 0}}).error().code, "ablation-invalid");
+  EXPECT_EQ(planner->answer({AblationCut{tumour_mm, {0, 0, 1}, 5, 1e9}}).error().code, "ablation-invalid");
+}
+
 // A stem that runs along the border of what is taken stays, and so does what it feeds.
 TEST(Planner, SparesVesselsThatOnlyRunThroughASegment) {
   LiverParts parts = parts_of_ball();

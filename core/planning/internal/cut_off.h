@@ -15,6 +15,7 @@ struct TreePoints {
   std::vector<std::size_t> first;   // of each branch the number of its first point; then how many there are
   std::vector<std::int32_t> voxel;  // of the organ at each point; -1 where it lies outside
   std::vector<std::size_t> joint;   // of each branch: which point of its parent it grows from
+  std::vector<double> radius_mm;    // of the vessel at each point
   [[nodiscard]] std::size_t count() const { return voxel.size(); }
 };
 

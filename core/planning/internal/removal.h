@@ -41,16 +41,18 @@ struct PreparedCut {
   double sign = 1;  // what goes lies where sign * height is positive
   std::optional<std::size_t> tumour;
   double margin_mm = 0;
+  std::optional<AblationCut> ablation = {};
 };
 
-// Why a voxel goes, bit by bit: by a cut that spares no vessel (plane, sheet, margin), or by one along the anatomy
-// (segments, territory), which spares those that only run through.
-inline constexpr std::uint8_t goes_with_vessels = 1, goes_by_anatomy = 2;
+// Why a voxel goes, bit by bit: by a cut that spares no vessel (plane, sheet, margin), by one along the anatomy
+// (segments, territory), which spares those that only run through, or by an ablation, which spares wide ones.
+inline constexpr std::uint8_t goes_with_vessels = 1, goes_by_anatomy = 2, goes_by_ablation = 4;
 
 struct Removal {
   std::vector<std::uint8_t> removed;  // of each voxel; 0: it stays
   std::vector<PreparedCut> cuts;
   bool along_anatomy = false;  // some of it goes by anatomy
+  std::size_t ablated = 0;     // voxels that go by ablation alone
 };
 
 // Failures: as Planner::answer.
