@@ -7,6 +7,7 @@
 #include "casefile/vascular.h"
 #include "command.h"
 #include "planning/plan_file.h"
+#include "planning/ranking.h"
 #include "report/html.h"
 #include "report/plan_comparison.h"
 
@@ -16,7 +17,7 @@ namespace {
 struct Options {
   std::string case_folder;
   bool list = false, compare = false;
-  std::optional<std::string> add, drop, out;
+  std::optional<std::string> add, drop, out, rank_by;
 };
 
 Json json_of_plan(const casefile::KeptPlan& kept, const Json& answer) {
@@ -57,6 +58,9 @@ std::string in_words(const Json& plan) {
     text += fmt::format("  cuts {:32} {:.1f} mm wide, {:.0f} ml hang on it, {:.0f} ml of them stay\n",
                         branch.at("name").get<std::string>(), 2 * branch.at("radius_mm").get<double>(),
                         branch.at("beyond_ml").get<double>(), branch.at("affected_ml").get<double>());
+  }
+  for (const Json& better : plan.value("beaten_by", Json::array())) {
+    text += fmt::format("  {} is no worse in anything, and better\n", better.get<std::string>());
   }
   for (const Json& remark : plan.value("remarks", Json::array())) text += "- " + remark.get<std::string>() + "\n";
   return text;
@@ -110,8 +114,25 @@ Result<Outcome> add(casefile::Case& patient, const std::string& file, const Prog
                     opened->remarks);
 }
 
+// In the order that was asked for, each with the names of those that beat it; those that failed last.
+std::vector<Json> put_in_order(std::vector<Json> described, const std::vector<planning::PlanAnswer>& answers,
+                               const std::vector<std::size_t>& described_as, std::optional<planning::RankBy> by) {
+  const auto better = planning::beaten_by(answers);
+  for (std::size_t n = 0; n < answers.size(); ++n) {
+    Json& names = described[described_as[n]]["beaten_by"] = Json::array();
+    for (const std::size_t other : better[n]) names.push_back(described[described_as[other]].at("name"));
+  }
+  if (!by) return described;
+  std::vector<Json> ordered;
+  for (const std::size_t n : planning::ranked(answers, *by)) ordered.push_back(described[described_as[n]]);
+  for (const Json& plan : described) {
+    if (plan.contains("failed")) ordered.push_back(plan);
+  }
+  return ordered;
+}
+
 // All of them by what the case holds now.
-Result<Outcome> compare(casefile::Case& patient, const std::optional<std::string>& out, const Progress& progress) {
+Result<Outcome> compare(casefile::Case& patient, const Options& options, const Progress& progress) {
   const auto plans = casefile::kept_plans(patient);
   if (!plans) return failure(plans.error());
   if (plans->empty()) {
@@ -124,16 +145,25 @@ Result<Outcome> compare(casefile::Case& patient, const std::optional<std::string
   const auto opened = open(patient, progress);
   if (!opened) return failure(opened.error());
   std::vector<Json> described;
+  std::vector<planning::PlanAnswer> answers;
+  std::vector<std::size_t> described_as;  // of each answer
   for (const casefile::KeptPlan& kept : *plans) {
     const auto answer = opened->planner.answer(kept.plan.cuts);
     // A plan that no longer holds is no reason to keep the others back.
     described.push_back(json_of_plan(kept, answer ? planning::answer_json(*answer, opened->planner.trees())
                                                   : Json{{"failed", answer.error().message()}}));
-    if (!answer) described.back()["remarks"].push_back(answer.error().message());
+    if (answer) {
+      answers.push_back(*answer);
+      described_as.push_back(described.size() - 1);
+    } else {
+      described.back()["remarks"].push_back(answer.error().message());
+    }
   }
+  described = put_in_order(std::move(described), answers, described_as,
+                           options.rank_by ? planning::rank_by(*options.rank_by) : std::nullopt);
   Outcome outcome = outcome_of(described, opened->remarks);
-  if (!out) return outcome;
-  const std::filesystem::path folder = *out;
+  if (!options.out) return outcome;
+  const std::filesystem::path folder = *options.out;
   const report::Page page = report::plan_comparison(described, patient.origin(), opened->remarks);
   auto written = write_together([&] {
     return report::write_html(folder / "plans.html", page).and_then([&] {
@@ -150,7 +180,7 @@ Result<Outcome> run(const Options& options, const Progress& progress) {
   auto patient = casefile::Case::open(options.case_folder);
   if (!patient) return failure(patient.error());
   if (options.add) return add(*patient, *options.add, progress);
-  if (options.compare) return compare(*patient, options.out, progress);
+  if (options.compare) return compare(*patient, options, progress);
   if (options.drop) {
     if (auto dropped = casefile::drop_plan(*patient, *options.drop); !dropped)
       return failure(std::move(dropped.error()));
@@ -172,7 +202,10 @@ void add_plan(CLI::App& app, Action& chosen) {
   what->add_option("--drop", options->drop, "Take the plan of that name out of the case");
   what->require_option(1);
   command->add_option("--out", options->out, "With --compare: folder for plans.html and plans.csv");
+  command->add_option("--rank-by", options->rank_by, "With --compare: the best first by margin, living or branches")
+      ->check(CLI::IsMember({"margin", "living", "branches"}));
   command->callback([&chosen, options] {
+    if (options->rank_by && !options->compare) throw CLI::RequiresError("--rank-by", "--compare");
     if (options->out && !options->compare) throw CLI::RequiresError("--out", "--compare");
     chosen = [options](const Progress& progress) { return run(*options, progress); };
   });

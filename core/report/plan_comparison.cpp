@@ -19,6 +19,8 @@ std::string figure(const Json& json, const char* key, int decimals) {
 
 // A row a quantity, a column a plan.
 Table figures(const std::vector<Json>& plans, const Words& words);
+// What a wider margin costs: a point a plan.
+Plot margin_against_tissue(const std::vector<Json>& plans, const Words& words);
 Table segments_left(const std::vector<Json>& plans, const Words& words);
 Table branches_cut(const Json& plan, const Words& words);
 
@@ -46,6 +48,9 @@ void add_plans(Page& page, const std::vector<Json>& plans, const Words& words) {
     }
   }
   page.blocks.push_back(figures(plans, words));
+  if (Plot traded = margin_against_tissue(plans, words); traded.curves.size() > 1) {
+    page.blocks.push_back(std::move(traded));
+  }
   if (Table segments = segments_left(plans, words); !segments.rows.empty()) page.blocks.push_back(std::move(segments));
   for (const Json& plan : plans) {
     if (Table branches = branches_cut(plan, words); !branches.rows.empty()) page.blocks.push_back(std::move(branches));
@@ -126,12 +131,32 @@ Table figures(const std::vector<Json>& plans, const Words& words) {
     }
     return Cell{names.empty() ? "–" : names, names.empty() ? Cell::Emphasis::none : Cell::Emphasis::flag};
   });
+  row(GLISSON_TEXT("No worse in margin, tissue and tumours, and better in one"), [](const Json& plan) {
+    std::string names;
+    for (const Json& better : plan.value("beaten_by", Json::array())) {
+      names += (names.empty() ? "" : ", ") + better.get<std::string>();
+    }
+    return Cell{names};
+  });
   row(GLISSON_TEXT("Stiffness of what is left (kPa)"), plain("mean_kPa", 1));
   row(GLISSON_TEXT("Measured share of it (%)"), [](const Json& plan) {
     return Cell{plan.contains("confident_share") ? fmt::format("{:.0f}", 100 * plan.at("confident_share").get<double>())
                                                  : ""};
   });
   return table;
+}
+
+Plot margin_against_tissue(const std::vector<Json>& plans, const Words& words) {
+  Plot plot{words.say(GLISSON_TEXT("What a wider margin costs.")), words.say(GLISSON_TEXT("smallest margin (mm)")),
+            words.say(GLISSON_TEXT("left and alive (ml)"))};
+  for (const Json& plan : plans) {
+    const char* tissue = plan.contains("living_ml") ? "living_ml" : "functional_remnant_ml";
+    if (!holds(plan) || !plan.contains("margin_mm") || !plan.contains(tissue)) continue;
+    plot.curves.push_back(
+        {name_of(plan), {{plan.at("margin_mm").get<double>(), plan.at(tissue).get<double>()}}, PlotCurve::Style::dots});
+  }
+  plot.rules.push_back({Rule::Along::x, 5, "5 mm"});
+  return plot;
 }
 
 Table segments_left(const std::vector<Json>& plans, const Words& words) {

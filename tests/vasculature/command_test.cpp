@@ -157,6 +157,10 @@ TEST_F(GeneratedCase, GoesFromVesselsToTreesToSegments) {
   for (const Json& kept : list.at("plans")) EXPECT_TRUE(kept.at("current").get<bool>());
   const Json compared = answer({"plan", patient(), "--compare", "--out", file("compared")});
   EXPECT_NEAR(compared.at("plans")[0].at("ischaemic_ml"), list.at("plans")[0].at("ischaemic_ml"), 1e-9);
+  const Json by_living = answer({"plan", patient(), "--compare", "--rank-by", "living"}).at("plans");
+  EXPECT_GE(by_living[0].at("living_ml").get<double>(), by_living[1].at("living_ml").get<double>());
+  EXPECT_TRUE(by_living[0].at("beaten_by").empty());
+  EXPECT_EQ(glisson_cli({"plan", patient(), "--list", "--rank-by", "living"}).exit_code, 2);
   const auto csv = read_text_file(file("compared/plans.csv"));
   ASSERT_TRUE(csv);
   EXPECT_EQ(std::count(csv->begin(), csv->end(), '\n'), 3);  // a head and two plans
