@@ -7,6 +7,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSlider>
+#include <QVBoxLayout>
 #include <QWidget>
 
 #include "widgets/guide/overlay_painter.h"

@@ -1,6 +1,7 @@
 #include "widgets/panels/number_slider.h"
 
 #include <cmath>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QSignalBlocker>
 
