@@ -17,9 +17,6 @@ constexpr const char* distance_field = "displacement_mm";
 constexpr scene::Colour red{1.0, 0.10, 0.10};
 constexpr scene::Colour blue{0.12, 0.22, 1.0};
 constexpr scene::Colour purple{0.80, 0.20, 0.90};
-constexpr scene::Colour tool_colour{0.20, 0.83, 0.85};
-constexpr scene::Colour tool_steel{0.72, 0.76, 0.80};
-constexpr scene::Colour calm{0.90, 0.93, 0.96};
 constexpr scene::Colour amber{1.0, 0.72, 0.20};
 constexpr scene::Colour cut_red{0.55, 0.10, 0.10};
 
@@ -32,27 +29,6 @@ std::shared_ptr<const geometry::Surface> movable_copy(const geometry::Surface& r
   return copy;
 }
 
-// The triangles of a cut liver that are its walls, or those that are not, with the points that they use.
-geometry::Surface part_on_wall(const geometry::Surface& cut, bool wall) {
-  const auto& on_wall = geometry::find_field(cut.cell_fields, "wall")->values;
-  geometry::Surface part;
-  std::vector<int> number(cut.points_mm.size(), -1);
-  for (std::size_t t = 0; t < cut.triangles.size(); ++t) {
-    if ((on_wall[t] != 0) != wall) continue;
-    std::array<int, 3> triangle = cut.triangles[t];
-    for (int& p : triangle) {
-      int& known = number[static_cast<std::size_t>(p)];
-      if (known < 0) {
-        known = static_cast<int>(part.points_mm.size());
-        part.points_mm.push_back(cut.points_mm[static_cast<std::size_t>(p)]);
-      }
-      p = known;
-    }
-    part.triangles.push_back(triangle);
-  }
-  return part;
-}
-
 // The end of a colour scale that suits a largest value: 5, 10, 15, 20, 30, 50, 75, 100, 150, ...
 double round_range_mm(double largest_mm) {
   for (double decade = 10;; decade *= 10) {
@@ -60,16 +36,6 @@ double round_range_mm(double largest_mm) {
       if (largest_mm <= step * decade) return step * decade;
     }
   }
-}
-
-// Where the tissue is now that was at a place on a surface at rest: with its nearest point.
-Eigen::Vector3d moved_with(const std::vector<Eigen::Vector3d>& rest_mm, const std::vector<Eigen::Vector3d>& now_mm,
-                           const Eigen::Vector3d& place_mm) {
-  std::size_t nearest = 0;
-  for (std::size_t p = 1; p < rest_mm.size(); ++p) {
-    if ((rest_mm[p] - place_mm).squaredNorm() < (rest_mm[nearest] - place_mm).squaredNorm()) nearest = p;
-  }
-  return place_mm + now_mm[nearest] - rest_mm[nearest];
 }
 
 // Large organs around must not hide the liver.
@@ -145,23 +111,16 @@ void PatientViews::show_patient(const Patient& patient) {
   views_.space().frame_all();
 }
 
-namespace {
-
-// Of an answer that is not to be used no length is told: neither beside a landmark nor by a colour bar.
-bool has_figures(const std::optional<rehearsal::RehearsalState>& state) { return !state || state->validity.usable(); }
-
-}  // namespace
-
 void PatientViews::show_state(const rehearsal::RehearsalState* state, const std::vector<ToolInView>& tools) {
-  const bool had_figures = has_figures(state_);
+  const bool had_figures = has_figures();
   state_ = state != nullptr ? std::optional(*state) : std::nullopt;
   tools_ = tools;
   const double largest_mm = state_ ? state_->patient.max_displacement_mm : 0;
-  if (liver_colour_ == LiverColour::displacement && had_figures != has_figures(state_)) {
+  if (liver_colour_ == LiverColour::displacement && had_figures != has_figures()) {
     rebuild_space();
     return;
   }
-  if (liver_colour_ == LiverColour::displacement && has_figures(state_) &&
+  if (liver_colour_ == LiverColour::displacement && has_figures() &&
       (largest_mm > colour_range_mm_ || largest_mm < 0.2 * colour_range_mm_) &&
       round_range_mm(largest_mm) != colour_range_mm_) {
     colour_range_mm_ = round_range_mm(largest_mm);
@@ -169,28 +128,6 @@ void PatientViews::show_state(const rehearsal::RehearsalState* state, const std:
     return;
   }
   apply_state();
-}
-
-void PatientViews::draw_cut(const rehearsal::SessionCut* cut) {
-  std::vector<geometry::Surface> parts;
-  if (cut != nullptr) parts = {part_on_wall(cut->patient, false), part_on_wall(cut->patient, true)};
-  const bool same = std::equal(parts.begin(), parts.end(), cut_body_.begin(), cut_body_.end(),
-                               [](const auto& a, const auto& b) { return a.triangles == b->triangles; });
-  if (!same) {
-    cut_body_.clear();
-    for (geometry::Surface& part : parts) {
-      cut_body_.push_back(std::make_shared<const geometry::Surface>(std::move(part)));
-    }
-    crossed_ = cut != nullptr ? cut->crossed : std::vector<std::size_t>();
-    rebuild_space();
-    return;
-  }
-  for (std::size_t k = 0; k < parts.size(); ++k) {
-    const auto points_mm = std::make_shared<const std::vector<Eigen::Vector3d>>(std::move(parts[k].points_mm));
-    for (SpaceView* space : {&views_.space(), &views_.second_space()}) {
-      space->view().move_surface(cut_body_[k], points_mm);
-    }
-  }
 }
 
 void PatientViews::set_bodies(Bodies bodies) {
@@ -287,7 +224,7 @@ scene::SurfaceItem PatientViews::item(std::size_t structure, const Body& body, B
     item.colour = &body == &atlas_body_ ? red : blue;
     item.opacity = structure == 0 ? 0.45 : 0.8;
     item.finish = scene::Finish::light;
-  } else if (structure == 0 && liver_colour_ == LiverColour::displacement && has_figures(state_)) {
+  } else if (structure == 0 && liver_colour_ == LiverColour::displacement && has_figures()) {
     item.opacity = 0.9;
     item.colouring = scene::Colouring{
         distance_field, scene::ColourMap::viridis, {0, colour_range_mm_}, tr("Displacement (mm)").toStdString()};
@@ -392,78 +329,6 @@ void PatientViews::rebuild_slices() {
   views_.show_slices(content);
   apply_state();
   Q_EMIT slices_rebuilt();
-}
-
-void PatientViews::apply_state() {
-  const bool moved = state_ && !at_rest();
-  const rehearsal::RehearsalBody* own = moved ? &state_->patient : nullptr;
-  const rehearsal::RehearsalBody* atlas = moved && state_->atlas ? &*state_->atlas : nullptr;
-  move_body(patient_body_, own);
-  move_body(atlas_body_, atlas);
-  draw_cut(moved ? state_->cut.get() : nullptr);
-
-  draw_marks(views_.space(), bodies_ == Bodies::atlas && atlas != nullptr ? atlas : own);
-  if (bodies_ == Bodies::side_by_side) draw_marks(views_.second_space(), atlas != nullptr ? atlas : own);
-  // On the screen that is said above the views; a picture that leaves it says it itself, by its first clause.
-  static const QRegularExpression end_of_clause("[:,]");
-  views_.set_caption_of_pictures(translated(patient_.origin).section(end_of_clause, 0, 0));
-  views_.redraw();
-}
-
-void PatientViews::draw_marks(SpaceView& space, const rehearsal::RehearsalBody* shown) {
-  std::vector<scene::LandmarkItem> landmarks;
-  if (shown != nullptr) {
-    for (const auto& landmark : shown->landmarks) {
-      const bool named = landmark.id == marked_landmark_ || landmark.id.starts_with("tumour");
-      const bool known = has_figures(state_);
-      const bool far = known && landmark.displacement_mm >= rehearsal::significant_mm;
-      const QString name = structure_label(landmark.id);
-      const QString text = known ? tr("%1  %2 mm").arg(name).arg(landmark.displacement_mm, 0, 'f', 1) : name;
-      landmarks.push_back({named ? text.toStdString() : std::string(), landmark.displaced_mm,
-                           landmark.id == marked_landmark_ ? 3.5 : 2.2, far ? amber : calm});
-    }
-  }
-  std::vector<scene::ArrowItem> arrows;
-  std::vector<scene::RodItem> rods;
-  std::optional<SpaceView::Grips> grips;
-  for (const ToolInView& tool : at_rest() ? std::vector<ToolInView>() : tools_) {
-    Eigen::Vector3d at_mm = tool.center_mm;
-    if (shown != nullptr && !shown->structures_mm.empty()) {
-      at_mm = moved_with(patient_body_.front()->points_mm, shown->structures_mm.front(), at_mm);
-    }
-    const Eigen::Vector3d reach_mm = arrow_length_mm(tool.force_N) * tool.direction;
-    const Eigen::Vector3d free_end_mm = at_mm + (tool.pulls ? reach_mm : Eigen::Vector3d(-reach_mm));
-    arrows.push_back({tool.pulls ? at_mm : free_end_mm, tool.pulls ? free_end_mm : at_mm, 3.2, tool_colour,
-                      tr("%1 N").arg(tool.force_N, 0, 'f', 1).toStdString()});
-    for (const mechanics::Rod& rod : drawn_tool(tool, at_mm))
-      rods.push_back({rod.from_mm, rod.to_mm, rod.radius_mm, tool_steel});
-    if (tool_movable_) grips = SpaceView::Grips{at_mm, free_end_mm};
-  }
-  if (workspace_) {
-    landmarks.insert(landmarks.end(), workspace_->marks.begin(), workspace_->marks.end());
-    arrows.insert(arrows.end(), workspace_->arrows.begin(), workspace_->arrows.end());
-  }
-  space.set_grips(grips);
-  space.view().set_landmarks(landmarks);
-  space.view().set_arrows(arrows);
-  space.view().set_rods(rods);
-}
-
-void PatientViews::move_body(const Body& body, const rehearsal::RehearsalBody* displaced) {
-  for (std::size_t k = 0; k < body.size(); ++k) {
-    const bool moved = displaced != nullptr && k < displaced->structures_mm.size();
-    const auto& rest_mm = body[k]->points_mm;
-    const auto& points_mm = moved ? displaced->structures_mm[k] : rest_mm;
-    const scene::Points shared_mm = moved ? std::make_shared<const std::vector<Eigen::Vector3d>>(points_mm) : nullptr;
-    for (SpaceView* space : {&views_.space(), &views_.second_space()}) space->view().move_surface(body[k], shared_mm);
-    for (SliceView* slice : views_.slices()) slice->view().move_surface(body[k], shared_mm);
-    if (k != 0 || liver_colour_ != LiverColour::displacement || !has_figures(state_) || bodies_ == Bodies::both)
-      continue;
-    std::vector<double> distance_mm(points_mm.size());
-    for (std::size_t p = 0; p < distance_mm.size(); ++p) distance_mm[p] = (points_mm[p] - rest_mm[p]).norm();
-    for (SpaceView* space : {&views_.space(), &views_.second_space()})
-      space->view().recolour_surface(body[k], distance_mm);
-  }
 }
 
 }  // namespace glisson::widgets

@@ -77,6 +77,8 @@ class PatientViews : public QObject {
   void draw_marks(SpaceView& space, const rehearsal::RehearsalBody* shown);
   void rebuild_slices();
   void apply_state();
+  // Of an answer that is not to be used no length is told: neither beside a landmark nor by a colour bar.
+  [[nodiscard]] bool has_figures() const { return !state_ || state_->validity.usable(); }
   void keep_window_now();
   void move_body(const Body& body, const rehearsal::RehearsalBody* displaced);
   [[nodiscard]] scene::SurfaceItem item(std::size_t structure, const Body& body, Bodies bodies) const;
