@@ -18,6 +18,7 @@ struct Options {
   std::string case_folder;
   bool list = false, compare = false;
   std::optional<std::string> add, drop, out, rank_by;
+  std::optional<double> body_weight_kg;
 };
 
 Json json_of_plan(const casefile::KeptPlan& kept, const Json& answer) {
@@ -38,6 +39,9 @@ std::string in_words(const Json& plan) {
   if (plan.contains("living_ml")) {
     text += fmt::format("  perfused and drained {:.0f} ml, ischaemic {:.0f} ml, congested {:.0f} ml\n",
                         number("living_ml"), number("ischaemic_ml"), number("congested_ml"));
+  }
+  if (plan.contains("living_percent_of_body_weight")) {
+    text += fmt::format("  what lives is {:.2f} % of the body's weight\n", number("living_percent_of_body_weight"));
   }
   if (plan.contains("margin_mm")) {
     text += fmt::format("  smallest margin {}{:.1f} mm\n", plan.value("margin_is_at_least", false) ? "at least " : "",
@@ -114,6 +118,15 @@ Result<Outcome> add(casefile::Case& patient, const std::string& file, const Prog
                     opened->remarks);
 }
 
+// Of a body of that weight, the liver as heavy as water. At least 0.5 % is what many surgeons want of a healthy liver
+// (Truant et al. 2007, J Am Coll Surg 204:22).
+void add_share_of_body(Json& plan, double body_weight_kg) {
+  for (const auto& [share, ml] : {std::pair{"remnant_percent_of_body_weight", "functional_remnant_ml"},
+                                  std::pair{"living_percent_of_body_weight", "living_ml"}}) {
+    if (plan.contains(ml)) plan[share] = plan.at(ml).get<double>() / (10 * body_weight_kg);
+  }
+}
+
 // In the order that was asked for, each with the names of those that beat it; those that failed last.
 std::vector<Json> put_in_order(std::vector<Json> described, const std::vector<planning::PlanAnswer>& answers,
                                const std::vector<std::size_t>& described_as, std::optional<planning::RankBy> by) {
@@ -153,6 +166,7 @@ Result<Outcome> compare(casefile::Case& patient, const Options& options, const P
     described.push_back(json_of_plan(kept, answer ? planning::answer_json(*answer, opened->planner.trees())
                                                   : Json{{"failed", answer.error().message()}}));
     if (answer) {
+      if (options.body_weight_kg) add_share_of_body(described.back(), *options.body_weight_kg);
       answers.push_back(*answer);
       described_as.push_back(described.size() - 1);
     } else {
@@ -204,7 +218,10 @@ void add_plan(CLI::App& app, Action& chosen) {
   command->add_option("--out", options->out, "With --compare: folder for plans.html and plans.csv");
   command->add_option("--rank-by", options->rank_by, "With --compare: the best first by margin, living or branches")
       ->check(CLI::IsMember({"margin", "living", "branches"}));
+  command->add_option("--body-weight-kg", options->body_weight_kg, "With --compare: what is left, of the body's weight")
+      ->check(CLI::Range(0.5, 500.0));
   command->callback([&chosen, options] {
+    if (options->body_weight_kg && !options->compare) throw CLI::RequiresError("--body-weight-kg", "--compare");
     if (options->rank_by && !options->compare) throw CLI::RequiresError("--rank-by", "--compare");
     if (options->out && !options->compare) throw CLI::RequiresError("--out", "--compare");
     chosen = [options](const Progress& progress) { return run(*options, progress); };

@@ -115,6 +115,8 @@ Table figures(const std::vector<Json>& plans, const Words& words) {
   row(GLISSON_TEXT("Left (%)"), plain("remnant_percent", 1));
   row(GLISSON_TEXT("Left and alive: perfused and drained (ml)"), plain("living_ml", 0));
   row(GLISSON_TEXT("Left and alive (%)"), plain("living_percent", 1));
+  row(GLISSON_TEXT("Left, of the body's weight (%)"), plain("remnant_percent_of_body_weight", 2));
+  row(GLISSON_TEXT("Left and alive, of the body's weight (%)"), plain("living_percent_of_body_weight", 2));
   row(GLISSON_TEXT("Left without inflow: ischaemic (ml)"), plain("ischaemic_ml", 0));
   row(GLISSON_TEXT("Left without outflow: congested (ml)"), plain("congested_ml", 0));
   row(GLISSON_TEXT("Smallest margin (mm)"), [&](const Json& plan) {

@@ -161,6 +161,9 @@ TEST_F(GeneratedCase, GoesFromVesselsToTreesToSegments) {
   EXPECT_GE(by_living[0].at("living_ml").get<double>(), by_living[1].at("living_ml").get<double>());
   EXPECT_TRUE(by_living[0].at("beaten_by").empty());
   EXPECT_EQ(glisson_cli({"plan", patient(), "--list", "--rank-by", "living"}).exit_code, 2);
+  const Json of_body = answer({"plan", patient(), "--compare", "--body-weight-kg", "80"}).at("plans")[0];
+  EXPECT_NEAR(of_body.at("living_percent_of_body_weight"), of_body.at("living_ml").get<double>() / 800, 1e-9);
+  EXPECT_EQ(glisson_cli({"plan", patient(), "--compare", "--body-weight-kg", "0"}).exit_code, 2);
   const auto csv = read_text_file(file("compared/plans.csv"));
   ASSERT_TRUE(csv);
   EXPECT_EQ(std::count(csv->begin(), csv->end(), '\n'), 3);  // a head and two plans
