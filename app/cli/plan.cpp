@@ -159,6 +159,7 @@ Result<Outcome> compare(casefile::Case& patient, const Options& options, const P
   if (!opened) return failure(opened.error());
   std::vector<Json> described;
   std::vector<planning::PlanAnswer> answers;
+  report::Page resectograms;              // those of all plans, for the end of the page
   std::vector<std::size_t> described_as;  // of each answer
   for (const casefile::KeptPlan& kept : *plans) {
     const auto answer = opened->planner.answer(kept.plan.cuts);
@@ -166,6 +167,11 @@ Result<Outcome> compare(casefile::Case& patient, const Options& options, const P
     described.push_back(json_of_plan(kept, answer ? planning::answer_json(*answer, opened->planner.trees())
                                                   : Json{{"failed", answer.error().message()}}));
     if (answer) {
+      if (options.out) {
+        if (auto unrolled = opened->planner.resectograms(kept.plan.cuts)) {
+          report::add_resectograms(resectograms, kept.plan.name, *unrolled, {});
+        }
+      }
       if (options.body_weight_kg) add_share_of_body(described.back(), *options.body_weight_kg);
       answers.push_back(*answer);
       described_as.push_back(described.size() - 1);
@@ -178,7 +184,8 @@ Result<Outcome> compare(casefile::Case& patient, const Options& options, const P
   Outcome outcome = outcome_of(described, opened->remarks);
   if (!options.out) return outcome;
   const std::filesystem::path folder = *options.out;
-  const report::Page page = report::plan_comparison(described, patient.origin(), opened->remarks);
+  report::Page page = report::plan_comparison(described, patient.origin(), opened->remarks);
+  std::move(resectograms.blocks.begin(), resectograms.blocks.end(), std::back_inserter(page.blocks));
   auto written = write_together([&] {
     return report::write_html(folder / "plans.html", page).and_then([&] {
       return write_file(folder / "plans.csv", report::plan_table(described));

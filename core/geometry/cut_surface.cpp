@@ -99,6 +99,13 @@ Result<CutSurface> CutSurface::through(const std::vector<Vector3d>& points_mm) {
   return surface;
 }
 
+Vector2d CutSurface::across_mm(const Vector3d& position_mm) const { return plane_ * (position_mm - point_mm_); }
+
+Vector3d CutSurface::on_surface_mm(const Vector2d& across_mm) const {
+  const Vector3d in_plane_mm = point_mm_ + plane_.transpose() * across_mm;
+  return in_plane_mm - height_mm(in_plane_mm) * normal_;
+}
+
 double CutSurface::height_mm(const Vector3d& position_mm) const {
   const Vector3d arm = position_mm - point_mm_;
   double sheet_mm = 0;

@@ -24,6 +24,10 @@ class CutSurface {
   // How far above the surface (mm), along the plane's normal: for a plane the signed distance. Zero on the surface.
   [[nodiscard]] double height_mm(const Eigen::Vector3d& position_mm) const;
 
+  // Along two axes across the normal, from point_mm(); and the place of the surface over such a pair.
+  [[nodiscard]] Eigen::Vector2d across_mm(const Eigen::Vector3d& position_mm) const;
+  [[nodiscard]] Eigen::Vector3d on_surface_mm(const Eigen::Vector2d& across_mm) const;
+
   [[nodiscard]] const Eigen::Vector3d& point_mm() const { return point_mm_; }
   [[nodiscard]] const Eigen::Vector3d& normal() const { return normal_; }
   [[nodiscard]] bool is_plane() const { return centers_mm_.cols() == 0; }

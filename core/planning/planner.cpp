@@ -9,6 +9,7 @@
 #include "planning/internal/margin_to_cut.h"
 #include "planning/internal/removal.h"
 #include "planning/internal/tissue_counts.h"
+#include "planning/internal/unrolled.h"
 
 namespace glisson::planning {
 
@@ -233,6 +234,18 @@ Result<imaging::Mask> Planner::parts(const std::vector<Cut>& cuts) const {
                    [](std::uint8_t goes) { return static_cast<std::uint8_t>(goes != 0 ? 2 : 1); });
   }
   return mask;
+}
+
+Result<std::vector<Resectogram>> Planner::resectograms(const std::vector<Cut>& cuts, double step_mm) const {
+  const Liver& liver = *liver_;
+  const auto removal = removal_by(cuts, liver.cuttable());
+  if (!removal) return failure(removal.error());
+  const CutOff vessels = liver.cut_off_by(*removal);
+  std::vector<Resectogram> maps;
+  for (const PreparedCut& cut : removal->cuts) {
+    if (cut.surface) maps.push_back(unrolled(*cut.surface, liver.organ, liver.tumours, liver.trees, vessels, step_mm));
+  }
+  return maps;
 }
 
 const vasculature::VesselTrees& Planner::trees() const { return liver_->trees; }

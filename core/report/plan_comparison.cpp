@@ -1,9 +1,12 @@
 #include "report/plan_comparison.h"
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "base/json.h"
+#include "report/html.h"
 #include "vasculature/couinaud.h"
 
 namespace glisson::report {
@@ -23,6 +26,7 @@ Table figures(const std::vector<Json>& plans, const Words& words);
 Plot margin_against_tissue(const std::vector<Json>& plans, const Words& words);
 Table segments_left(const std::vector<Json>& plans, const Words& words);
 Table branches_cut(const Json& plan, const Words& words);
+std::string svg_of(const planning::Resectogram& map);
 
 }  // namespace
 
@@ -55,6 +59,19 @@ void add_plans(Page& page, const std::vector<Json>& plans, const Words& words) {
   for (const Json& plan : plans) {
     if (Table branches = branches_cut(plan, words); !branches.rows.empty()) page.blocks.push_back(std::move(branches));
   }
+}
+
+void add_resectograms(Page& page, const std::string& plan, const std::vector<planning::Resectogram>& maps,
+                      const Words& words) {
+  DrawingRow row;
+  for (const planning::Resectogram& map : maps) {
+    row.drawings.push_back(
+        {svg_of(map),
+         words.say(GLISSON_TEXT("{0}: the cut unrolled flat. Purple: tumour; red: less than 5 mm from one; amber: less "
+                                "than 10 mm. Rings: vessels that are cut."),
+                   {plan})});
+  }
+  if (!row.drawings.empty()) page.blocks.push_back(std::move(row));
 }
 
 std::string plan_table(const std::vector<Json>& plans) {
@@ -159,6 +176,37 @@ Plot margin_against_tissue(const std::vector<Json>& plans, const Words& words) {
   }
   plot.rules.push_back({Rule::Along::x, 5, "5 mm"});
   return plot;
+}
+
+// A rectangle a stretch of one colour; rows from the top.
+std::string svg_of(const planning::Resectogram& map) {
+  const auto colour = [&](int column, int row) -> const char* {
+    const double mm = map.at(column, row);
+    if (std::isnan(mm)) return nullptr;
+    return mm <= 0 ? "#5b2a86" : mm < 5 ? "#c0392b" : mm < 10 ? "#e2a83a" : "#a9c3b0";
+  };
+  std::string svg = fmt::format(
+      R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="-4 -4 {} {}" width="{}" shape-rendering="crispEdges">)",
+      map.columns + 8, map.rows + 8, 3 * (map.columns + 8));
+  for (int row = 0; row < map.rows; ++row) {
+    for (int column = 0; column < map.columns;) {
+      const char* const fill = colour(column, row);
+      const int first = column;
+      while (column < map.columns && colour(column, row) == fill) ++column;
+      if (fill == nullptr) continue;
+      svg += fmt::format(R"(<rect x="{}" y="{}" width="{}" height="1" fill="{}"/>)", first, map.rows - 1 - row,
+                         column - first, fill);
+    }
+  }
+  for (const planning::Resectogram::Vessel& vessel : map.vessels) {
+    svg += fmt::format(
+        R"(<circle cx="{:.1f}" cy="{:.1f}" r="{:.1f}" fill="none" stroke="#1b4f9c" stroke-width="0.8"><title>{}</title></circle>)",
+        vessel.column + 0.5, map.rows - 0.5 - vessel.row, std::max(1.5, vessel.radius_mm / map.step_mm),
+        escaped(vessel.name));
+  }
+  svg += fmt::format(R"(<path d="M0 {0}h{1}" stroke="#333" stroke-width="1"/>)", map.rows + 2, 20 / map.step_mm);
+  return svg + fmt::format(R"(<text x="{}" y="{}" font-size="4" fill="#333">20 mm</text></svg>)", 20 / map.step_mm + 2,
+                           map.rows + 3.5);
 }
 
 Table segments_left(const std::vector<Json>& plans, const Words& words) {

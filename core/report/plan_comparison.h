@@ -7,6 +7,7 @@
 
 #include "base/json_forward.h"
 #include "base/sentence.h"
+#include "planning/resectogram.h"
 #include "report/page.h"
 #include "report/words.h"
 
@@ -18,6 +19,10 @@ namespace glisson::report {
 
 // The tables alone, for a page of more.
 void add_plans(Page& page, const std::vector<Json>& plans, const Words& words);
+
+// The surfaces of a plan's cuts unrolled flat, with bands of 5 and 10 mm around its tumours, and the vessels cut.
+void add_resectograms(Page& page, const std::string& plan, const std::vector<planning::Resectogram>& maps,
+                      const Words& words);
 
 // A line a plan; empty where a figure is not known.
 [[nodiscard]] std::string plan_table(const std::vector<Json>& plans);

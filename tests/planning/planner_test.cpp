@@ -349,6 +349,49 @@ TEST(Planner, MeasuresTheMarginOfAnAblation) {
   EXPECT_EQ(planner->answer({AblationCut{tumour_mm, {0, 0, 1}, 5, 1e9}}).error().code, "ablation-invalid");
 }
 
+// At each place of a plane, and of a bent sheet, the distance to the tumour's border, and the vessels that are cut.
+TEST(Planner, UnrollsTheCutWithItsMargins) {
+  const auto planner = Planner::open(parts_of_ball());
+  ASSERT_TRUE(planner);
+  SheetCut sheet;
+  for (const double y : {-35.0, -10.0, 15.0, 35.0}) {
+    for (const double z : {-30.0, -5.0, 20.0, 38.0}) sheet.through_mm.emplace_back(4 + 5 * std::sin(y / 12), y, z);
+  }
+  const PlaneCut plane{{3, 0, 0}, {1, 0.2, 0}, Removed::smaller};
+  const geometry::CutSurface surfaces[] = {geometry::CutSurface::plane(plane.point_mm, plane.normal).value(),
+                                           geometry::CutSurface::through(sheet.through_mm).value()};
+  const std::vector<Cut> cuts = {plane, sheet};
+  for (std::size_t n = 0; n < 2; ++n) {
+    const auto maps = planner->resectograms({cuts[n]});
+    ASSERT_TRUE(maps);
+    ASSERT_EQ(maps->size(), 1u);
+    const Resectogram& map = maps->front();
+    // By the voxels themselves: those that the surface passes through.
+    double nearest_mm = 1e9, area_mm2 = 0, closest_mm = 1e9;
+    for_each_voxel(ball(), [&](int, int, int, const Vector3d& at) {
+      if (std::abs(surfaces[n].height_mm(at)) > 0.5) return;
+      nearest_mm = std::min(nearest_mm, std::max(0.0, (at - tumour_mm).norm() - tumour_radius_mm));
+    });
+    for (int row = 0; row < map.rows; ++row) {
+      for (int column = 0; column < map.columns; ++column) {
+        if (std::isnan(map.at(column, row))) continue;
+        area_mm2 += map.step_mm * map.step_mm;
+        closest_mm = std::min(closest_mm, map.at(column, row));
+      }
+    }
+    EXPECT_NEAR(closest_mm, nearest_mm, 1);
+    const double disc_mm2 = 3.14159265 * (40 * 40 - 9);
+    EXPECT_NEAR(area_mm2, disc_mm2, (n == 0 ? 0.02 : 0.1) * disc_mm2);
+    const auto answer = planner->answer({cuts[n]});
+    EXPECT_EQ(map.vessels.size(), answer->branches.size());
+    for (const auto& vessel : map.vessels) {
+      EXPECT_FALSE(vessel.name.empty());
+      EXPECT_TRUE(vessel.column > 0 && vessel.column < map.columns && vessel.row > 0 && vessel.row < map.rows);
+    }
+  }
+  EXPECT_TRUE(planner->resectograms({SegmentsCut{{2}}})->empty());
+}
+
 // A stem that runs along the border of what is taken stays, and so does what it feeds.
 TEST(Planner, SparesVesselsThatOnlyRunThroughASegment) {
   LiverParts parts = parts_of_ball();

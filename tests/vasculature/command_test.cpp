@@ -170,6 +170,16 @@ TEST_F(GeneratedCase, GoesFromVesselsToTreesToSegments) {
   const auto page = read_text_file(file("compared/plans.html"));
   ASSERT_TRUE(page);
   EXPECT_THAT(*page, testing::HasSubstr("Right portal vein"));
+  EXPECT_EQ(page->find("unrolled flat"), std::string::npos) << "cuts along the anatomy have no surface";
+  answer({"plan", patient(), "--add",
+          plan(fmt::format(R"({{"name": "Plane", "plane": {{"point_mm": [{}, {}, {}], "normal": [1, 0.2, 0]}}}})",
+                           middle.x(), middle.y(), middle.z()))});
+  answer({"plan", patient(), "--compare", "--out", file("with-plane")});
+  const auto unrolled = read_text_file(file("with-plane/plans.html"));
+  ASSERT_TRUE(unrolled);
+  EXPECT_THAT(*unrolled, testing::HasSubstr("Plane: the cut unrolled flat"));
+  EXPECT_GT(std::count(unrolled->begin(), unrolled->end(), '<'), 200);
+  answer({"plan", patient(), "--drop", "Plane"});
   // As other programs read it: the eight segments, and what the plan leaves and takes, voxel for voxel.
   const auto volumes = [&](const std::string& out) {
     std::map<std::string, double> by_name_ml;

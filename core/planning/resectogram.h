@@ -1,0 +1,32 @@
+#pragma once
+// The surface of a cut unrolled flat, with how near the tumours are at each place of it: a resectogram.
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace glisson::planning {
+
+// Places step_mm apart along two axes across the surface's normal (u along a row, v from row to row); a sheet's bend is
+// not unrolled, so that lengths along it are somewhat short.
+struct Resectogram {
+  double step_mm = 1;
+  int columns = 0, rows = 0;
+  // From the place to the border of the nearest tumour, mm, row by row; NaN beside the liver, 0 in a tumour,
+  // largest_margin_mm where there is none that near.
+  std::vector<double> margin_mm;
+
+  // Where branches are cut near the surface, in columns and rows.
+  struct Vessel {
+    std::string name;
+    double column = 0, row = 0, radius_mm = 0;
+  };
+  std::vector<Vessel> vessels;
+
+  [[nodiscard]] double at(int column, int row) const {
+    return margin_mm[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+                     static_cast<std::size_t>(column)];
+  }
+};
+
+}  // namespace glisson::planning
