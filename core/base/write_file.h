@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/files.h"
 #include "base/result.h"
 
 namespace glisson {
@@ -41,7 +42,7 @@ class MemoryFile {
   // `named_like`: the name that the file ends like, since writers choose the format by it.
   [[nodiscard]] static Result<MemoryFile> create(const std::filesystem::path& named_like);
   MemoryFile(MemoryFile&& other) noexcept;
-  MemoryFile& operator=(MemoryFile&& other) noexcept;
+  MemoryFile& operator=(MemoryFile&&) = delete;
   ~MemoryFile();
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
@@ -49,9 +50,10 @@ class MemoryFile {
   [[nodiscard]] Result<void> write_to(const std::filesystem::path& target) const;
 
  private:
-  MemoryFile() = default;
-  int descriptor_ = -1;
-  std::filesystem::path folder_, path_;
+  MemoryFile(TemporaryFolder folder, int descriptor, std::filesystem::path path);
+  TemporaryFolder folder_;  // of the name
+  int descriptor_;
+  std::filesystem::path path_;
 };
 
 }  // namespace glisson
