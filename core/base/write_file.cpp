@@ -38,7 +38,8 @@ class Part {
   Part(Part&& other) noexcept
       : descriptor_(std::exchange(other.descriptor_, -1)),
         path_(std::move(other.path_)),
-        holds_old_(other.holds_old_) {}
+        holds_old_(other.holds_old_),
+        removes_(other.removes_) {}
   Part& operator=(Part&&) = delete;
   ~Part();
 
@@ -47,12 +48,16 @@ class Part {
   [[nodiscard]] int flush() const;
   [[nodiscard]] int put_in_place(const fs::path& target);
   [[nodiscard]] int exchange_with(const fs::path& target);
+  // Nothing comes to the target in exchange for what is there.
+  void remove_instead() { removes_ = true; }
 
  private:
+  [[nodiscard]] int take_away(const fs::path& target);
   Part(int descriptor, fs::path path) : descriptor_(descriptor), path_(std::move(path)) {}
   int descriptor_ = -1;
   fs::path path_;           // empty once it stands in its place
   bool holds_old_ = false;  // what was at the target stands at the path
+  bool removes_ = false;
 };
 
 // A folder that is not there yet: it is filled beside its place, known by a lock as a part is, and renamed once.
@@ -102,6 +107,15 @@ Result<void> write_file(const fs::path& target, std::string_view bytes) {
   auto beside = place_in_new_folder(*together, target);
   if (!beside) return failure(std::move(beside.error()));
   return *beside ? write_bytes(**beside, bytes, true) : write_bytes(target, bytes, false);
+}
+
+Result<void> remove_file(const fs::path& file) {
+  if (together == nullptr) return write_together([&] { return remove_file(file); });
+  auto part = Part::begin(file);
+  if (!part) return failure(std::move(part.error()));
+  part->remove_instead();
+  together->written.emplace_back(std::move(*part), file);
+  return {};
 }
 
 Result<void> write_copy(const fs::path& source, const fs::path& target) {
@@ -280,12 +294,21 @@ int Part::put_in_place(const fs::path& target) {
 
 // There and back.
 int Part::exchange_with(const fs::path& target) {
+  if (removes_) return take_away(target);
   std::error_code problem;
   const bool is_there = fs::exists(fs::symlink_status(target, problem));
   const bool mine = stands_at(descriptor_, path_);
   const int code = exchange_files(path_, target);
   if (code == 0) holds_old_ = mine && is_there;
   return code;
+}
+
+int Part::take_away(const fs::path& target) {
+  const fs::path& from = holds_old_ ? path_ : target;
+  const fs::path& to = holds_old_ ? target : path_;
+  if (::rename(from.c_str(), to.c_str()) != 0) return errno;
+  holds_old_ = !holds_old_;
+  return 0;
 }
 
 Result<NewFolder> NewFolder::begin(const fs::path& target) {

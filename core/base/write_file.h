@@ -26,6 +26,9 @@ Result<void> write_copy(const std::filesystem::path& source, const std::filesyst
 // may be read back. A call inside of another joins it.
 Result<void> write_together(const std::function<Result<void>()>& write);
 
+// Removes the file, as one of those that are written together where that is under way.
+Result<void> remove_file(const std::filesystem::path& file);
+
 // The two files take each other's places, or the one that is there the other's. 0, or what the system says of it. On
 // file systems that know no exchange the first takes the second's place, which is then gone.
 [[nodiscard]] int exchange_files(const std::filesystem::path& one, const std::filesystem::path& other);

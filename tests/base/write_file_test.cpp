@@ -144,6 +144,31 @@ TEST(WriteFile, FilesWrittenTogetherAreAllThereOrNone) {
 }
 
 // All of a new folder, or nothing of it: whoever waits for the folder finds it whole.
+TEST(WriteFile, AFileGoesWithThoseWrittenTogetherOrStays) {
+  const TemporaryFolder folder;
+  const fs::path old = folder.path() / "tumour-2.vtp", other = folder.path() / "truth.json";
+  ASSERT_TRUE(write_file(old, "old"));
+  const auto change = [&](bool ends_well) {
+    return write_together([&]() -> Result<void> {
+      if (auto removed = remove_file(old); !removed) return removed;
+      if (auto written = write_file(other, "new"); !written) return written;
+      if (!ends_well) return failure("test", "no");
+      return {};
+    });
+  };
+  EXPECT_FALSE(change(false));
+  EXPECT_EQ(read_text_file(old).value(), "old");
+  EXPECT_FALSE(fs::exists(other));
+  // One that is not there to be removed brings back those that were removed before it.
+  const fs::path never_there = folder.path() / "cyst-9.vtp";
+  EXPECT_FALSE(write_together([&] { return remove_file(old).and_then([&] { return remove_file(never_there); }); }));
+  EXPECT_EQ(read_text_file(old).value(), "old");
+  EXPECT_EQ(files_in(folder.path()), 1u);
+  EXPECT_TRUE(change(true));
+  EXPECT_FALSE(fs::exists(old));
+  EXPECT_EQ(files_in(folder.path()), 1u);
+}
+
 TEST(WriteFile, ANewFolderWrittenTogetherTakesItsPlaceAsAWhole) {
   const TemporaryFolder folder;
   const fs::path results = folder.path() / "2026" / "results", mesh = results / "meshes" / "result.vtu";
