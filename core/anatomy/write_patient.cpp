@@ -1,10 +1,13 @@
 #include "anatomy/write_patient.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <set>
 
 #include "base/files.h"
 #include "base/json.h"
+#include "base/write_file.h"
 #include "geometry/mesh_file.h"
 #include "imaging/volume_file.h"
 #include "segmentation/rasterise.h"
@@ -17,8 +20,6 @@ namespace {
 using Eigen::Vector3d;
 using imaging::Grid;
 using imaging::Mask;
-
-constexpr std::array<const char*, 4> parts = {"surfaces", "labels", "trees", "truth.json"};
 
 double rounded(double value) { return std::round(value * 1000) / 1000; }
 Json rounded(const Vector3d& position_mm) {
@@ -86,12 +87,8 @@ Result<void> write_labels(const fs::path& folder, const Patient& patient, const 
   return {};
 }
 
-Result<void> write_all(const fs::path& folder, const Patient& patient, const WriteOptions& options) {
-  for (const char* part : {"surfaces", "labels", "trees"}) {
-    std::error_code problem;  // shows in the writing
-    fs::create_directories(folder / part, problem);
-  }
-  const std::vector<NamedSurface> surfaces = surfaces_of(patient);
+Result<void> write_all(const fs::path& folder, const Patient& patient, const std::vector<NamedSurface>& surfaces,
+                       const WriteOptions& options) {
   if (auto written = write_surfaces(folder / "surfaces", surfaces); !written) return written;
   if (options.labels) {
     auto written = write_labels(folder / "labels", patient, surfaces, options.label_spacing_mm);
@@ -104,29 +101,39 @@ Result<void> write_all(const fs::path& folder, const Patient& patient, const Wri
   return write_text_file(folder / "truth.json", truth_text(patient));
 }
 
+// A structure of another patient's, as a second tumour, that this one has not.
+Result<void> remove_others(const fs::path& folder, const std::vector<NamedSurface>& surfaces, bool labels) {
+  std::set<std::string> mine;
+  for (const auto& [name, surface] : surfaces) mine.insert(name + ".vtp");
+  for (const auto& [name, surface] : surfaces) {
+    if (labels) mine.insert(name + ".nrrd");
+  }
+  if (labels) mine.insert("couinaud.nrrd");
+  constexpr std::array<const char*, 9> kinds = {"liver",     "portal-vein", "hepatic-vein", "artery", "gallbladder",
+                                                "vena-cava", "couinaud",    "tumour-",      "cyst-"};
+  std::error_code problem;
+  for (const char* part : {"surfaces", "labels"}) {
+    for (fs::directory_iterator file(folder / part, problem), end; !problem && file != end; file.increment(problem)) {
+      const std::string name = file->path().filename().string();
+      const bool generated = std::any_of(kinds.begin(), kinds.end(), [&](const char* kind) {
+        return name.starts_with(kind) && (name.ends_with(".vtp") || name.ends_with(".nrrd"));
+      });
+      if (!generated || mine.contains(name)) continue;
+      if (auto removed = remove_file(file->path()); !removed) return removed;
+    }
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<void> write_patient(const fs::path& folder, const Patient& patient, const WriteOptions& options) {
-  const fs::path beside = folder / ".anatomy-part";
-  std::error_code problem;
-  fs::remove_all(beside, problem);
-  if (auto written = write_all(beside, patient, options); !written) {
-    fs::remove_all(beside, problem);
-    return written;
-  }
-  for (const char* part : parts) {
-    fs::remove_all(folder / part, problem);
-    if (!problem) fs::rename(beside / part, folder / part, problem);
-    if (problem) {
-      return failure(Error{"anatomy-not-written",
-                           GLISSON_TEXT("{0} cannot be written: {1}."),
-                           {(folder / part).string(), problem.message()},
-                           GLISSON_TEXT("Check the folder and your rights there."),
-                           folder / part});
-    }
-  }
-  fs::remove_all(beside, problem);
-  return {};
+  const std::vector<NamedSurface> surfaces = surfaces_of(patient);
+  return write_together([&] {
+    return write_all(folder, patient, surfaces, options).and_then([&] {
+      return remove_others(folder, surfaces, options.labels);
+    });
+  });
 }
 
 std::string truth_text(const Patient& patient) {

@@ -24,7 +24,7 @@ struct WriteOptions {
   bool labels = true;
 };
 
-// Into `folder`, in place of what an earlier patient left there; what cannot be written leaves the earlier one whole.
+// Into `folder`, in place of the files of an earlier patient; what cannot be written leaves the earlier one whole.
 Result<void> write_patient(const std::filesystem::path& folder, const Patient& patient,
                            const WriteOptions& options = {});
 

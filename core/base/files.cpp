@@ -1,17 +1,12 @@
 #include "base/files.h"
 
 #include <openssl/evp.h>
-#include <unistd.h>
 #include <array>
-#include <cerrno>
 #include <cstdlib>
 #include <fstream>
 #include <memory>
 #include <sstream>
 #include <system_error>
-#include <utility>
-
-#include "base/write_file.h"
 
 namespace glisson {
 namespace fs = std::filesystem;
@@ -88,24 +83,6 @@ std::string sha256_of_text(std::string_view text) {
   Sha256 hash;
   hash.add(text.data(), text.size());
   return hash.digest();
-}
-
-Result<TemporaryFolder> TemporaryFolder::make() {
-  std::error_code problem;
-  const fs::path place = fs::temp_directory_path(problem);
-  if (problem) return file_not_writable(place, problem.message());
-  std::string pattern = (place / "glisson-XXXXXX").string();
-  if (::mkdtemp(pattern.data()) == nullptr) return file_not_writable(pattern, std::generic_category().message(errno));
-  return TemporaryFolder(pattern);
-}
-
-TemporaryFolder::TemporaryFolder() : TemporaryFolder(make().value()) {}
-
-TemporaryFolder::TemporaryFolder(TemporaryFolder&& other) noexcept : path_(std::exchange(other.path_, {})) {}
-
-TemporaryFolder::~TemporaryFolder() {
-  std::error_code ignored;
-  if (!path_.empty()) fs::remove_all(path_, ignored);
 }
 
 Result<fs::path> resource_folder() {

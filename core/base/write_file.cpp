@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/files.h"
+#include "base/internal/held_files.h"
 
 namespace glisson {
 namespace fs = std::filesystem;
@@ -38,7 +38,8 @@ class Part {
   Part(Part&& other) noexcept
       : descriptor_(std::exchange(other.descriptor_, -1)),
         path_(std::move(other.path_)),
-        holds_old_(other.holds_old_) {}
+        holds_old_(other.holds_old_),
+        removes_(other.removes_) {}
   Part& operator=(Part&&) = delete;
   ~Part();
 
@@ -47,12 +48,16 @@ class Part {
   [[nodiscard]] int flush() const;
   [[nodiscard]] int put_in_place(const fs::path& target);
   [[nodiscard]] int exchange_with(const fs::path& target);
+  // Nothing comes to the target in exchange for what is there.
+  void remove_instead() { removes_ = true; }
 
  private:
+  [[nodiscard]] int take_away(const fs::path& target);
   Part(int descriptor, fs::path path) : descriptor_(descriptor), path_(std::move(path)) {}
   int descriptor_ = -1;
   fs::path path_;           // empty once it stands in its place
   bool holds_old_ = false;  // what was at the target stands at the path
+  bool removes_ = false;
 };
 
 // A folder that is not there yet: it is filled beside its place, known by a lock as a part is, and renamed once.
@@ -92,8 +97,6 @@ Result<std::optional<fs::path>> place_in_new_folder(Together& files, const fs::p
 Result<void> put_all_in_place(Together& files);
 int rename_new(const fs::path& from, const fs::path& to);
 void flush_folder_of(const fs::path& target);
-bool locked(int descriptor);
-bool stands_at(int descriptor, const fs::path& path);
 int flushed(int descriptor);
 std::string reason_of(int code) { return std::generic_category().message(code); }
 
@@ -104,6 +107,15 @@ Result<void> write_file(const fs::path& target, std::string_view bytes) {
   auto beside = place_in_new_folder(*together, target);
   if (!beside) return failure(std::move(beside.error()));
   return *beside ? write_bytes(**beside, bytes, true) : write_bytes(target, bytes, false);
+}
+
+Result<void> remove_file(const fs::path& file) {
+  if (together == nullptr) return write_together([&] { return remove_file(file); });
+  auto part = Part::begin(file);
+  if (!part) return failure(std::move(part.error()));
+  part->remove_instead();
+  together->written.emplace_back(std::move(*part), file);
+  return {};
 }
 
 Result<void> write_copy(const fs::path& source, const fs::path& target) {
@@ -167,36 +179,30 @@ void remove_abandoned_parts(const fs::path& folder) {
 }
 
 Result<MemoryFile> MemoryFile::create(const fs::path& named_like) {
-  MemoryFile made;
-  const auto refused = [&] { return file_not_writable(named_like, reason_of(errno)); };
-  made.descriptor_ = ::memfd_create("glisson", MFD_CLOEXEC);
-  if (made.descriptor_ < 0) return refused();
-  std::error_code problem;
-  std::string pattern = (fs::temp_directory_path(problem) / "glisson-XXXXXX").string();
-  if (problem) return file_not_writable(named_like, problem.message());
-  if (::mkdtemp(pattern.data()) == nullptr) return file_not_writable(pattern, reason_of(errno));
-  made.folder_ = pattern;
+  auto folder = TemporaryFolder::make();
+  if (!folder) return failure(std::move(folder.error()));
+  const int descriptor = ::memfd_create("glisson", MFD_CLOEXEC);
+  if (descriptor < 0) return file_not_writable(named_like, reason_of(errno));
   // Endings are short; the rest of the name says nothing to a writer.
   const std::string name = named_like.filename().string();
-  made.path_ = made.folder_ / ("file" + name.substr(name.size() - std::min<std::size_t>(name.size(), 12)));
-  fs::create_symlink("/proc/self/fd/" + std::to_string(made.descriptor_), made.path_, problem);
+  fs::path path = folder->path() / ("file" + name.substr(name.size() - std::min<std::size_t>(name.size(), 12)));
+  MemoryFile made(std::move(*folder), descriptor, std::move(path));
+  std::error_code problem;
+  fs::create_symlink("/proc/self/fd/" + std::to_string(descriptor), made.path_, problem);
   if (problem) return file_not_writable(made.path_, problem.message());
   return made;
 }
 
-MemoryFile::MemoryFile(MemoryFile&& other) noexcept { *this = std::move(other); }
+MemoryFile::MemoryFile(TemporaryFolder folder, int descriptor, fs::path path)
+    : folder_(std::move(folder)), descriptor_(descriptor), path_(std::move(path)) {}
 
-MemoryFile& MemoryFile::operator=(MemoryFile&& other) noexcept {
-  std::swap(descriptor_, other.descriptor_);
-  std::swap(folder_, other.folder_);
-  std::swap(path_, other.path_);
-  return *this;
-}
+MemoryFile::MemoryFile(MemoryFile&& other) noexcept
+    : folder_(std::move(other.folder_)),
+      descriptor_(std::exchange(other.descriptor_, -1)),
+      path_(std::move(other.path_)) {}
 
 MemoryFile::~MemoryFile() {
   if (descriptor_ >= 0) ::close(descriptor_);
-  std::error_code ignored;
-  if (!folder_.empty()) fs::remove_all(folder_, ignored);
 }
 
 Result<void> MemoryFile::write_to(const fs::path& target) const {
@@ -288,12 +294,21 @@ int Part::put_in_place(const fs::path& target) {
 
 // There and back.
 int Part::exchange_with(const fs::path& target) {
+  if (removes_) return take_away(target);
   std::error_code problem;
   const bool is_there = fs::exists(fs::symlink_status(target, problem));
   const bool mine = stands_at(descriptor_, path_);
   const int code = exchange_files(path_, target);
   if (code == 0) holds_old_ = mine && is_there;
   return code;
+}
+
+int Part::take_away(const fs::path& target) {
+  const fs::path& from = holds_old_ ? path_ : target;
+  const fs::path& to = holds_old_ ? target : path_;
+  if (::rename(from.c_str(), to.c_str()) != 0) return errno;
+  holds_old_ = !holds_old_;
+  return 0;
 }
 
 Result<NewFolder> NewFolder::begin(const fs::path& target) {
@@ -391,21 +406,6 @@ void flush_folder_of(const fs::path& target) {
     (void)flushed(folder);  // the file is whole in either place
     ::close(folder);
   }
-}
-
-// Where a file system knows no locks, each writer takes the file for its own.
-bool locked(int descriptor) {
-  int outcome = 0;
-  do outcome = ::flock(descriptor, LOCK_EX | LOCK_NB);
-  while (outcome != 0 && errno == EINTR);
-  return outcome == 0 || errno != EWOULDBLOCK;
-}
-
-bool stands_at(int descriptor, const fs::path& path) {
-  struct stat open_file {
-  }, named_file{};
-  return ::fstat(descriptor, &open_file) == 0 && ::lstat(path.c_str(), &named_file) == 0 &&
-         open_file.st_dev == named_file.st_dev && open_file.st_ino == named_file.st_ino;
 }
 
 int flushed(int descriptor) {

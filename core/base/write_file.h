@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/files.h"
 #include "base/result.h"
 
 namespace glisson {
@@ -25,6 +26,9 @@ Result<void> write_copy(const std::filesystem::path& source, const std::filesyst
 // may be read back. A call inside of another joins it.
 Result<void> write_together(const std::function<Result<void>()>& write);
 
+// Removes the file, as one of those that are written together where that is under way.
+Result<void> remove_file(const std::filesystem::path& file);
+
 // The two files take each other's places, or the one that is there the other's. 0, or what the system says of it. On
 // file systems that know no exchange the first takes the second's place, which is then gone.
 [[nodiscard]] int exchange_files(const std::filesystem::path& one, const std::filesystem::path& other);
@@ -41,7 +45,7 @@ class MemoryFile {
   // `named_like`: the name that the file ends like, since writers choose the format by it.
   [[nodiscard]] static Result<MemoryFile> create(const std::filesystem::path& named_like);
   MemoryFile(MemoryFile&& other) noexcept;
-  MemoryFile& operator=(MemoryFile&& other) noexcept;
+  MemoryFile& operator=(MemoryFile&&) = delete;
   ~MemoryFile();
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
@@ -49,9 +53,10 @@ class MemoryFile {
   [[nodiscard]] Result<void> write_to(const std::filesystem::path& target) const;
 
  private:
-  MemoryFile() = default;
-  int descriptor_ = -1;
-  std::filesystem::path folder_, path_;
+  MemoryFile(TemporaryFolder folder, int descriptor, std::filesystem::path path);
+  TemporaryFolder folder_;  // of the name
+  int descriptor_;
+  std::filesystem::path path_;
 };
 
 }  // namespace glisson

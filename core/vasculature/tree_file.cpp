@@ -44,7 +44,9 @@ bool read_branch(const Json& object, std::size_t index, TreeBranch& branch) {
   const double parent = number_in(object, "parent", -1);
   if (!(parent >= -1) || !(parent < static_cast<double>(index))) return false;
   branch.parent = static_cast<int>(parent);
-  branch.generation = static_cast<int>(number_in(object, "generation", 0));
+  const double generation = number_in(object, "generation", 0);
+  if (!(generation >= 0) || !(generation <= static_cast<double>(index))) return false;
+  branch.generation = static_cast<int>(generation);
   branch.length_mm = number_in(object, "length_mm", 0);
   branch.radius_mm = number_in(object, "radius_mm", 0);
   for (const Json& point : *points) {

@@ -58,7 +58,7 @@ Result<MovieWriter> MovieWriter::begin(const fs::path& file, double frames_per_s
   if (inside->is_video) {
     auto memory = MemoryFile::create(file);
     if (!memory) return failure(std::move(memory.error()));
-    inside->memory = std::move(*memory);
+    inside->memory.emplace(std::move(*memory));
     return MovieWriter(std::move(inside));
   }
   inside->beside = folder / ("." + file.stem().string() + ".part" + file.extension().string());

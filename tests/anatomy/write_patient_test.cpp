@@ -1,6 +1,7 @@
 // What is written of a generated patient opens again, says that it is simulated, and is the same to the byte.
 
 #include <gtest/gtest.h>
+#include <set>
 
 #include "anatomy/write_patient.h"
 #include "base/files.h"
@@ -47,7 +48,27 @@ TEST(WrittenPatient, OpensAgainAndSaysThatItIsSimulated) {
   EXPECT_EQ(tree.at("format"), "glisson-vessel-tree/1");
   ASSERT_EQ(tree.at("nodes").size(), patient.portal_vein.nodes.size());
   for (const Json& node : tree.at("nodes")) EXPECT_LT(node.at("parent").get<int>(), node.at("id").get<int>());
-  EXPECT_FALSE(fs::exists(folder.path() / ".anatomy-part"));
+}
+
+TEST(WrittenPatient, LeavesNothingOfThePatientBeforeAndWhateverElseLiesThere) {
+  const TemporaryFolder folder;
+  Patient patient = small_patient();
+  ASSERT_TRUE(write_patient(folder.path(), patient, {8, true}));
+  ASSERT_TRUE(write_text_file(folder.path() / "surfaces/mine.vtp", "mine"));
+  const auto files = [&] {
+    std::set<std::string> names;
+    for (const auto& entry : fs::recursive_directory_iterator(folder.path())) {
+      if (entry.is_regular_file()) names.insert(entry.path().lexically_relative(folder.path()).string());
+    }
+    return names;
+  };
+  auto expected = files();
+  patient.lesions.clear();
+  ASSERT_TRUE(write_patient(folder.path(), patient, {8, true}));
+  EXPECT_EQ(expected.erase("surfaces/tumour-1.vtp") + expected.erase("labels/tumour-1.nrrd"), 2u);
+  EXPECT_EQ(files(), expected);  // no hidden part either
+  EXPECT_EQ(read_text_file(folder.path() / "surfaces/mine.vtp").value(), "mine");
+  EXPECT_TRUE(read_json_file(folder.path() / "truth.json").value().at("lesions").empty());
 }
 
 TEST(WrittenPatient, IsTheSameToTheByte) {

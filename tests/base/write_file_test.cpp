@@ -4,11 +4,14 @@
 #include <gmock/gmock.h>
 #include <sys/file.h>
 #include <sys/resource.h>
+#include <sys/wait.h>
 #include <unistd.h>
 #include <csignal>
+#include <cstdlib>
 #include <fstream>
 
 #include "base/files.h"
+#include "base/internal/abandoned_folders.h"
 #include "base/write_file.h"
 
 namespace glisson {
@@ -141,6 +144,31 @@ TEST(WriteFile, FilesWrittenTogetherAreAllThereOrNone) {
 }
 
 // All of a new folder, or nothing of it: whoever waits for the folder finds it whole.
+TEST(WriteFile, AFileGoesWithThoseWrittenTogetherOrStays) {
+  const TemporaryFolder folder;
+  const fs::path old = folder.path() / "tumour-2.vtp", other = folder.path() / "truth.json";
+  ASSERT_TRUE(write_file(old, "old"));
+  const auto change = [&](bool ends_well) {
+    return write_together([&]() -> Result<void> {
+      if (auto removed = remove_file(old); !removed) return removed;
+      if (auto written = write_file(other, "new"); !written) return written;
+      if (!ends_well) return failure("test", "no");
+      return {};
+    });
+  };
+  EXPECT_FALSE(change(false));
+  EXPECT_EQ(read_text_file(old).value(), "old");
+  EXPECT_FALSE(fs::exists(other));
+  // One that is not there to be removed brings back those that were removed before it.
+  const fs::path never_there = folder.path() / "cyst-9.vtp";
+  EXPECT_FALSE(write_together([&] { return remove_file(old).and_then([&] { return remove_file(never_there); }); }));
+  EXPECT_EQ(read_text_file(old).value(), "old");
+  EXPECT_EQ(files_in(folder.path()), 1u);
+  EXPECT_TRUE(change(true));
+  EXPECT_FALSE(fs::exists(old));
+  EXPECT_EQ(files_in(folder.path()), 1u);
+}
+
 TEST(WriteFile, ANewFolderWrittenTogetherTakesItsPlaceAsAWhole) {
   const TemporaryFolder folder;
   const fs::path results = folder.path() / "2026" / "results", mesh = results / "meshes" / "result.vtu";
@@ -188,6 +216,51 @@ TEST(WriteFile, ALinkIsReplacedAndNotWrittenThrough) {
   ASSERT_TRUE(write_file(link, "ours"));
   EXPECT_EQ(read_text_file(outside).value(), "theirs");
   EXPECT_FALSE(fs::is_symlink(link));
+}
+
+// The child makes a temporary folder and lives until it is killed.
+TEST(TemporaryFolder, OfAKilledProgramGoesAndOfALivingOneStays) {
+  const TemporaryFolder place;
+  int ends[2];
+  ASSERT_EQ(::pipe(ends), 0);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    ::setenv("TMPDIR", place.path().c_str(), 1);
+    const auto folder = TemporaryFolder::make();
+    const bool made = folder && std::ofstream(folder->path() / "film.mp4").put('x').good();
+    if (::write(ends[1], made ? "y" : "n", 1) != 1) ::_exit(1);
+    ::pause();
+  }
+  char answer = 0;
+  ASSERT_EQ(::read(ends[0], &answer, 1), 1);
+  ASSERT_EQ(answer, 'y');
+  const fs::path anothers = place.path() / "glisson.of-somebody";
+  fs::create_directory(anothers);
+  remove_abandoned_folders(place.path());
+  EXPECT_EQ(files_in(place.path()), 2u);
+  ::kill(child, SIGKILL);
+  ::waitpid(child, nullptr, 0);
+  remove_abandoned_folders(place.path());
+  EXPECT_EQ(files_in(place.path()), 1u);
+  EXPECT_TRUE(fs::exists(anothers));
+  for (const int end : ends) ::close(end);
+}
+
+TEST(TemporaryFolder, IsGoneWithItsFilesWhenItIsDestroyed) {
+  fs::path path;
+  {
+    const TemporaryFolder folder;
+    path = folder.path();
+    const auto memory = MemoryFile::create("a.nii.gz");
+    ASSERT_TRUE(memory);
+    EXPECT_EQ(memory->path().parent_path().parent_path(), path.parent_path());
+    std::ofstream(path / "file") << "x";
+    remove_abandoned_folders(path.parent_path());
+    EXPECT_TRUE(fs::exists(path / "file"));
+    EXPECT_TRUE(fs::is_symlink(memory->path()));
+    path = memory->path().parent_path();
+  }
+  EXPECT_FALSE(fs::exists(path));
 }
 
 }  // namespace

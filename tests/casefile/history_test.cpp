@@ -243,6 +243,7 @@ TEST_F(HistoryTest, KilledAtAnyMomentCaseAndHistoryOpenTogether) {
     const pid_t child = ::fork();
     if (child == 0) {
       ::setenv("GLISSON_TEST_CASE", folder_.c_str(), 1);
+      ::setenv("TMPDIR", temporary_.path().c_str(), 1);  // what a killed child leaves goes with the test
       ::execl("/proc/self/exe", "history", "--gtest_also_run_disabled_tests", "--gtest_filter=HistoryWorker.*",
               "--gtest_brief=1", nullptr);
       ::_exit(9);

@@ -85,15 +85,17 @@ TEST(EveryWriter, LeavesTheOldOrTheNewAndSaysWhich) {
   if (!can_watch_discs()) GTEST_SKIP() << "this system lets no program watch its child (seccomp user notification)";
   // In memory, where flushing costs nothing.
   if (fs::is_directory("/dev/shm")) ::setenv("TMPDIR", "/dev/shm", 0);
-  const TemporaryFolder prepared;
-  prepare(prepared.path());
+  const TemporaryFolder rooms;
+  const fs::path prepared = rooms.path() / "prepared";
+  fs::create_directory(prepared);
+  prepare(prepared);
   ASSERT_FALSE(HasFailure());
   const char* only = std::getenv("GLISSON_FAULTS_OF");
   std::size_t stops = 0, tried = 0;
   for (const Command& command : commands()) {
     if (only != nullptr && command.name != only) continue;
     SCOPED_TRACE(command.name);
-    Trial trial(command, prepared.path());
+    Trial trial(command, prepared);
     trial.run_whole();
     stops += trial.stops().size();
     for (const auto& [at, fault] : chosen_of(trial.stops(), command.name)) {
@@ -107,9 +109,7 @@ TEST(EveryWriter, LeavesTheOldOrTheNewAndSaysWhich) {
 }
 
 Trial::Trial(const Command& command, const fs::path& prepared)
-    : command_(command),
-      prepared_(prepared),
-      room_(prepared.parent_path() / (prepared.filename().string() + "-room")) {}
+    : command_(command), prepared_(prepared), room_(prepared.parent_path() / "room") {}
 
 DiscRun Trial::run_afresh(Fault fault, std::size_t at) {
   fs::remove_all(room_);
@@ -319,6 +319,7 @@ void prepare(const fs::path& room) {
   write_sequence(room / "video");
   run({"sirgn", "@video/sequence.json", "--method", "given", "--out", "@quality"});
   run({"register", "@stl/liver.stl", "@stl/liver.stl", "--method", "icp", "--out", "@moved.ply"});
+  run({"study", "anatomy", "--seed", "7", "--tumour", "20", "--label-spacing-mm", "8", "--out", "@patient"});
 }
 
 std::vector<Command> commands() {
@@ -348,6 +349,11 @@ std::vector<Command> commands() {
        true},
       {"explain", {"explain", "@material.json", "--out", "@explained"}},
       {"platform-learn", {"platform", "learn", "--device", "tx2-gpu", "--model", "@device.json", "--out", "@tx2.json"}},
+      {"study-anatomy", {"study", "anatomy", "--seed", "3", "--label-spacing-mm", "8", "--out", "@another"}},
+      {"study-anatomy-again",
+       {"study", "anatomy", "--seed", "3", "--label-spacing-mm", "8", "--out", "@patient"},
+       false,
+       true},
       {"study-sequence", {"study", "example-sequence", "--frames", "3", "--out", "@example"}},
       {"study-stiffness", {"study", "validate-stiffness", "--out", "@validation"}},
       {"study-cohort", {"study", "cohort", "--simulated", "2", "--out", "@cohort"}, true},

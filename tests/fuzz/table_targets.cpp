@@ -1,12 +1,10 @@
 // Documents and tables that people write by hand or with a script: JSON in our formats, and CSV. Seeds
 // are what ships, and short documents of each format.
 
-#include <functional>
-
 #include "base/csv.h"
 #include "base/files.h"
 #include "closedloop/experiment/experiment.h"
-#include "fuzz/target.h"
+#include "fuzz/reader_target.h"
 #include "geometry/mesh_file.h"
 #include "guidance/guidance_file.h"
 #include "hardware/convergence_curve.h"
@@ -22,21 +20,6 @@ namespace glisson::fuzz {
 namespace {
 
 namespace fs = std::filesystem;
-
-// A reader of a file, and its refusal told: an error says what is wrong.
-template <typename Reader>
-Target reader_of(const std::string& name, const std::string& file, std::vector<std::string> good, Reader read,
-                 std::function<void(const fs::path&)> beside = {}) {
-  const auto run = [=](const std::string& bytes, const fs::path& folder) {
-    if (beside && !fs::exists(folder / "beside")) {
-      beside(folder);
-      file_of("", folder, "beside");
-    }
-    const auto answer = read(file_of(bytes, folder, file));
-    if (!answer) promise(!answer.error().message().empty() && !answer.error().code.empty(), "a refusal says why");
-  };
-  return {name, [good = std::move(good)](const fs::path&) { return good; }, run};
-}
 
 std::string shipped(const char* file) { return read_text_file(test::source_folder() / "resources" / file).value(); }
 

@@ -45,7 +45,10 @@ TEST(TreeFile, WhatIsDamagedIsNamed) {
                   R"({"format": "glisson-vessel-trees/1", "portal_entry_mm": [0,0,0], "hepatic_entry_mm": [0,0,0]})"},
         std::pair{"branches[0]", R"({"format": "glisson-vessel-trees/1", "portal_entry_mm": [0,0,0],
           "hepatic_entry_mm": [0,0,0], "branches": [{"system": "portal-vein", "name": "a", "joint": "vessel",
-          "parent": 5, "points": [[0,0,0,1],[1,0,0,1]]}]})"}}) {
+          "parent": 5, "points": [[0,0,0,1],[1,0,0,1]]}]})"},
+        std::pair{"branches[0]", R"({"format": "glisson-vessel-trees/1", "portal_entry_mm": [0,0,0],
+          "hepatic_entry_mm": [0,0,0], "branches": [{"system": "portal-vein", "name": "a", "joint": "vessel",
+          "parent": -1, "generation": 1e300, "points": [[0,0,0,1],[1,0,0,1]]}]})"}}) {
     std::ofstream(file) << text;
     const auto read = read_trees(file);
     ASSERT_FALSE(read);

@@ -15,7 +15,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 import calculix
-from shape_functions import Locator
+from shape_functions import Locator, face_rule, face_values
 from specimens import boundary_triangles, brick_mesh, experiment_mesh, nested_mesh, write_vtu
 
 
@@ -188,12 +188,20 @@ def preload(scene, effects):
         return None
     nodes = np.zeros_like(scene.truth.points)
     if effects.pressure_kPa:
-        if "pressure" not in scene.footprints:
-            triangles, _, areas, normals = boundary_triangles(scene.experiment)
-            scene.footprints["pressure"] = spread(scene.truth, triangles, -areas[:, None] * normals)
-        nodes = effects.pressure_kPa * scene.footprints["pressure"]
+        nodes = effects.pressure_kPa * even_pressure(scene.truth)
     gravity = None if effects.gravity_m_s2 is None else 1000 * np.asarray(effects.gravity_m_s2, float)
     return calculix.Load(nodes, gravity)
+
+
+def even_pressure(mesh):
+    """mN on the nodes of bricks for 1 kPa on all of the surface, curved as their faces are: -int N n dA."""
+    nodes = np.zeros_like(mesh.points)
+    points = mesh.points[mesh.faces]
+    for place, weight in face_rule():
+        along, across = (np.einsum("k,nkd->nd", (face_values(place + step) - face_values(place - step)) / 2e-5, points)
+                         for step in (np.array([1e-5, 0]), np.array([0, 1e-5])))
+        np.add.at(nodes, mesh.faces, -weight * face_values(place)[:, None] * np.cross(along, across)[:, None])
+    return nodes
 
 
 def wandering(scene, effects, site):

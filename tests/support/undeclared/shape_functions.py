@@ -24,6 +24,23 @@ def brick_values(local):
     return np.hstack([(1 + at_corners).prod(axis=2) * (at_corners.sum(axis=2) - 2) / 8, along.prod(axis=2) / 4])
 
 
+QUAD_CORNERS = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)], float)
+QUAD_MIDDLES = np.array([(0, -1), (1, 0), (0, 1), (-1, 0)], float)
+
+
+def face_values(place):
+    """At a place in [-1, 1] x [-1, 1] of a face with eight nodes, in the order of Mesh.faces."""
+    at_corners, at_middles = place * QUAD_CORNERS, place * QUAD_MIDDLES
+    along = np.where(QUAD_MIDDLES == 0, 1 - place ** 2, 1 + at_middles)
+    return np.concatenate([(1 + at_corners).prod(axis=1) * (at_corners.sum(axis=1) - 1) / 4, along.prod(axis=1) / 2])
+
+
+def face_rule():
+    """Places and weights of Gauss's rule on it, three each way."""
+    line = [(-np.sqrt(0.6), 5 / 9), (0.0, 8 / 9), (np.sqrt(0.6), 5 / 9)]
+    return [(np.array([u, v]), a * b) for u, a in line for v, b in line]
+
+
 class Locator:
     """Elements and weights of points: `nodes` (n, k), `weights` (n, k). A point just outside takes the nearest place."""
 
