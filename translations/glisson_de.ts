@@ -5120,6 +5120,14 @@
         <source>Drop the plan {0}</source>
         <translation>Den Plan {0} verwerfen</translation>
     </message>
+    <message>
+        <source>The outline fills {0} % of the body in its slices, a person&apos;s liver less than half: it is not the liver alone, or these are images of an animal or a phantom.</source>
+        <translation>Der Umriss füllt {0} % des Körpers in seinen Schichten, die Leber eines Menschen weniger als die Hälfte: Er ist nicht die Leber allein, oder dies sind Bilder eines Tiers oder Phantoms.</translation>
+    </message>
+    <message>
+        <source>{0} ml is less than any person&apos;s liver holds: the outline is a part of it, or these are images of an animal or a phantom.</source>
+        <translation>{0} ml sind weniger, als die Leber irgendeines Menschen fasst: Der Umriss ist ein Teil von ihr, oder dies sind Bilder eines Tiers oder Phantoms.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AdvanceControls</name>

@@ -5120,6 +5120,14 @@
         <source>Drop the plan {0}</source>
         <translation>Descartar el plan {0}</translation>
     </message>
+    <message>
+        <source>The outline fills {0} % of the body in its slices, a person&apos;s liver less than half: it is not the liver alone, or these are images of an animal or a phantom.</source>
+        <translation>El contorno llena el {0} % del cuerpo en sus cortes, el hígado de una persona menos de la mitad: no es solo el hígado, o son imágenes de un animal o de un fantoma.</translation>
+    </message>
+    <message>
+        <source>{0} ml is less than any person&apos;s liver holds: the outline is a part of it, or these are images of an animal or a phantom.</source>
+        <translation>{0} ml es menos de lo que contiene el hígado de cualquier persona: el contorno es una parte de él, o son imágenes de un animal o de un fantoma.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AdvanceControls</name>

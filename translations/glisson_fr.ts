@@ -5120,6 +5120,14 @@
         <source>Drop the plan {0}</source>
         <translation>Écarter le plan {0}</translation>
     </message>
+    <message>
+        <source>The outline fills {0} % of the body in its slices, a person&apos;s liver less than half: it is not the liver alone, or these are images of an animal or a phantom.</source>
+        <translation>Le contour remplit {0} % du corps dans ses coupes, le foie d’une personne moins de la moitié : ce n’est pas le foie seul, ou ce sont des images d’un animal ou d’un fantôme.</translation>
+    </message>
+    <message>
+        <source>{0} ml is less than any person&apos;s liver holds: the outline is a part of it, or these are images of an animal or a phantom.</source>
+        <translation>{0} ml, c’est moins que n’en contient le foie de quiconque : le contour en est une partie, ou ce sont des images d’un animal ou d’un fantôme.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AdvanceControls</name>
