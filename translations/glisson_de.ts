@@ -5152,10 +5152,6 @@
         <translation>Schließt die letzten 5 mm, solange seither kein Instrument bewegt wurde</translation>
     </message>
     <message>
-        <source>Plan a plane in Resect and save the plan, to cut along it here.</source>
-        <translation>Planen Sie in Resektion eine Ebene und speichern Sie den Plan, um hier daran entlang zu schneiden.</translation>
-    </message>
-    <message>
         <source>Tick the rigid tool above, to cut while tools hold the liver.</source>
         <translation>Wählen Sie oben das starre Instrument, um zu schneiden, während Instrumente die Leber halten.</translation>
     </message>
@@ -5170,6 +5166,10 @@
     <message>
         <source>The plan&apos;s cut is %1 mm long. Nothing is cut yet.</source>
         <translation>Der geplante Schnitt ist %1 mm lang. Noch ist nichts geschnitten.</translation>
+    </message>
+    <message>
+        <source>Plan a plane in Resect and keep the plan, to cut along it here.</source>
+        <translation>Planen Sie in Resektion eine Ebene und behalten Sie den Plan, um hier daran entlang zu schneiden.</translation>
     </message>
 </context>
 <context>
@@ -7377,6 +7377,34 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Griffe am Fad
         <source>Removed</source>
         <translation>Entfernt</translation>
     </message>
+    <message>
+        <source>%1 is kept. Rehearse, Guide and the report follow it.</source>
+        <translation>%1 ist behalten. Proben, Führen und der Bericht folgen ihm.</translation>
+    </message>
+    <message>
+        <source>%1 is kept.</source>
+        <translation>%1 ist behalten.</translation>
+    </message>
+    <message>
+        <source>This patient is not kept in a case folder</source>
+        <translation>Dieser Patient liegt in keinem Fallordner</translation>
+    </message>
+    <message>
+        <source>Needs a cut through the liver</source>
+        <translation>Braucht einen Schnitt durch die Leber</translation>
+    </message>
+    <message>
+        <source>Keeps the cut on the liver held aside, for the report; the table is of plans at rest</source>
+        <translation>Behält den Schnitt an der beiseitegehaltenen Leber für den Bericht; die Tabelle ist eine von Plänen in Ruhe</translation>
+    </message>
+    <message>
+        <source>Keeps it in the case under this name, beside the others; Rehearse, Guide and the report then follow it</source>
+        <translation>Behält ihn im Fall unter diesem Namen, neben den anderen; Proben, Führen und der Bericht folgen ihm dann</translation>
+    </message>
+    <message>
+        <source>Rehearse, Guide and the report follow this plan</source>
+        <translation>Proben, Führen und der Bericht folgen diesem Plan</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::PlatformTable</name>
@@ -8253,10 +8281,6 @@ figures</source>
         <translation>Kein Schnitt</translation>
     </message>
     <message>
-        <source>Save this plan in the case</source>
-        <translation>Diesen Plan im Fall speichern</translation>
-    </message>
-    <message>
         <source>The three places lie almost on one line. Click three others.</source>
         <translation>Die drei Stellen liegen fast auf einer Linie. Klicken Sie drei andere an.</translation>
     </message>
@@ -8277,18 +8301,6 @@ figures</source>
         <translation>Bleibt</translation>
     </message>
     <message>
-        <source>This patient is not kept in a case folder</source>
-        <translation>Dieser Patient liegt in keinem Fallordner</translation>
-    </message>
-    <message>
-        <source>Writes resection.json, parts.vtu and cut.vtp into results/resection</source>
-        <translation>Schreibt resection.json, parts.vtu und cut.vtp nach results/resection</translation>
-    </message>
-    <message>
-        <source>Needs a cut through the liver</source>
-        <translation>Braucht einen Schnitt durch die Leber</translation>
-    </message>
-    <message>
         <source>Set three or more points where the cut is to pass: on the liver, or in the slices.</source>
         <translation>Setzen Sie drei oder mehr Punkte, wo der Schnitt verlaufen soll: auf der Leber oder in den Schichten.</translation>
     </message>
@@ -8303,14 +8315,6 @@ figures</source>
     <message>
         <source>Put the crosshair where the cut is to pass, then the plane through it. Drag its line in a slice to shift it, a line&apos;s end to tilt it.</source>
         <translation>Setzen Sie das Fadenkreuz dorthin, wo der Schnitt verlaufen soll, dann die Ebene hindurch. Ziehen Sie ihre Linie in einer Schicht, um sie zu verschieben, und ein Ende der Linie, um sie zu kippen.</translation>
-    </message>
-    <message>
-        <source>Saving the plan</source>
-        <translation>Plan wird gespeichert</translation>
-    </message>
-    <message>
-        <source>The plan is in %1</source>
-        <translation>Der Plan liegt in %1</translation>
     </message>
     <message>
         <source>Separation</source>

@@ -5152,10 +5152,6 @@
         <translation>Cierra los últimos 5 mm mientras no se haya movido ningún instrumento</translation>
     </message>
     <message>
-        <source>Plan a plane in Resect and save the plan, to cut along it here.</source>
-        <translation>Planifique un plano en Resección y guarde el plan para cortar aquí según él.</translation>
-    </message>
-    <message>
         <source>Tick the rigid tool above, to cut while tools hold the liver.</source>
         <translation>Marque arriba el instrumento rígido para cortar mientras los instrumentos sujetan el hígado.</translation>
     </message>
@@ -5170,6 +5166,10 @@
     <message>
         <source>The plan&apos;s cut is %1 mm long. Nothing is cut yet.</source>
         <translation>El corte planificado mide %1 mm. Aún no se ha cortado nada.</translation>
+    </message>
+    <message>
+        <source>Plan a plane in Resect and keep the plan, to cut along it here.</source>
+        <translation>Planifique un plano en Resección y conserve el plan para cortar aquí según él.</translation>
     </message>
 </context>
 <context>
@@ -7379,6 +7379,34 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar. Ctrl+arrastrar: girar. Tiradores 
         <source>Removed</source>
         <translation>Extirpado</translation>
     </message>
+    <message>
+        <source>%1 is kept. Rehearse, Guide and the report follow it.</source>
+        <translation>%1 está conservado. Ensayar, Guiar y el informe lo siguen.</translation>
+    </message>
+    <message>
+        <source>%1 is kept.</source>
+        <translation>%1 está conservado.</translation>
+    </message>
+    <message>
+        <source>This patient is not kept in a case folder</source>
+        <translation>Este paciente no se guarda en una carpeta de caso</translation>
+    </message>
+    <message>
+        <source>Needs a cut through the liver</source>
+        <translation>Necesita una sección a través del hígado</translation>
+    </message>
+    <message>
+        <source>Keeps the cut on the liver held aside, for the report; the table is of plans at rest</source>
+        <translation>Conserva la sección en el hígado apartado, para el informe; la tabla es de planes en reposo</translation>
+    </message>
+    <message>
+        <source>Keeps it in the case under this name, beside the others; Rehearse, Guide and the report then follow it</source>
+        <translation>Lo conserva en el caso con este nombre, junto a los otros; Ensayar, Guiar y el informe lo siguen entonces</translation>
+    </message>
+    <message>
+        <source>Rehearse, Guide and the report follow this plan</source>
+        <translation>Ensayar, Guiar y el informe siguen este plan</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::PlatformTable</name>
@@ -8256,10 +8284,6 @@ supuestas</translation>
         <translation>Sin sección</translation>
     </message>
     <message>
-        <source>Save this plan in the case</source>
-        <translation>Guardar este plan en el caso</translation>
-    </message>
-    <message>
         <source>The three places lie almost on one line. Click three others.</source>
         <translation>Los tres lugares están casi en una línea. Haga clic en otros tres.</translation>
     </message>
@@ -8280,18 +8304,6 @@ supuestas</translation>
         <translation>Queda</translation>
     </message>
     <message>
-        <source>This patient is not kept in a case folder</source>
-        <translation>Este paciente no se guarda en una carpeta de caso</translation>
-    </message>
-    <message>
-        <source>Writes resection.json, parts.vtu and cut.vtp into results/resection</source>
-        <translation>Escribe resection.json, parts.vtu y cut.vtp en results/resection</translation>
-    </message>
-    <message>
-        <source>Needs a cut through the liver</source>
-        <translation>Necesita una sección a través del hígado</translation>
-    </message>
-    <message>
         <source>Set three or more points where the cut is to pass: on the liver, or in the slices.</source>
         <translation>Ponga tres o más puntos por donde deba pasar la sección: en el hígado o en los cortes.</translation>
     </message>
@@ -8306,14 +8318,6 @@ supuestas</translation>
     <message>
         <source>Put the crosshair where the cut is to pass, then the plane through it. Drag its line in a slice to shift it, a line&apos;s end to tilt it.</source>
         <translation>Ponga la cruz donde deba pasar la sección y después el plano por ella. Arrastre su línea en un corte para desplazarlo, y un extremo de la línea para inclinarlo.</translation>
-    </message>
-    <message>
-        <source>Saving the plan</source>
-        <translation>Guardando el plan</translation>
-    </message>
-    <message>
-        <source>The plan is in %1</source>
-        <translation>El plan está en %1</translation>
     </message>
     <message>
         <source>Separation</source>

@@ -5152,10 +5152,6 @@
         <translation>Referme les 5 derniers mm, tant qu’aucun instrument n’a bougé depuis</translation>
     </message>
     <message>
-        <source>Plan a plane in Resect and save the plan, to cut along it here.</source>
-        <translation>Planifiez un plan de coupe dans Résection et enregistrez-le, pour couper ici en le suivant.</translation>
-    </message>
-    <message>
         <source>Tick the rigid tool above, to cut while tools hold the liver.</source>
         <translation>Cochez l’instrument rigide ci-dessus, pour couper pendant que des instruments tiennent le foie.</translation>
     </message>
@@ -5170,6 +5166,10 @@
     <message>
         <source>The plan&apos;s cut is %1 mm long. Nothing is cut yet.</source>
         <translation>La coupe prévue mesure %1 mm. Rien n’est encore coupé.</translation>
+    </message>
+    <message>
+        <source>Plan a plane in Resect and keep the plan, to cut along it here.</source>
+        <translation>Planifiez un plan de coupe dans Résection et gardez-le, pour couper ici en le suivant.</translation>
     </message>
 </context>
 <context>
@@ -7379,6 +7379,34 @@ Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: déplacer. Ctrl+glisser&#xa0;: tour
         <source>Removed</source>
         <translation>Retiré</translation>
     </message>
+    <message>
+        <source>%1 is kept. Rehearse, Guide and the report follow it.</source>
+        <translation>%1 est gardé. Répéter, Guider et le rapport le suivent.</translation>
+    </message>
+    <message>
+        <source>%1 is kept.</source>
+        <translation>%1 est gardé.</translation>
+    </message>
+    <message>
+        <source>This patient is not kept in a case folder</source>
+        <translation>Ce patient n’est pas conservé dans un dossier de cas</translation>
+    </message>
+    <message>
+        <source>Needs a cut through the liver</source>
+        <translation>Il faut une section à travers le foie</translation>
+    </message>
+    <message>
+        <source>Keeps the cut on the liver held aside, for the report; the table is of plans at rest</source>
+        <translation>Garde la section sur le foie écarté, pour le rapport ; le tableau est celui des plans au repos</translation>
+    </message>
+    <message>
+        <source>Keeps it in the case under this name, beside the others; Rehearse, Guide and the report then follow it</source>
+        <translation>Le garde dans le cas sous ce nom, à côté des autres ; Répéter, Guider et le rapport le suivent alors</translation>
+    </message>
+    <message>
+        <source>Rehearse, Guide and the report follow this plan</source>
+        <translation>Répéter, Guider et le rapport suivent ce plan</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::PlatformTable</name>
@@ -8256,10 +8284,6 @@ supposés</translation>
         <translation>Aucune section</translation>
     </message>
     <message>
-        <source>Save this plan in the case</source>
-        <translation>Enregistrer ce plan dans le cas</translation>
-    </message>
-    <message>
         <source>The three places lie almost on one line. Click three others.</source>
         <translation>Les trois endroits sont presque alignés. Cliquez-en trois autres.</translation>
     </message>
@@ -8280,18 +8304,6 @@ supposés</translation>
         <translation>Reste</translation>
     </message>
     <message>
-        <source>This patient is not kept in a case folder</source>
-        <translation>Ce patient n’est pas conservé dans un dossier de cas</translation>
-    </message>
-    <message>
-        <source>Writes resection.json, parts.vtu and cut.vtp into results/resection</source>
-        <translation>Écrit resection.json, parts.vtu et cut.vtp dans results/resection</translation>
-    </message>
-    <message>
-        <source>Needs a cut through the liver</source>
-        <translation>Il faut une section à travers le foie</translation>
-    </message>
-    <message>
         <source>Set three or more points where the cut is to pass: on the liver, or in the slices.</source>
         <translation>Posez trois points ou plus là où doit passer la section&#xa0;: sur le foie ou dans les coupes.</translation>
     </message>
@@ -8306,14 +8318,6 @@ supposés</translation>
     <message>
         <source>Put the crosshair where the cut is to pass, then the plane through it. Drag its line in a slice to shift it, a line&apos;s end to tilt it.</source>
         <translation>Placez le réticule là où doit passer la section, puis le plan par ce point. Tirez sa ligne dans une coupe pour le décaler, une extrémité de la ligne pour l’incliner.</translation>
-    </message>
-    <message>
-        <source>Saving the plan</source>
-        <translation>Enregistrement du plan</translation>
-    </message>
-    <message>
-        <source>The plan is in %1</source>
-        <translation>Le plan est dans %1</translation>
     </message>
     <message>
         <source>Separation</source>

@@ -20,6 +20,8 @@ using imaging::Mask;
 
 constexpr const char* folder = "plans/";
 
+fs::path followed_in(const Case& patient) { return patient.folder() / "results" / "resection"; }
+
 bool is_tumour(const std::string& id) { return id.starts_with("labels/tumour"); }
 
 // What a plan's answer rests on, as far as the case has it.
@@ -154,11 +156,20 @@ Result<std::string> keep_plan(Case& patient, const planning::Plan& plan, const p
   return id;
 }
 
+bool is_followed(const Case& patient, const planning::Plan& plan) {
+  const auto cut = read_planned_cut(followed_in(patient));
+  if (!cut || cut->liver != PlannedCut::Liver::at_rest) return false;
+  return plan.cuts.size() == 1 && plan.cuts.front() == cut_of(*cut);
+}
+
 Result<void> drop_plan(Case& patient, const std::string& name) {
   const auto plans = kept_plans(patient);
   if (!plans) return failure(plans.error());
   for (const KeptPlan& kept : *plans) {
-    if (kept.plan.name == name || kept.id == folder + name) return patient.remove(kept.id);
+    if (kept.plan.name != name && kept.id != folder + name) continue;
+    const bool followed = is_followed(patient, kept.plan);
+    return patient.remove(kept.id).and_then(
+        [&] { return followed ? remove_resection(followed_in(patient)) : Result<void>(); });
   }
   return failure("plan-unknown", GLISSON_TEXT("The case has no plan {0}."), {name});
 }
