@@ -119,6 +119,49 @@
     </message>
 </context>
 <context>
+    <name>entries</name>
+    <message>
+        <source>the image of the anatomy</source>
+        <translation>das Bild der Anatomie</translation>
+    </message>
+    <message>
+        <source>the stiffness map</source>
+        <translation>die Steifigkeitskarte</translation>
+    </message>
+    <message>
+        <source>the confidence map</source>
+        <translation>die Konfidenzkarte</translation>
+    </message>
+    <message>
+        <source>the mesh of the liver</source>
+        <translation>das Netz der Leber</translation>
+    </message>
+    <message>
+        <source>the model</source>
+        <translation>das Modell</translation>
+    </message>
+    <message>
+        <source>the accepted evidence</source>
+        <translation>die angenommene Evidenz</translation>
+    </message>
+    <message>
+        <source>the vessel trees</source>
+        <translation>die Gefäßbäume</translation>
+    </message>
+    <message>
+        <source>the map of the segments</source>
+        <translation>die Karte der Segmente</translation>
+    </message>
+    <message>
+        <source>%1 (label %2)</source>
+        <translation>%1 (Label %2)</translation>
+    </message>
+    <message>
+        <source>label %1</source>
+        <translation>Label %1</translation>
+    </message>
+</context>
+<context>
     <name>errors</name>
     <message>
         <source>There is no column &quot;{0}&quot;.</source>

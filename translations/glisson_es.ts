@@ -119,6 +119,49 @@
     </message>
 </context>
 <context>
+    <name>entries</name>
+    <message>
+        <source>the image of the anatomy</source>
+        <translation>la imagen de la anatomía</translation>
+    </message>
+    <message>
+        <source>the stiffness map</source>
+        <translation>el mapa de rigidez</translation>
+    </message>
+    <message>
+        <source>the confidence map</source>
+        <translation>el mapa de confianza</translation>
+    </message>
+    <message>
+        <source>the mesh of the liver</source>
+        <translation>la malla del hígado</translation>
+    </message>
+    <message>
+        <source>the model</source>
+        <translation>el modelo</translation>
+    </message>
+    <message>
+        <source>the accepted evidence</source>
+        <translation>la evidencia aceptada</translation>
+    </message>
+    <message>
+        <source>the vessel trees</source>
+        <translation>los árboles vasculares</translation>
+    </message>
+    <message>
+        <source>the map of the segments</source>
+        <translation>el mapa de los segmentos</translation>
+    </message>
+    <message>
+        <source>%1 (label %2)</source>
+        <translation>%1 (etiqueta %2)</translation>
+    </message>
+    <message>
+        <source>label %1</source>
+        <translation>etiqueta %1</translation>
+    </message>
+</context>
+<context>
     <name>errors</name>
     <message>
         <source>There is no column &quot;{0}&quot;.</source>

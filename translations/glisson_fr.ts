@@ -119,6 +119,49 @@
     </message>
 </context>
 <context>
+    <name>entries</name>
+    <message>
+        <source>the image of the anatomy</source>
+        <translation>l’image de l’anatomie</translation>
+    </message>
+    <message>
+        <source>the stiffness map</source>
+        <translation>la carte de rigidité</translation>
+    </message>
+    <message>
+        <source>the confidence map</source>
+        <translation>la carte de confiance</translation>
+    </message>
+    <message>
+        <source>the mesh of the liver</source>
+        <translation>le maillage du foie</translation>
+    </message>
+    <message>
+        <source>the model</source>
+        <translation>le modèle</translation>
+    </message>
+    <message>
+        <source>the accepted evidence</source>
+        <translation>les constats acceptés</translation>
+    </message>
+    <message>
+        <source>the vessel trees</source>
+        <translation>les arbres vasculaires</translation>
+    </message>
+    <message>
+        <source>the map of the segments</source>
+        <translation>la carte des segments</translation>
+    </message>
+    <message>
+        <source>%1 (label %2)</source>
+        <translation>%1 (étiquette %2)</translation>
+    </message>
+    <message>
+        <source>label %1</source>
+        <translation>étiquette %1</translation>
+    </message>
+</context>
+<context>
     <name>errors</name>
     <message>
         <source>There is no column &quot;{0}&quot;.</source>
