@@ -119,6 +119,49 @@
     </message>
 </context>
 <context>
+    <name>entries</name>
+    <message>
+        <source>the image of the anatomy</source>
+        <translation>das Bild der Anatomie</translation>
+    </message>
+    <message>
+        <source>the stiffness map</source>
+        <translation>die Steifigkeitskarte</translation>
+    </message>
+    <message>
+        <source>the confidence map</source>
+        <translation>die Konfidenzkarte</translation>
+    </message>
+    <message>
+        <source>the mesh of the liver</source>
+        <translation>das Netz der Leber</translation>
+    </message>
+    <message>
+        <source>the model</source>
+        <translation>das Modell</translation>
+    </message>
+    <message>
+        <source>the accepted evidence</source>
+        <translation>die angenommene Evidenz</translation>
+    </message>
+    <message>
+        <source>the vessel trees</source>
+        <translation>die Gefäßbäume</translation>
+    </message>
+    <message>
+        <source>the map of the segments</source>
+        <translation>die Karte der Segmente</translation>
+    </message>
+    <message>
+        <source>%1 (label %2)</source>
+        <translation>%1 (Label %2)</translation>
+    </message>
+    <message>
+        <source>label %1</source>
+        <translation>Label %1</translation>
+    </message>
+</context>
+<context>
     <name>errors</name>
     <message>
         <source>There is no column &quot;{0}&quot;.</source>
@@ -5120,6 +5163,14 @@
         <source>Drop the plan {0}</source>
         <translation>Den Plan {0} verwerfen</translation>
     </message>
+    <message>
+        <source>The outline fills {0} % of the body in its slices, a person&apos;s liver less than half: it is not the liver alone, or these are images of an animal or a phantom.</source>
+        <translation>Der Umriss füllt {0} % des Körpers in seinen Schichten, die Leber eines Menschen weniger als die Hälfte: Er ist nicht die Leber allein, oder dies sind Bilder eines Tiers oder Phantoms.</translation>
+    </message>
+    <message>
+        <source>{0} ml is less than any person&apos;s liver holds: the outline is a part of it, or these are images of an animal or a phantom.</source>
+        <translation>{0} ml sind weniger, als die Leber irgendeines Menschen fasst: Der Umriss ist ein Teil von ihr, oder dies sind Bilder eines Tiers oder Phantoms.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AdvanceControls</name>
@@ -5144,10 +5195,6 @@
         <translation>Schließt die letzten 5 mm, solange seither kein Instrument bewegt wurde</translation>
     </message>
     <message>
-        <source>Plan a plane in Resect and save the plan, to cut along it here.</source>
-        <translation>Planen Sie in Resektion eine Ebene und speichern Sie den Plan, um hier daran entlang zu schneiden.</translation>
-    </message>
-    <message>
         <source>Tick the rigid tool above, to cut while tools hold the liver.</source>
         <translation>Wählen Sie oben das starre Instrument, um zu schneiden, während Instrumente die Leber halten.</translation>
     </message>
@@ -5162,6 +5209,10 @@
     <message>
         <source>The plan&apos;s cut is %1 mm long. Nothing is cut yet.</source>
         <translation>Der geplante Schnitt ist %1 mm lang. Noch ist nichts geschnitten.</translation>
+    </message>
+    <message>
+        <source>Plan a plane in Resect and keep the plan, to cut along it here.</source>
+        <translation>Planen Sie in Resektion eine Ebene und behalten Sie den Plan, um hier daran entlang zu schneiden.</translation>
     </message>
 </context>
 <context>
@@ -7369,6 +7420,34 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Griffe am Fad
         <source>Removed</source>
         <translation>Entfernt</translation>
     </message>
+    <message>
+        <source>%1 is kept. Rehearse, Guide and the report follow it.</source>
+        <translation>%1 ist behalten. Proben, Führen und der Bericht folgen ihm.</translation>
+    </message>
+    <message>
+        <source>%1 is kept.</source>
+        <translation>%1 ist behalten.</translation>
+    </message>
+    <message>
+        <source>This patient is not kept in a case folder</source>
+        <translation>Dieser Patient liegt in keinem Fallordner</translation>
+    </message>
+    <message>
+        <source>Needs a cut through the liver</source>
+        <translation>Braucht einen Schnitt durch die Leber</translation>
+    </message>
+    <message>
+        <source>Keeps the cut on the liver held aside, for the report; the table is of plans at rest</source>
+        <translation>Behält den Schnitt an der beiseitegehaltenen Leber für den Bericht; die Tabelle ist eine von Plänen in Ruhe</translation>
+    </message>
+    <message>
+        <source>Keeps it in the case under this name, beside the others; Rehearse, Guide and the report then follow it</source>
+        <translation>Behält ihn im Fall unter diesem Namen, neben den anderen; Proben, Führen und der Bericht folgen ihm dann</translation>
+    </message>
+    <message>
+        <source>Rehearse, Guide and the report follow this plan</source>
+        <translation>Proben, Führen und der Bericht folgen diesem Plan</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::PlatformTable</name>
@@ -8245,10 +8324,6 @@ figures</source>
         <translation>Kein Schnitt</translation>
     </message>
     <message>
-        <source>Save this plan in the case</source>
-        <translation>Diesen Plan im Fall speichern</translation>
-    </message>
-    <message>
         <source>The three places lie almost on one line. Click three others.</source>
         <translation>Die drei Stellen liegen fast auf einer Linie. Klicken Sie drei andere an.</translation>
     </message>
@@ -8269,18 +8344,6 @@ figures</source>
         <translation>Bleibt</translation>
     </message>
     <message>
-        <source>This patient is not kept in a case folder</source>
-        <translation>Dieser Patient liegt in keinem Fallordner</translation>
-    </message>
-    <message>
-        <source>Writes resection.json, parts.vtu and cut.vtp into results/resection</source>
-        <translation>Schreibt resection.json, parts.vtu und cut.vtp nach results/resection</translation>
-    </message>
-    <message>
-        <source>Needs a cut through the liver</source>
-        <translation>Braucht einen Schnitt durch die Leber</translation>
-    </message>
-    <message>
         <source>Set three or more points where the cut is to pass: on the liver, or in the slices.</source>
         <translation>Setzen Sie drei oder mehr Punkte, wo der Schnitt verlaufen soll: auf der Leber oder in den Schichten.</translation>
     </message>
@@ -8295,14 +8358,6 @@ figures</source>
     <message>
         <source>Put the crosshair where the cut is to pass, then the plane through it. Drag its line in a slice to shift it, a line&apos;s end to tilt it.</source>
         <translation>Setzen Sie das Fadenkreuz dorthin, wo der Schnitt verlaufen soll, dann die Ebene hindurch. Ziehen Sie ihre Linie in einer Schicht, um sie zu verschieben, und ein Ende der Linie, um sie zu kippen.</translation>
-    </message>
-    <message>
-        <source>Saving the plan</source>
-        <translation>Plan wird gespeichert</translation>
-    </message>
-    <message>
-        <source>The plan is in %1</source>
-        <translation>Der Plan liegt in %1</translation>
     </message>
     <message>
         <source>Separation</source>

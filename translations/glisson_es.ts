@@ -119,6 +119,49 @@
     </message>
 </context>
 <context>
+    <name>entries</name>
+    <message>
+        <source>the image of the anatomy</source>
+        <translation>la imagen de la anatomía</translation>
+    </message>
+    <message>
+        <source>the stiffness map</source>
+        <translation>el mapa de rigidez</translation>
+    </message>
+    <message>
+        <source>the confidence map</source>
+        <translation>el mapa de confianza</translation>
+    </message>
+    <message>
+        <source>the mesh of the liver</source>
+        <translation>la malla del hígado</translation>
+    </message>
+    <message>
+        <source>the model</source>
+        <translation>el modelo</translation>
+    </message>
+    <message>
+        <source>the accepted evidence</source>
+        <translation>la evidencia aceptada</translation>
+    </message>
+    <message>
+        <source>the vessel trees</source>
+        <translation>los árboles vasculares</translation>
+    </message>
+    <message>
+        <source>the map of the segments</source>
+        <translation>el mapa de los segmentos</translation>
+    </message>
+    <message>
+        <source>%1 (label %2)</source>
+        <translation>%1 (etiqueta %2)</translation>
+    </message>
+    <message>
+        <source>label %1</source>
+        <translation>etiqueta %1</translation>
+    </message>
+</context>
+<context>
     <name>errors</name>
     <message>
         <source>There is no column &quot;{0}&quot;.</source>
@@ -5120,6 +5163,14 @@
         <source>Drop the plan {0}</source>
         <translation>Descartar el plan {0}</translation>
     </message>
+    <message>
+        <source>The outline fills {0} % of the body in its slices, a person&apos;s liver less than half: it is not the liver alone, or these are images of an animal or a phantom.</source>
+        <translation>El contorno llena el {0} % del cuerpo en sus cortes, el hígado de una persona menos de la mitad: no es solo el hígado, o son imágenes de un animal o de un fantoma.</translation>
+    </message>
+    <message>
+        <source>{0} ml is less than any person&apos;s liver holds: the outline is a part of it, or these are images of an animal or a phantom.</source>
+        <translation>{0} ml es menos de lo que contiene el hígado de cualquier persona: el contorno es una parte de él, o son imágenes de un animal o de un fantoma.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AdvanceControls</name>
@@ -5144,10 +5195,6 @@
         <translation>Cierra los últimos 5 mm mientras no se haya movido ningún instrumento</translation>
     </message>
     <message>
-        <source>Plan a plane in Resect and save the plan, to cut along it here.</source>
-        <translation>Planifique un plano en Resección y guarde el plan para cortar aquí según él.</translation>
-    </message>
-    <message>
         <source>Tick the rigid tool above, to cut while tools hold the liver.</source>
         <translation>Marque arriba el instrumento rígido para cortar mientras los instrumentos sujetan el hígado.</translation>
     </message>
@@ -5162,6 +5209,10 @@
     <message>
         <source>The plan&apos;s cut is %1 mm long. Nothing is cut yet.</source>
         <translation>El corte planificado mide %1 mm. Aún no se ha cortado nada.</translation>
+    </message>
+    <message>
+        <source>Plan a plane in Resect and keep the plan, to cut along it here.</source>
+        <translation>Planifique un plano en Resección y conserve el plan para cortar aquí según él.</translation>
     </message>
 </context>
 <context>
@@ -7371,6 +7422,34 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar. Ctrl+arrastrar: girar. Tiradores 
         <source>Removed</source>
         <translation>Extirpado</translation>
     </message>
+    <message>
+        <source>%1 is kept. Rehearse, Guide and the report follow it.</source>
+        <translation>%1 está conservado. Ensayar, Guiar y el informe lo siguen.</translation>
+    </message>
+    <message>
+        <source>%1 is kept.</source>
+        <translation>%1 está conservado.</translation>
+    </message>
+    <message>
+        <source>This patient is not kept in a case folder</source>
+        <translation>Este paciente no se guarda en una carpeta de caso</translation>
+    </message>
+    <message>
+        <source>Needs a cut through the liver</source>
+        <translation>Necesita una sección a través del hígado</translation>
+    </message>
+    <message>
+        <source>Keeps the cut on the liver held aside, for the report; the table is of plans at rest</source>
+        <translation>Conserva la sección en el hígado apartado, para el informe; la tabla es de planes en reposo</translation>
+    </message>
+    <message>
+        <source>Keeps it in the case under this name, beside the others; Rehearse, Guide and the report then follow it</source>
+        <translation>Lo conserva en el caso con este nombre, junto a los otros; Ensayar, Guiar y el informe lo siguen entonces</translation>
+    </message>
+    <message>
+        <source>Rehearse, Guide and the report follow this plan</source>
+        <translation>Ensayar, Guiar y el informe siguen este plan</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::PlatformTable</name>
@@ -8248,10 +8327,6 @@ supuestas</translation>
         <translation>Sin sección</translation>
     </message>
     <message>
-        <source>Save this plan in the case</source>
-        <translation>Guardar este plan en el caso</translation>
-    </message>
-    <message>
         <source>The three places lie almost on one line. Click three others.</source>
         <translation>Los tres lugares están casi en una línea. Haga clic en otros tres.</translation>
     </message>
@@ -8272,18 +8347,6 @@ supuestas</translation>
         <translation>Queda</translation>
     </message>
     <message>
-        <source>This patient is not kept in a case folder</source>
-        <translation>Este paciente no se guarda en una carpeta de caso</translation>
-    </message>
-    <message>
-        <source>Writes resection.json, parts.vtu and cut.vtp into results/resection</source>
-        <translation>Escribe resection.json, parts.vtu y cut.vtp en results/resection</translation>
-    </message>
-    <message>
-        <source>Needs a cut through the liver</source>
-        <translation>Necesita una sección a través del hígado</translation>
-    </message>
-    <message>
         <source>Set three or more points where the cut is to pass: on the liver, or in the slices.</source>
         <translation>Ponga tres o más puntos por donde deba pasar la sección: en el hígado o en los cortes.</translation>
     </message>
@@ -8298,14 +8361,6 @@ supuestas</translation>
     <message>
         <source>Put the crosshair where the cut is to pass, then the plane through it. Drag its line in a slice to shift it, a line&apos;s end to tilt it.</source>
         <translation>Ponga la cruz donde deba pasar la sección y después el plano por ella. Arrastre su línea en un corte para desplazarlo, y un extremo de la línea para inclinarlo.</translation>
-    </message>
-    <message>
-        <source>Saving the plan</source>
-        <translation>Guardando el plan</translation>
-    </message>
-    <message>
-        <source>The plan is in %1</source>
-        <translation>El plan está en %1</translation>
     </message>
     <message>
         <source>Separation</source>

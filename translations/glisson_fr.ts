@@ -119,6 +119,49 @@
     </message>
 </context>
 <context>
+    <name>entries</name>
+    <message>
+        <source>the image of the anatomy</source>
+        <translation>l’image de l’anatomie</translation>
+    </message>
+    <message>
+        <source>the stiffness map</source>
+        <translation>la carte de rigidité</translation>
+    </message>
+    <message>
+        <source>the confidence map</source>
+        <translation>la carte de confiance</translation>
+    </message>
+    <message>
+        <source>the mesh of the liver</source>
+        <translation>le maillage du foie</translation>
+    </message>
+    <message>
+        <source>the model</source>
+        <translation>le modèle</translation>
+    </message>
+    <message>
+        <source>the accepted evidence</source>
+        <translation>les constats acceptés</translation>
+    </message>
+    <message>
+        <source>the vessel trees</source>
+        <translation>les arbres vasculaires</translation>
+    </message>
+    <message>
+        <source>the map of the segments</source>
+        <translation>la carte des segments</translation>
+    </message>
+    <message>
+        <source>%1 (label %2)</source>
+        <translation>%1 (étiquette %2)</translation>
+    </message>
+    <message>
+        <source>label %1</source>
+        <translation>étiquette %1</translation>
+    </message>
+</context>
+<context>
     <name>errors</name>
     <message>
         <source>There is no column &quot;{0}&quot;.</source>
@@ -5120,6 +5163,14 @@
         <source>Drop the plan {0}</source>
         <translation>Écarter le plan {0}</translation>
     </message>
+    <message>
+        <source>The outline fills {0} % of the body in its slices, a person&apos;s liver less than half: it is not the liver alone, or these are images of an animal or a phantom.</source>
+        <translation>Le contour remplit {0} % du corps dans ses coupes, le foie d’une personne moins de la moitié : ce n’est pas le foie seul, ou ce sont des images d’un animal ou d’un fantôme.</translation>
+    </message>
+    <message>
+        <source>{0} ml is less than any person&apos;s liver holds: the outline is a part of it, or these are images of an animal or a phantom.</source>
+        <translation>{0} ml, c’est moins que n’en contient le foie de quiconque : le contour en est une partie, ou ce sont des images d’un animal ou d’un fantôme.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AdvanceControls</name>
@@ -5144,10 +5195,6 @@
         <translation>Referme les 5 derniers mm, tant qu’aucun instrument n’a bougé depuis</translation>
     </message>
     <message>
-        <source>Plan a plane in Resect and save the plan, to cut along it here.</source>
-        <translation>Planifiez un plan de coupe dans Résection et enregistrez-le, pour couper ici en le suivant.</translation>
-    </message>
-    <message>
         <source>Tick the rigid tool above, to cut while tools hold the liver.</source>
         <translation>Cochez l’instrument rigide ci-dessus, pour couper pendant que des instruments tiennent le foie.</translation>
     </message>
@@ -5162,6 +5209,10 @@
     <message>
         <source>The plan&apos;s cut is %1 mm long. Nothing is cut yet.</source>
         <translation>La coupe prévue mesure %1 mm. Rien n’est encore coupé.</translation>
+    </message>
+    <message>
+        <source>Plan a plane in Resect and keep the plan, to cut along it here.</source>
+        <translation>Planifiez un plan de coupe dans Résection et gardez-le, pour couper ici en le suivant.</translation>
     </message>
 </context>
 <context>
@@ -7371,6 +7422,34 @@ Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: déplacer. Ctrl+glisser&#xa0;: tour
         <source>Removed</source>
         <translation>Retiré</translation>
     </message>
+    <message>
+        <source>%1 is kept. Rehearse, Guide and the report follow it.</source>
+        <translation>%1 est gardé. Répéter, Guider et le rapport le suivent.</translation>
+    </message>
+    <message>
+        <source>%1 is kept.</source>
+        <translation>%1 est gardé.</translation>
+    </message>
+    <message>
+        <source>This patient is not kept in a case folder</source>
+        <translation>Ce patient n’est pas conservé dans un dossier de cas</translation>
+    </message>
+    <message>
+        <source>Needs a cut through the liver</source>
+        <translation>Il faut une section à travers le foie</translation>
+    </message>
+    <message>
+        <source>Keeps the cut on the liver held aside, for the report; the table is of plans at rest</source>
+        <translation>Garde la section sur le foie écarté, pour le rapport ; le tableau est celui des plans au repos</translation>
+    </message>
+    <message>
+        <source>Keeps it in the case under this name, beside the others; Rehearse, Guide and the report then follow it</source>
+        <translation>Le garde dans le cas sous ce nom, à côté des autres ; Répéter, Guider et le rapport le suivent alors</translation>
+    </message>
+    <message>
+        <source>Rehearse, Guide and the report follow this plan</source>
+        <translation>Répéter, Guider et le rapport suivent ce plan</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::PlatformTable</name>
@@ -8248,10 +8327,6 @@ supposés</translation>
         <translation>Aucune section</translation>
     </message>
     <message>
-        <source>Save this plan in the case</source>
-        <translation>Enregistrer ce plan dans le cas</translation>
-    </message>
-    <message>
         <source>The three places lie almost on one line. Click three others.</source>
         <translation>Les trois endroits sont presque alignés. Cliquez-en trois autres.</translation>
     </message>
@@ -8272,18 +8347,6 @@ supposés</translation>
         <translation>Reste</translation>
     </message>
     <message>
-        <source>This patient is not kept in a case folder</source>
-        <translation>Ce patient n’est pas conservé dans un dossier de cas</translation>
-    </message>
-    <message>
-        <source>Writes resection.json, parts.vtu and cut.vtp into results/resection</source>
-        <translation>Écrit resection.json, parts.vtu et cut.vtp dans results/resection</translation>
-    </message>
-    <message>
-        <source>Needs a cut through the liver</source>
-        <translation>Il faut une section à travers le foie</translation>
-    </message>
-    <message>
         <source>Set three or more points where the cut is to pass: on the liver, or in the slices.</source>
         <translation>Posez trois points ou plus là où doit passer la section&#xa0;: sur le foie ou dans les coupes.</translation>
     </message>
@@ -8298,14 +8361,6 @@ supposés</translation>
     <message>
         <source>Put the crosshair where the cut is to pass, then the plane through it. Drag its line in a slice to shift it, a line&apos;s end to tilt it.</source>
         <translation>Placez le réticule là où doit passer la section, puis le plan par ce point. Tirez sa ligne dans une coupe pour le décaler, une extrémité de la ligne pour l’incliner.</translation>
-    </message>
-    <message>
-        <source>Saving the plan</source>
-        <translation>Enregistrement du plan</translation>
-    </message>
-    <message>
-        <source>The plan is in %1</source>
-        <translation>Le plan est dans %1</translation>
     </message>
     <message>
         <source>Separation</source>

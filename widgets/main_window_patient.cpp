@@ -1,6 +1,7 @@
 // The patient in the window: opened, shown, changed, closed, and found again after a fall.
 
 #include <algorithm>
+#include <QTimer>
 
 #include "base/result.h"
 #include "widgets/main_window.h"
@@ -11,6 +12,7 @@
 #include "widgets/views/wave_view.h"
 #include "widgets/words/paths.h"
 #include "widgets/words/translated.h"
+#include "widgets/work/give_back_memory.h"
 
 namespace glisson::widgets {
 namespace {
@@ -206,6 +208,8 @@ void MainWindow::close_case() {
   welcome_->show();
   allow_for_case();
   open_work_.forget();
+  constexpr int until_threads_let_go_ms = 1000;
+  QTimer::singleShot(until_threads_let_go_ms, this, give_back_memory);
   diary_.note("The case is closed.");
 }
 

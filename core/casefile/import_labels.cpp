@@ -10,6 +10,7 @@
 #include "casefile/label_map.h"
 #include "imaging/dicom_seg.h"
 #include "imaging/volume_file.h"
+#include "segmentation/plausibility.h"
 #include "segmentation/resample.h"
 #include "segmentation/structures.h"
 
@@ -68,6 +69,12 @@ Result<std::vector<ImportedStructure>> import_labels(Case& patient, const std::v
              {std::to_string(size[0]), std::to_string(size[1]), std::to_string(size[2])}});
       }
       brought.made.from.emplace_back("volumes/anatomy");
+      if (brought.name == "liver") {
+        const auto image = patient.volume("volumes/anatomy");
+        const bool fits = image && imaging::same_grid(image->grid, mask.grid);
+        const auto odd = fits ? segmentation::doubt_of_liver(mask, *image) : std::nullopt;
+        if (odd) brought.made.notes.push_back(*odd);
+      }
       const std::string id = "labels/" + brought.name;
       imported.push_back({id, segmentation::volume_ml(mask), brought.made.notes});
       auto added = patient.add(id, ".nrrd", std::move(brought.made), [&](const auto& file) {

@@ -20,6 +20,8 @@ using imaging::Mask;
 
 constexpr const char* folder = "plans/";
 
+fs::path followed_in(const Case& patient) { return patient.folder() / "results" / "resection"; }
+
 bool is_tumour(const std::string& id) { return id.starts_with("labels/tumour"); }
 
 // What a plan's answer rests on, as far as the case has it.
@@ -163,8 +165,18 @@ Result<std::string> keep_plan(Case& patient, const planning::Plan& plan, const p
   return id;
 }
 
+bool is_followed(const Case& patient, const planning::Plan& plan) {
+  const auto cut = read_planned_cut(followed_in(patient));
+  if (!cut || cut->liver != PlannedCut::Liver::at_rest) return false;
+  return plan.cuts.size() == 1 && plan.cuts.front() == cut_of(*cut);
+}
+
 Result<void> drop_plan(Case& patient, const std::string& name) {
-  return kept_plan(patient, name).and_then([&](const KeptPlan& kept) { return patient.remove(kept.id); });
+  return kept_plan(patient, name).and_then([&](const KeptPlan& kept) {
+    const bool followed = is_followed(patient, kept.plan);
+    return patient.remove(kept.id).and_then(
+        [&] { return followed ? remove_resection(followed_in(patient)) : Result<void>(); });
+  });
 }
 
 }  // namespace glisson::casefile

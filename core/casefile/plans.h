@@ -1,7 +1,8 @@
 #pragma once
 // The resection plans of a case, by name.
 //
-//   plans/NAME    glisson-plan/1 (planning/plan_file.h) with the answer of when it was kept
+//   plans/NAME           glisson-plan/1 (planning/plan_file.h) with the answer of when it was kept
+//   results/resection    the plane or sheet that was kept last, with the liver divided by it (resection_folder.h)
 //
 // A plan is made from all that its answer rests on: where outlines, trees, territories or the stiffness map change, it
 // is stale, as any entry is.
@@ -53,7 +54,11 @@ Result<Json> kept_answer(const Case& patient, const std::string& id);
 Result<std::string> keep_plan(Case& patient, const planning::Plan& plan, const planning::PlanAnswer& answer,
                               const vasculature::VesselTrees& trees);
 
-// Fails with "plan-unknown".
+// Whether results/resection holds this plan: a single plane or sheet on the liver at rest. Rehearsal, guidance and the
+// patient's page follow it.
+[[nodiscard]] bool is_followed(const Case& patient, const planning::Plan& plan);
+
+// With what is in results/resection, where that is followed. Fails with "plan-unknown".
 Result<void> drop_plan(Case& patient, const std::string& name);
 
 }  // namespace glisson::casefile

@@ -75,6 +75,17 @@ Result<void> write_resection(const fs::path& folder, const PlannedCut& cut, cons
   });
 }
 
+Result<void> remove_resection(const fs::path& folder) {
+  for (const char* name : {"resection.json", "cut.vtp", "parts.vtu"}) {  // without the first it is no resection
+    std::error_code problem;
+    fs::remove(folder / name, problem);
+    if (problem) return file_not_writable(folder / name, problem.message());
+  }
+  std::error_code other_files_stay;
+  fs::remove(folder, other_files_stay);
+  return {};
+}
+
 Result<PlannedCut> read_planned_cut(const fs::path& folder) {
   const auto refused = [&](const std::string& why) {
     return failure(Error{"not-a-resection",

@@ -22,6 +22,8 @@ struct PlannedCut {
   Eigen::Vector3d normal{0, 0, 1};
   Removed removed = Removed::smaller;
   Liver liver = Liver::at_rest;
+
+  bool operator==(const PlannedCut&) const = default;
 };
 
 // The plan of that cut. Failures: those of geometry::CutSurface and rehearsal::plan_resection.
@@ -45,6 +47,9 @@ void measure_as_outlined(rehearsal::Resection& plan, double outline_ml);
 // with the point field "displacement_mm" where the liver was held aside.
 Result<void> write_resection(const std::filesystem::path& folder, const PlannedCut& cut,
                              const rehearsal::Resection& plan);
+
+// The three files go, with the folder where it is empty then; none there: nothing.
+Result<void> remove_resection(const std::filesystem::path& folder);
 
 // Fails with "not-a-resection", naming what is missing or damaged.
 Result<PlannedCut> read_planned_cut(const std::filesystem::path& folder);

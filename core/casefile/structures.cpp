@@ -12,6 +12,7 @@
 #include "segmentation/grow.h"
 #include "segmentation/grow_contrast.h"
 #include "segmentation/lesions.h"
+#include "segmentation/plausibility.h"
 #include "segmentation/resample.h"
 
 namespace glisson::casefile {
@@ -225,7 +226,12 @@ Result<Grown> grow(const imaging::Volume& anatomy, const std::string& name,
   }
   if (!grown) return failure(grown.error());
   std::vector<Sentence> notes;
-  for (auto& doubt : grown->doubts) notes.push_back(std::move(doubt.sentence));
+  const auto odd = name == "liver" ? segmentation::doubt_of_liver(grown->mask, anatomy) : std::nullopt;
+  if (odd) notes.push_back(*odd);
+  for (auto& doubt : grown->doubts) {
+    // Of an animal's liver it is no news that it is small.
+    if (!odd || doubt.kind != segmentation::GrowthDoubt::too_small) notes.push_back(std::move(doubt.sentence));
+  }
   return Grown{std::move(grown->mask), std::move(notes)};
 }
 

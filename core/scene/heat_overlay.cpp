@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "scene/on_tissue.h"
 #include "vision/draw.h"
 
 namespace glisson::scene {
@@ -39,7 +40,7 @@ HeatScale shared_scale(const std::vector<double>& a, const std::vector<double>& 
 
 Colour heat_colour(const HeatScale& scale, double value) {
   const double fraction = std::clamp((value - scale.range[0]) / (scale.range[1] - scale.range[0]), 0.0, 1.0);
-  return colour_at(ColourMap::viridis, scale.good == HeatScale::Good::low ? fraction : 1 - fraction);
+  return colour_on_tissue(scale.good == HeatScale::Good::low ? 1 - fraction : fraction);
 }
 
 std::vector<SeenTriangle> seen_triangles(const vision::Camera& camera, const HeatMesh& mesh) {

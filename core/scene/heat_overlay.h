@@ -14,7 +14,7 @@ namespace glisson::scene {
 
 // How values become colours. Two algorithms are compared with one scale.
 struct HeatScale {
-  enum class Good { low, high };  // which end is good: it is dark blue; the bad end is yellow
+  enum class Good { low, high };  // which end is good: it is light green; the bad end is dark blue
   std::array<double, 2> range{0, 1};
   Good good = Good::high;
   std::string title;  // of the legend, with the unit

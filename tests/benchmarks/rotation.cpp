@@ -1,4 +1,5 @@
-// How many frames a second the window draws while a hand turns the patient in space, all of it at 1600 x 1000:
+// How many frames a second the window draws while a hand turns the patient in space, all of it at 1600 x 1000, and how
+// much memory it takes with that patient open and after closing:
 //
 //   xvfb-run -a -s "-screen 0 1600x1000x24" bench_rotation [CASE]
 //
@@ -8,14 +9,17 @@
 #include <sys/resource.h>
 #include <chrono>
 #include <cstdio>
+#include <fstream>
 #include <QApplication>
 #include <QMouseEvent>
 #include <QSettings>
 #include <QTemporaryDir>
+#include <string>
 
 #include "widgets/main_window.h"
 #include "widgets/theme.h"
 #include "widgets/words/language.h"
+#include "widgets/work/give_back_memory.h"
 
 namespace {
 
@@ -70,6 +74,21 @@ void measure(glisson::widgets::MainWindow& window, const char* what) {
   std::fflush(stdout);
 }
 
+// Of /proc/self/status: "VmRSS", "VmHWM".
+double resident_mb(const std::string& which) {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);) {
+    if (line.starts_with(which + ":")) return std::stod(line.substr(which.size() + 1)) / 1024;
+  }
+  return 0;
+}
+
+void print_memory(const char* when) {
+  glisson::widgets::give_back_memory();
+  std::printf("%-28s %6.0f MB resident, %6.0f MB at its highest\n", when, resident_mb("VmRSS"), resident_mb("VmHWM"));
+  std::fflush(stdout);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -79,6 +98,7 @@ int main(int argc, char** argv) {
   QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, own.path());
   choose_language("en");
   apply_theme(Theme::dark);
+  print_memory("nothing open");
   const glisson::Progress progress;
   auto patient = argc > 1 ? load_patient(argv[1], progress) : load_demo(own.path().toStdString(), progress);
   if (!patient) {
@@ -94,6 +114,7 @@ int main(int argc, char** argv) {
   window.show_patient(*patient);
   QApplication::processEvents();
   measure(window, "four views");
+  print_memory("the patient open");
   window.views().set_layout(ViewLayout::space_large);
   QApplication::processEvents();
   measure(window, "3D large");
@@ -102,5 +123,12 @@ int main(int argc, char** argv) {
   window.views().set_layout(ViewLayout::one);
   QApplication::processEvents();
   measure(window, "3D alone");
+  patient = glisson::widgets::Patient{};
+  window.show_patient({});
+  for (const auto closed = std::chrono::steady_clock::now();
+       std::chrono::steady_clock::now() - closed < std::chrono::seconds(2);) {
+    QApplication::processEvents();
+  }
+  print_memory("closed");
   return 0;
 }

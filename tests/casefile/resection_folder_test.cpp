@@ -3,6 +3,7 @@
 #include "casefile/resection_folder.h"
 
 #include <gtest/gtest.h>
+#include <fstream>
 
 #include "base/files.h"
 #include "base/json.h"
@@ -43,6 +44,16 @@ TEST_F(ResectionFolder, KeepsTheCutAndWhatCameOfIt) {
   EXPECT_EQ(again->normal, cut.normal);
   EXPECT_EQ(again->point_mm, cut.point_mm);
   EXPECT_EQ(again->removed, cut.removed);
+}
+
+TEST_F(ResectionFolder, GoesWithItsFilesAndNoOthers) {
+  ASSERT_TRUE(remove_resection(folder_));  // none there
+  ASSERT_TRUE(write_resection(folder_, plane_at(90), *plan_resection(liver_, plane_at(90), {})));
+  std::ofstream(folder_ / "notes.txt") << "mine";
+  ASSERT_TRUE(remove_resection(folder_));
+  EXPECT_FALSE(read_planned_cut(folder_));
+  EXPECT_FALSE(fs::exists(folder_ / "parts.vtu"));
+  EXPECT_TRUE(fs::exists(folder_ / "notes.txt"));
 }
 
 TEST_F(ResectionFolder, KeepsThatTheLiverWasHeldAsideAndItsPartsAtRest) {

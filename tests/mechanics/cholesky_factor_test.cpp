@@ -84,13 +84,15 @@ TEST(CholeskyFactor, RefusesWhatTakesMoreMemoryThanAllowedAndWhatIsNotPositiveDe
   EXPECT_EQ(indefinite.error().code, "factorisation-failed");
 }
 
-TEST(CholeskyFactor, InSinglePrecisionTakesHalfTheMemoryAndIsRefinedToTheSameSolution) {
+TEST(CholeskyFactor, InSinglePrecisionTakesLessThanHalfTheMemoryAndIsRefinedToTheSameSolution) {
   const auto lower = laplacian(20);
   const auto system = [&] { return ConstrainedSystem::create(lower, std::vector<std::uint8_t>(8000, 0), a_gigabyte); };
   auto full = system(), single = system();
   ASSERT_TRUE(full && single);
   single->keep_factor_in_single_precision();
-  EXPECT_EQ(2 * single->factor()->bytes(), full->factor()->bytes());
+  // Half of each number, and no more of the zeros above the diagonal than a band.
+  EXPECT_LT(single->factor()->bytes(), 0.49 * static_cast<double>(full->factor()->bytes()));
+  EXPECT_GT(single->factor()->bytes(), full->factor()->bytes() / 4);
 
   const Eigen::MatrixXd wanted = Eigen::MatrixXd::Random(lower.rows(), 5);
   const Eigen::MatrixXd loads = lower.selfadjointView<Eigen::Lower>() * wanted;

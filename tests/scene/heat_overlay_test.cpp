@@ -26,16 +26,17 @@ HeatMesh square() {
   return mesh;
 }
 
-TEST(HeatOverlay, ShowsGoodTrianglesBlueBadOnesYellowAndRejectedOnesGrey) {
+TEST(HeatOverlay, ShowsGoodTrianglesLightGreenBadOnesBlueAndRejectedOnesGrey) {
   HeatScale scale;
   scale.opacity = 1;
   vision::Frame drawn = heat_overlay(black(), camera(), square(), scale);
   const std::uint8_t* good = drawn.at(180, 100);  // above the diagonal: the first triangle
   const std::uint8_t* bad = drawn.at(140, 140);
-  EXPECT_GT(good[2], good[1]);
-  EXPECT_GT(bad[0], 200);
-  EXPECT_GT(bad[1], 200);
-  EXPECT_LT(bad[2], 100);
+  EXPECT_GT(good[1], 240);
+  EXPECT_GT(good[1], good[0] + 100);
+  EXPECT_GT(good[1], good[2] + 100);
+  EXPECT_GT(bad[2], bad[1] + 100);
+  EXPECT_GT(bad[2], bad[0] + 100);
   EXPECT_EQ(drawn.at(110, 100)[1], 0);  // beside it nothing
 
   HeatMesh mesh = square();

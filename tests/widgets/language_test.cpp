@@ -144,8 +144,26 @@ class LanguageTest : public QObject {
     QCOMPARE(translated(error),
              QString("liver.vtu kann nicht als Netz gelesen werden: es enthält keine Tetraeder. Öffnen Sie "
                      "es in ParaView, um zu sehen, ob es beschädigt ist."));
-    QCOMPARE(translated_stage("Writing: labels/liver"), QString("Schreiben: labels/liver"));
+    QCOMPARE(translated_stage("Writing: labels/liver"), QString("Schreiben: Leber"));
     choose("en");
+  }
+
+  // What the core fills into its sentences is called as in the lists of the window.
+  void names_structures_and_files_of_the_case_within_sentences() {
+    choose("de");
+    const auto changed = [](const std::string& what) {
+      return translated(Sentence{GLISSON_TEXT("Another program has changed {0} since it was saved."), {what}});
+    };
+    QCOMPARE(changed("labels/portal-vein-2"), changed("Pfortader 2"));
+    QCOMPARE(changed("tumour-1"), changed("Tumor 1"));
+    QCOMPARE(changed("tumour-1 (label 3)"), changed("Tumor 1 (Label 3)"));
+    QCOMPARE(changed("liver, cyst-2"), changed("Leber, Zyste 2"));
+    QVERIFY(changed("meshes/model").contains("das Modell"));
+    QVERIFY(changed("labels/somebodys-own").contains("labels/somebodys-own"));
+    QVERIFY(changed("/home/liver/scan.nrrd").contains("/home/liver/scan.nrrd"));
+    QVERIFY(changed("liver.vtu").contains("liver.vtu"));
+    choose("en");
+    QVERIFY(changed("labels/portal-vein-2").contains("Portal vein 2"));
   }
 
   void keeps_an_open_notice_in_step() {

@@ -15,6 +15,7 @@
 #include "shown.h"
 #include "vascular_case.h"
 #include "widgets/main_window.h"
+#include "widgets/rehearse/planned_course.h"
 #include "widgets/resect/resect_panel.h"
 #include "widgets/session/load_patient.h"
 
@@ -30,10 +31,11 @@ class PlanByAnatomyTest : public QObject {
   void initTestCase() {
     folder_ = test::vascular_case(std::filesystem::path(parent_.path().toStdString()));
     window_ = shown_window({1500, 1000});
-    const auto patient = load_patient(folder_, {});
+    auto patient = load_patient(folder_, {});
     QVERIFY(patient.has_value());
-    liver_ = geometry::bounding_box(patient->structures.front().surface->points_mm);
-    window_->show_patient(*patient);
+    patient_ = std::move(*patient);
+    liver_ = geometry::bounding_box(patient_.structures.front().surface->points_mm);
+    window_->show_patient(patient_);
     window_->go_to("resect");
     panel_ = window_->findChild<ResectPanel*>();
     QVERIFY(panel_->isVisible());
@@ -83,8 +85,15 @@ class PlanByAnatomyTest : public QObject {
     QVERIFY2(std::abs(100 * now.remnant_ml / now.liver_ml - by_mesh) < 3, qPrintable(QString::number(by_mesh)));
     QTest::qWait(500);
     QVERIFY(window_->grab().save(glisson::test::kept_picture("plan-plane.png")));
+    QVERIFY(!planned_course(patient_).course);
     keep("By a plane");
     QTRY_COMPARE_WITH_TIMEOUT(live().kept().size(), std::size_t{1}, patience_ms);
+    // One click for the table and for whatever follows the plan: Rehearse's cut, Guide, the report.
+    QVERIFY(live().kept().front().followed);
+    const auto followed = planned_course(patient_);
+    QVERIFY(followed.course);
+    QVERIFY(std::abs(followed.course->surface.normal().dot(panel_->plane()->normal())) > 1 - 1e-9);
+    QVERIFY(child<QTableWidget>("plans")->item(0, PlanByAnatomy::name_column)->font().bold());
     child<QPushButton>("no_cut")->click();
     QTRY_VERIFY(!live().result());
   }
@@ -111,6 +120,7 @@ class PlanByAnatomyTest : public QObject {
     QVERIFY(window_->grab().save(glisson::test::kept_picture("plan-segments-and-margin.png")));
     keep("Segment and margin");
     QTRY_COMPARE_WITH_TIMEOUT(live().kept().size(), std::size_t{2}, patience_ms);
+    QVERIFY(live().kept().front().followed && !live().kept().back().followed);  // a plan without a plane leads no cut
   }
 
   void compares_plans_and_takes_one_up_again() {
@@ -137,6 +147,8 @@ class PlanByAnatomyTest : public QObject {
     plans->selectRow(0);
     child<QPushButton>("drop_plan")->click();
     QTRY_COMPARE_WITH_TIMEOUT(live().kept().size(), std::size_t{1}, patience_ms);
+    QVERIFY(!planned_course(patient_).course);  // a plan that was dropped is followed by nobody
+    QVERIFY(!std::filesystem::exists(folder_ / "results" / "resection"));
   }
 
   void names_branches_in_words() {
@@ -144,7 +156,10 @@ class PlanByAnatomyTest : public QObject {
     QCOMPARE(branch_label("hepatic/middle"), QString("Hepatic vein, middle"));
   }
 
-  void shuts_down_cleanly() { window_.reset(); }
+  void shuts_down_cleanly() {
+    patient_ = {};
+    window_.reset();
+  }
 
  private:
   [[nodiscard]] const LivePlan& live() const { return panel_->by_anatomy().live(); }
@@ -154,11 +169,13 @@ class PlanByAnatomyTest : public QObject {
   }
   void keep(const char* name) {
     child<QLineEdit>("plan_name")->setText(name);
+    QTRY_VERIFY_WITH_TIMEOUT(child<QPushButton>("keep_plan")->isEnabled(), patience_ms);
     child<QPushButton>("keep_plan")->click();
   }
 
   QTemporaryDir parent_;
   std::filesystem::path folder_;
+  Patient patient_;
   geometry::Box liver_;
   std::unique_ptr<MainWindow> window_;
   ResectPanel* panel_ = nullptr;

@@ -8,6 +8,7 @@
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSlider>
 #include <QTemporaryDir>
 #include <QtTest>
@@ -272,16 +273,16 @@ class ResectTest : public QObject {
     window_->views().set_crosshair({30, 40, 40});
     QTest::mouseClick(child<QPushButton>("cut_through_crosshair"), Qt::LeftButton);
     await_specimen_ml(192);
-    auto* save = button_with("Save this plan");
-    QVERIFY(save->isEnabled());
-    QSignalSpy finished(&window_->work(), &BackgroundWork::finished);
-    QTest::mouseClick(save, Qt::LeftButton);
-    QVERIFY(finished.wait(patience_ms));
-    QVERIFY(std::filesystem::exists(kept.folder / "results" / "resection" / "resection.json"));
+    auto* keep = child<QPushButton>("keep_plan");
+    QTRY_VERIFY_WITH_TIMEOUT(keep->isEnabled(), patience_ms);
+    scroll_to(keep);
+    QTest::mouseClick(keep, Qt::LeftButton);
+    const auto written = kept.folder / "results" / "resection" / "resection.json";
+    QTRY_VERIFY_WITH_TIMEOUT(std::filesystem::exists(written), patience_ms);
     window_->show_patient(block_with_tumour());
     QVERIFY(!panel_->plane());
-    QVERIFY(!save->isEnabled());
-    QVERIFY(!save->toolTip().isEmpty());
+    QVERIFY(!keep->isEnabled());
+    QVERIFY(keep->toolTip().contains("not kept in a case folder"));
     window_->show_patient(kept);
     QVERIFY(panel_->plane());
     await_specimen_ml(192);
@@ -316,11 +317,9 @@ class ResectTest : public QObject {
   Widget* child(const char* name) {
     return child_of<Widget>(*panel_, name);
   }
-  QPushButton* button_with(const QString& text) {
-    for (auto* button : panel_->findChildren<QPushButton*>()) {
-      if (button->text().startsWith(text)) return button;
-    }
-    qFatal("no such button");
+  void scroll_to(QWidget* widget) {
+    panel_->findChild<QScrollArea*>()->ensureWidgetVisible(widget);
+    QTest::qWait(50);
   }
   static QPoint pixel(const RenderWidget& view, const Eigen::Vector3d& position_mm) {
     const Eigen::Vector2d at = view.view().pixel_of(position_mm) / view.devicePixelRatioF();

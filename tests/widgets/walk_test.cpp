@@ -179,9 +179,9 @@ class WalkTest : public QObject {
         [&] { return (walk.window().views().crosshair_mm() - inside_mm).norm() < 5; });
     walk.step(
         "cut", [&] { walk.click("cut_through_crosshair"); },
-        [&] { return walk.text("remnant_volume").contains("ml"); });
+        [&] { return walk.text("remnant_volume").contains("ml") && walk.can_press("keep_plan"); });
     walk.step(
-        "keep the plan", [&] { walk.click("primary"); },
+        "keep the plan", [&] { walk.click("keep_plan"); },
         [&] { return fs::exists(hers() / "results/resection/resection.json"); });
     walk.step(
         "report", [&] { walk.click("workspace_report"); }, [&] { return walk.can_press("report_html"); });

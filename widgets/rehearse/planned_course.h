@@ -1,5 +1,5 @@
 #pragma once
-// The plan that Resect saved, as a course that the rehearsal's cut can take.
+// The plan that Resect kept, as a course that the rehearsal's cut can take.
 
 #include <optional>
 

@@ -160,7 +160,7 @@ void LivePlan::read_kept() {
         if (!plans) return answers;
         for (const casefile::KeptPlan& kept : *plans) {
           auto answer = anatomy->planner.answer(kept.plan.cuts);
-          answers.push_back({kept, {}, {}});
+          answers.push_back({kept, {}, {}, casefile::is_followed(*patient, kept.plan)});
           if (answer) {
             answers.back().answer = std::move(*answer);
           } else {

@@ -33,6 +33,7 @@ struct KeptPlanAnswer {
   casefile::KeptPlan kept;
   std::optional<planning::PlanAnswer> answer;  // by what the case holds now
   std::optional<Error> problem;                // where it no longer holds
+  bool followed = false;                       // by Rehearse, Guide and the report
 };
 
 class LivePlan : public QObject {

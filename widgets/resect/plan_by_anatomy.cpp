@@ -57,7 +57,8 @@ PlanByAnatomy::PlanByAnatomy(WorkspaceContext context, QWidget* parent)
 }
 
 QWidget* PlanByAnatomy::make_anatomy() {
-  auto* group = new QWidget(this);
+  by_anatomy_ = new QWidget(this);
+  QWidget* group = by_anatomy_;
   auto* column = new QVBoxLayout(group);
   column->setContentsMargins(0, 0, 0, 0);
   QLabel* title = heading(group);
@@ -185,7 +186,7 @@ QWidget* PlanByAnatomy::make_plans() {
     plans_->horizontalHeaderItem(cut_branches_column)->setToolTip(tr("Branches that are cut"));
     name_->setPlaceholderText(tr("Name of the plan"));
     keep_->setText(tr("Keep this plan"));
-    keep_->setToolTip(tr("Keeps it in the case under this name, beside the others"));
+    show_keeping();
     drop_->setText(tr("Drop"));
     drop_->setToolTip(tr("Takes the plan that is marked out of the case"));
   });
@@ -198,13 +199,19 @@ void PlanByAnatomy::show_patient(const Patient& patient) {
     name_->clear();
   }
   folder_ = patient.folder;
-  setVisible(!folder_.empty());
+  by_anatomy_->setVisible(!folder_.empty());
   live_->open(patient.liver() != nullptr ? folder_ : std::filesystem::path());
 }
 
-void PlanByAnatomy::set_surface(const std::optional<planning::Cut>& surface) {
+void PlanByAnatomy::set_surface(const std::optional<casefile::PlannedCut>& surface) {
   surface_ = surface;
   live_->set_cuts(cuts());
+  show_keeping();
+}
+
+void PlanByAnatomy::set_resection(const std::shared_ptr<const LiveResectionResult>& resection) {
+  resection_ = resection;
+  show_keeping();
 }
 
 void PlanByAnatomy::clear() {
@@ -214,7 +221,8 @@ void PlanByAnatomy::clear() {
 
 std::vector<planning::Cut> PlanByAnatomy::cuts() const {
   std::vector<planning::Cut> all = taken_;
-  if (surface_) all.insert(all.begin(), *surface_);
+  const bool at_rest = surface_ && surface_->liver == casefile::PlannedCut::Liver::at_rest;
+  if (at_rest) all.insert(all.begin(), casefile::cut_of(*surface_));
   return all;
 }
 
@@ -252,22 +260,41 @@ void PlanByAnatomy::take_around() {
   take(planning::MarginCut{tumour_->currentData().toString().toStdString(), margin_->value()});
 }
 
+bool PlanByAnatomy::complete() const {
+  const std::vector<planning::Cut> wanted = cuts();
+  if (folder_.empty() || live_->opening() || (wanted.empty() && !divides_liver())) return false;
+  if (divides_liver() && (!resection_ || resection_->cut != *surface_)) return false;
+  if (!live_->anatomy() || wanted.empty() || live_->problem()) return divides_liver();
+  return live_->result() && live_->result()->cuts == wanted;
+}
+
 void PlanByAnatomy::keep() {
-  const auto result = live_->result();
+  if (!complete() || !context_.may_change()) return;
+  const auto resection = divides_liver() ? resection_ : nullptr;
   const auto anatomy = live_->anatomy();
-  if (!result || !anatomy || folder_.empty() || !context_.may_change()) return;
+  const auto answered = anatomy && !cuts().empty() ? live_->result() : nullptr;
   QString name = name_->text().trimmed();
   if (name.isEmpty()) name = tr("Plan %1").arg(live_->kept().size() + 1);
   context_.undo.change(
       {GLISSON_TEXT("Keep the plan {0}"), {name.toStdString()}}, {},
-      [folder = folder_, plan = planning::Plan{name.toStdString(), result->cuts}, result, anatomy]() -> Result<void> {
-        auto patient = casefile::Case::open(folder);
-        if (!patient) return failure(std::move(patient.error()));
-        const auto id = casefile::keep_plan(*patient, plan, result->answer, anatomy->planner.trees());
-        return id ? Result<void>() : failure(id.error());
+      [folder = folder_, name = name.toStdString(), resection, anatomy, answered]() -> Result<void> {
+        if (answered) {
+          auto patient = casefile::Case::open(folder);
+          if (!patient) return failure(std::move(patient.error()));
+          const planning::Plan plan{name, answered->cuts};
+          const auto id = casefile::keep_plan(*patient, plan, answered->answer, anatomy->planner.trees());
+          if (!id) return failure(id.error());
+        }
+        if (!resection) return {};
+        return casefile::write_resection(folder / "results" / "resection", resection->cut, resection->plan);
       },
-      [this](const Result<void>& kept) {
-        if (!kept) context_.tell_error(kept.error());
+      [this, name, followed = resection != nullptr](const Result<void>& kept) {
+        if (!kept) {
+          context_.tell_error(kept.error());
+        } else {
+          context_.tell_status(followed ? tr("%1 is kept. Rehearse, Guide and the report follow it.").arg(name)
+                                        : tr("%1 is kept.").arg(name));
+        }
         live_->read_kept();
       });
   name_->clear();

@@ -1,7 +1,8 @@
 #pragma once
 // The part of Resect that knows the liver's anatomy: its segments as a list and in colours, "take these segments" and
 // "around this tumour" as cuts of one click, what a cut leaves alive and which branches it takes, and the plans that
-// the case keeps, side by side.
+// the case keeps, side by side. The one that is kept last, where it is a plane or sheet, is also what Rehearse, Guide
+// and the report follow (results/resection).
 
 #include <optional>
 #include <QCheckBox>
@@ -14,6 +15,7 @@
 #include <vector>
 
 #include "widgets/resect/live_plan.h"
+#include "widgets/resect/live_resection.h"
 #include "widgets/words/number_box.h"
 #include "widgets/workspaces/workspace.h"
 
@@ -30,8 +32,10 @@ class PlanByAnatomy : public QWidget {
   PlanByAnatomy(WorkspaceContext context, QWidget* parent = nullptr);
 
   void show_patient(const Patient& patient);
-  // The plane or sheet that is set besides; nothing: none, or one that does not lie on the liver at rest.
-  void set_surface(const std::optional<planning::Cut>& surface);
+  // The plane or sheet that is set besides.
+  void set_surface(const std::optional<casefile::PlannedCut>& surface);
+  // The liver divided by it, once that is known.
+  void set_resection(const std::shared_ptr<const LiveResectionResult>& resection);
   // No segment and no tumour is taken any more.
   void clear();
 
@@ -59,16 +63,23 @@ class PlanByAnatomy : public QWidget {
   void show_anatomy();
   void show_answer();
   void show_plans();
+  // Whether all is known of the cut as it is now set, so that it can be kept.
+  [[nodiscard]] bool complete() const;
+  void show_keeping();
   void keep();
   void drop();
   [[nodiscard]] std::vector<planning::Cut> cuts() const;
+  // Whether the liver itself is divided by the cut: by a plane or sheet alone.
+  [[nodiscard]] bool divides_liver() const { return surface_ && taken_.empty(); }
   [[nodiscard]] std::vector<int> ticked() const;
 
   WorkspaceContext context_;
   LivePlan* live_;
   std::filesystem::path folder_;
-  std::optional<planning::Cut> surface_;
+  std::optional<casefile::PlannedCut> surface_;
+  std::shared_ptr<const LiveResectionResult> resection_;
   std::vector<planning::Cut> taken_;
+  QWidget* by_anatomy_;
   QLabel* told_;
   QPushButton* find_;
   QWidget* anatomy_;

@@ -110,7 +110,7 @@ void PlanByAnatomy::show_anatomy() {
 void PlanByAnatomy::show_answer() {
   const auto& result = live_->result();
   answer_->setVisible(result || (live_->problem() && !cuts().empty()));
-  keep_->setEnabled(result != nullptr);
+  show_keeping();
   const planning::PlanAnswer* answer = result ? &result->answer : nullptr;
   for (int row = 0; row < segments_->rowCount(); ++row) {
     const int s = segments_->item(row, segment_column)->data(Qt::UserRole).toInt();
@@ -177,8 +177,19 @@ void PlanByAnatomy::show_answer() {
   Q_EMIT drawing_changed();
 }
 
+void PlanByAnatomy::show_keeping() {
+  keep_->setEnabled(complete());
+  const bool held_aside = surface_ && surface_->liver == casefile::PlannedCut::Liver::held_aside;
+  keep_->setToolTip(folder_.empty()                      ? tr("This patient is not kept in a case folder")
+                    : !divides_liver() && taken_.empty() ? tr("Needs a cut through the liver")
+                    : !divides_liver()                   ? tr("Keeps it in the case under this name, beside the others")
+                    : held_aside
+                        ? tr("Keeps the cut on the liver held aside, for the report; the table is of plans at rest")
+                        : tr("Keeps it in the case under this name, beside the others; Rehearse, Guide and the "
+                             "report then follow it"));
+}
+
 void PlanByAnatomy::show_plans() {
-  plans_box_->setVisible(live_->anatomy() != nullptr);
   plans_->setVisible(!live_->kept().empty());
   drop_->setVisible(!live_->kept().empty());
   plans_->clearSelection();
@@ -192,6 +203,12 @@ void PlanByAnatomy::show_plans() {
       name->setText("▲ " + name->text());
       name->setToolTip(plan.problem ? translated(*plan.problem)
                                     : tr("What it was made from has changed since; the figures are those of now."));
+    }
+    if (plan.followed) {
+      QFont bold = name->font();
+      bold.setBold(true);
+      name->setFont(bold);
+      if (name->toolTip().isEmpty()) name->setToolTip(tr("Rehearse, Guide and the report follow this plan"));
     }
     const auto percent = [](double value) { return number(value, 0) + " %"; };
     put(*plans_, row, stays_percent_column,

@@ -7,7 +7,6 @@
 #include "scene/anatomy.h"
 #include "widgets/panels/parts.h"
 #include "widgets/words/keep_translated.h"
-#include "widgets/words/paths.h"
 #include "widgets/words/translated.h"
 
 namespace glisson::widgets {
@@ -118,8 +117,6 @@ QWidget* ResectPanel::make_outcome() {
   choices->addWidget(other_part_);
   choices->addWidget(no_cut_);
   column->addLayout(choices);
-  save_ = named_button("primary", group);
-  column->addWidget(save_);
   connect(apart_, &QSlider::valueChanged, this, [this](int apart_mm) {
     pieces_.draw_apart(context_.views.space().view(), apart_mm);
     context_.views.space().redraw();
@@ -137,7 +134,6 @@ QWidget* ResectPanel::make_outcome() {
     by_anatomy_->clear();
     cut_changed();
   });
-  connect(save_, &QPushButton::clicked, this, &ResectPanel::save);
   keep_translated(group, [=, this] {
     as_held_->setText(tr("On the liver as the tool holds it"));
     held_text_->setText(tr("The cut lies on the liver held aside; the slices show the scan, at rest."));
@@ -146,7 +142,6 @@ QWidget* ResectPanel::make_outcome() {
     apart_->setToolTip(tr("Draws the part that is removed away from the rest"));
     other_part_->setText(tr("Remove the other part"));
     no_cut_->setText(tr("No cut"));
-    save_->setText(tr("Save this plan in the case"));
   });
   return group;
 }
@@ -159,11 +154,11 @@ void ResectPanel::show_patient(const Patient& patient) {
   live_->set_patient(patient);
   by_anatomy_->show_patient(patient);
   hold_as_rehearsed();
-  if (other) take_up_saved_plan();
+  if (other) take_up_kept_plan();
   cut_changed();
 }
 
-void ResectPanel::take_up_saved_plan() {
+void ResectPanel::take_up_kept_plan() {
   plane_.reset();
   points_mm_.clear();
   clicks_mm_.clear();
@@ -319,14 +314,14 @@ void ResectPanel::cut_changed() {
   handles_->set_points(by_plane ? clicks_mm_ : points_mm_);
   move_drawn_plane();
   live_->set_cut(cut_of_mesh());
-  const auto planned = cut();
-  by_anatomy_->set_surface(planned && !live_->holding() ? std::optional(casefile::cut_of(*planned)) : std::nullopt);
+  by_anatomy_->set_surface(cut());
   word_state();
   if (!live_->result() || !drawn_plane_ || !shown) show_scene();
   context_.views.redraw();
 }
 
 void ResectPanel::show_result() {
+  by_anatomy_->set_resection(live_->result());
   results_->show(live_->result().get(), live_->problem() ? translated(*live_->problem()) : why_nothing());
   pieces_ = ResectionScene(live_->result());
   show_scene();
@@ -383,10 +378,6 @@ void ResectPanel::word_state() {
   const bool planned = live_->result() != nullptr;
   for (QWidget* each : std::initializer_list<QWidget*>{apart_, other_part_}) each->setEnabled(planned);
   no_cut_->setEnabled(plane_ || !points_mm_.empty() || !by_anatomy_->taken().empty());
-  save_->setEnabled(planned && !patient_.folder.empty());
-  save_->setToolTip(patient_.folder.empty() ? tr("This patient is not kept in a case folder")
-                    : planned               ? tr("Writes resection.json, parts.vtu and cut.vtp into results/resection")
-                                            : tr("Needs a cut through the liver"));
 }
 
 QString ResectPanel::why_nothing() const {
@@ -407,21 +398,6 @@ geometry::Box ResectPanel::around_liver() const {
   box.min_mm.array() -= beyond_mm;
   box.max_mm.array() += beyond_mm;
   return box;
-}
-
-void ResectPanel::save() {
-  const auto result = live_->result();
-  if (!result || patient_.folder.empty() || !context_.may_change()) return;
-  context_.work.start(tr("Saving the plan"), [this, result, folder = folder_of_plan(patient_)](const Progress&) {
-    auto written = std::make_shared<Result<void>>(casefile::write_resection(folder, result->cut, result->plan));
-    return BackgroundWork::Then([this, written, folder] {
-      if (!*written) {
-        context_.tell_error(written->error());
-      } else {
-        context_.tell_status(tr("The plan is in %1").arg(text_of(folder)));
-      }
-    });
-  });
 }
 
 }  // namespace glisson::widgets

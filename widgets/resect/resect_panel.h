@@ -42,7 +42,7 @@ class ResectPanel : public QWidget {
   void take_click(const Eigen::Vector3d& position_mm);
   void move_plane(const CutPlane& plane);
   void set_points(std::vector<Eigen::Vector3d> points_mm);
-  void take_up_saved_plan();
+  void take_up_kept_plan();
   // Its plane or sheet; what else it takes, by_anatomy_ knows.
   void take_up(const planning::Plan& plan);
   void set_drawing(bool drawing);
@@ -52,7 +52,6 @@ class ResectPanel : public QWidget {
   void show_scene();
   void move_drawn_plane();
   void word_state();
-  void save();
   // How the tool in Rehearse holds the liver, where it does and this is asked for.
   void hold_as_rehearsed();
   void describe_holding();
@@ -83,7 +82,6 @@ class ResectPanel : public QWidget {
   ResectionResults* results_;
   PlanByAnatomy* by_anatomy_;
   QSlider* apart_;
-  QPushButton* save_;
 };
 
 }  // namespace glisson::widgets

@@ -1,20 +1,14 @@
 #include "widgets/work/background_work.h"
 
-#include <malloc.h>
 #include <QFutureWatcher>
 #include <QtConcurrentRun>
+
+#include "widgets/work/give_back_memory.h"
 
 namespace glisson::widgets {
 namespace {
 
 constexpr int shortest_between_reports_ms = 40;
-
-// What long work took for a while: the allocator would keep it, 140 MB after a report.
-void give_back_memory() {
-#ifdef __GLIBC__
-  malloc_trim(0);
-#endif
-}
 
 }  // namespace
 

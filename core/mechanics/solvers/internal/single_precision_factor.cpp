@@ -1,6 +1,9 @@
 #include "mechanics/solvers/internal/single_precision_factor.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstring>
+#include <utility>
 
 #include "base/result.h"
 
@@ -19,26 +22,42 @@ namespace {
 
 constexpr float zero = 0, one = 1, minus_one = -1;
 
+// Columns that share their rows. Of a square of them half is zeros.
+constexpr int widest = 64;
+
 }  // namespace
 
-SinglePrecisionFactor::SinglePrecisionFactor(const cholmod_factor& factor) {
+SinglePrecisionFactor::SinglePrecisionFactor(cholmod_factor& factor) {
   GLISSON_ASSERT(factor.is_super != 0 && factor.is_ll != 0 && factor.xtype == CHOLMOD_REAL);
   const auto* order = static_cast<const int*>(factor.Perm);
   const auto* first_column = static_cast<const int*>(factor.super);
   const auto* first_row = static_cast<const int*>(factor.pi);
   const auto* first_value = static_cast<const int*>(factor.px);
   const auto* rows = static_cast<const int*>(factor.s);
-  const auto* values = static_cast<const double*>(factor.x);
   order_.assign(order, order + factor.n);
   rows_.assign(rows, rows + factor.ssize);
-  values_.resize(factor.xsize);
-  std::transform(values, values + factor.xsize, values_.begin(),
-                 [](double value) { return static_cast<float>(value); });
+  auto* bytes = static_cast<std::byte*>(std::exchange(factor.x, nullptr));
   for (std::size_t s = 0; s < factor.nsuper; ++s) {
-    supernodes_.push_back({first_column[s], first_column[s + 1] - first_column[s],
-                           static_cast<std::size_t>(first_row[s]), first_row[s + 1] - first_row[s],
-                           static_cast<std::size_t>(first_value[s])});
+    const int all_columns = first_column[s + 1] - first_column[s], all_rows = first_row[s + 1] - first_row[s];
+    for (int begin = 0; begin < all_columns; begin += widest) {
+      const Supernode node{first_column[s] + begin, std::min(widest, all_columns - begin),
+                           static_cast<std::size_t>(first_row[s] + begin), all_rows - begin, count_};
+      supernodes_.push_back(node);
+      for (int column = begin; column < begin + node.columns; ++column) {
+        const std::size_t top =
+            static_cast<std::size_t>(first_value[s]) + static_cast<std::size_t>(column) * all_rows + begin;
+        // What is written lies before what is still to be read: as many numbers, of half the size.
+        for (std::size_t i = top; i < top + static_cast<std::size_t>(node.rows); ++i, ++count_) {
+          double value = 0;
+          std::memcpy(&value, bytes + i * sizeof(double), sizeof(double));
+          const auto rounded = static_cast<float>(value);
+          std::memcpy(bytes + count_ * sizeof(float), &rounded, sizeof(float));
+        }
+      }
+    }
   }
+  void* smaller = std::realloc(bytes, std::max<std::size_t>(1, count_) * sizeof(float));
+  values_.reset(static_cast<float*>(smaller != nullptr ? smaller : bytes));
 }
 
 Eigen::MatrixXd SinglePrecisionFactor::solve(const Eigen::MatrixXd& right_hand_sides) const {
@@ -68,7 +87,7 @@ void SinglePrecisionFactor::solve_forward(Eigen::MatrixXf& x) const {
   const int n = static_cast<int>(x.rows()), sides = static_cast<int>(x.cols());
   Eigen::MatrixXf below;
   for (const Supernode& node : supernodes_) {
-    const float* values = values_.data() + node.first_value;
+    const float* values = values_.get() + node.first_value;
     float* own = x.data() + node.first_column;
     strsm_("L", "L", "N", "N", &node.columns, &sides, &one, values, &node.rows, own, &n);
     const int count = node.rows - node.columns;
@@ -88,7 +107,7 @@ void SinglePrecisionFactor::solve_backward(Eigen::MatrixXf& x) const {
   const int n = static_cast<int>(x.rows()), sides = static_cast<int>(x.cols());
   Eigen::MatrixXf below;
   for (auto node = supernodes_.rbegin(); node != supernodes_.rend(); ++node) {
-    const float* values = values_.data() + node->first_value;
+    const float* values = values_.get() + node->first_value;
     float* own = x.data() + node->first_column;
     const int count = node->rows - node->columns;
     if (count > 0) {
