@@ -4352,10 +4352,6 @@
         <translation>SIMULIERT: eine erzeugte Leber, die nach einer Formel atmet und von einem Instrument eingedrückt wird. Die „vorgegebene“ Registrierung ist die wahre, in die links im Bild ein Fehler eingebaut wurde.</translation>
     </message>
     <message>
-        <source>--study serves a DICOM SEG alone (--format dicom-seg).</source>
-        <translation>--study dient nur einem DICOM SEG (--format dicom-seg).</translation>
-    </message>
-    <message>
         <source>there is no picture</source>
         <translation>es gibt kein Bild</translation>
     </message>
@@ -4920,10 +4916,6 @@
         <translation>{0} müssen ganze Zahlen von 1 bis 8 sein, die Segmente nach Couinaud.</translation>
     </message>
     <message>
-        <source>{0} needs one of plane, sheet, segments, territory, around.</source>
-        <translation>{0} braucht eines von plane, sheet, segments, territory, around.</translation>
-    </message>
-    <message>
         <source>{0} is not of the format glisson-plan/1.</source>
         <translation>{0} hat nicht das Format glisson-plan/1.</translation>
     </message>
@@ -5170,6 +5162,54 @@
     <message>
         <source>{0} ml is less than any person&apos;s liver holds: the outline is a part of it, or these are images of an animal or a phantom.</source>
         <translation>{0} ml sind weniger, als die Leber irgendeines Menschen fasst: Der Umriss ist ein Teil von ihr, oder dies sind Bilder eines Tiers oder Phantoms.</translation>
+    </message>
+    <message>
+        <source>{0} needs one of plane, sheet, segments, territory, around, ablation.</source>
+        <translation>{0} braucht eines von plane, sheet, segments, territory, around, ablation.</translation>
+    </message>
+    <message>
+        <source>An ablation needs a direction, and radii of more than 0 and at most {0} mm.</source>
+        <translation>Eine Ablation braucht eine Richtung und Radien von mehr als 0 und höchstens {0} mm.</translation>
+    </message>
+    <message>
+        <source>The ablation lies beside the liver.</source>
+        <translation>Die Ablation liegt neben der Leber.</translation>
+    </message>
+    <message>
+        <source>Move it into the liver; positions are patient coordinates (LPS, mm).</source>
+        <translation>Schieben Sie sie in die Leber; Orte sind Patientenkoordinaten (LPS, mm).</translation>
+    </message>
+    <message>
+        <source>{0}: the cut unrolled flat. Purple: tumour; red: less than 5 mm from one; amber: less than 10 mm. Rings: vessels that are cut.</source>
+        <translation>{0}: der Schnitt flach ausgerollt. Violett: Tumor; rot: weniger als 5 mm von einem entfernt; gelb: weniger als 10 mm. Ringe: Gefäße, die durchtrennt werden.</translation>
+    </message>
+    <message>
+        <source>Left, of the body&apos;s weight (%)</source>
+        <translation>Bleibt, vom Körpergewicht (%)</translation>
+    </message>
+    <message>
+        <source>Left and alive, of the body&apos;s weight (%)</source>
+        <translation>Bleibt und lebt, vom Körpergewicht (%)</translation>
+    </message>
+    <message>
+        <source>No worse in margin, tissue and tumours, and better in one</source>
+        <translation>Bei Rand, Gewebe und Tumoren nirgends schlechter und in einem besser</translation>
+    </message>
+    <message>
+        <source>What a wider margin costs.</source>
+        <translation>Was ein breiterer Rand kostet.</translation>
+    </message>
+    <message>
+        <source>smallest margin (mm)</source>
+        <translation>kleinster Rand (mm)</translation>
+    </message>
+    <message>
+        <source>left and alive (ml)</source>
+        <translation>bleibt und lebt (ml)</translation>
+    </message>
+    <message>
+        <source>--study and --plan serve a DICOM SEG alone (--format dicom-seg).</source>
+        <translation>--study und --plan gelten nur für ein DICOM SEG (--format dicom-seg).</translation>
     </message>
 </context>
 <context>
@@ -6706,14 +6746,6 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Griffe am Fad
         <translation>Ein Fehler in Glisson hat dies beendet: %1</translation>
     </message>
     <message>
-        <source>Click on the liver where the tool is to touch it.</source>
-        <translation>Klicken Sie auf die Leber, wo das Instrument sie berühren soll.</translation>
-    </message>
-    <message>
-        <source>Tool placed in %1 ms.</source>
-        <translation>Instrument in %1 ms gesetzt.</translation>
-    </message>
-    <message>
         <source>Open a case (a folder NAME.glisson)</source>
         <translation>Fall öffnen (ein Ordner NAME.glisson)</translation>
     </message>
@@ -6760,22 +6792,6 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Griffe am Fad
     <message>
         <source>&amp;Manual</source>
         <translation>&amp;Handbuch</translation>
-    </message>
-    <message>
-        <source>Rehearse</source>
-        <translation>Proben</translation>
-    </message>
-    <message>
-        <source>Pull with a tool, and see what moves and how far.</source>
-        <translation>Mit einem Instrument ziehen und sehen, was sich wie weit bewegt.</translation>
-    </message>
-    <message>
-        <source>Platform</source>
-        <translation>Plattform</translation>
-    </message>
-    <message>
-        <source>Find what can be worn for this case.</source>
-        <translation>Finden, was sich für diesen Fall tragen lässt.</translation>
     </message>
     <message>
         <source>&amp;Go</source>
@@ -6856,10 +6872,6 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Griffe am Fad
     <message>
         <source>Give it up and close</source>
         <translation>Aufgeben und schließen</translation>
-    </message>
-    <message>
-        <source>Set landmark</source>
-        <translation>Landmarke setzen</translation>
     </message>
 </context>
 <context>
@@ -7837,6 +7849,14 @@ figures</source>
         <source>Volume of %1; its stiffness is assumed</source>
         <translation>Volumen von %1; die Steifigkeit ist angenommen</translation>
     </message>
+    <message>
+        <source>Platform</source>
+        <translation>Plattform</translation>
+    </message>
+    <message>
+        <source>Find what can be worn for this case.</source>
+        <translation>Finden, was sich für diesen Fall tragen lässt.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::ReadingPanel</name>
@@ -8184,6 +8204,22 @@ figures</source>
     <message>
         <source>There are no landmarks: put the crosshair where one is to be, then press Set.</source>
         <translation>Es gibt keine Landmarken: setzen Sie das Fadenkreuz an den Ort und drücken Sie Setzen.</translation>
+    </message>
+    <message>
+        <source>Set landmark</source>
+        <translation>Landmarke setzen</translation>
+    </message>
+    <message>
+        <source>Pull with a tool, and see what moves and how far.</source>
+        <translation>Mit einem Instrument ziehen und sehen, was sich wie weit bewegt.</translation>
+    </message>
+    <message>
+        <source>Click on the liver where the tool is to touch it.</source>
+        <translation>Klicken Sie auf die Leber, wo das Instrument sie berühren soll.</translation>
+    </message>
+    <message>
+        <source>Tool placed in %1 ms.</source>
+        <translation>Instrument in %1 ms gesetzt.</translation>
     </message>
 </context>
 <context>

@@ -4352,10 +4352,6 @@
         <translation>SIMULADO: un hígado generado, que respira y es presionado por un instrumento según una fórmula. El registro llamado «dado» es el verdadero con un fallo introducido a la izquierda de la imagen.</translation>
     </message>
     <message>
-        <source>--study serves a DICOM SEG alone (--format dicom-seg).</source>
-        <translation>--study sirve solo para un DICOM SEG (--format dicom-seg).</translation>
-    </message>
-    <message>
         <source>there is no picture</source>
         <translation>no hay ninguna imagen</translation>
     </message>
@@ -4920,10 +4916,6 @@
         <translation>{0} deben ser números enteros de 1 a 8, los segmentos de Couinaud.</translation>
     </message>
     <message>
-        <source>{0} needs one of plane, sheet, segments, territory, around.</source>
-        <translation>{0} necesita uno de plane, sheet, segments, territory, around.</translation>
-    </message>
-    <message>
         <source>{0} is not of the format glisson-plan/1.</source>
         <translation>{0} no tiene el formato glisson-plan/1.</translation>
     </message>
@@ -5170,6 +5162,54 @@
     <message>
         <source>{0} ml is less than any person&apos;s liver holds: the outline is a part of it, or these are images of an animal or a phantom.</source>
         <translation>{0} ml es menos de lo que contiene el hígado de cualquier persona: el contorno es una parte de él, o son imágenes de un animal o de un fantoma.</translation>
+    </message>
+    <message>
+        <source>{0} needs one of plane, sheet, segments, territory, around, ablation.</source>
+        <translation>{0} necesita uno de plane, sheet, segments, territory, around, ablation.</translation>
+    </message>
+    <message>
+        <source>An ablation needs a direction, and radii of more than 0 and at most {0} mm.</source>
+        <translation>Una ablación necesita una dirección y radios de más de 0 y como máximo {0} mm.</translation>
+    </message>
+    <message>
+        <source>The ablation lies beside the liver.</source>
+        <translation>La ablación queda fuera del hígado.</translation>
+    </message>
+    <message>
+        <source>Move it into the liver; positions are patient coordinates (LPS, mm).</source>
+        <translation>Muévala dentro del hígado; las posiciones son coordenadas del paciente (LPS, mm).</translation>
+    </message>
+    <message>
+        <source>{0}: the cut unrolled flat. Purple: tumour; red: less than 5 mm from one; amber: less than 10 mm. Rings: vessels that are cut.</source>
+        <translation>{0}: el corte extendido en plano. Violeta: tumor; rojo: a menos de 5 mm de uno; ámbar: a menos de 10 mm. Anillos: vasos que se cortan.</translation>
+    </message>
+    <message>
+        <source>Left, of the body&apos;s weight (%)</source>
+        <translation>Queda, del peso corporal (%)</translation>
+    </message>
+    <message>
+        <source>Left and alive, of the body&apos;s weight (%)</source>
+        <translation>Queda y vive, del peso corporal (%)</translation>
+    </message>
+    <message>
+        <source>No worse in margin, tissue and tumours, and better in one</source>
+        <translation>No peor en margen, tejido y tumores, y mejor en uno</translation>
+    </message>
+    <message>
+        <source>What a wider margin costs.</source>
+        <translation>Lo que cuesta un margen más ancho.</translation>
+    </message>
+    <message>
+        <source>smallest margin (mm)</source>
+        <translation>margen mínimo (mm)</translation>
+    </message>
+    <message>
+        <source>left and alive (ml)</source>
+        <translation>queda y vive (ml)</translation>
+    </message>
+    <message>
+        <source>--study and --plan serve a DICOM SEG alone (--format dicom-seg).</source>
+        <translation>--study y --plan sirven solo para un DICOM SEG (--format dicom-seg).</translation>
     </message>
 </context>
 <context>
@@ -6708,14 +6748,6 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar. Ctrl+arrastrar: girar. Tiradores 
         <translation>Un defecto de Glisson ha interrumpido esto: %1</translation>
     </message>
     <message>
-        <source>Click on the liver where the tool is to touch it.</source>
-        <translation>Haga clic en el hígado donde el instrumento deba tocarlo.</translation>
-    </message>
-    <message>
-        <source>Tool placed in %1 ms.</source>
-        <translation>Instrumento colocado en %1 ms.</translation>
-    </message>
-    <message>
         <source>Open a case (a folder NAME.glisson)</source>
         <translation>Abrir un caso (una carpeta NOMBRE.glisson)</translation>
     </message>
@@ -6762,22 +6794,6 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar. Ctrl+arrastrar: girar. Tiradores 
     <message>
         <source>&amp;Manual</source>
         <translation>&amp;Manual</translation>
-    </message>
-    <message>
-        <source>Rehearse</source>
-        <translation>Ensayar</translation>
-    </message>
-    <message>
-        <source>Pull with a tool, and see what moves and how far.</source>
-        <translation>Tirar con un instrumento y ver qué se mueve y cuánto.</translation>
-    </message>
-    <message>
-        <source>Platform</source>
-        <translation>Plataforma</translation>
-    </message>
-    <message>
-        <source>Find what can be worn for this case.</source>
-        <translation>Encontrar qué se puede llevar puesto en este caso.</translation>
     </message>
     <message>
         <source>&amp;Go</source>
@@ -6858,10 +6874,6 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar. Ctrl+arrastrar: girar. Tiradores 
     <message>
         <source>Give it up and close</source>
         <translation>Abandonar y cerrar</translation>
-    </message>
-    <message>
-        <source>Set landmark</source>
-        <translation>Colocar punto de referencia</translation>
     </message>
 </context>
 <context>
@@ -7840,6 +7852,14 @@ supuestas</translation>
         <source>Volume of %1; its stiffness is assumed</source>
         <translation>Volumen de %1; su rigidez es supuesta</translation>
     </message>
+    <message>
+        <source>Platform</source>
+        <translation>Plataforma</translation>
+    </message>
+    <message>
+        <source>Find what can be worn for this case.</source>
+        <translation>Encontrar qué se puede llevar puesto en este caso.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::ReadingPanel</name>
@@ -8187,6 +8207,22 @@ supuestas</translation>
     <message>
         <source>There are no landmarks: put the crosshair where one is to be, then press Set.</source>
         <translation>No hay puntos de referencia: coloque la cruz donde haya de estar uno y pulse Colocar.</translation>
+    </message>
+    <message>
+        <source>Set landmark</source>
+        <translation>Colocar punto de referencia</translation>
+    </message>
+    <message>
+        <source>Pull with a tool, and see what moves and how far.</source>
+        <translation>Tirar con un instrumento y ver qué se mueve y cuánto.</translation>
+    </message>
+    <message>
+        <source>Click on the liver where the tool is to touch it.</source>
+        <translation>Haga clic en el hígado donde el instrumento deba tocarlo.</translation>
+    </message>
+    <message>
+        <source>Tool placed in %1 ms.</source>
+        <translation>Instrumento colocado en %1 ms.</translation>
     </message>
 </context>
 <context>

@@ -4352,10 +4352,6 @@
         <translation>SIMULÉ&#xa0;: un foie engendré, qui respire et qu’un instrument enfonce selon une formule. Le recalage dit «&#xa0;fourni&#xa0;» est le vrai, dans lequel une erreur a été mise à gauche de l’image.</translation>
     </message>
     <message>
-        <source>--study serves a DICOM SEG alone (--format dicom-seg).</source>
-        <translation>--study ne sert qu’à un DICOM SEG (--format dicom-seg).</translation>
-    </message>
-    <message>
         <source>there is no picture</source>
         <translation>il n’y a pas d’image</translation>
     </message>
@@ -4920,10 +4916,6 @@
         <translation>{0} doivent être des nombres entiers de 1 à 8, les segments de Couinaud.</translation>
     </message>
     <message>
-        <source>{0} needs one of plane, sheet, segments, territory, around.</source>
-        <translation>{0} a besoin de l’un de plane, sheet, segments, territory, around.</translation>
-    </message>
-    <message>
         <source>{0} is not of the format glisson-plan/1.</source>
         <translation>{0} n’est pas au format glisson-plan/1.</translation>
     </message>
@@ -5170,6 +5162,54 @@
     <message>
         <source>{0} ml is less than any person&apos;s liver holds: the outline is a part of it, or these are images of an animal or a phantom.</source>
         <translation>{0} ml, c’est moins que n’en contient le foie de quiconque : le contour en est une partie, ou ce sont des images d’un animal ou d’un fantôme.</translation>
+    </message>
+    <message>
+        <source>{0} needs one of plane, sheet, segments, territory, around, ablation.</source>
+        <translation>{0} demande l&apos;un de plane, sheet, segments, territory, around, ablation.</translation>
+    </message>
+    <message>
+        <source>An ablation needs a direction, and radii of more than 0 and at most {0} mm.</source>
+        <translation>Une ablation demande une direction, et des rayons de plus de 0 et d&apos;au plus {0} mm.</translation>
+    </message>
+    <message>
+        <source>The ablation lies beside the liver.</source>
+        <translation>L&apos;ablation se trouve à côté du foie.</translation>
+    </message>
+    <message>
+        <source>Move it into the liver; positions are patient coordinates (LPS, mm).</source>
+        <translation>Déplacez-la dans le foie ; les positions sont des coordonnées du patient (LPS, mm).</translation>
+    </message>
+    <message>
+        <source>{0}: the cut unrolled flat. Purple: tumour; red: less than 5 mm from one; amber: less than 10 mm. Rings: vessels that are cut.</source>
+        <translation>{0} : la coupe déroulée à plat. Violet : tumeur ; rouge : à moins de 5 mm d&apos;une ; ambre : à moins de 10 mm. Anneaux : vaisseaux coupés.</translation>
+    </message>
+    <message>
+        <source>Left, of the body&apos;s weight (%)</source>
+        <translation>Reste, du poids du corps (%)</translation>
+    </message>
+    <message>
+        <source>Left and alive, of the body&apos;s weight (%)</source>
+        <translation>Reste et vit, du poids du corps (%)</translation>
+    </message>
+    <message>
+        <source>No worse in margin, tissue and tumours, and better in one</source>
+        <translation>Ni moins bon en marge, tissu et tumeurs, et meilleur en un point</translation>
+    </message>
+    <message>
+        <source>What a wider margin costs.</source>
+        <translation>Ce que coûte une marge plus large.</translation>
+    </message>
+    <message>
+        <source>smallest margin (mm)</source>
+        <translation>plus petite marge (mm)</translation>
+    </message>
+    <message>
+        <source>left and alive (ml)</source>
+        <translation>reste et vit (ml)</translation>
+    </message>
+    <message>
+        <source>--study and --plan serve a DICOM SEG alone (--format dicom-seg).</source>
+        <translation>--study et --plan ne servent qu&apos;à un DICOM SEG (--format dicom-seg).</translation>
     </message>
 </context>
 <context>
@@ -6708,14 +6748,6 @@ Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: déplacer. Ctrl+glisser&#xa0;: tour
         <translation>Un défaut de Glisson a interrompu cette opération&#xa0;:&#xa0;%1</translation>
     </message>
     <message>
-        <source>Click on the liver where the tool is to touch it.</source>
-        <translation>Cliquez sur le foie à l’endroit que l’instrument doit toucher.</translation>
-    </message>
-    <message>
-        <source>Tool placed in %1 ms.</source>
-        <translation>Instrument placé en&#xa0;%1 ms.</translation>
-    </message>
-    <message>
         <source>Open a case (a folder NAME.glisson)</source>
         <translation>Ouvrir un cas (un dossier NOM.glisson)</translation>
     </message>
@@ -6762,22 +6794,6 @@ Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: déplacer. Ctrl+glisser&#xa0;: tour
     <message>
         <source>&amp;Manual</source>
         <translation>&amp;Manuel</translation>
-    </message>
-    <message>
-        <source>Rehearse</source>
-        <translation>Répéter</translation>
-    </message>
-    <message>
-        <source>Pull with a tool, and see what moves and how far.</source>
-        <translation>Tirer avec un instrument et voir ce qui bouge, et de combien.</translation>
-    </message>
-    <message>
-        <source>Platform</source>
-        <translation>Plateforme</translation>
-    </message>
-    <message>
-        <source>Find what can be worn for this case.</source>
-        <translation>Trouver ce qui peut être porté pour ce cas.</translation>
     </message>
     <message>
         <source>&amp;Go</source>
@@ -6858,10 +6874,6 @@ Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: déplacer. Ctrl+glisser&#xa0;: tour
     <message>
         <source>Give it up and close</source>
         <translation>Abandonner et fermer</translation>
-    </message>
-    <message>
-        <source>Set landmark</source>
-        <translation>Placer un repère</translation>
     </message>
 </context>
 <context>
@@ -7840,6 +7852,14 @@ supposés</translation>
         <source>Volume of %1; its stiffness is assumed</source>
         <translation>Volume de %1 ; sa rigidité est supposée</translation>
     </message>
+    <message>
+        <source>Platform</source>
+        <translation>Plateforme</translation>
+    </message>
+    <message>
+        <source>Find what can be worn for this case.</source>
+        <translation>Trouver ce qui peut être porté pour ce cas.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::ReadingPanel</name>
@@ -8187,6 +8207,22 @@ supposés</translation>
     <message>
         <source>There are no landmarks: put the crosshair where one is to be, then press Set.</source>
         <translation>Il n’y a pas de repères : placez le réticule à l’endroit voulu, puis appuyez sur Placer.</translation>
+    </message>
+    <message>
+        <source>Set landmark</source>
+        <translation>Placer un repère</translation>
+    </message>
+    <message>
+        <source>Pull with a tool, and see what moves and how far.</source>
+        <translation>Tirer avec un instrument et voir ce qui bouge, et de combien.</translation>
+    </message>
+    <message>
+        <source>Click on the liver where the tool is to touch it.</source>
+        <translation>Cliquez sur le foie à l’endroit que l’instrument doit toucher.</translation>
+    </message>
+    <message>
+        <source>Tool placed in %1 ms.</source>
+        <translation>Instrument placé en&#xa0;%1 ms.</translation>
     </message>
 </context>
 <context>
