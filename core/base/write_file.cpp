@@ -1,88 +1,21 @@
 #include "base/write_file.h"
 
 #include <fcntl.h>
-#include <sys/file.h>
-#include <sys/mman.h>
-#include <sys/resource.h>
-#include <sys/stat.h>
 #include <unistd.h>
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
-#include <cstdlib>
 #include <optional>
 #include <system_error>
 #include <utility>
 #include <vector>
 
 #include "base/internal/held_files.h"
+#include "base/internal/parts.h"
 
 namespace glisson {
 namespace fs = std::filesystem;
 namespace {
-
-const std::string part_prefix = ".part-";
-constexpr int maximum_writers = 100;  // of one target at one time
-
-// Where that writer of the target works until it is done.
-fs::path part_path(const fs::path& target, int writer) {
-  constexpr std::size_t longest_name = 200;  // a system takes 255 bytes
-  const std::string count = writer == 0 ? "" : std::to_string(writer) + "-";
-  return target.parent_path() / (part_prefix + count + target.filename().string().substr(0, longest_name));
-}
-
-// A file beside the target that this writer alone writes, known by a lock that ends with the process.
-class Part {
- public:
-  static Result<Part> begin(const fs::path& target);
-  Part(Part&& other) noexcept
-      : descriptor_(std::exchange(other.descriptor_, -1)),
-        path_(std::move(other.path_)),
-        holds_old_(other.holds_old_),
-        removes_(other.removes_) {}
-  Part& operator=(Part&&) = delete;
-  ~Part();
-
-  // 0, or what the system says of it.
-  [[nodiscard]] int write(std::string_view bytes) const;
-  [[nodiscard]] int flush() const;
-  [[nodiscard]] int put_in_place(const fs::path& target);
-  [[nodiscard]] int exchange_with(const fs::path& target);
-  // Nothing comes to the target in exchange for what is there.
-  void remove_instead() { removes_ = true; }
-
- private:
-  [[nodiscard]] int take_away(const fs::path& target);
-  Part(int descriptor, fs::path path) : descriptor_(descriptor), path_(std::move(path)) {}
-  int descriptor_ = -1;
-  fs::path path_;           // empty once it stands in its place
-  bool holds_old_ = false;  // what was at the target stands at the path
-  bool removes_ = false;
-};
-
-// A folder that is not there yet: it is filled beside its place, known by a lock as a part is, and renamed once.
-class NewFolder {
- public:
-  static Result<NewFolder> begin(const fs::path& target);
-  NewFolder(NewFolder&& other) noexcept
-      : descriptor_(std::exchange(other.descriptor_, -1)),
-        target_(std::move(other.target_)),
-        path_(std::move(other.path_)) {}
-  NewFolder& operator=(NewFolder&&) = delete;
-  ~NewFolder();
-
-  [[nodiscard]] const fs::path& target() const { return target_; }
-  // Where what is to lie at `place`, below the target, is written until then; nothing for any other place.
-  [[nodiscard]] std::optional<fs::path> beside(const fs::path& place) const;
-  // 0, or what the system says of it.
-  [[nodiscard]] int put_in_place();
-
- private:
-  NewFolder(int descriptor, fs::path target, fs::path path)
-      : descriptor_(descriptor), target_(std::move(target)), path_(std::move(path)) {}
-  int descriptor_ = -1;
-  fs::path target_, path_;  // the path is empty once it stands in its place
-};
 
 // The files of a write_together under way in this thread.
 struct Together {
@@ -95,10 +28,7 @@ thread_local Together* together = nullptr;
 Result<void> write_bytes(const fs::path& target, std::string_view bytes, bool at_once);
 Result<std::optional<fs::path>> place_in_new_folder(Together& files, const fs::path& target);
 Result<void> put_all_in_place(Together& files);
-int rename_new(const fs::path& from, const fs::path& to);
 void flush_folder_of(const fs::path& target);
-int flushed(int descriptor);
-std::string reason_of(int code) { return std::generic_category().message(code); }
 
 }  // namespace
 
@@ -178,51 +108,6 @@ void remove_abandoned_parts(const fs::path& folder) {
   }
 }
 
-Result<MemoryFile> MemoryFile::create(const fs::path& named_like) {
-  auto folder = TemporaryFolder::make();
-  if (!folder) return failure(std::move(folder.error()));
-  const int descriptor = ::memfd_create("glisson", MFD_CLOEXEC);
-  if (descriptor < 0) return file_not_writable(named_like, reason_of(errno));
-  // Endings are short; the rest of the name says nothing to a writer.
-  const std::string name = named_like.filename().string();
-  fs::path path = folder->path() / ("file" + name.substr(name.size() - std::min<std::size_t>(name.size(), 12)));
-  MemoryFile made(std::move(*folder), descriptor, std::move(path));
-  std::error_code problem;
-  fs::create_symlink("/proc/self/fd/" + std::to_string(descriptor), made.path_, problem);
-  if (problem) return file_not_writable(made.path_, problem.message());
-  return made;
-}
-
-MemoryFile::MemoryFile(TemporaryFolder folder, int descriptor, fs::path path)
-    : folder_(std::move(folder)), descriptor_(descriptor), path_(std::move(path)) {}
-
-MemoryFile::MemoryFile(MemoryFile&& other) noexcept
-    : folder_(std::move(other.folder_)),
-      descriptor_(std::exchange(other.descriptor_, -1)),
-      path_(std::move(other.path_)) {}
-
-MemoryFile::~MemoryFile() {
-  if (descriptor_ >= 0) ::close(descriptor_);
-}
-
-Result<void> MemoryFile::write_to(const fs::path& target) const {
-  struct stat facts {};
-  if (::fstat(descriptor_, &facts) != 0) return file_not_writable(target, reason_of(errno));
-  const auto size = static_cast<std::size_t>(facts.st_size);
-  // No format is empty: a library that could not open the file did not say so.
-  if (size == 0) return file_not_writable(target, GLISSON_TEXT("nothing was written into it"));
-  // A limit on the size of files (ulimit -f) cuts those in memory too, and a library did not notice.
-  rlimit longest{};
-  if (::getrlimit(RLIMIT_FSIZE, &longest) == 0 && size >= longest.rlim_cur) {
-    return file_not_writable(target, reason_of(EFBIG));
-  }
-  void* bytes = ::mmap(nullptr, size, PROT_READ, MAP_SHARED, descriptor_, 0);
-  if (bytes == MAP_FAILED) return file_not_writable(target, reason_of(errno));
-  auto written = write_file(target, {static_cast<const char*>(bytes), size});
-  ::munmap(bytes, size);
-  return written;
-}
-
 namespace {
 
 Result<void> write_bytes(const fs::path& target, std::string_view bytes, bool at_once) {
@@ -241,113 +126,6 @@ Result<void> write_bytes(const fs::path& target, std::string_view bytes, bool at
   if (const int code = part->put_in_place(target); code != 0) return file_not_writable(target, reason_of(code));
   flush_folder_of(target);
   return {};
-}
-
-Result<Part> Part::begin(const fs::path& target) {
-  for (int number = 0; number < maximum_writers; ++number) {
-    fs::path path = part_path(target, number);
-    int descriptor = -1;
-    do descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
-    while (descriptor < 0 && errno == EINTR);
-    if (descriptor < 0) {
-      const int code = errno;
-      struct stat there {};
-      const bool anothers = (code == EACCES || code == ELOOP) && ::lstat(path.c_str(), &there) == 0;
-      if (anothers) continue;  // left by another person, or planted
-      return file_not_writable(target, reason_of(code));
-    }
-    // Whoever held it before may have renamed or removed it since it was opened.
-    if (locked(descriptor) && stands_at(descriptor, path)) {
-      Part part(descriptor, std::move(path));
-      if (::ftruncate(descriptor, 0) != 0) return file_not_writable(target, reason_of(errno));
-      return part;
-    }
-    ::close(descriptor);
-  }
-  return file_not_writable(target, GLISSON_TEXT("others are writing it"));
-}
-
-Part::~Part() {
-  if (descriptor_ < 0) return;
-  if (!path_.empty() && (holds_old_ || stands_at(descriptor_, path_))) ::unlink(path_.c_str());
-  ::close(descriptor_);
-}
-
-int Part::write(std::string_view bytes) const {
-  while (!bytes.empty()) {
-    const ::ssize_t count = ::write(descriptor_, bytes.data(), bytes.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) return errno;
-    if (count == 0) return ENOSPC;
-    bytes.remove_prefix(static_cast<std::size_t>(count));
-  }
-  return 0;
-}
-
-int Part::flush() const { return flushed(descriptor_); }
-
-int Part::put_in_place(const fs::path& target) {
-  if (::rename(path_.c_str(), target.c_str()) != 0) return errno;
-  path_.clear();
-  return 0;
-}
-
-// There and back.
-int Part::exchange_with(const fs::path& target) {
-  if (removes_) return take_away(target);
-  std::error_code problem;
-  const bool is_there = fs::exists(fs::symlink_status(target, problem));
-  const bool mine = stands_at(descriptor_, path_);
-  const int code = exchange_files(path_, target);
-  if (code == 0) holds_old_ = mine && is_there;
-  return code;
-}
-
-int Part::take_away(const fs::path& target) {
-  const fs::path& from = holds_old_ ? path_ : target;
-  const fs::path& to = holds_old_ ? target : path_;
-  if (::rename(from.c_str(), to.c_str()) != 0) return errno;
-  holds_old_ = !holds_old_;
-  return 0;
-}
-
-Result<NewFolder> NewFolder::begin(const fs::path& target) {
-  for (int number = 0; number < maximum_writers; ++number) {
-    fs::path path = part_path(target, number);
-    if (::mkdir(path.c_str(), 0777) != 0 && errno != EEXIST) return file_not_writable(target, reason_of(errno));
-    const int descriptor = ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC | O_NOFOLLOW);
-    if (descriptor < 0) continue;  // a file, or left by another person, or planted
-    if (locked(descriptor) && stands_at(descriptor, path)) {
-      NewFolder folder(descriptor, target, path);
-      std::error_code problem;  // what a killed writer left in it
-      for (const auto& left : fs::directory_iterator(path, problem)) fs::remove_all(left.path(), problem);
-      if (problem) return file_not_writable(target, problem.message());
-      return folder;
-    }
-    ::close(descriptor);
-  }
-  return file_not_writable(target, GLISSON_TEXT("others are writing it"));
-}
-
-NewFolder::~NewFolder() {
-  if (descriptor_ < 0) return;
-  std::error_code ignored;
-  if (!path_.empty() && stands_at(descriptor_, path_)) fs::remove_all(path_, ignored);
-  ::close(descriptor_);
-}
-
-std::optional<fs::path> NewFolder::beside(const fs::path& place) const {
-  const auto [end_of_target, rest] = std::mismatch(target_.begin(), target_.end(), place.begin(), place.end());
-  if (end_of_target != target_.end() || rest == place.end()) return std::nullopt;
-  fs::path beside = path_;
-  for (auto part = rest; part != place.end(); ++part) beside /= *part;
-  return beside;
-}
-
-int NewFolder::put_in_place() {
-  if (const int code = rename_new(path_, target_); code != 0) return code;
-  path_.clear();
-  return 0;
 }
 
 // The first folder above the target that is missing is made as a whole.
@@ -393,26 +171,12 @@ Result<void> put_all_in_place(Together& files) {
   return {};
 }
 
-// Replaces nothing but an empty folder, where the file system cannot refuse even that.
-int rename_new(const fs::path& from, const fs::path& to) {
-  if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return 0;
-  if (errno != EINVAL && errno != ENOSYS) return errno;
-  return ::rename(from.c_str(), to.c_str()) == 0 ? 0 : errno;
-}
-
 void flush_folder_of(const fs::path& target) {
   const fs::path parent = target.has_parent_path() ? target.parent_path() : fs::path(".");
   if (const int folder = ::open(parent.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); folder >= 0) {
     (void)flushed(folder);  // the file is whole in either place
     ::close(folder);
   }
-}
-
-int flushed(int descriptor) {
-  int outcome = 0;
-  do outcome = ::fsync(descriptor);
-  while (outcome != 0 && errno == EINTR);
-  return outcome == 0 || errno == EINVAL || errno == EROFS ? 0 : errno;
 }
 
 }  // namespace
