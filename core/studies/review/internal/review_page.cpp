@@ -95,7 +95,8 @@ Result<void> write_review_page(const std::filesystem::path& file, const StoredQu
                                double tolerance_mm) {
   std::string page = head;
   page += fmt::format(
-      "<h1>Two registrations of one video</h1><p>{}. One colour scale for both; light green is good, dark blue is bad; grey "
+      "<h1>Two registrations of one video</h1><p>{}. One colour scale for both; light green is good, dark blue is bad; "
+      "grey "
       "triangles are off by {:g} mm or more.</p>\n",
       report::escaped(a.sequence.string()), tolerance_mm);
   page += fmt::format(
