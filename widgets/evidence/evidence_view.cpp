@@ -168,7 +168,8 @@ void EvidenceView::open_example() {
 }
 
 void EvidenceView::explain(const fs::path& experiment) {
-  const fs::path to = path_of(scratch_.filePath(QString::number(++made_here_)));
+  if (!scratch_) return context_.tell_error(scratch_.error());
+  const fs::path to = scratch_->path() / std::to_string(++made_here_);
   const bool begun = context_.work.start(tr("Explaining %1").arg(text_of(experiment.filename())),
                                          [this, experiment, to](const Progress& progress) -> BackgroundWork::Then {
                                            auto explained = closedloop::explain(experiment, progress);

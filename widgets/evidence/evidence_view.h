@@ -8,9 +8,9 @@
 #include <QPushButton>
 #include <QStackedWidget>
 #include <QTableWidget>
-#include <QTemporaryDir>
 #include <QWidget>
 
+#include "base/files.h"
 #include "closedloop/predict.h"
 #include "widgets/evidence/evidence_answer.h"
 #include "widgets/workspaces/workspace.h"
@@ -57,7 +57,7 @@ class EvidenceView : public QWidget {
   Patient patient_;
   std::shared_ptr<const EvidenceRecord> record_;
   std::optional<closedloop::LearntOrgan> weighed_;  // absent without a patient's model, or where nothing was learnt
-  QTemporaryDir scratch_;                           // reports made here until they are saved
+  const Result<TemporaryFolder> scratch_ = TemporaryFolder::make();  // reports made here until they are saved
   int made_here_ = 0;
   bool explaining_ = false;
   QElapsedTimer since_;

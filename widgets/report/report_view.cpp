@@ -168,7 +168,7 @@ void ReportView::refresh() {
   content.retraction = retraction_of(context_.rehearsal);
   if (boards_->isChecked()) content.plan = plan_();
   std::vector<Taken> taken;
-  if (!patient_.structures.empty()) taken = pictures();
+  if (!patient_.structures.empty() && scratch_) taken = pictures();
   context_.work.start(
       tr("Collecting the report"),
       [this, content, taken, folder = patient_.folder](const Progress& progress) mutable -> BackgroundWork::Then {
@@ -196,7 +196,7 @@ std::vector<ReportView::Taken> ReportView::pictures() {
   }
   std::vector<Taken> taken;
   const auto keep = [&](RenderWidget& view, const QString& name, const QString& caption) {
-    taken.push_back({view.smooth_picture(), {path_of(scratch_.filePath(name)), caption.toStdString()}});
+    taken.push_back({view.smooth_picture(), {scratch_->path() / path_of(name), caption.toStdString()}});
   };
   keep(context_.views.space(), "space.png", cut ? tr("The planned cut.") : tr("The patient as shown in the window."));
   const std::array<QString, 3> slices{tr("Transverse"), tr("Coronal"), tr("Sagittal")};

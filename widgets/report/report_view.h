@@ -8,11 +8,11 @@
 #include <QImage>
 #include <QLabel>
 #include <QPushButton>
-#include <QTemporaryDir>
 #include <QTextBrowser>
 #include <QTextDocument>
 #include <QWidget>
 
+#include "base/files.h"
 #include "hardware/plan.h"
 #include "report/page.h"
 #include "widgets/workspaces/workspace.h"
@@ -53,7 +53,7 @@ class ReportView : public QWidget {
   WorkspaceContext context_;
   PlanOfNow plan_;
   Patient patient_;
-  QTemporaryDir scratch_;  // the page's pictures
+  const Result<TemporaryFolder> scratch_ = TemporaryFolder::make();  // the page's pictures
   std::optional<report::Page> page_;
   std::unique_ptr<QTextDocument> document_;
   bool stale_ = true;
