@@ -8,7 +8,6 @@
 #include <itkMetaImageIO.h>
 #include <itkNiftiImageIO.h>
 #include <itkNrrdImageIO.h>
-#include <nifti1_io.h>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -131,10 +130,7 @@ namespace {
 
 itk::ImageIOBase::Pointer io_for(const fs::path& file) {
   const std::string name = lower_case_name(file);
-  if (name.ends_with(".nii") || name.ends_with(".nii.gz")) {
-    nifti_set_debug_level(0);  // what went wrong is said once, by us
-    return itk::NiftiImageIO::New().GetPointer();
-  }
+  if (name.ends_with(".nii") || name.ends_with(".nii.gz")) return itk::NiftiImageIO::New().GetPointer();
   if (name.ends_with(".nrrd") || name.ends_with(".nhdr")) return itk::NrrdImageIO::New().GetPointer();
   if (name.ends_with(".mha") || name.ends_with(".mhd")) return itk::MetaImageIO::New().GetPointer();
   return nullptr;
