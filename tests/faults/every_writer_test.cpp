@@ -162,12 +162,15 @@ void Trial::run_with(Fault fault, std::size_t at) {
   expect_cases_sound(fault);
 }
 
-// One sentence that names the file and no defect.
+// One sentence that names the file and no defect. The NIfTI library has a line of its own of a file that it cannot
+// open, whatever its level of messages; it comes before the sentence.
 void Trial::expect_said(const DiscRun& run) const {
+  std::string said = run.err;
+  if (said.starts_with("** ERROR (nifti_image_write_hdr_img2): cannot open")) said.erase(0, said.find('\n') + 1);
   EXPECT_EQ(run.exit_code, 1) << run.err;
-  EXPECT_TRUE(run.err.starts_with("glisson-cli: ")) << run.err;
-  EXPECT_THAT(run.err, testing::HasSubstr(room_.string())) << "names no file";
-  EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+  EXPECT_TRUE(said.starts_with("glisson-cli: ")) << run.err;
+  EXPECT_THAT(said, testing::HasSubstr(room_.string())) << "names no file";
+  EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << run.err;
 }
 
 bool is_trace(const std::string& name) {
@@ -297,6 +300,8 @@ void prepare(const fs::path& room) {
   write("push.json", R"({"loads": [{"tool": {"center_mm": [0, -50, 0], "radius_mm": 15, "force_N": [0, 0.1, 0]}}]})");
   write("hook.json", R"({"format": "glisson-session/1", "commands": [{"hold": {"id": "hook",
       "shape": "nathanson-retractor", "position_mm": [0, 0, -70], "direction": [0, 0, 1], "push_mN": 200}}]})");
+  write("right.json", R"({"name": "right", "plane": {"point_mm": [-10, 0, 0], "normal": [1, 0, 0]}})");
+  write("wedge.json", R"({"name": "wedge", "around": "tumour-1", "margin_mm": 8})");
   write("model.json", R"({"format": "glisson-closedloop-model/1", "kind": "palpation", "verdict": "explained",
       "effects": [{"kind": "stiffness-scale", "parameters": {"factor": 0.5}}]})");
   write("device.json", R"({"format": "glisson-closedloop-model/1", "kind": "platform", "verdict": "explained",
@@ -315,6 +320,7 @@ void prepare(const fs::path& room) {
   run({"simulate", "@small.glisson", "--scenario", "@push.json", "--out", "@result"});
   run({"export", "@small.glisson", "--format", "stl", "--out", "@stl"});
   run({"resect", "@small.glisson", "--plane=-20,0,0,1,0,0", "--out", "@resection"});
+  run({"plan", "@small.glisson", "--add", "@wedge.json"});
   fs::create_directories(room / "video");
   write_sequence(room / "video");
   run({"sirgn", "@video/sequence.json", "--method", "given", "--out", "@quality"});
@@ -335,6 +341,9 @@ std::vector<Command> commands() {
       {"simulate-again", {"simulate", "@small.glisson", "--scenario", "@pull.json", "--out", "@result"}, false, true},
       {"resect", {"resect", "@small.glisson", "--plane=-10,0,0,1,0,0", "--out", "@cut"}},
       {"resect-again", {"resect", "@small.glisson", "--plane=-10,0,0,1,0,0", "--out", "@resection"}, false, true},
+      {"plan-add", {"plan", "@small.glisson", "--add", "@right.json"}},
+      {"plan-drop", {"plan", "@small.glisson", "--drop", "wedge"}},
+      {"plan-compare", {"plan", "@small.glisson", "--compare", "--out", "@plans"}},
       {"session", {"session", "@small.glisson", "--commands", "@hook.json", "--out", "@recorded.json"}},
       {"accept", {"accept", "@small.glisson", "@model.json", "--of-this-patient"}},
       {"register", {"register", "@stl/liver.stl", "@stl/tumour-1.stl", "--method", "icp", "--out", "@moved.ply"}},
