@@ -240,10 +240,25 @@ Result<std::vector<Resectogram>> Planner::resectograms(const std::vector<Cut>& c
   const Liver& liver = *liver_;
   const auto removal = removal_by(cuts, liver.cuttable());
   if (!removal) return failure(removal.error());
-  const CutOff vessels = liver.cut_off_by(*removal);
-  std::vector<Resectogram> maps;
+  std::vector<const geometry::CutSurface*> surfaces;
   for (const PreparedCut& cut : removal->cuts) {
-    if (cut.surface) maps.push_back(unrolled(*cut.surface, liver.organ, liver.tumours, liver.trees, vessels, step_mm));
+    if (cut.surface) surfaces.push_back(&*cut.surface);
+  }
+  if (surfaces.empty()) return std::vector<Resectogram>{};
+  // Each branch on the surface that it is cut nearest to. A point in a hollow stands for tissue up to 15 mm off.
+  std::vector<std::vector<CutOff::Place>> vessels(surfaces.size());
+  for (const CutOff::Place& place : liver.cut_off_by(*removal).cut) {
+    const Eigen::Vector3d& at_mm = liver.trees.branches[place.branch].points[place.point].position_mm;
+    const auto nearest = std::min_element(surfaces.begin(), surfaces.end(), [&](const auto* a, const auto* b) {
+      return std::abs(a->height_mm(at_mm)) < std::abs(b->height_mm(at_mm));
+    });
+    constexpr double reach_mm = 15;
+    if (std::abs((*nearest)->height_mm(at_mm)) > reach_mm) continue;  // another cut's
+    vessels[static_cast<std::size_t>(nearest - surfaces.begin())].push_back(place);
+  }
+  std::vector<Resectogram> maps;
+  for (std::size_t n = 0; n < surfaces.size(); ++n) {
+    maps.push_back(unrolled(*surfaces[n], liver.organ, liver.tumours, liver.trees, vessels[n], step_mm));
   }
   return maps;
 }

@@ -40,7 +40,7 @@ Resectogram trimmed(const Resectogram& whole);
 
 Resectogram unrolled(const geometry::CutSurface& surface, const Organ& organ,
                      const std::vector<TumourSurroundings>& tumours, const vasculature::VesselTrees& trees,
-                     const CutOff& vessels, double step_mm) {
+                     const std::vector<CutOff::Place>& vessels, double step_mm) {
   const std::vector<float> distance_mm = distances_mm(organ, tumours);
   const std::vector<std::int32_t> numbers = numbers_in(organ);
   const Eigen::AlignedBox2d reach = reach_of(surface, organ.grid);
@@ -58,9 +58,8 @@ Resectogram unrolled(const geometry::CutSurface& surface, const Organ& organ,
                                         : static_cast<double>(distance_mm[static_cast<std::size_t>(voxel)]));
     }
   }
-  for (const CutOff::Place& cut : vessels.cut) {
+  for (const CutOff::Place& cut : vessels) {
     const auto& point = trees.branches[cut.branch].points[cut.point];
-    if (std::abs(surface.height_mm(point.position_mm)) > 3 + point.radius_mm) continue;  // of another cut
     const Vector2d at = (surface.across_mm(point.position_mm) - reach.min()) / step_mm;
     map.vessels.push_back({trees.branches[cut.branch].name, at.x(), at.y(), point.radius_mm});
   }

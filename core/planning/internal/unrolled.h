@@ -6,9 +6,10 @@
 
 namespace glisson::planning {
 
-// `vessels`: where branches are cut; those within a few millimetres of the surface are shown.
+// `vessels`: where the surface cuts branches.
 [[nodiscard]] Resectogram unrolled(const geometry::CutSurface& surface, const Organ& organ,
                                    const std::vector<TumourSurroundings>& tumours,
-                                   const vasculature::VesselTrees& trees, const CutOff& vessels, double step_mm);
+                                   const vasculature::VesselTrees& trees, const std::vector<CutOff::Place>& vessels,
+                                   double step_mm);
 
 }  // namespace glisson::planning
