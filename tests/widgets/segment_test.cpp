@@ -50,7 +50,7 @@ class SegmentTest : public QObject {
     stroke({0, 16}, {9, 16});
     const std::size_t drawn = test::voxels_of(folder_, "liver");
     QVERIFY(drawn > start_ + 20);
-    QVERIFY(window_->undo().undo_action()->text().contains("Brush on liver"));
+    QVERIFY(window_->undo().undo_action()->text().contains("Brush on Liver"));
     // A disc stays in the slice that it was drawn in.
     const imaging::Mask& mask = *panel_->editor().structures().front().mask;
     const int layer = segmentation::layer_at(mask.grid, 2, transverse().crosshair_mm());

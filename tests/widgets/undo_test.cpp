@@ -28,7 +28,7 @@ class UndoTest : public QObject {
     window_->undo().change({"Brush on {0}", {"liver"}}, {"labels/liver"},
                            [this] { return test::save_ball(folder_, "liver", 14); });
     settle();
-    QCOMPARE(window_->undo().undo_action()->text(), "&Undo: Brush on liver");
+    QCOMPARE(window_->undo().undo_action()->text(), "&Undo: Brush on Liver");
     QVERIFY(menu_has(window_->undo().undo_action()));
     const std::size_t grown = test::voxels_of(folder_, "liver");
     QVERIFY(grown > start_);
@@ -44,7 +44,7 @@ class UndoTest : public QObject {
   void undoes_after_the_case_was_closed_and_opened_again() {
     window_.reset();
     open_window();
-    QCOMPARE(window_->undo().undo_action()->text(), "&Undo: Brush on liver");
+    QCOMPARE(window_->undo().undo_action()->text(), "&Undo: Brush on Liver");
     press_key(*window_, Qt::Key_Z, Qt::ControlModifier);
     settle();
     QCOMPARE(test::voxels_of(folder_, "liver"), start_);
