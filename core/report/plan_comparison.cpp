@@ -186,8 +186,8 @@ std::string svg_of(const planning::Resectogram& map) {
     return mm <= 0 ? "#5b2a86" : mm < 5 ? "#c0392b" : mm < 10 ? "#e2a83a" : "#a9c3b0";
   };
   std::string svg = fmt::format(
-      R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="-4 -4 {} {}" width="{}" shape-rendering="crispEdges" stroke="none">)",
-      map.columns + 8, map.rows + 8, 3 * (map.columns + 8));
+      R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="-4 -4 {0} {1}" width="{2}" height="{3}" shape-rendering="crispEdges" stroke="none">)",
+      map.columns + 8, map.rows + 8, 3 * (map.columns + 8), 3 * (map.rows + 8));
   for (int row = 0; row < map.rows; ++row) {
     for (int column = 0; column < map.columns;) {
       const char* const fill = colour(column, row);
