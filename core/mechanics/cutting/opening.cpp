@@ -6,6 +6,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <mutex>
+#include <optional>
 #include <utility>
 
 #include "mechanics/cutting/internal/jump_functions.h"
@@ -56,8 +57,8 @@ struct Opening::State {
 
   std::vector<PartlyCut> cuts;
   std::vector<OpenPoint> open;
-  MatrixXd stiffness;  // S without the bridges
-  Eigen::LLT<MatrixXd> factor;
+  MatrixXd stiffness;                          // S without the bridges
+  std::optional<Eigen::LLT<MatrixXd>> factor;  // none before anything is open
 
   // For callers.
   std::vector<int> points;
@@ -275,11 +276,11 @@ Result<void> Opening::State::factorise() {
   for (const PartlyCut& cut : cuts) {
     add_bridges(bridge_stiffness, model.body(), cut.along->crossing, cut.walls, jumps_along(*cut.along), bridged);
   }
-  factor.compute(bridged);
+  factor.emplace(bridged);
   // What nothing holds has no stiffness but rounding's.
   constexpr double nothing = 1e-9;
-  const bool held = factor.info() == Eigen::Success &&
-                    (factor.matrixLLT().diagonal().array().square() > nothing * bridged.diagonal().array()).all();
+  const bool held = factor->info() == Eigen::Success &&
+                    (factor->matrixLLT().diagonal().array().square() > nothing * bridged.diagonal().array()).all();
   if (held) return {};
   return failure(Error{"cut-frees-part",
                        GLISSON_TEXT("Nothing would hold the part that this cut separates."),
@@ -328,7 +329,7 @@ VectorXd Opening::load_of_push(std::size_t point, const Vector3d& direction) con
 }
 
 MatrixXd Opening::jumps_mm(const MatrixXd& load) const {
-  return state_->open.empty() ? load : MatrixXd(state_->factor.solve(load));
+  return state_->open.empty() ? load : MatrixXd(state_->factor->solve(load));
 }
 
 VectorXd Opening::seen_mm(const VectorXd& jumps_mm) const {
