@@ -16,6 +16,7 @@
 #include "meshing/mask_surface.h"
 #include "segmentation/rasterise.h"
 #include "support/data.h"
+#include "vasculature/center_lines.h"
 
 namespace glisson::anatomy {
 namespace {
@@ -162,6 +163,15 @@ void measure_vessels(const Mask& vessels, double liver_ml, Figures& figures) {
   }
   figures["vessels 2 to 3.5 mm wide (radius), mm / V^1/3"].push_back(length_mm[1] / std::cbrt(liver_ml * 1000));
   figures["vessels beyond 3.5 mm (radius), mm / V^1/3"].push_back(length_mm[2] / std::cbrt(liver_ml * 1000));
+  const auto graph = vasculature::center_lines(vessels);
+  ASSERT_TRUE(graph) << graph.error().message();
+  std::array<double, 3> branches{};
+  for (const vasculature::GraphBranch& branch : graph->branches) {
+    if (branch.joint == vasculature::Joint::vessel)
+      ++branches.at(branch.radius_mm < 2 ? 0 : branch.radius_mm < 3.5 ? 1 : 2);
+  }
+  figures["branches 2 to 3.5 mm wide (radius)"].push_back(branches[1]);
+  figures["branches beyond 3.5 mm (radius)"].push_back(branches[2]);
 }
 
 Figures of_generated_livers(int count) {
