@@ -1,6 +1,9 @@
-// glisson-cli plan CASE (--list | --add PLAN.json | --compare [--out DIR] | --drop NAME): resection plans by anatomy.
+// glisson-cli plan CASE (--list | --add PLAN.json | --compare [--rank-by BY] [--out DIR] | --drop NAME)
+// Resection plans by anatomy.
 
 #include <fmt/format.h>
+#include <iterator>
+#include <utility>
 
 #include "base/write_file.h"
 #include "casefile/plans.h"
@@ -127,20 +130,29 @@ void add_share_of_body(Json& plan, double body_weight_kg) {
   }
 }
 
+struct Compared {
+  Json described;
+  std::optional<planning::PlanAnswer> answer;  // none where it no longer holds
+};
+
 // In the order that was asked for, each with the names of those that beat it; those that failed last.
-std::vector<Json> put_in_order(std::vector<Json> described, const std::vector<planning::PlanAnswer>& answers,
-                               const std::vector<std::size_t>& described_as, std::optional<planning::RankBy> by) {
+std::vector<Json> put_in_order(const std::vector<Compared>& plans, const std::optional<std::string>& rank_by) {
+  std::vector<planning::PlanAnswer> answers;
+  std::vector<Json> ordered, failed;
+  for (const Compared& plan : plans) {
+    if (plan.answer) answers.push_back(*plan.answer);
+    (plan.answer ? ordered : failed).push_back(plan.described);
+  }
   const auto better = planning::beaten_by(answers);
   for (std::size_t n = 0; n < answers.size(); ++n) {
-    Json& names = described[described_as[n]]["beaten_by"] = Json::array();
-    for (const std::size_t other : better[n]) names.push_back(described[described_as[other]].at("name"));
+    Json& names = ordered[n]["beaten_by"] = Json::array();
+    for (const std::size_t other : better[n]) names.push_back(ordered[other].at("name"));
   }
-  if (!by) return described;
-  std::vector<Json> ordered;
-  for (const std::size_t n : planning::ranked(answers, *by)) ordered.push_back(described[described_as[n]]);
-  for (const Json& plan : described) {
-    if (plan.contains("failed")) ordered.push_back(plan);
+  if (const auto by = rank_by ? planning::rank_by(*rank_by) : std::nullopt) {
+    const std::vector<Json> as_kept = std::exchange(ordered, {});
+    for (const std::size_t n : planning::ranked(answers, *by)) ordered.push_back(as_kept[n]);
   }
+  std::move(failed.begin(), failed.end(), std::back_inserter(ordered));
   return ordered;
 }
 
@@ -157,30 +169,23 @@ Result<Outcome> compare(casefile::Case& patient, const Options& options, const P
   }
   const auto opened = open(patient, progress);
   if (!opened) return failure(opened.error());
-  std::vector<Json> described;
-  std::vector<planning::PlanAnswer> answers;
-  report::Page resectograms;              // those of all plans, for the end of the page
-  std::vector<std::size_t> described_as;  // of each answer
+  std::vector<Compared> compared;
+  report::Page resectograms;  // those of all plans, for the end of the page
   for (const casefile::KeptPlan& kept : *plans) {
     const auto answer = opened->planner.answer(kept.plan.cuts);
-    // A plan that no longer holds is no reason to keep the others back.
-    described.push_back(json_of_plan(kept, answer ? planning::answer_json(*answer, opened->planner.trees())
-                                                  : Json{{"failed", answer.error().message()}}));
-    if (answer) {
-      if (options.out) {
-        if (auto unrolled = opened->planner.resectograms(kept.plan.cuts)) {
-          report::add_resectograms(resectograms, kept.plan.name, *unrolled, {});
-        }
-      }
-      if (options.body_weight_kg) add_share_of_body(described.back(), *options.body_weight_kg);
-      answers.push_back(*answer);
-      described_as.push_back(described.size() - 1);
-    } else {
-      described.back()["remarks"].push_back(answer.error().message());
+    if (!answer) {  // a plan that no longer holds is no reason to keep the others back
+      compared.push_back({json_of_plan(kept, Json{{"failed", answer.error().message()}}), std::nullopt});
+      compared.back().described["remarks"].push_back(answer.error().message());
+      continue;
+    }
+    compared.push_back({json_of_plan(kept, planning::answer_json(*answer, opened->planner.trees())), *answer});
+    if (options.body_weight_kg) add_share_of_body(compared.back().described, *options.body_weight_kg);
+    if (!options.out) continue;
+    if (const auto unrolled = opened->planner.resectograms(kept.plan.cuts)) {
+      report::add_resectograms(resectograms, kept.plan.name, *unrolled, {});
     }
   }
-  described = put_in_order(std::move(described), answers, described_as,
-                           options.rank_by ? planning::rank_by(*options.rank_by) : std::nullopt);
+  const std::vector<Json> described = put_in_order(compared, options.rank_by);
   Outcome outcome = outcome_of(described, opened->remarks);
   if (!options.out) return outcome;
   const std::filesystem::path folder = *options.out;
