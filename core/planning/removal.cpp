@@ -285,9 +285,9 @@ std::size_t mark_above_sheet(const CutSurface& sheet, const Organ& organ, const 
   parallel_for(nodes.needed.size(), 1024, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n) {
       const std::size_t node = nodes.needed[n];
-      const Vector3d index(static_cast<double>(node % row) * nodes.step[0],
-                           static_cast<double>(node % layer / row) * nodes.step[1],
-                           static_cast<double>(node / layer) * nodes.step[2]);
+      const std::size_t i = node % row, j = node % layer / row, k = node / layer;
+      const Vector3d index(static_cast<double>(i) * nodes.step[0], static_cast<double>(j) * nodes.step[1],
+                           static_cast<double>(k) * nodes.step[2]);
       height_mm[node] = static_cast<float>(sheet.height_mm(organ.grid.position_mm(index)));
     }
   });

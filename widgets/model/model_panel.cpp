@@ -94,7 +94,7 @@ ModelPanel::ModelPanel(WorkspaceContext context, QWidget* parent) : QWidget(pare
   column->addWidget(notes_);
   column->addStretch(1);
   connect(update_, &QPushButton::clicked, this, [this] { rebuild({}); });
-  keep_translated(this, [=, this] {
+  keep_translated(this, [this, title = title] {
     title->setText(tr("Model"));
     update_->setText(tr("Bring it up to date"));
     word_state();

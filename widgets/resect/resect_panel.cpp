@@ -72,7 +72,7 @@ ResectPanel::ResectPanel(WorkspaceContext context, QWidget* parent) : QWidget(pa
   connect(by_anatomy_, &PlanByAnatomy::taken_changed, this, &ResectPanel::cut_changed);
   connect(by_anatomy_, &PlanByAnatomy::drawing_changed, this, &ResectPanel::show_scene);
   connect(by_anatomy_, &PlanByAnatomy::plan_chosen, this, &ResectPanel::take_up);
-  keep_translated(this, [=, this] {
+  keep_translated(this, [this, title = title] {
     title->setText(tr("Plan a resection"));
     missing_->setText(tr("Needs a model of the liver. Build it first, or open the demo patient."));
     word_state();

@@ -82,7 +82,7 @@ void RehearsalUndo::apply(const QJsonValue& wanted) {
   if (!rehearsal_.body()) return;
   const QJsonObject state = wanted.toObject();
   std::vector<PlacedTool> tools;
-  for (const QJsonValue& tool : state["tools"].toArray()) tools.push_back(tool_of(tool.toObject()));
+  for (const auto& tool : state["tools"].toArray()) tools.push_back(tool_of(tool.toObject()));
   if (state.contains("preset")) tools.push_back(tool_of(state));  // a history from when there was one tool
   const Touch touch = state["touch"].toString() == rigid ? Touch::rigid : Touch::patch;
   if (touch != rehearsal_.touch()) {
