@@ -9,18 +9,16 @@
 #include "casefile/plans.h"
 #include "casefile/structures.h"
 #include "casefile/used_entries.h"
+#include "casefile/vascular.h"
 #include "geometry/mesh_file.h"
 #include "imaging/dicom_seg.h"
 #include "imaging/dicom_uid.h"
 #include "imaging/study.h"
 #include "imaging/volume_file.h"
-#include "vasculature/couinaud.h"
 
 namespace glisson::casefile {
 namespace fs = std::filesystem;
 namespace {
-
-constexpr const char* couinaud_id = "territories/couinaud";
 
 struct NamedFormat {
   std::string_view name;
@@ -108,10 +106,10 @@ Result<void> add_couinaud_segments(const Case& patient, std::vector<imaging::Seg
   if (patient.find(couinaud_id) == nullptr) return {};
   const auto map = patient.file_of(couinaud_id).and_then(imaging::read_labels_file);
   if (!map) return failure(map.error());
-  for (std::uint16_t number = 1; number <= 8; ++number) {
-    segments.push_back({{std::string("segment ") + vasculature::segment_name(number),
-                         static_cast<int>(segments.size()) + 1, vasculature::segment_colour(number)},
-                        on_the_whole(*map, number, segments.front().mask.grid)});
+  for (imaging::SegmentInfo info : couinaud_segment_infos()) {
+    imaging::Mask mask = on_the_whole(*map, static_cast<std::uint16_t>(info.label_value), segments.front().mask.grid);
+    info.label_value = static_cast<int>(segments.size()) + 1;
+    segments.push_back({std::move(info), std::move(mask)});
   }
   return {};
 }

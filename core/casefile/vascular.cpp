@@ -23,7 +23,6 @@ using vasculature::System;
 using vasculature::VesselTrees;
 
 constexpr const char* trees_id = "vessels/trees";
-constexpr const char* couinaud_id = "territories/couinaud";
 constexpr const char* doubt_id = "territories/doubt";
 std::string territory_id(System system) { return std::string("territories/") + vasculature::system_name(system); }
 
@@ -89,15 +88,6 @@ Error no_vessels() {
                {}};
 }
 
-std::vector<imaging::SegmentInfo> couinaud_segment_infos() {
-  std::vector<imaging::SegmentInfo> infos;
-  for (std::size_t n = 1; n <= 8; ++n) {
-    infos.push_back(
-        {fmt::format("segment {}", vasculature::segment_name(n)), static_cast<int>(n), vasculature::segment_colour(n)});
-  }
-  return infos;
-}
-
 // By their names, in colours that differ from one to the next.
 std::vector<imaging::SegmentInfo> branch_infos(const VesselTrees& trees, System system) {
   std::vector<imaging::SegmentInfo> infos;
@@ -136,6 +126,15 @@ Result<void> read_kept(const Case& patient, SegmentsBy by, FoundTerritories& fou
 }
 
 }  // namespace
+
+std::vector<imaging::SegmentInfo> couinaud_segment_infos() {
+  std::vector<imaging::SegmentInfo> infos;
+  for (std::size_t n = 1; n <= 8; ++n) {
+    infos.push_back(
+        {fmt::format("segment {}", vasculature::segment_name(n)), static_cast<int>(n), vasculature::segment_colour(n)});
+  }
+  return infos;
+}
 
 Result<VesselTrees> find_vessels(Case& patient, const std::optional<std::string>& structure,
                                  const vasculature::Clicks& clicks, const Progress& progress) {

@@ -11,12 +11,18 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/progress.h"
 #include "casefile/case.h"
+#include "imaging/segment.h"
 #include "vasculature/couinaud.h"
 
 namespace glisson::casefile {
+
+inline constexpr const char* couinaud_id = "territories/couinaud";
+// The eight segments by name and colour, with their values in that map.
+[[nodiscard]] std::vector<imaging::SegmentInfo> couinaud_segment_infos();
 
 // From labels/liver and one structure of both systems; without its name from portal-vein and hepatic-vein, or where
 // these are not there from "vessels". Trees that were made so before, of what the case still holds, are read. Fails

@@ -1,7 +1,7 @@
 #include "planning/ranking.h"
 
 #include <algorithm>
-#include <cmath>
+#include <iterator>
 #include <numeric>
 
 namespace glisson::planning {
@@ -58,10 +58,12 @@ std::vector<std::size_t> ranked(const std::vector<PlanAnswer>& answers, RankBy b
 }
 
 std::vector<std::vector<std::size_t>> beaten_by(const std::vector<PlanAnswer>& answers) {
+  std::vector<Merits> merits;
+  std::transform(answers.begin(), answers.end(), std::back_inserter(merits), merits_of);
   std::vector<std::vector<std::size_t>> better(answers.size());
   for (std::size_t n = 0; n < answers.size(); ++n) {
     for (std::size_t other = 0; other < answers.size(); ++other) {
-      if (beats(merits_of(answers[other]), merits_of(answers[n]))) better[n].push_back(other);
+      if (beats(merits[other], merits[n])) better[n].push_back(other);
     }
   }
   return better;

@@ -49,17 +49,17 @@ Colour over(const Colour& top, const Colour& under, double opacity) {
 
 // Of the colour that stands out least: how much nineteen twentieths of the tissue differ, at least, from the same with
 // the mesh over it.
-double least_difference(const Palette& palette, const std::vector<Colour>& tissue) {
-  double least = 1000;
+double minimum_difference(const Palette& palette, const std::vector<Colour>& tissue) {
+  double minimum = 1000;
   for (const Colour& colour : palette) {
     std::vector<double> differences;
     for (const Colour& under : tissue) {
       differences.push_back(ciede2000(cielab(over(colour, under, HeatScale().opacity)), cielab(under)));
     }
     std::sort(differences.begin(), differences.end());
-    least = std::min(least, differences[differences.size() / 20]);
+    minimum = std::min(minimum, differences[differences.size() / 20]);
   }
-  return least;
+  return minimum;
 }
 
 TEST(ColourDifference, IsThatOfThePublishedPairs) {
@@ -77,10 +77,10 @@ TEST(OnTissue, StandsOutInALaparoscopesPicture) {
   ASSERT_TRUE(frame);
   const std::vector<Colour> tissue = tissue_of(*frame, 40);
   ASSERT_GT(tissue.size(), 1000U);
-  const double found = least_difference(on_tissue, tissue);
+  const double found = minimum_difference(on_tissue, tissue);
   RecordProperty("ciede2000", std::to_string(found));
   EXPECT_GT(found, 24);
-  EXPECT_LT(least_difference(viridis, tissue), 20);
+  EXPECT_LT(minimum_difference(viridis, tissue), 20);
 }
 
 TEST(OnTissue, StandsOutOnASiliconeHeartToo) {
@@ -88,10 +88,10 @@ TEST(OnTissue, StandsOutOnASiliconeHeartToo) {
   const auto frame = vision::read_frame(test::shared_data() / "hamlyn_heart_stereo" / "f7_dynamic_deint_L_0100.png");
   ASSERT_TRUE(frame);
   const std::vector<Colour> tissue = tissue_of(*frame, 8);
-  const double found = least_difference(on_tissue, tissue);
+  const double found = minimum_difference(on_tissue, tissue);
   RecordProperty("ciede2000", std::to_string(found));
   EXPECT_GT(found, 18);
-  EXPECT_GT(found, least_difference(viridis, tissue) + 2);
+  EXPECT_GT(found, minimum_difference(viridis, tissue) + 2);
 }
 
 TEST(OnTissue, GetsLighterInEvenStepsThatAnyEyeSees) {
