@@ -125,6 +125,9 @@ void prepare_room(const fs::path& room) {
       "model": {"mesh": "liver.vtu", "youngs_modulus_kPa": 6, "poisson_ratio": 0.45},
       "frames": [{"id": "f0", "points": "moved.ply", "noise_mm": 1,
                   "pose_guess": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]}]})");
+  write("version-1/metrics.csv", "case,tre_mm\na,1\nb,2\n");
+  write("version-2/metrics.csv", "case,tre_mm\na,1\nb,2.1\n");
+  write("loose.json", R"({"metrics": {"tre_mm": {"percent": 20}}})");
   write("model.json", R"({"format": "glisson-closedloop-model/1", "kind": "palpation", "verdict": "explained",
       "effects": [{"kind": "stiffness-scale", "parameters": {"factor": 0.5}}]})");
   write("device.json", R"({"format": "glisson-closedloop-model/1", "kind": "platform", "verdict": "explained",
@@ -191,6 +194,7 @@ std::vector<WritingCommand> writing_commands() {
        false,
        true},
       {"review", {"review", "@quality", "@quality", "--out", "@reviewed"}},
+      {"gate", {"gate", "@version-1", "@version-2", "--tolerances", "@loose.json", "--out", "@gated"}},
       {"explain", {"explain", "@material.json", "--out", "@explained"}},
       {"predict", {"predict", "@material.json", "--values", "@predicted.csv"}},
       {"platform-measure",
