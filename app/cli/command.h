@@ -16,6 +16,7 @@ namespace glisson::cli {
 struct Outcome {
   Json document;
   std::string text;
+  bool passed = true;  // false: an answer all the same, but exit code 1
 };
 
 using Action = std::function<Result<Outcome>(const Progress&)>;
@@ -46,6 +47,7 @@ void add_match(CLI::App& app, Action& chosen);
 void add_register(CLI::App& app, Action& chosen);
 void add_sirgn(CLI::App& app, Action& chosen);
 void add_review(CLI::App& app, Action& chosen);
+void add_gate(CLI::App& app, Action& chosen);
 void add_study(CLI::App& app, Action& chosen);
 void add_platform(CLI::App& app, Action& chosen);
 void add_deidentify(CLI::App& app, Action& chosen);

@@ -30,6 +30,7 @@ void add_commands(CLI::App& app, Action& chosen) {
   add_register(app, chosen);
   add_sirgn(app, chosen);
   add_review(app, chosen);
+  add_gate(app, chosen);
   add_study(app, chosen);
   add_platform(app, chosen);
   add_explain(app, chosen);

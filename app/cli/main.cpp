@@ -137,7 +137,7 @@ int run(const cli::Action& action, const CommonOptions& common) {
   const std::string answer =
       common.json ? outcome->document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n" : outcome->text;
   const bool said = std::fputs(answer.c_str(), stdout) >= 0 && std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
-  if (said) return done;
+  if (said) return outcome->passed ? done : refused;
   print_error({"answer-not-written",
                GLISSON_TEXT("The command is done, but its answer cannot be written: {0}."),
                {std::generic_category().message(errno)},

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <numeric>
 
+#include "base/write_file.h"
 #include "command.h"
 #include "one_of.h"
 #include "registration_quality/quality_file.h"
@@ -46,12 +47,14 @@ Result<Outcome> run(const SirgnCommand& command, const Progress& progress) {
 
   const registration_quality::StoredQuality stored{command.sequence, std::string(name_of(command.method)),
                                                    command.options.tolerances_mm, *quality};
-  if (auto written = registration_quality::write_quality(command.out, stored); !written)
-    return failure(written.error());
-  if (command.pictures) {
-    const auto drawn = studies::write_heat_pictures(stored, std::filesystem::path(command.out) / "frames");
-    if (!drawn) return failure(drawn.error());
-  }
+  const auto written = write_together([&] {
+    return registration_quality::write_quality(command.out, stored).and_then([&]() -> Result<void> {
+      if (!command.pictures) return {};
+      const auto drawn = studies::write_heat_pictures(stored, std::filesystem::path(command.out) / "frames");
+      return drawn ? Result<void>() : Result<void>(failure(drawn.error()));
+    });
+  });
+  if (!written) return failure(written.error());
   return describe(*quality, command, sequence->frames.size(), files->simulated, seconds_since(start), judging_s);
 }
 

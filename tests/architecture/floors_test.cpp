@@ -34,7 +34,7 @@ const std::map<std::string, std::vector<std::string>> folders_of = {
      {"materials", "scenario", "elements", "solvers", "potentials", "statics", "cutting", "contact", "dynamics",
       "meshfree", ""}},
     {"closedloop", {"experiment", "inference", "palpation", "material", "hardware", ""}},
-    {"studies", {"demo", "dissertation", "review"}},
+    {"studies", {"demo", "dissertation", "gate", "review"}},
 };
 
 // Third party, by how its headers are named, and the rooms whose .cpp files may use it.

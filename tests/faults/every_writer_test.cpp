@@ -17,26 +17,15 @@
 #include "base/files.h"
 #include "base/json.h"
 #include "casefile/case.h"
-#include "support/dicom_files.h"
+#include "faults/writing_commands.h"
 #include "support/faulty_disc.h"
 #include "support/folders.h"
 #include "support/process.h"
-#include "support/small_liver.h"
 
 namespace glisson::test {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct Command {
-  std::string name;
-  std::vector<std::string> words;  // "@x" is x in the room that the command works in
-  bool resumes = false;            // what it has done stays, each file whole, and the next run goes on from there
-  bool replaces = false;           // files of before, outside of a case
-};
-
-std::vector<Command> commands();
-void prepare(const fs::path& room);
 
 // What lies in a folder: the bytes of each file by its name; a folder has none.
 using Content = std::map<std::string, std::string>;
@@ -44,7 +33,7 @@ Content content_of(const fs::path& folder);
 
 class Trial {
  public:
-  Trial(const Command& command, const fs::path& prepared);
+  Trial(const WritingCommand& command, const fs::path& prepared);
 
   // The run without a fault, which must do its work.
   void run_whole();
@@ -59,7 +48,7 @@ class Trial {
   void expect_cases_sound(Fault fault) const;
   void expect_old_or_new(const Content& now, bool killed) const;
 
-  const Command& command_;
+  const WritingCommand& command_;
   fs::path prepared_, room_;
   Content before_, after_;
   DiscRun whole_;
@@ -88,11 +77,11 @@ TEST(EveryWriter, LeavesTheOldOrTheNewAndSaysWhich) {
   const TemporaryFolder rooms;
   const fs::path prepared = rooms.path() / "prepared";
   fs::create_directory(prepared);
-  prepare(prepared);
+  prepare_room(prepared);
   ASSERT_FALSE(HasFailure());
   const char* only = std::getenv("GLISSON_FAULTS_OF");
   std::size_t stops = 0, tried = 0;
-  for (const Command& command : commands()) {
+  for (const WritingCommand& command : writing_commands()) {
     if (only != nullptr && command.name != only) continue;
     SCOPED_TRACE(command.name);
     Trial trial(command, prepared);
@@ -105,10 +94,10 @@ TEST(EveryWriter, LeavesTheOldOrTheNewAndSaysWhich) {
     trial.clean();
   }
   EXPECT_GT(tried, 0u);
-  fmt::print("{} stops in {} commands, {} faults tried\n", stops, commands().size(), tried);
+  fmt::print("{} stops in {} commands, {} faults tried\n", stops, writing_commands().size(), tried);
 }
 
-Trial::Trial(const Command& command, const fs::path& prepared)
+Trial::Trial(const WritingCommand& command, const fs::path& prepared)
     : command_(command), prepared_(prepared), room_(prepared.parent_path() / "room") {}
 
 DiscRun Trial::run_afresh(Fault fault, std::size_t at) {
@@ -257,124 +246,6 @@ Content content_of(const fs::path& folder) {
     }
   }
   return content;
-}
-
-void write_sequence(const fs::path& folder) {
-  Json document{{"frames", Json::array()}, {"landmarks", "tracks.csv"}, {"registered", Json::array()}};
-  std::string tracks = "landmark,frame,x_mm,y_mm,z_mm\n";
-  for (int t = 0; t < 8; ++t) {
-    const double height_mm = 5 * std::sin(t);
-    std::string seen =
-        "ply\nformat ascii 1.0\nelement vertex 9\nproperty float x\nproperty float y\nproperty float z\nend_header\n";
-    std::string registered = seen;
-    for (int k = 0; k < 9; ++k) {
-      const int x = 10 * (k % 3), y = 10 * (k / 3);
-      seen += fmt::format("{} {} {}\n", x, y, height_mm);
-      registered += fmt::format("{} {} {}\n", x, y, k == 8 ? height_mm : 0.0);
-      tracks += fmt::format("g{},{},{},{},{}\n", k, t, x, y, height_mm);
-    }
-    EXPECT_TRUE(write_text_file(folder / fmt::format("f{}.ply", t), seen));
-    EXPECT_TRUE(write_text_file(folder / fmt::format("r{}.ply", t), registered));
-    document["frames"].push_back({{"cloud", fmt::format("f{}.ply", t)}});
-    document["registered"].push_back(fmt::format("r{}.ply", t));
-  }
-  EXPECT_TRUE(write_text_file(folder / "tracks.csv", tracks));
-  EXPECT_TRUE(write_json_file(folder / "sequence.json", document));
-}
-
-void prepare(const fs::path& room) {
-  const auto run = [&](std::vector<std::string> words) {
-    for (std::string& word : words) {
-      if (word.starts_with("@")) word = (room / word.substr(1)).string();
-    }
-    words.push_back("--quiet");
-    const Finished finished = glisson_cli(words);
-    ASSERT_EQ(finished.exit_code, 0) << words.front() << ": " << finished.err;
-  };
-  const auto write = [&](const char* name, const std::string& text) {
-    EXPECT_TRUE(write_text_file(room / name, text));
-  };
-  EXPECT_TRUE(write_small_liver(room));
-  save_stack(room / "study", 3);
-  write("pull.json", R"({"loads": [{"tool": {"center_mm": [0, -50, 0], "radius_mm": 15, "force_N": [0, -0.5, 0]}}]})");
-  write("push.json", R"({"loads": [{"tool": {"center_mm": [0, -50, 0], "radius_mm": 15, "force_N": [0, 0.1, 0]}}]})");
-  write("hook.json", R"({"format": "glisson-session/1", "commands": [{"hold": {"id": "hook",
-      "shape": "nathanson-retractor", "position_mm": [0, 0, -70], "direction": [0, 0, 1], "push_mN": 200}}]})");
-  write("right.json", R"({"name": "right", "plane": {"point_mm": [-10, 0, 0], "normal": [1, 0, 0]}})");
-  write("wedge.json", R"({"name": "wedge", "around": "tumour-1", "margin_mm": 8})");
-  write("model.json", R"({"format": "glisson-closedloop-model/1", "kind": "palpation", "verdict": "explained",
-      "effects": [{"kind": "stiffness-scale", "parameters": {"factor": 0.5}}]})");
-  write("device.json", R"({"format": "glisson-closedloop-model/1", "kind": "platform", "verdict": "explained",
-      "learnt_from": "tx2.json", "effects": [{"kind": "static-power", "parameters": {"static_W": 1.17}}]})");
-  std::string rows = "Time,Stretch,Stress\n";
-  for (int n = 0; n <= 20; ++n) rows += fmt::format("{},{},{}\n", n, 1 + 0.01 * n, 0.132 * n);
-  write("a1.csv", rows);
-  write("material.json", R"({"format": "glisson-experiment/1", "kind": "material", "mode": "tension",
-      "declared": {"law": "linear", "youngs_modulus_kPa": 13.2}, "noise_kPa": 0.05, "trials": [{"id": "a1",
-      "file": "a1.csv", "columns": {"time_s": "Time", "stretch": "Stretch", "stress_kPa": "Stress"}}]})");
-  run({"import", "@scan.nrrd", "--case", "@small.glisson"});
-  run({"segment", "@small.glisson", "--structure", "liver", "--labels", "@liver.nrrd"});
-  run({"segment", "@small.glisson", "--structure", "tumour-1", "--labels", "@tumour.nrrd"});
-  run({"mesh", "@small.glisson", "--target-cells", "600"});
-  run({"stiffness", "@small.glisson", "--uniform-kPa", "6"});
-  run({"simulate", "@small.glisson", "--scenario", "@push.json", "--out", "@result"});
-  run({"export", "@small.glisson", "--format", "stl", "--out", "@stl"});
-  run({"resect", "@small.glisson", "--plane=-20,0,0,1,0,0", "--out", "@resection"});
-  run({"plan", "@small.glisson", "--add", "@wedge.json"});
-  fs::create_directories(room / "video");
-  write_sequence(room / "video");
-  run({"sirgn", "@video/sequence.json", "--method", "given", "--out", "@quality"});
-  run({"register", "@stl/liver.stl", "@stl/liver.stl", "--method", "icp", "--out", "@moved.ply"});
-  run({"study", "anatomy", "--seed", "7", "--tumour", "20", "--label-spacing-mm", "8", "--out", "@patient"});
-}
-
-std::vector<Command> commands() {
-  std::vector<Command> all{
-      {"import", {"import", "@scan.nrrd", "--case", "@new.glisson"}},
-      {"import-dicom", {"import", "@study", "--case", "@new.glisson"}},
-      {"import-add", {"import", "@study", "--case", "@small.glisson", "--add", "--replace"}},
-      {"segment", {"segment", "@small.glisson", "--structure", "kidney-right", "--seed", "0,0,0"}},
-      {"segment-again", {"segment", "@small.glisson", "--structure", "liver", "--labels", "@tumour.nrrd"}},
-      {"mesh", {"mesh", "@small.glisson", "--target-cells", "400"}},
-      {"stiffness", {"stiffness", "@small.glisson", "--uniform-kPa", "9"}},
-      {"simulate", {"simulate", "@small.glisson", "--scenario", "@pull.json", "--out", "@pulled"}},
-      {"simulate-again", {"simulate", "@small.glisson", "--scenario", "@pull.json", "--out", "@result"}, false, true},
-      {"resect", {"resect", "@small.glisson", "--plane=-10,0,0,1,0,0", "--out", "@cut"}},
-      {"resect-again", {"resect", "@small.glisson", "--plane=-10,0,0,1,0,0", "--out", "@resection"}, false, true},
-      {"plan-add", {"plan", "@small.glisson", "--add", "@right.json"}},
-      {"plan-drop", {"plan", "@small.glisson", "--drop", "wedge"}},
-      {"plan-compare", {"plan", "@small.glisson", "--compare", "--out", "@plans"}},
-      {"session", {"session", "@small.glisson", "--commands", "@hook.json", "--out", "@recorded.json"}},
-      {"accept", {"accept", "@small.glisson", "@model.json", "--of-this-patient"}},
-      {"register", {"register", "@stl/liver.stl", "@stl/tumour-1.stl", "--method", "icp", "--out", "@moved.ply"}},
-      {"match", {"match", "@stl/liver.stl", "@stl/liver.stl", "--points", "20", "--out", "@matches.csv"}},
-      {"report", {"report", "@small.glisson", "--out", "@page.html"}},
-      {"render", {"render", "@small.glisson", "--scene", "liver", "--size", "120x90", "--out", "@organ.png"}},
-      {"deidentify", {"deidentify", "@study", "--key", "key", "--out", "@nameless"}},
-      {"sirgn", {"sirgn", "@video/sequence.json", "--method", "given", "--out", "@judged"}},
-      {"sirgn-again",
-       {"sirgn", "@video/sequence.json", "--method", "given", "--tolerance-mm", "3", "--out", "@quality"},
-       false,
-       true},
-      {"explain", {"explain", "@material.json", "--out", "@explained"}},
-      {"platform-learn", {"platform", "learn", "--device", "tx2-gpu", "--model", "@device.json", "--out", "@tx2.json"}},
-      {"study-anatomy", {"study", "anatomy", "--seed", "3", "--label-spacing-mm", "8", "--out", "@another"}},
-      {"study-anatomy-again",
-       {"study", "anatomy", "--seed", "3", "--label-spacing-mm", "8", "--out", "@patient"},
-       false,
-       true},
-      {"study-sequence", {"study", "example-sequence", "--frames", "3", "--out", "@example"}},
-      {"study-stiffness", {"study", "validate-stiffness", "--out", "@validation"}},
-      {"study-cohort", {"study", "cohort", "--simulated", "2", "--out", "@cohort"}, true},
-      {"study-beams", {"study", "beams", "@small.glisson", "--nodes", "60", "--out", "@beams"}},
-  };
-  for (const char* format : {"nrrd", "nifti", "stl", "obj", "vtp"}) {
-    all.push_back({std::string("export-") + format,
-                   {"export", "@small.glisson", "--format", format, "--out", std::string("@exported-") + format}});
-  }
-  all.push_back({"export-seg", {"export", "@small.glisson", "--format", "dicom-seg", "--out", "@seg.dcm"}});
-  all.push_back({"export-vtu", {"export", "@small.glisson", "--format", "vtu", "--out", "@liver.vtu"}});
-  return all;
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "base/write_file.h"
 #include "registration_quality/sequence_file.h"
 #include "scene/heat_overlay.h"
 #include "studies/review/internal/review_page.h"
@@ -15,7 +16,6 @@ using registration_quality::StoredQuality;
 using scene::HeatScale;
 
 Result<registration_quality::SequenceFiles> drawable(const StoredQuality& judged);
-Result<void> make_folder(const fs::path& folder);
 Result<void> draw_all(const StoredQuality& judged, const registration_quality::SequenceFiles& files,
                       const HeatScale& scale, double tolerance_mm, const fs::path& folder, const std::string& prefix,
                       const Progress& progress);
@@ -36,7 +36,6 @@ Result<int> write_heat_pictures(const StoredQuality& judged, const fs::path& fol
                                 const Progress& progress) {
   const auto files = drawable(judged);
   if (!files) return failure(files.error());
-  if (auto made = make_folder(folder); !made) return failure(made.error());
   HeatScale scale;
   scale.title = "correlation";
   if (options.value == ReviewedValue::error) {
@@ -44,9 +43,9 @@ Result<int> write_heat_pictures(const StoredQuality& judged, const fs::path& fol
     scale.good = HeatScale::Good::low;
     scale.title = "error (mm)";
   }
-  if (auto drawn = draw_all(judged, *files, scale, options.tolerance_mm, folder, "f", progress); !drawn) {
-    return failure(drawn.error());
-  }
+  const auto drawn =
+      write_together([&] { return draw_all(judged, *files, scale, options.tolerance_mm, folder, "f", progress); });
+  if (!drawn) return failure(drawn.error());
   return static_cast<int>(judged.quality.mesh_in_frames_mm.size());
 }
 
@@ -61,24 +60,20 @@ Result<Review> write_review(const StoredQuality& a, const StoredQuality& b, cons
   }
   const auto files = drawable(a);
   if (!files) return failure(files.error());
-  if (auto made = make_folder(folder); !made) return failure(made.error());
   const bool error = options.value == ReviewedValue::error;
   const HeatScale scale =
       scene::shared_scale(values_of(a, options.value), values_of(b, options.value),
                           error ? HeatScale::Good::low : HeatScale::Good::high, error ? "error (mm)" : "correlation");
-  if (auto drawn = draw_all(a, *files, scale, options.tolerance_mm, folder, "a", progress.part(0, 0.5)); !drawn) {
-    return failure(drawn.error());
-  }
-  if (auto drawn = draw_all(b, *files, scale, options.tolerance_mm, folder, "b", progress.part(0.5, 1)); !drawn) {
-    return failure(drawn.error());
-  }
   Review review;
   review.frames = static_cast<int>(a.quality.mesh_in_frames_mm.size());
   review.range = scale.range;
   review.page = folder / "review.html";
-  if (auto written = write_review_page(review.page, a, b, options.tolerance_mm); !written) {
-    return failure(written.error());
-  }
+  const auto written = write_together([&] {
+    return draw_all(a, *files, scale, options.tolerance_mm, folder, "a", progress.part(0, 0.5))
+        .and_then([&] { return draw_all(b, *files, scale, options.tolerance_mm, folder, "b", progress.part(0.5, 1)); })
+        .and_then([&] { return write_review_page(review.page, a, b, options.tolerance_mm); });
+  });
+  if (!written) return failure(written.error());
   return review;
 }
 
@@ -103,14 +98,6 @@ Result<registration_quality::SequenceFiles> drawable(const StoredQuality& judged
                          judged.sequence});
   }
   return files;
-}
-
-Result<void> make_folder(const fs::path& folder) {
-  std::error_code problem;
-  fs::create_directories(folder, problem);
-  if (!problem) return {};
-  return failure("folder-not-made", GLISSON_TEXT("The folder {0} cannot be made: {1}."),
-                 {folder.string(), problem.message()});
 }
 
 Result<void> draw_all(const StoredQuality& judged, const registration_quality::SequenceFiles& files,
