@@ -156,6 +156,14 @@ std::vector<Json> put_in_order(const std::vector<Compared>& plans, const std::op
   return ordered;
 }
 
+Result<planning::Planner::Unrolled> answered(const planning::Planner& planner, const std::vector<planning::Cut>& cuts,
+                                             bool with_resectograms) {
+  if (with_resectograms) return planner.answer_unrolled(cuts);
+  return planner.answer(cuts).map([](const planning::PlanAnswer& answer) {
+    return planning::Planner::Unrolled{answer, {}};
+  });
+}
+
 // All of them by what the case holds now.
 Result<Outcome> compare(casefile::Case& patient, const Options& options, const Progress& progress) {
   const auto plans = casefile::kept_plans(patient);
@@ -172,18 +180,16 @@ Result<Outcome> compare(casefile::Case& patient, const Options& options, const P
   std::vector<Compared> compared;
   report::Page resectograms;  // those of all plans, for the end of the page
   for (const casefile::KeptPlan& kept : *plans) {
-    const auto answer = opened->planner.answer(kept.plan.cuts);
+    const auto answer = answered(opened->planner, kept.plan.cuts, options.out.has_value());
     if (!answer) {  // a plan that no longer holds is no reason to keep the others back
       compared.push_back({json_of_plan(kept, Json{{"failed", answer.error().message()}}), std::nullopt});
       compared.back().described["remarks"].push_back(answer.error().message());
       continue;
     }
-    compared.push_back({json_of_plan(kept, planning::answer_json(*answer, opened->planner.trees())), *answer});
+    const Json described = planning::answer_json(answer->answer, opened->planner.trees());
+    compared.push_back({json_of_plan(kept, described), answer->answer});
     if (options.body_weight_kg) add_share_of_body(compared.back().described, *options.body_weight_kg);
-    if (!options.out) continue;
-    if (const auto unrolled = opened->planner.resectograms(kept.plan.cuts)) {
-      report::add_resectograms(resectograms, kept.plan.name, *unrolled, {});
-    }
+    report::add_resectograms(resectograms, kept.plan.name, answer->resectograms, {});
   }
   const std::vector<Json> described = put_in_order(compared, options.rank_by);
   Outcome outcome = outcome_of(described, opened->remarks);

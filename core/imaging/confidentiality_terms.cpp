@@ -1,10 +1,12 @@
 // The words that texts of an image may be made of, and the codes that it may hold.
 
 #include <algorithm>
+#include <optional>
 #include <set>
 
 #include "imaging/confidentiality.h"
 #include "imaging/dicom_fields.h"
+#include "imaging/segment_codes.h"
 
 namespace glisson::imaging {
 namespace {
@@ -65,32 +67,16 @@ struct KnownCode {
   const char* meaning;
 };
 
-// What segmentations of the abdomen, derivations and units are coded with: SNOMED CT, the older SNOMED identifiers of
-// the same, DICOM's own codes (PS3.16) and UCUM.
-constexpr KnownCode known_codes[] = {{"123037004", "SCT", "Anatomical Structure"},
-                                     {"T-D0050", "SRT", "Tissue"},
-                                     {"85756007", "SCT", "Tissue"},
-                                     {"49755003", "SCT", "Morphologically Altered Structure"},
+// What segmentations of the abdomen, derivations and units are coded with, beside what we code ourselves
+// (segment_concept): SNOMED CT, its older identifiers, DICOM's own codes (PS3.16) and UCUM.
+constexpr KnownCode known_codes[] = {{"T-D0050", "SRT", "Tissue"},
                                      {"M-01000", "SRT", "Morphologically Altered Structure"},
                                      {"T-D000A", "SRT", "Anatomical Structure"},
-                                     {"10200004", "SCT", "Liver"},
                                      {"T-62000", "SRT", "Liver"},
-                                     {"71133005", "SCT", "Couinaud hepatic segment I"},
-                                     {"277956007", "SCT", "Couinaud hepatic segment II"},
-                                     {"277957003", "SCT", "Couinaud hepatic segment III"},
-                                     {"277958008", "SCT", "Couinaud hepatic segment IV"},
-                                     {"277959000", "SCT", "Couinaud hepatic segment V"},
-                                     {"277960005", "SCT", "Couinaud hepatic segment VI"},
-                                     {"277961009", "SCT", "Couinaud hepatic segment VII"},
-                                     {"277962002", "SCT", "Couinaud hepatic segment VIII"},
-                                     {"32764006", "SCT", "Portal vein"},
                                      {"T-48810", "SRT", "Portal vein"},
-                                     {"8993003", "SCT", "Hepatic vein"},
                                      {"T-48720", "SRT", "Hepatic vein"},
                                      {"76015000", "SCT", "Hepatic artery"},
-                                     {"28231008", "SCT", "Gallbladder"},
                                      {"T-63000", "SRT", "Gallbladder"},
-                                     {"51114001", "SCT", "Artery"},
                                      {"29092000", "SCT", "Vein"},
                                      {"59820001", "SCT", "Blood vessel"},
                                      {"15825003", "SCT", "Aorta"},
@@ -102,12 +88,10 @@ constexpr KnownCode known_codes[] = {{"123037004", "SCT", "Anatomical Structure"
                                      {"818983003", "SCT", "Abdomen"},
                                      {"113345001", "SCT", "Abdomen"},
                                      {"T-D4000", "SRT", "Abdomen"},
-                                     {"108369006", "SCT", "Neoplasm"},
                                      {"M-8000/0", "SRT", "Neoplasm"},
                                      {"M-03000", "SRT", "Mass"},
                                      {"4147007", "SCT", "Mass"},
                                      {"52988006", "SCT", "Lesion"},
-                                     {"367643001", "SCT", "Cyst"},
                                      {"113076", "DCM", "Segmentation"},
                                      {"121322", "DCM", "Source image for image processing operation"},
                                      {"113037", "DCM", "Lossy compression"},
@@ -122,6 +106,16 @@ constexpr KnownCode known_codes[] = {{"123037004", "SCT", "Anatomical Structure"
                                      {"ms", "UCUM", "millisecond"},
                                      {"1", "UCUM", "no units"},
                                      {"mm2/s", "UCUM", "mm2/s"}};
+
+std::optional<KnownCode> known_code(std::string_view value, std::string_view scheme) {
+  const bool older_name = scheme == "SNM3" || scheme == "99SDM";
+  const auto* known = std::find_if(std::begin(known_codes), std::end(known_codes), [&](const KnownCode& code) {
+    return value == code.value && (scheme == code.scheme || (older_name && code.scheme == std::string_view("SRT")));
+  });
+  if (known != std::end(known_codes)) return *known;
+  const auto ours = scheme == "SCT" ? segment_concept(value) : std::nullopt;
+  return ours ? std::optional(KnownCode{ours->value, "SCT", ours->meaning}) : std::nullopt;
+}
 
 }  // namespace
 
@@ -176,14 +170,10 @@ std::string known_segment_name(std::string_view name) {
 
 void clean_code(DcmItem& item) {
   const std::string value = text_of(item, DCM_CodeValue), scheme = text_of(item, DCM_CodingSchemeDesignator);
-  const auto* known = std::find_if(std::begin(known_codes), std::end(known_codes), [&](const KnownCode& code) {
-    const bool older_name = scheme == "SNM3" || scheme == "99SDM";
-    return value == code.value && (scheme == code.scheme || (older_name && code.scheme == std::string_view("SRT")));
-  });
-  const bool found = known != std::end(known_codes);
-  item.putAndInsertString(DCM_CodeValue, found ? known->value : "removed");
-  item.putAndInsertString(DCM_CodingSchemeDesignator, found ? known->scheme : "99GLISSON");
-  item.putAndInsertString(DCM_CodeMeaning, found ? known->meaning : "removed");
+  const auto known = known_code(value, scheme);
+  item.putAndInsertString(DCM_CodeValue, known ? known->value : "removed");
+  item.putAndInsertString(DCM_CodingSchemeDesignator, known ? known->scheme : "99GLISSON");
+  item.putAndInsertString(DCM_CodeMeaning, known ? known->meaning : "removed");
 }
 
 }  // namespace glisson::imaging

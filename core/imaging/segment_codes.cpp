@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <array>
+#include <span>
 
 namespace glisson::imaging {
 namespace {
@@ -43,6 +44,18 @@ SegmentCode segment_code(std::string_view name) {
   const auto* structure = std::find_if(structures.begin(), structures.end(),
                                        [&](const NamedCode& known) { return name.starts_with(known.name); });
   return structure != structures.end() ? structure->code : SegmentCode{tissue, tissue};
+}
+
+std::optional<CodedConcept> segment_concept(std::string_view code) {
+  for (const CodedConcept& category : {anatomical, altered, tissue}) {
+    if (code == category.value) return category;
+  }
+  for (const std::span<const NamedCode> named : {std::span<const NamedCode>(segments_of_the_liver), {structures}}) {
+    for (const NamedCode& known : named) {
+      if (code == known.code.type.value) return known.code.type;
+    }
+  }
+  return std::nullopt;
 }
 
 std::string slicer_tags(std::string_view name) {

@@ -1,6 +1,7 @@
 #pragma once
 // What a segment is, in the words of SNOMED CT, as DICOM and 3D Slicer exchange them.
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -19,7 +20,10 @@ struct SegmentCode {
 // Source: DICOM PS3.16, CID 7150 (categories), 7151 and following (types), 7170 (Couinaud's segments).
 [[nodiscard]] SegmentCode segment_code(std::string_view name);
 
-// The same as 3D Slicer keeps it in the field SegmentN_Tags (vtkMRMLSegmentationStorageNode).
+// The category or type with that code, of those that segment_code() answers with.
+[[nodiscard]] std::optional<CodedConcept> segment_concept(std::string_view code);
+
+// segment_code() as 3D Slicer keeps it in the field SegmentN_Tags (vtkMRMLSegmentationStorageNode).
 [[nodiscard]] std::string slicer_tags(std::string_view name);
 
 }  // namespace glisson::imaging

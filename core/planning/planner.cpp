@@ -35,6 +35,7 @@ struct Planner::Liver {
   // Which vessels are cut, and what hangs on them. A cut along the anatomy spares a vessel that only runs through: one
   // of which less than half of what hangs on it goes.
   [[nodiscard]] CutOff cut_off_by(const Removal& removal) const;
+  [[nodiscard]] PlanAnswer answer_to(const Removal& removal, const CutOff& off) const;
   [[nodiscard]] std::vector<std::size_t> removed_on(const Removal& removal) const;  // voxels of each point
   [[nodiscard]] float youngs_at(std::size_t voxel) const { return trusted_kPa.empty() ? 0.0F : trusted_kPa[voxel]; }
 };
@@ -129,30 +130,39 @@ Result<Planner> Planner::open(const LiverParts& parts, const Progress& progress)
 }
 
 Result<PlanAnswer> Planner::answer(const std::vector<Cut>& cuts) const {
-  const Liver& liver = *liver_;
-  const auto removal = removal_by(cuts, liver.cuttable());
+  const auto removal = removal_by(cuts, liver_->cuttable());
   if (!removal) return failure(removal.error());
-  const CutOff off = liver.cut_off_by(*removal);
-  const double voxel_ml = liver.organ.voxel_ml();
+  return liver_->answer_to(*removal, liver_->cut_off_by(*removal));
+}
 
-  const Counts counts = counted(liver.stretches, removal->removed, off, liver.trusted_kPa);
+Result<Planner::Unrolled> Planner::answer_unrolled(const std::vector<Cut>& cuts, double step_mm) const {
+  const auto removal = removal_by(cuts, liver_->cuttable());
+  if (!removal) return failure(removal.error());
+  const CutOff off = liver_->cut_off_by(*removal);
+  return Unrolled{liver_->answer_to(*removal, off),
+                  unrolled(removal->cuts, off, {liver_->organ, liver_->tumours, liver_->trees}, step_mm)};
+}
+
+PlanAnswer Planner::Liver::answer_to(const Removal& removal, const CutOff& off) const {
+  const double voxel_ml = organ.voxel_ml();
+  const Counts counts = counted(stretches, removal.removed, off, trusted_kPa);
   using Key = Counts::Key;
   const auto ml = [&](auto asked) { return static_cast<double>(counts.of(asked)) * voxel_ml; };
   PlanAnswer answer;
-  answer.liver_ml = static_cast<double>(liver.organ.voxels) * voxel_ml;
+  answer.liver_ml = static_cast<double>(organ.voxels) * voxel_ml;
   answer.tumours_ml = ml([](const Key& key) { return key.tumour; });
   answer.removed_ml = ml([](const Key& key) { return key.removed; });
   answer.remnant_ml = ml([](const Key& key) { return !key.removed; });
-  answer.ablated_ml = static_cast<double>(removal->ablated) * voxel_ml;
-  if (liver.has_system[0]) {
+  answer.ablated_ml = static_cast<double>(removal.ablated) * voxel_ml;
+  if (has_system[0]) {
     answer.ischaemic_ml = ml([](const Key& key) { return key.starved; });
     answer.perfused_ml = answer.remnant_ml - *answer.ischaemic_ml;
   }
-  if (liver.has_system[1]) {
+  if (has_system[1]) {
     answer.congested_ml = ml([](const Key& key) { return key.held_up; });
     answer.drained_ml = answer.remnant_ml - *answer.congested_ml;
   }
-  if (liver.has_system[0] && liver.has_system[1]) {
+  if (has_system[0] && has_system[1]) {
     answer.living_ml = ml([](const Key& key) { return !key.removed && !key.starved && !key.held_up; });
   }
   TissueSum left{counts.of([](const Key& key) { return !key.removed && !key.tumour; }), 0, 0};
@@ -165,12 +175,11 @@ Result<PlanAnswer> Planner::answer(const std::vector<Cut>& cuts) const {
   answer.functional_remnant_ml = answer.left.ml;
 
   for (std::size_t c = 0; c < off.cut.size(); ++c) {
-    const vasculature::TreeBranch& branch = liver.trees.branches[off.cut[c].branch];
-    const auto& point = branch.points[off.cut[c].point];
+    const auto& at = trees.branches[off.cut[c].branch].points[off.cut[c].point];
     answer.branches.push_back(
-        {off.cut[c].branch, point.position_mm, point.radius_mm, 0, static_cast<double>(counts.affected[c]) * voxel_ml});
+        {off.cut[c].branch, at.position_mm, at.radius_mm, 0, static_cast<double>(counts.affected[c]) * voxel_ml});
   }
-  for (const auto& tissue_at : liver.tissue) {
+  for (const auto& tissue_at : tissue) {
     for (std::size_t p = 0; p + 1 < tissue_at.size(); ++p) {
       if (off.cause[p] >= 0)
         answer.branches[static_cast<std::size_t>(off.cause[p])].beyond_ml += tissue_at[p] * voxel_ml;
@@ -179,12 +188,12 @@ Result<PlanAnswer> Planner::answer(const std::vector<Cut>& cuts) const {
   std::stable_sort(answer.branches.begin(), answer.branches.end(),
                    [](const CutBranch& a, const CutBranch& b) { return a.beyond_ml > b.beyond_ml; });
 
-  for (std::size_t t = 0; t < liver.tumours.size(); ++t) {
-    answer.tumours.push_back(margin_to_cut(t, *removal, liver.organ, liver.tumours));
-    const MarginAnswer& tumour = answer.tumours.back();
-    if (tumour.side == Side::left || (answer.margin_mm && *answer.margin_mm <= tumour.margin_mm)) continue;
-    answer.margin_mm = tumour.margin_mm;
-    answer.margin_is_at_least = tumour.is_at_least;
+  for (std::size_t t = 0; t < tumours.size(); ++t) {
+    answer.tumours.push_back(margin_to_cut(t, removal, organ, tumours));
+    const MarginAnswer& margin = answer.tumours.back();
+    if (margin.side == Side::left || (answer.margin_mm && *answer.margin_mm <= margin.margin_mm)) continue;
+    answer.margin_mm = margin.margin_mm;
+    answer.margin_is_at_least = margin.is_at_least;
   }
   return answer;
 }
@@ -234,33 +243,6 @@ Result<imaging::Mask> Planner::parts(const std::vector<Cut>& cuts) const {
                    [](std::uint8_t goes) { return static_cast<std::uint8_t>(goes != 0 ? 2 : 1); });
   }
   return mask;
-}
-
-Result<std::vector<Resectogram>> Planner::resectograms(const std::vector<Cut>& cuts, double step_mm) const {
-  const Liver& liver = *liver_;
-  const auto removal = removal_by(cuts, liver.cuttable());
-  if (!removal) return failure(removal.error());
-  std::vector<const geometry::CutSurface*> surfaces;
-  for (const PreparedCut& cut : removal->cuts) {
-    if (cut.surface) surfaces.push_back(&*cut.surface);
-  }
-  if (surfaces.empty()) return std::vector<Resectogram>{};
-  // Each branch on the surface that it is cut nearest to. A point in a hollow stands for tissue up to 15 mm off.
-  std::vector<std::vector<CutOff::Place>> vessels(surfaces.size());
-  for (const CutOff::Place& place : liver.cut_off_by(*removal).cut) {
-    const Eigen::Vector3d& at_mm = liver.trees.branches[place.branch].points[place.point].position_mm;
-    const auto nearest = std::min_element(surfaces.begin(), surfaces.end(), [&](const auto* a, const auto* b) {
-      return std::abs(a->height_mm(at_mm)) < std::abs(b->height_mm(at_mm));
-    });
-    constexpr double reach_mm = 15;
-    if (std::abs((*nearest)->height_mm(at_mm)) > reach_mm) continue;  // another cut's
-    vessels[static_cast<std::size_t>(nearest - surfaces.begin())].push_back(place);
-  }
-  std::vector<Resectogram> maps;
-  for (std::size_t n = 0; n < surfaces.size(); ++n) {
-    maps.push_back(unrolled(*surfaces[n], liver.organ, liver.tumours, liver.trees, vessels[n], step_mm));
-  }
-  return maps;
 }
 
 const vasculature::VesselTrees& Planner::trees() const { return liver_->trees; }

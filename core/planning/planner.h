@@ -104,8 +104,12 @@ class Planner {
   // 1 where tissue stays and 2 where it goes, on the part of the liver's grid around it. Fails as answer() does.
   [[nodiscard]] Result<imaging::Mask> parts(const std::vector<Cut>& cuts) const;
 
-  // Of each plane and sheet among the cuts, in order. Fails as answer() does.
-  [[nodiscard]] Result<std::vector<Resectogram>> resectograms(const std::vector<Cut>& cuts, double step_mm = 1) const;
+  // The same answer with each plane and sheet among the cuts unrolled, in order. Fails as answer() does.
+  struct Unrolled {
+    PlanAnswer answer;
+    std::vector<Resectogram> resectograms;
+  };
+  [[nodiscard]] Result<Unrolled> answer_unrolled(const std::vector<Cut>& cuts, double step_mm = 1) const;
 
   [[nodiscard]] const vasculature::VesselTrees& trees() const;
   [[nodiscard]] std::vector<std::string> tumours() const;

@@ -33,40 +33,90 @@ Eigen::AlignedBox2d reach_of(const geometry::CutSurface& surface, const imaging:
   return reach;
 }
 
+using Vessels = std::vector<CutOff::Place>;
+using Surfaces = std::vector<const geometry::CutSurface*>;
+
+// Of each surface the branches that it cuts.
+std::vector<Vessels> shared_out(const Vessels& cut, const Surfaces& surfaces, const vasculature::VesselTrees& trees);
+
+// Of each voxel of the organ's box, how far the nearest tumour is; NaN beside the organ.
+struct MarginImage {
+  imaging::Grid grid;
+  std::vector<std::int32_t> numbers;  // of each voxel of the box
+  std::vector<float> distance_mm;     // of each voxel of the organ
+  [[nodiscard]] double at(const Vector3d& place_mm) const;
+};
+
+Resectogram margins_over(const geometry::CutSurface& surface, const MarginImage& margins, const Vector2d& first_mm,
+                         const Vector2d& reach_mm, double step_mm);
+
 // Without the empty rows and columns around what is known.
 Resectogram trimmed(const Resectogram& whole);
 
 }  // namespace
 
-Resectogram unrolled(const geometry::CutSurface& surface, const Organ& organ,
-                     const std::vector<TumourSurroundings>& tumours, const vasculature::VesselTrees& trees,
-                     const std::vector<CutOff::Place>& vessels, double step_mm) {
-  const std::vector<float> distance_mm = distances_mm(organ, tumours);
-  const std::vector<std::int32_t> numbers = numbers_in(organ);
-  const Eigen::AlignedBox2d reach = reach_of(surface, organ.grid);
-  Resectogram map;
-  map.step_mm = step_mm;
-  map.columns = static_cast<int>(reach.sizes().x() / step_mm) + 1;
-  map.rows = static_cast<int>(reach.sizes().y() / step_mm) + 1;
-  for (int row = 0; row < map.rows; ++row) {
-    for (int column = 0; column < map.columns; ++column) {
-      const Vector3d place_mm = surface.on_surface_mm(reach.min() + step_mm * Vector2d(column, row));
-      const Eigen::Vector3i at = (organ.grid.index_of(place_mm).array() + 0.5).floor().cast<int>();
-      const std::int32_t voxel =
-          organ.grid.contains(at.x(), at.y(), at.z()) ? numbers[organ.grid.offset(at.x(), at.y(), at.z())] : -1;
-      map.margin_mm.push_back(voxel < 0 ? std::numeric_limits<double>::quiet_NaN()
-                                        : static_cast<double>(distance_mm[static_cast<std::size_t>(voxel)]));
+std::vector<Resectogram> unrolled(const std::vector<PreparedCut>& cuts, const CutOff& off, const Unrollable& liver,
+                                  double step_mm) {
+  Surfaces surfaces;
+  for (const PreparedCut& cut : cuts) {
+    if (cut.surface) surfaces.push_back(&*cut.surface);
+  }
+  if (surfaces.empty()) return {};
+  const MarginImage margins{liver.organ.grid, numbers_in(liver.organ), distances_mm(liver.organ, liver.tumours)};
+  const std::vector<Vessels> vessels = shared_out(off.cut, surfaces, liver.trees);
+  std::vector<Resectogram> maps;
+  for (std::size_t s = 0; s < surfaces.size(); ++s) {
+    const Eigen::AlignedBox2d reach = reach_of(*surfaces[s], liver.organ.grid);
+    Resectogram map = margins_over(*surfaces[s], margins, reach.min(), reach.sizes(), step_mm);
+    for (const CutOff::Place& cut : vessels[s]) {
+      const vasculature::TreeBranch& branch = liver.trees.branches[cut.branch];
+      const auto& point = branch.points[cut.point];
+      const Vector2d at = (surfaces[s]->across_mm(point.position_mm) - reach.min()) / step_mm;
+      map.vessels.push_back({branch.name, at.x(), at.y(), point.radius_mm});
     }
+    maps.push_back(trimmed(map));
   }
-  for (const CutOff::Place& cut : vessels) {
-    const auto& point = trees.branches[cut.branch].points[cut.point];
-    const Vector2d at = (surface.across_mm(point.position_mm) - reach.min()) / step_mm;
-    map.vessels.push_back({trees.branches[cut.branch].name, at.x(), at.y(), point.radius_mm});
-  }
-  return trimmed(map);
+  return maps;
 }
 
 namespace {
+
+// A point in a hollow stands for tissue up to 15 mm off; what is cut farther away is another cut's.
+std::vector<Vessels> shared_out(const Vessels& cut, const Surfaces& surfaces, const vasculature::VesselTrees& trees) {
+  constexpr double reach_mm = 15;
+  std::vector<Vessels> shares(surfaces.size());
+  for (const CutOff::Place& place : cut) {
+    const Vector3d& at_mm = trees.branches[place.branch].points[place.point].position_mm;
+    const auto height_mm = [&](const geometry::CutSurface* surface) { return std::abs(surface->height_mm(at_mm)); };
+    const auto nearest = std::min_element(surfaces.begin(), surfaces.end(),
+                                          [&](const auto* a, const auto* b) { return height_mm(a) < height_mm(b); });
+    if (height_mm(*nearest) > reach_mm) continue;
+    shares[static_cast<std::size_t>(nearest - surfaces.begin())].push_back(place);
+  }
+  return shares;
+}
+
+double MarginImage::at(const Vector3d& place_mm) const {
+  const Eigen::Vector3i voxel = (grid.index_of(place_mm).array() + 0.5).floor().cast<int>();
+  const std::int32_t number =
+      grid.contains(voxel.x(), voxel.y(), voxel.z()) ? numbers[grid.offset(voxel.x(), voxel.y(), voxel.z())] : -1;
+  return number < 0 ? std::numeric_limits<double>::quiet_NaN()
+                    : static_cast<double>(distance_mm[static_cast<std::size_t>(number)]);
+}
+
+Resectogram margins_over(const geometry::CutSurface& surface, const MarginImage& margins, const Vector2d& first_mm,
+                         const Vector2d& reach_mm, double step_mm) {
+  Resectogram map;
+  map.step_mm = step_mm;
+  map.columns = static_cast<int>(reach_mm.x() / step_mm) + 1;
+  map.rows = static_cast<int>(reach_mm.y() / step_mm) + 1;
+  for (int row = 0; row < map.rows; ++row) {
+    for (int column = 0; column < map.columns; ++column) {
+      map.margin_mm.push_back(margins.at(surface.on_surface_mm(first_mm + step_mm * Vector2d(column, row))));
+    }
+  }
+  return map;
+}
 
 Resectogram trimmed(const Resectogram& whole) {
   int left = whole.columns, right = -1, low = whole.rows, high = -1;

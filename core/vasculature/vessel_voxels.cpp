@@ -6,6 +6,7 @@
 #include <queue>
 
 #include "imaging/filters.h"
+#include "segmentation/grid_part.h"
 
 namespace glisson::vasculature {
 
@@ -13,28 +14,13 @@ using Eigen::Vector3d;
 using imaging::Mask;
 
 Mask cropped(const Mask& mask) {
-  std::array<int, 3> low = mask.grid.size, high{-1, -1, -1};
-  const auto& size = mask.grid.size;
-  for (int k = 0; k < size[2]; ++k) {
-    for (int j = 0; j < size[1]; ++j) {
-      for (int i = 0; i < size[0]; ++i) {
-        if (mask.at(i, j, k) == 0) continue;
-        low = {std::min(low[0], i), std::min(low[1], j), std::min(low[2], k)};
-        high = {std::max(high[0], i), std::max(high[1], j), std::max(high[2], k)};
-      }
-    }
-  }
-  Mask part{mask.grid, {}};
-  for (std::size_t a = 0; a < 3; ++a) part.grid.size[a] = high[a] - low[a] + 3;
-  part.grid.origin_mm = mask.grid.position_mm(low[0] - 1, low[1] - 1, low[2] - 1);
+  const segmentation::Part around = segmentation::part_around(mask, 0);
+  Mask part{around.grid, {}};
+  for (int& size : part.grid.size) size += 2;
+  part.grid.origin_mm = mask.grid.position_mm(around.first[0] - 1, around.first[1] - 1, around.first[2] - 1);
   part.values.assign(part.grid.voxels(), 0);
-  for (int k = low[2]; k <= high[2]; ++k) {
-    for (int j = low[1]; j <= high[1]; ++j) {
-      for (int i = low[0]; i <= high[0]; ++i) {
-        part.at(i - low[0] + 1, j - low[1] + 1, k - low[2] + 1) = mask.at(i, j, k) != 0 ? 1 : 0;
-      }
-    }
-  }
+  segmentation::put_back(segmentation::cut_out(mask, around), {{1, 1, 1}, around.grid}, part);
+  for (std::uint8_t& value : part.values) value = value != 0 ? 1 : 0;
   // A voxel outside with vessel on five of its six sides is a pit of noise.
   const Mask before = part;
   for (int k = 1; k + 1 < part.grid.size[2]; ++k) {

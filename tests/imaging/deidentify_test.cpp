@@ -8,9 +8,11 @@
 #include <gtest/gtest.h>
 
 #include "base/files.h"
+#include "imaging/dicom_seg.h"
 #include "imaging/dicom_uid.h"
 #include "imaging/dicom_write.h"
 #include "imaging/read_series.h"
+#include "imaging/segment_codes.h"
 #include "support/data.h"
 
 namespace glisson::imaging {
@@ -149,6 +151,54 @@ TEST(Deidentify, KeepsARealSegmentationReadable) {
   const auto study = scan(out.path());
   ASSERT_EQ(study->series.size(), 1U);
   EXPECT_EQ(study->series.front().role, Role::segmentation);
+}
+
+// What a segmentation of ours is coded with stays, word for word; a code with another meaning gets the known one.
+TEST(Deidentify, KeepsTheCodesOfOurOwnSegmentations) {
+  const TemporaryFolder folder;
+  const char* names[] = {"liver",       "segment I", "segment VIII", "portal-vein", "hepatic-vein",
+                         "gallbladder", "cyst",      "artery",       "tumour-1",    "other"};
+  std::vector<SegmentedMask> segments;
+  Grid grid;
+  grid.size = {8, 6, 3};
+  for (const char* name : names) {
+    const int value = static_cast<int>(segments.size()) + 1;
+    segments.push_back({{name, value, {0.5, 0.5, 0.5}}, {grid, std::vector<std::uint8_t>(grid.voxels(), 1)}});
+  }
+  SegmentationSource source;
+  source.study_uid = "2.25.1";
+  source.series_uid = "2.25.2";
+  source.frame_of_reference_uid = "2.25.3";
+  const fs::path file = folder.path() / "seg.dcm";
+  ASSERT_TRUE(write_dicom_seg(file, segments, source));
+  DcmFileFormat planted;
+  ASSERT_TRUE(planted.loadFile(file.c_str()).good());
+  DcmItem *segment = nullptr, *type = nullptr;
+  planted.getDataset()->findAndGetSequenceItem(DCM_SegmentSequence, segment, 0);
+  ASSERT_TRUE(segment != nullptr &&
+              segment->findAndGetSequenceItem(DCM_SegmentedPropertyTypeCodeSequence, type).good());
+  type->putAndInsertString(DCM_CodeMeaning, "SECRETMEANING");
+  ASSERT_TRUE(planted.saveFile(file.c_str(), EXS_LittleEndianExplicit).good());
+
+  const TemporaryFolder out;
+  const auto done = deidentify(folder.path(), out.path());
+  ASSERT_TRUE(done) << done.error().message();
+  DcmFileFormat cleaned;
+  ASSERT_TRUE(cleaned.loadFile(done->files.front().c_str()).good());
+  for (std::size_t s = 0; s < segments.size(); ++s) {
+    ASSERT_TRUE(
+        cleaned.getDataset()->findAndGetSequenceItem(DCM_SegmentSequence, segment, static_cast<long>(s)).good());
+    const SegmentCode expected = segment_code(names[s]);
+    for (const auto& [tag, code] : {std::pair{DCM_SegmentedPropertyCategoryCodeSequence, expected.category},
+                                    std::pair{DCM_SegmentedPropertyTypeCodeSequence, expected.type}}) {
+      OFString value, meaning;
+      ASSERT_TRUE(segment->findAndGetSequenceItem(tag, type).good()) << names[s];
+      type->findAndGetOFString(DCM_CodeValue, value);
+      type->findAndGetOFString(DCM_CodeMeaning, meaning);
+      EXPECT_STREQ(value.c_str(), code.value) << names[s];
+      EXPECT_STREQ(meaning.c_str(), code.meaning) << names[s];
+    }
+  }
 }
 
 }  // namespace

@@ -8,8 +8,7 @@
 #include <functional>
 
 #include "geometry/cut_surface.h"
-#include "vasculature/territories.h"
-#include "vasculature/vessels_in_a_ball.h"
+#include "planning/parts_of_a_ball.h"
 
 namespace glisson::planning {
 namespace {
@@ -21,82 +20,6 @@ using vasculature::straight;
 using vasculature::System;
 using vasculature::TreeBranch;
 using vasculature::VesselTrees;
-
-VesselTrees some_trees() {
-  VesselTrees trees;
-  const auto add = [&](System system, int parent, Vector3d from, Vector3d to, double radius_mm, const char* name) {
-    trees.branches.push_back(straight(system, parent, from, to, radius_mm));
-    trees.branches.back().name = name;
-  };
-  add(System::portal_vein, -1, {0, 0, -30}, {0, 0, 0}, 3, "portal");
-  add(System::portal_vein, 0, {0, 0, 0}, {25, 5, 15}, 3, "portal/left");
-  add(System::portal_vein, 0, {0, 0, 0}, {-25, -5, 10}, 2, "portal/right");
-  add(System::portal_vein, 1, {15, 3, 9}, {0, 25, 20}, 2, "portal/left/II");  // back across x = 10
-  add(System::hepatic_vein, -1, {0, 30, 20}, {0, 0, 10}, 3, "hepatic");
-  add(System::hepatic_vein, 4, {0, 0, 10}, {20, -20, 0}, 2, "hepatic/left");
-  add(System::hepatic_vein, 4, {0, 0, 10}, {-20, -20, 0}, 2, "hepatic/right");
-  return trees;
-}
-
-void for_each_voxel(const Mask& liver, const std::function<void(int, int, int, const Vector3d&)>& visit) {
-  const auto& size = liver.grid.size;
-  for (int k = 0; k < size[2]; ++k) {
-    for (int j = 0; j < size[1]; ++j) {
-      for (int i = 0; i < size[0]; ++i) {
-        if (liver.at(i, j, k) != 0) visit(i, j, k, liver.grid.position_mm(i, j, k));
-      }
-    }
-  }
-}
-
-int octant(const Vector3d& at) { return 1 + (at.x() > 0 ? 1 : 0) + (at.y() > 0 ? 2 : 0) + (at.z() > 0 ? 4 : 0); }
-double stiffness_at(const Vector3d& at) { return at.y() < -20 ? -1 : 6 + 0.1 * at.x(); }  // not trusted in front
-
-imaging::LabelMap territory(const VesselTrees& trees, System system, const Mask& liver) {
-  const auto found = vasculature::territories_of(trees, system, liver);
-  EXPECT_TRUE(found);
-  imaging::LabelMap map{liver.grid, {}};
-  for (const std::int32_t branch : found->branch) map.values.push_back(static_cast<std::uint16_t>(branch + 1));
-  return map;
-}
-
-Mask ball_at(const Mask& liver, const Vector3d& center, double radius_mm) {
-  Mask mask{liver.grid, std::vector<std::uint8_t>(liver.values.size(), 0)};
-  for_each_voxel(liver, [&](int i, int j, int k, const Vector3d& at) {
-    mask.at(i, j, k) = (at - center).norm() < radius_mm ? 1 : 0;
-  });
-  return mask;
-}
-
-const Vector3d tumour_mm(-12, 4, -3);
-constexpr double tumour_radius_mm = 7;
-
-LiverParts parts_of_ball() {
-  LiverParts parts;
-  parts.liver = ball();
-  parts.trees = some_trees();
-  parts.portal = territory(parts.trees, System::portal_vein, parts.liver);
-  parts.hepatic = territory(parts.trees, System::hepatic_vein, parts.liver);
-  parts.tumours.push_back({"tumour-1", ball_at(parts.liver, tumour_mm, tumour_radius_mm)});
-  parts.segments = imaging::LabelMap{parts.liver.grid, std::vector<std::uint16_t>(parts.liver.values.size(), 0)};
-  for_each_voxel(parts.liver, [&](int i, int j, int k, const Vector3d& at) {
-    parts.segments->at(i, j, k) = static_cast<std::uint16_t>(octant(at));
-  });
-  // A coarse map of its own.
-  imaging::Volume map;
-  map.grid.size = {30, 30, 30};
-  map.grid.spacing_mm = {3, 3, 3};
-  map.grid.origin_mm = {-43.5, -43.5, -43.5};
-  for (int k = 0; k < 30; ++k) {
-    for (int j = 0; j < 30; ++j) {
-      for (int i = 0; i < 30; ++i) {
-        map.values.push_back(static_cast<float>(stiffness_at(map.grid.position_mm(i, j, k))));
-      }
-    }
-  }
-  parts.youngs_kPa = std::move(map);
-  return parts;
-}
 
 using Goes = std::function<bool(const Vector3d&)>;
 
@@ -328,70 +251,6 @@ TEST(Planner, AblatesASpheroidAndSparesWideVessels) {
   EXPECT_GT(*closed.ischaemic_ml, 1);
 }
 
-TEST(Planner, MeasuresTheMarginOfAnAblation) {
-  const auto planner = Planner::open(parts_of_ball());
-  ASSERT_TRUE(planner);
-  for (const double margin_mm : {2.0, 5.0, 8.0}) {
-    const double radius_mm = tumour_radius_mm + margin_mm;
-    const auto centred = planner->answer({AblationCut{tumour_mm, {0, 0, 1}, radius_mm, radius_mm}});
-    ASSERT_TRUE(centred);
-    EXPECT_EQ(centred->tumours.front().side, Side::removed);
-    EXPECT_NEAR(centred->tumours.front().margin_mm, margin_mm, 0.75);
-    const auto longer = planner->answer({AblationCut{tumour_mm, {0, 1, 0}, radius_mm + 9, radius_mm}});
-    EXPECT_NEAR(longer->tumours.front().margin_mm, margin_mm, 0.75);
-    const auto aside = planner->answer({AblationCut{tumour_mm + Vector3d(1.5, 0, 0), {0, 0, 1}, radius_mm, radius_mm}});
-    EXPECT_NEAR(aside->tumours.front().margin_mm, margin_mm - 1.5, 0.75);
-  }
-  EXPECT_EQ(planner->answer({AblationCut{tumour_mm, {0, 0, 1}, 5, 5}})->tumours.front().side, Side::cut_through);
-  EXPECT_EQ(planner->answer({AblationCut{{900, 0, 0}, {0, 0, 1}, 5, 5}}).error().code, "cut-misses");
-  EXPECT_EQ(planner->answer({AblationCut{tumour_mm, {0, 0, 0}, 5, 5}}).error().code, "ablation-invalid");
-  EXPECT_EQ(planner->answer({AblationCut{tumour_mm, {0, 0, 1}, 5, 0}}).error().code, "ablation-invalid");
-  EXPECT_EQ(planner->answer({AblationCut{tumour_mm, {0, 0, 1}, 5, 1e9}}).error().code, "ablation-invalid");
-}
-
-// At each place of a plane, and of a bent sheet, the distance to the tumour's border, and the vessels that are cut.
-TEST(Planner, UnrollsTheCutWithItsMargins) {
-  const auto planner = Planner::open(parts_of_ball());
-  ASSERT_TRUE(planner);
-  SheetCut sheet;
-  for (const double y : {-35.0, -10.0, 15.0, 35.0}) {
-    for (const double z : {-30.0, -5.0, 20.0, 38.0}) sheet.through_mm.emplace_back(4 + 5 * std::sin(y / 12), y, z);
-  }
-  const PlaneCut plane{{3, 0, 0}, {1, 0.2, 0}, Removed::smaller};
-  const geometry::CutSurface surfaces[] = {geometry::CutSurface::plane(plane.point_mm, plane.normal).value(),
-                                           geometry::CutSurface::through(sheet.through_mm).value()};
-  const std::vector<Cut> cuts = {plane, sheet};
-  for (std::size_t n = 0; n < 2; ++n) {
-    const auto maps = planner->resectograms({cuts[n]});
-    ASSERT_TRUE(maps);
-    ASSERT_EQ(maps->size(), 1u);
-    const Resectogram& map = maps->front();
-    // By the voxels themselves: those that the surface passes through.
-    double nearest_mm = 1e9, area_mm2 = 0, closest_mm = 1e9;
-    for_each_voxel(ball(), [&](int, int, int, const Vector3d& at) {
-      if (std::abs(surfaces[n].height_mm(at)) > 0.5) return;
-      nearest_mm = std::min(nearest_mm, std::max(0.0, (at - tumour_mm).norm() - tumour_radius_mm));
-    });
-    for (int row = 0; row < map.rows; ++row) {
-      for (int column = 0; column < map.columns; ++column) {
-        if (std::isnan(map.at(column, row))) continue;
-        area_mm2 += map.step_mm * map.step_mm;
-        closest_mm = std::min(closest_mm, map.at(column, row));
-      }
-    }
-    EXPECT_NEAR(closest_mm, nearest_mm, 1);
-    const double disc_mm2 = 3.14159265 * (40 * 40 - 9);
-    EXPECT_NEAR(area_mm2, disc_mm2, (n == 0 ? 0.02 : 0.1) * disc_mm2);
-    const auto answer = planner->answer({cuts[n]});
-    EXPECT_EQ(map.vessels.size(), answer->branches.size());
-    for (const auto& vessel : map.vessels) {
-      EXPECT_FALSE(vessel.name.empty());
-      EXPECT_TRUE(vessel.column > 0 && vessel.column < map.columns && vessel.row > 0 && vessel.row < map.rows);
-    }
-  }
-  EXPECT_TRUE(planner->resectograms({SegmentsCut{{2}}})->empty());
-}
-
 // A stem that runs along the border of what is taken stays, and so does what it feeds.
 TEST(Planner, SparesVesselsThatOnlyRunThroughASegment) {
   LiverParts parts = parts_of_ball();
@@ -427,33 +286,6 @@ TEST(Planner, NamesTheBranchesThatAreCut) {
   }
   EXPECT_EQ(names, (std::set<std::string>{"portal/left", "hepatic/left"}));
   EXPECT_NEAR(answer->branches.front().beyond_ml, 80, 25);  // two of the four branches, the stem's tissue apart
-}
-
-TEST(Planner, MeasuresMarginsToWithinAVoxel) {
-  LiverParts parts = parts_of_ball();
-  parts.tumours.push_back({"tumour-2", ball_at(parts.liver, {20, -10, 5}, 5)});
-  const auto planner = Planner::open(parts);
-  ASSERT_TRUE(planner);
-  for (const double away_mm : {1.0, 3.3, 6.2, 11.0, 16.0}) {
-    for (const Vector3d& way : {Vector3d(1, 0, 0), Vector3d(1, 0.4, -0.3), Vector3d(0.3, 0.2, 1)}) {
-      const Vector3d normal = way.normalized();
-      const auto answer =
-          planner->answer({PlaneCut{tumour_mm + (tumour_radius_mm + away_mm) * normal, -normal, Removed::above}});
-      ASSERT_TRUE(answer);
-      EXPECT_EQ(answer->tumours.front().side, Side::removed);
-      EXPECT_NEAR(answer->tumours.front().margin_mm, away_mm, 0.75) << way.transpose();
-      EXPECT_EQ(answer->tumours.back().side, (Vector3d(20, -10, 5) - tumour_mm).dot(normal) > 12 + away_mm
-                                                 ? Side::left
-                                                 : answer->tumours.back().side);
-    }
-  }
-  const auto around = planner->answer({MarginCut{"tumour-1", 8}});
-  ASSERT_TRUE(around);
-  EXPECT_NEAR(*around->margin_mm, 8, 0.1);
-  EXPECT_EQ(around->tumours.back().side, Side::left);
-  const auto through = planner->answer({PlaneCut{tumour_mm, {1, 0, 0}, Removed::smaller}});
-  EXPECT_EQ(through->tumours.front().side, Side::cut_through);
-  EXPECT_EQ(through->margin_mm, 0.0);
 }
 
 TEST(Planner, CutsVesselsThatTheOutlineLeavesOut) {

@@ -1,7 +1,5 @@
 // The Rehearse workspace under the hand: the tool dragged in space by its ends, frozen, seen again, filmed; two bodies
-// beside each other; rigid tools in contact.
-//
-// The body is the block of block_patient.h, 120 x 80 x 80 mm, held at its left end.
+// beside each other. Rigid tools: rehearse_rigid_test.cpp.
 
 #include <QCheckBox>
 #include <QDoubleSpinBox>
@@ -11,8 +9,8 @@
 #include <QtTest>
 
 #include "base/files.h"
-#include "block_patient.h"
 #include "kept_pictures.h"
+#include "probe_on_block.h"
 #include "run_test.h"
 #include "shown.h"
 #include "support/shapes.h"
@@ -25,8 +23,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int patience_ms = 30000;  // for solves on a machine that does other work too
-
 class RehearseTest : public QObject {
   Q_OBJECT
 
@@ -35,14 +31,7 @@ class RehearseTest : public QObject {
 
   // Each begins with a probe in the middle of the free end, pushing with 1 N.
   void init() {
-    window_->show_patient(block_patient(
-        {6, 4, 4}, {{"tumour-1", {100, 40, 40}}, {"hilum", {8, 40, 40}}},
-        {{"tumour-1", std::make_shared<geometry::Surface>(test::sphere_surface(10, 2, {100, 40, 40})), 4.2}}));
-    window_->go_to("rehearse");
-    space().look_from(scene::PatientView::surgeon);
-    QSignalSpy placed(&rehearsal(), &LiveRehearsal::placed);
-    rehearsal().hold({"palpation-probe", {120, 40, 40}, {1, 0, 0}, 15, {-1, 0, 0}, 1.0});
-    QVERIFY(placed.wait(patience_ms));
+    show_probe_on_block(*window_);
     look_at_free_end();
     QTest::qWait(50);
   }
@@ -173,78 +162,6 @@ class RehearseTest : public QObject {
     }
     QVERIFY(!second.isVisible());
     QCOMPARE(window_->views().view_layout(), ViewLayout::square);
-  }
-
-  void a_rigid_probe_pushes_and_cannot_pull() {
-    auto* rigid = child<QCheckBox>("rigid");
-    QTest::mouseClick(rigid, Qt::LeftButton, Qt::NoModifier, QPoint(8, rigid->height() / 2));
-    QCOMPARE(rehearsal().touch(), Touch::rigid);
-    QTRY_COMPARE_WITH_TIMEOUT(rehearsal().solving(), Solving::solved, patience_ms);
-    // At balance the body pushes back with what the tool pushes, within the contact's tolerance.
-    QVERIFY(std::abs(rehearsal().state()->force_N.norm() - 1.0) < 0.05);
-    QVERIFY(rehearsal().state()->patient.max_displacement_mm > 0.5);
-    QCOMPARE(rehearsal().solids().size(), std::size_t{1});
-    const auto shape = rehearsal().state()->patient.surface_mm;
-    rehearsal().set_direction({1, 0, 0});
-    QCOMPARE(rehearsal().solving(), Solving::refused);
-    QVERIFY(child<QLabel>("solving_trouble")->text().contains("cannot pull"));
-    QVERIFY(rehearsal().state()->patient.surface_mm == shape);
-  }
-
-  void several_rigid_tools_are_held_at_once() {
-    rehearsal().set_touch(Touch::rigid);
-    QTRY_COMPARE_WITH_TIMEOUT(rehearsal().solving(), Solving::solved, patience_ms);
-    QTest::mouseClick(child<QPushButton>("keep"), Qt::LeftButton);
-    rehearsal().hold({"grasper", {90, 0, 40}, {0, -1, 0}, 12, {0, -1, 0}, 0.5});
-    QCOMPARE(rehearsal().tools().size(), std::size_t{2});
-    QTRY_VERIFY_WITH_TIMEOUT(rehearsal().solving() == Solving::solved && rehearsal().solids().size() == 2, patience_ms);
-    QTest::mouseClick(child<QPushButton>("release"), Qt::LeftButton);
-    QCOMPARE(rehearsal().tools().size(), std::size_t{1});
-    QCOMPARE(rehearsal().tools().front().preset, std::string("palpation-probe"));
-  }
-
-  // A grasper draws the free end to the left; the planned cut, before the tumour, is led on under it.
-  void the_planned_cut_opens_step_by_step_while_a_tool_holds_the_liver() {
-    auto* advance = child<QPushButton>("advance_cut");
-    auto* back = child<QPushButton>("take_cut_back");
-    auto* state = child<QLabel>("cut_state");
-    QVERIFY(!advance->isEnabled());
-    QVERIFY(state->text().contains("Resect"));
-    const auto plane = geometry::CutSurface::plane({63, 0, 0}, {1, 0, 0}).value();
-    window_->findChild<RehearsePanel*>()->show_plan(
-        rehearsal::course_of(test::box_of_tetrahedra({6, 4, 4}, {120, 80, 80}), plane).value(), {},
-        {"liver", "tumour-1"});
-    QVERIFY(state->text().contains("rigid"));
-    rehearsal().hold({"grasper", {120, 40, 40}, {1, 0, 0}, 15, {1, 0, 0}, 1.0});
-    rehearsal().set_touch(Touch::rigid);
-    QTRY_COMPARE_WITH_TIMEOUT(rehearsal().solving(), Solving::solved, patience_ms);
-    QVERIFY(!rehearsal().state()->cut);
-    double opening_mm = 0;
-    for (int step = 1; step <= 12; ++step) {
-      QTRY_VERIFY_WITH_TIMEOUT(advance->isEnabled(), patience_ms);
-      QTest::mouseClick(advance, Qt::LeftButton);
-      QTRY_VERIFY_WITH_TIMEOUT(rehearsal().solving() != Solving::solving && rehearsal().cut_steps() == step,
-                               patience_ms);
-      QVERIFY2(rehearsal().solving() == Solving::solved, qPrintable(child<QLabel>("solving_trouble")->text()));
-      QVERIFY(rehearsal().state()->cut->largest_opening_mm > opening_mm);
-      opening_mm = rehearsal().state()->cut->largest_opening_mm;
-    }
-    // The front has passed the middle of the section, which is a square seen along a corner.
-    const double share = rehearsal().state()->cut->open_share();
-    QVERIFY(share > 0.45 && share < 0.65);
-    QVERIFY(state->text().contains(QString("%1 %").arg(100 * share, 0, 'f', 0)));
-    space().look_from(scene::PatientView::surgeon);
-    QTest::qWait(100);
-    window_->grab().save(test::kept_picture("rehearse-cut.png"));
-    QTest::mouseClick(back, Qt::LeftButton);
-    QTRY_COMPARE_WITH_TIMEOUT(rehearsal().cut_steps(), 11, patience_ms);
-    QTRY_COMPARE_WITH_TIMEOUT(rehearsal().solving(), Solving::solved, patience_ms);
-    QVERIFY(rehearsal().state()->cut->largest_opening_mm < opening_mm);
-    // A tool that moves closes the way back.
-    rehearsal().set_force_N(0.8);
-    QTRY_COMPARE_WITH_TIMEOUT(rehearsal().solving(), Solving::solved, patience_ms);
-    QVERIFY(!back->isEnabled());
-    QCOMPARE(rehearsal().cut_steps(), 11);
   }
 
   void the_table_of_a_rehearsal_names_its_units() {

@@ -1,42 +1,25 @@
-// The Segment workspace, driven as a person drives it: strokes with the mouse in a slice, keys for tools, undo.
+// The Segment workspace, driven as a person drives it: strokes with the mouse in a slice, keys for tools, undo. Whole
+// structures: segment_structures_test.cpp.
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
-#include <QMenu>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTreeWidget>
 #include <QtTest>
 
-#include "base/files.h"
 #include "run_test.h"
-#include "shown.h"
-#include "small_case.h"
-#include "widgets/main_window.h"
-#include "widgets/segment/segment_panel.h"
+#include "segment_workspace.h"
 
 namespace glisson::widgets {
 namespace {
 
-constexpr int patience_ms = 20000;
-
-class SegmentTest : public QObject {
+class SegmentTest : public SegmentWorkspace {
   Q_OBJECT
 
  private Q_SLOTS:
-  void initTestCase() {
-    folder_ = test::small_case(temporary_.path());
-    window_ = shown_window({1600, 1000});
-    window_->open_path(folder_);
-    QTRY_VERIFY_WITH_TIMEOUT(!window_->work().busy() && !window_->findChild<QWidget*>("tool_brush")->isVisible(),
-                             patience_ms);
-    window_->go_to("segment");
-    panel_ = window_->findChild<SegmentPanel*>();
-    settle();
-    QCOMPARE(panel_->editor().structures().size(), std::size_t(1));
-    start_ = test::voxels_of(folder_, "liver");
-  }
+  void initTestCase() { open(); }
 
   void lists_the_structures_with_their_volumes() {
     QCOMPARE(child<QTreeWidget>("segment_structures")->topLevelItemCount(), 1);
@@ -146,93 +129,6 @@ class SegmentTest : public QObject {
     window_->views().straighten();
   }
 
-  void a_structure_is_added_drawn_filled_between_slices_and_renamed() {
-    auto* add = child<QPushButton>("add_structure");
-    Q_EMIT add->menu()->aboutToShow();
-    add->menu()->findChild<QAction*>("tumour")->trigger();
-    settle();
-    QCOMPARE(panel_->editor().active_structure()->name, std::string("tumour-1"));
-    key(Qt::Key_B);
-    stroke({-8, 0}, {-6, 0});
-    const Eigen::Vector3d middle = transverse().crosshair_mm();
-    window_->views().set_crosshair(middle + Eigen::Vector3d(0, 0, 12));
-    stroke({-8, 0}, {-6, 0});
-    window_->views().set_crosshair(middle);
-    const std::size_t in_two = test::voxels_of(folder_, "tumour-1");
-    key(Qt::Key_F);
-    settle();
-    const std::size_t filled = test::voxels_of(folder_, "tumour-1");
-    QVERIFY(filled > 2 * in_two && filled < 3 * in_two);  // three more slices between the two
-
-    auto* rename = child<QPushButton>("rename_structure");
-    Q_EMIT rename->menu()->aboutToShow();
-    rename->menu()->findChild<QAction*>("cyst")->trigger();
-    settle();
-    QCOMPARE(test::voxels_of(folder_, "cyst-1"), filled);
-    QCOMPARE(test::voxels_of(folder_, "tumour-1"), std::size_t(0));
-    for (int n = 0; n < 5; ++n) undo();
-    QCOMPARE(panel_->editor().structures().size(), std::size_t(1));
-    QCOMPARE(test::voxels_of(folder_, "liver"), start_);
-  }
-
-  void filters_change_the_whole_structure() {
-    key(Qt::Key_Plus);
-    settle();
-    const std::size_t grown = test::voxels_of(folder_, "liver");
-    QVERIFY(grown > start_);
-    key(Qt::Key_Minus);
-    settle();
-    QVERIFY(test::voxels_of(folder_, "liver") < grown);
-    undo();
-    undo();
-    key(Qt::Key_H);  // nothing to fill: no step
-    settle();
-    QVERIFY(!window_->undo().undo_action()->isEnabled());
-  }
-
-  // The bright ball of 16 mm: by its grey values, and what the drawn one and it have in common.
-  void grey_values_and_other_structures_make_a_structure() {
-    auto* low = child<QDoubleSpinBox>("grey_low");
-    auto* high = child<QDoubleSpinBox>("grey_high");
-    child<QPushButton>("range_from_crosshair")->click();
-    QVERIFY(low->value() < high->value());
-    auto* add = child<QPushButton>("add_structure");
-    Q_EMIT add->menu()->aboutToShow();
-    add->menu()->findChild<QAction*>("tumour")->trigger();
-    settle();
-    child<QPushButton>("take_range")->click();
-    settle();
-    const std::size_t everywhere = test::voxels_of(folder_, "tumour-1");
-    QVERIFY(everywhere > start_);
-    auto* within = child<QComboBox>("within");
-    within->setCurrentIndex(within->findData("liver"));
-    child<QPushButton>("take_range")->click();
-    settle();
-    const std::size_t inside = test::voxels_of(folder_, "tumour-1");
-    QVERIFY2(inside > start_ / 2 && inside <= start_, qPrintable(QString::number(inside)));
-    undo();
-    QCOMPARE(test::voxels_of(folder_, "tumour-1"), everywhere);
-
-    auto* how = child<QComboBox>("combine_how");
-    auto* other = child<QComboBox>("combine_with");
-    QCOMPARE(other->count(), 1);  // itself is not offered
-    how->setCurrentIndex(StructureOperations::subtract);
-    child<QPushButton>("combine")->click();
-    settle();
-    QCOMPARE(test::voxels_of(folder_, "tumour-1"), everywhere - inside);
-    how->setCurrentIndex(StructureOperations::unite);
-    child<QPushButton>("combine")->click();
-    settle();
-    QCOMPARE(test::voxels_of(folder_, "tumour-1"), everywhere - inside + start_);
-    how->setCurrentIndex(StructureOperations::intersect);
-    child<QPushButton>("combine")->click();
-    settle();
-    QCOMPARE(test::voxels_of(folder_, "tumour-1"), start_);
-    within->setCurrentIndex(0);
-    for (int n = 0; n < 5; ++n) undo();
-    QCOMPARE(panel_->editor().structures().size(), std::size_t(1));
-  }
-
   void the_brush_keeps_to_the_grey_values_when_asked() {
     child<QPushButton>("range_from_crosshair")->click();
     auto* only = child<QCheckBox>("range_for_brush");
@@ -310,41 +206,9 @@ class SegmentTest : public QObject {
     QCOMPARE(panel_->editor().structures().front().volume_ml, before_ml);
   }
 
-  void cleanupTestCase() { window_.reset(); }
+  void cleanupTestCase() { close(); }
 
  private:
-  template <typename Widget>
-  Widget* child(const char* name) {
-    return child_of<Widget>(*window_, name);
-  }
-  SliceView& transverse() { return window_->views().slice(SliceDirection::transverse); }
-  // A place of the transverse slice, mm to the patient's left and to the back of the ball's middle, in the widget.
-  QPointF at(const QPointF& place_mm) {
-    SliceView& view = transverse();
-    const Eigen::Vector3d wanted = test::small_middle_mm() + Eigen::Vector3d(place_mm.x(), place_mm.y(), 0);
-    const QPointF a(0, 0), b(100, 0), c(0, 100);
-    const Eigen::Vector3d origin = view.place_at(a), x = view.place_at(b) - origin, y = view.place_at(c) - origin;
-    return {100 * (wanted - origin).dot(x) / x.squaredNorm(), 100 * (wanted - origin).dot(y) / y.squaredNorm()};
-  }
-  void press(const QPointF& place_mm) {
-    QTest::mousePress(&transverse(), Qt::LeftButton, Qt::NoModifier, at(place_mm).toPoint());
-  }
-  void move(const QPointF& place_mm) {
-    const QPointF here = at(place_mm);
-    QMouseEvent moved(QEvent::MouseMove, here, transverse().mapToGlobal(here), Qt::NoButton, Qt::LeftButton,
-                      Qt::NoModifier);
-    QApplication::sendEvent(&transverse(), &moved);
-  }
-  void release(const QPointF& place_mm) {
-    QTest::mouseRelease(&transverse(), Qt::LeftButton, Qt::NoModifier, at(place_mm).toPoint());
-  }
-  void stroke(const QPointF& from_mm, const QPointF& to_mm) {
-    press(from_mm);
-    move(0.5 * (from_mm + to_mm));
-    move(to_mm);
-    release(to_mm);
-    settle();
-  }
   // With the scissors: the half on the picture's right.
   void cut_away_half() {
     const std::vector<QPointF> around{{0, -20}, {20, -20}, {20, 20}, {0, 20}};
@@ -366,32 +230,6 @@ class SegmentTest : public QObject {
     }
     return range;
   }
-  // A button lets its key be seen pressed before it acts.
-  void key(Qt::Key which) {
-    for (QAbstractButton* button : panel_->findChildren<QAbstractButton*>()) {
-      if (button->shortcut() != QKeySequence(which)) continue;
-      QSignalSpy clicked(button, &QAbstractButton::clicked);
-      press_key(*window_, which);
-      QVERIFY(clicked.wait(patience_ms));
-      return;
-    }
-    QFAIL("no such key");
-  }
-  void undo() {
-    press_key(*window_, Qt::Key_Z, Qt::ControlModifier);
-    settle();
-  }
-  void settle() {
-    QTRY_VERIFY_WITH_TIMEOUT(!window_->undo().busy(), patience_ms);
-    QTRY_VERIFY_WITH_TIMEOUT(!window_->work().busy(), patience_ms);
-    if (panel_ != nullptr && panel_->isVisible()) QTRY_VERIFY_WITH_TIMEOUT(panel_->editor().can_edit(), patience_ms);
-  }
-
-  TemporaryFolder temporary_;
-  std::filesystem::path folder_;
-  std::size_t start_ = 0;
-  std::unique_ptr<MainWindow> window_;
-  SegmentPanel* panel_ = nullptr;
 };
 
 }  // namespace

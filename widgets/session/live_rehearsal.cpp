@@ -1,15 +1,12 @@
 #include "widgets/session/live_rehearsal.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <QFutureWatcher>
 #include <QtConcurrentRun>
 
 namespace glisson::widgets {
 namespace {
 
-constexpr std::size_t maximum_remembered = 16;  // places, some megabytes each
 constexpr int look_every_ms = 15;
 
 std::string session_id(int number) { return "tool-" + std::to_string(number); }
@@ -238,93 +235,6 @@ Eigen::Vector3d LiveRehearsal::tool_center_mm() const {
   return has_tool() ? tools().back().center_mm : Eigen::Vector3d::Zero();
 }
 
-// Without contact: an answer of a place that is known, or a solve for it.
-void LiveRehearsal::answer_now() {
-  const PlacedTool& tool = tools_.back();
-  if (const rehearsal::PlacedTool* placed = remembered(tool)) {
-    to_place_.reset();
-    ease(*placed);
-    show_answer(*placed, tool);
-    record(nullptr);
-    return;
-  }
-  to_place_ = tool;
-  set_solving(Solving::solving);
-  Q_EMIT state_changed();  // the tool is there already, the shape follows
-  if (!is_placing_) solve_for(tool);
-}
-
-void LiveRehearsal::ease(const rehearsal::PlacedTool& placed) {
-  constexpr double step_N = 0.1;
-  if (!eases_) return;
-  eases_ = false;
-  PlacedTool& tool = tools_.back();
-  const double within_N = placed.force_within_the_model_N(tool.direction, tool.force_N);
-  if (within_N >= tool.force_N) return;
-  tool.force_N = step_N * std::max(1.0, std::floor(within_N / step_N));
-  force_N_ = tool.force_N;
-}
-
-std::optional<double> LiveRehearsal::force_within_the_model_N(double maximum_N) const {
-  if (touch_ == Touch::rigid || !has_tool()) return {};
-  const rehearsal::PlacedTool* placed = remembered(tools().back());
-  if (placed == nullptr) return {};
-  PlacedTool asked = tools().back();
-  asked.force_N = 0;
-  if (!within_ || within_->tool != asked || within_->maximum_N != maximum_N || within_->body_count != body_count_) {
-    within_ = {asked, maximum_N, body_count_, placed->force_within_the_model_N(asked.direction, maximum_N)};
-  }
-  return within_->force_N;
-}
-
-const rehearsal::PlacedTool* LiveRehearsal::remembered(const PlacedTool& tool) const {
-  const auto found = std::find_if(placed_.begin(), placed_.end(), [&](const rehearsal::PlacedTool& placed) {
-    return placed.center_mm() == tool.center_mm && placed.radius_mm() == tool.radius_mm;
-  });
-  return found == placed_.end() ? nullptr : &*found;
-}
-
-void LiveRehearsal::solve_for(const PlacedTool& tool) {
-  is_placing_ = true;
-  using Outcome = Result<rehearsal::PlacedTool>;
-  auto* watcher = new QFutureWatcher<std::shared_ptr<Outcome>>(this);
-  connect(watcher, &QFutureWatcherBase::finished, this, [this, watcher, tool, body_count = body_count_] {
-    watcher->deleteLater();
-    is_placing_ = false;
-    const std::shared_ptr<Outcome> outcome = watcher->result();
-    if (body_count == body_count_ && *outcome) {
-      placed_.push_back(**outcome);
-      if (placed_.size() > maximum_remembered) placed_.pop_front();
-    }
-    if (!to_place_) return;
-    const PlacedTool wanted = *to_place_;
-    if (remembered(wanted) != nullptr) {
-      to_place_.reset();
-      if (!shown_moment_) ease(placed_.back());
-      show_answer(placed_.back(), shown_moment_ ? wanted : tools_.back());
-      if (!shown_moment_) record(nullptr);
-      Q_EMIT placed(placed_.back().solve_ms());
-    } else if (body_count == body_count_ && wanted.center_mm == tool.center_mm && wanted.radius_mm == tool.radius_mm) {
-      to_place_.reset();
-      refuse(outcome->error());
-    } else {
-      // On the way there: better an answer to where it was a moment ago than none.
-      if (body_count == body_count_ && *outcome && !shown_moment_) show_answer(placed_.back(), wanted);
-      set_solving(Solving::solving);
-      solve_for(wanted);
-    }
-  });
-  watcher->setFuture(QtConcurrent::run(
-      [body = body_, tool] { return std::make_shared<Outcome>(body->place_tool(tool.center_mm, tool.radius_mm)); }));
-}
-
-void LiveRehearsal::show_answer(const rehearsal::PlacedTool& placed, const PlacedTool& tool) {
-  state_ = placed.answer(tool.pull_N());
-  refusal_.reset();
-  set_solving(Solving::solved);
-  Q_EMIT state_changed();
-}
-
 void LiveRehearsal::post_tool() {
   auto hand = contact_tool(tools_.back(), session_id(numbers_.back()));
   if (!hand) {
@@ -334,55 +244,6 @@ void LiveRehearsal::post_tool() {
   session_->post(rehearsal::HoldTool{*std::move(hand)});
   cuts_since_tool_ = 0;
   set_solving(Solving::solving);
-  Q_EMIT state_changed();
-}
-
-void LiveRehearsal::look_for_contact() {
-  if (auto error = session_->error()) {
-    session_timer_.stop();
-    refuse(*error);
-    return;
-  }
-  // Asked before the state is taken: of a session that waits, that state is the answer to all that was posted.
-  const bool all_answered = session_->phase() == rehearsal::SessionPhase::ready;
-  const auto state = session_->latest();
-  if (!state) return;
-  const bool is_new = state->number != session_number_;
-  session_number_ = state->number;
-  if (is_new) {
-    const int steps = state->cut ? static_cast<int>(state->cut->advances) : 0;
-    if (!state->refused.empty() && cuts_since_tool_ > 0 && steps == cut_steps_) --cuts_since_tool_;
-    cut_steps_ = steps;
-  }
-  if (shown_moment_) return;
-  if (tools_.empty() && !state->cut) {
-    if (!state_) return;
-    state_.reset();  // the cut was taken back, and nothing holds the liver
-    set_solving(Solving::no_tool);
-    Q_EMIT state_changed();
-    return;
-  }
-  if (is_new) {
-    show_contact(state, all_answered ? Solving::solved : Solving::solving);
-    if (state->refused.empty()) record(state);
-  } else if (all_answered && solving_ == Solving::solving) {
-    set_solving(Solving::solved);
-  }
-}
-
-void LiveRehearsal::show_contact(const std::shared_ptr<const rehearsal::SessionState>& state, Solving solving) {
-  state_ = state_of(*state);
-  solids_ = solids_of(*state);
-  refusal_.reset();
-  if (!state->refused.empty()) {
-    refuse(Error{"not-converged",
-                 GLISSON_TEXT("The liver's shape with the tools there was not found: {0}"),
-                 {state->refused},
-                 GLISSON_TEXT("Press less, or move the tool by smaller steps."),
-                 {}});
-    return;
-  }
-  set_solving(solving);
   Q_EMIT state_changed();
 }
 

@@ -43,7 +43,9 @@ class TangentSum {
       more.setFromTriplets(anywhere_.begin(), anywhere_.end());
       matrix_ += more;
     }
-    return std::move(matrix_);
+    Eigen::SparseMatrix<double> sum;  // Eigen's sparse matrices are not moved, but swapped
+    sum.swap(matrix_);
+    return sum;
   }
 
  private:

@@ -1,0 +1,119 @@
+// What the Segment workspace does to whole structures: they are added, named, filled, filtered, found by grey values
+// and combined.
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QMenu>
+#include <QPushButton>
+#include <QtTest>
+
+#include "run_test.h"
+#include "segment_workspace.h"
+
+namespace glisson::widgets {
+namespace {
+
+class SegmentStructuresTest : public SegmentWorkspace {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void initTestCase() { open(); }
+
+  void a_structure_is_added_drawn_filled_between_slices_and_renamed() {
+    auto* add = child<QPushButton>("add_structure");
+    Q_EMIT add->menu()->aboutToShow();
+    add->menu()->findChild<QAction*>("tumour")->trigger();
+    settle();
+    QCOMPARE(panel_->editor().active_structure()->name, std::string("tumour-1"));
+    key(Qt::Key_B);
+    stroke({-8, 0}, {-6, 0});
+    const Eigen::Vector3d middle = transverse().crosshair_mm();
+    window_->views().set_crosshair(middle + Eigen::Vector3d(0, 0, 12));
+    stroke({-8, 0}, {-6, 0});
+    window_->views().set_crosshair(middle);
+    const std::size_t in_two = test::voxels_of(folder_, "tumour-1");
+    key(Qt::Key_F);
+    settle();
+    const std::size_t filled = test::voxels_of(folder_, "tumour-1");
+    QVERIFY(filled > 2 * in_two && filled < 3 * in_two);  // three more slices between the two
+
+    auto* rename = child<QPushButton>("rename_structure");
+    Q_EMIT rename->menu()->aboutToShow();
+    rename->menu()->findChild<QAction*>("cyst")->trigger();
+    settle();
+    QCOMPARE(test::voxels_of(folder_, "cyst-1"), filled);
+    QCOMPARE(test::voxels_of(folder_, "tumour-1"), std::size_t(0));
+    for (int n = 0; n < 5; ++n) undo();
+    QCOMPARE(panel_->editor().structures().size(), std::size_t(1));
+    QCOMPARE(test::voxels_of(folder_, "liver"), start_);
+  }
+
+  void filters_change_the_whole_structure() {
+    key(Qt::Key_Plus);
+    settle();
+    const std::size_t grown = test::voxels_of(folder_, "liver");
+    QVERIFY(grown > start_);
+    key(Qt::Key_Minus);
+    settle();
+    QVERIFY(test::voxels_of(folder_, "liver") < grown);
+    undo();
+    undo();
+    key(Qt::Key_H);  // nothing to fill: no step
+    settle();
+    QVERIFY(!window_->undo().undo_action()->isEnabled());
+  }
+
+  // The bright ball of 16 mm: by its grey values, and what the drawn one and it have in common.
+  void grey_values_and_other_structures_make_a_structure() {
+    auto* low = child<QDoubleSpinBox>("grey_low");
+    auto* high = child<QDoubleSpinBox>("grey_high");
+    child<QPushButton>("range_from_crosshair")->click();
+    QVERIFY(low->value() < high->value());
+    auto* add = child<QPushButton>("add_structure");
+    Q_EMIT add->menu()->aboutToShow();
+    add->menu()->findChild<QAction*>("tumour")->trigger();
+    settle();
+    child<QPushButton>("take_range")->click();
+    settle();
+    const std::size_t everywhere = test::voxels_of(folder_, "tumour-1");
+    QVERIFY(everywhere > start_);
+    auto* within = child<QComboBox>("within");
+    within->setCurrentIndex(within->findData("liver"));
+    child<QPushButton>("take_range")->click();
+    settle();
+    const std::size_t inside = test::voxels_of(folder_, "tumour-1");
+    QVERIFY2(inside > start_ / 2 && inside <= start_, qPrintable(QString::number(inside)));
+    undo();
+    QCOMPARE(test::voxels_of(folder_, "tumour-1"), everywhere);
+
+    auto* how = child<QComboBox>("combine_how");
+    auto* other = child<QComboBox>("combine_with");
+    QCOMPARE(other->count(), 1);  // itself is not offered
+    how->setCurrentIndex(StructureOperations::subtract);
+    child<QPushButton>("combine")->click();
+    settle();
+    QCOMPARE(test::voxels_of(folder_, "tumour-1"), everywhere - inside);
+    how->setCurrentIndex(StructureOperations::unite);
+    child<QPushButton>("combine")->click();
+    settle();
+    QCOMPARE(test::voxels_of(folder_, "tumour-1"), everywhere - inside + start_);
+    how->setCurrentIndex(StructureOperations::intersect);
+    child<QPushButton>("combine")->click();
+    settle();
+    QCOMPARE(test::voxels_of(folder_, "tumour-1"), start_);
+    within->setCurrentIndex(0);
+    for (int n = 0; n < 5; ++n) undo();
+    QCOMPARE(panel_->editor().structures().size(), std::size_t(1));
+  }
+
+  void cleanupTestCase() { close(); }
+};
+
+}  // namespace
+}  // namespace glisson::widgets
+
+int main(int argc, char** argv) {
+  return glisson::widgets::run_test<glisson::widgets::SegmentStructuresTest>(argc, argv);
+}
+
+#include "segment_structures_test.moc"
