@@ -5211,6 +5211,34 @@
         <source>--study and --plan serve a DICOM SEG alone (--format dicom-seg).</source>
         <translation>--study und --plan gelten nur für ein DICOM SEG (--format dicom-seg).</translation>
     </message>
+    <message>
+        <source>Line {1} of {0} is not landmark,frame,x_mm,y_mm,z_mm of a landmark in the tracks, with &quot;model&quot; or a frame below {2}.</source>
+        <translation>Zeile {1} von {0} ist nicht landmark,frame,x_mm,y_mm,z_mm einer verfolgten Landmarke, mit &quot;model&quot; oder einem Bild unter {2}.</translation>
+    </message>
+    <message>
+        <source>Make the sequence anew, or leave &quot;benchmark&quot; out of it.</source>
+        <translation>Erstellen Sie die Sequenz neu, oder lassen Sie &quot;benchmark&quot; weg.</translation>
+    </message>
+    <message>
+        <source>each point was aligned without a fifth of the landmarks, the one nearest to it among them</source>
+        <translation>jeder Punkt wurde ohne ein Fünftel der Landmarken ausgerichtet, darunter die ihm nächste</translation>
+    </message>
+    <message>
+        <source>benchmark is no file name</source>
+        <translation>benchmark ist kein Dateiname</translation>
+    </message>
+    <message>
+        <source>judged by its own landmarks, without a benchmark kept with the sequence: a fault that never changes is hardly seen</source>
+        <translation>anhand der eigenen Landmarken beurteilt, ohne einen Vergleichsmaßstab in der Sequenz: ein Fehler, der sich nie ändert, ist kaum zu sehen</translation>
+    </message>
+    <message>
+        <source>The benchmark does not hold {0} landmarks in {1} frames, as the sequence does.</source>
+        <translation>Der Vergleichsmaßstab enthält nicht {0} Landmarken in {1} Bildern wie die Sequenz.</translation>
+    </message>
+    <message>
+        <source>{0} landmarks that the benchmark has no place for were left out</source>
+        <translation>{0} Landmarken, für die der Vergleichsmaßstab keinen Ort hat, wurden weggelassen</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AdvanceControls</name>

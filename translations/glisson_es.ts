@@ -5211,6 +5211,34 @@
         <source>--study and --plan serve a DICOM SEG alone (--format dicom-seg).</source>
         <translation>--study y --plan sirven solo para un DICOM SEG (--format dicom-seg).</translation>
     </message>
+    <message>
+        <source>Line {1} of {0} is not landmark,frame,x_mm,y_mm,z_mm of a landmark in the tracks, with &quot;model&quot; or a frame below {2}.</source>
+        <translation>La línea {1} de {0} no es landmark,frame,x_mm,y_mm,z_mm de un punto de referencia seguido, con &quot;model&quot; o un fotograma menor que {2}.</translation>
+    </message>
+    <message>
+        <source>Make the sequence anew, or leave &quot;benchmark&quot; out of it.</source>
+        <translation>Haga la secuencia de nuevo, o quite &quot;benchmark&quot; de ella.</translation>
+    </message>
+    <message>
+        <source>each point was aligned without a fifth of the landmarks, the one nearest to it among them</source>
+        <translation>cada punto se alineó sin una quinta parte de los puntos de referencia, entre ellos el más cercano a él</translation>
+    </message>
+    <message>
+        <source>benchmark is no file name</source>
+        <translation>benchmark no es un nombre de archivo</translation>
+    </message>
+    <message>
+        <source>judged by its own landmarks, without a benchmark kept with the sequence: a fault that never changes is hardly seen</source>
+        <translation>juzgado por sus propios puntos de referencia, sin una referencia guardada con la secuencia: un fallo que nunca cambia apenas se ve</translation>
+    </message>
+    <message>
+        <source>The benchmark does not hold {0} landmarks in {1} frames, as the sequence does.</source>
+        <translation>La referencia no contiene {0} puntos de referencia en {1} fotogramas, como la secuencia.</translation>
+    </message>
+    <message>
+        <source>{0} landmarks that the benchmark has no place for were left out</source>
+        <translation>se omitieron {0} puntos de referencia para los que la referencia no tiene lugar</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AdvanceControls</name>

@@ -5211,6 +5211,34 @@
         <source>--study and --plan serve a DICOM SEG alone (--format dicom-seg).</source>
         <translation>--study et --plan ne servent qu&apos;à un DICOM SEG (--format dicom-seg).</translation>
     </message>
+    <message>
+        <source>Line {1} of {0} is not landmark,frame,x_mm,y_mm,z_mm of a landmark in the tracks, with &quot;model&quot; or a frame below {2}.</source>
+        <translation>La ligne {1} de {0} n’est pas landmark,frame,x_mm,y_mm,z_mm d’un repère suivi, avec &quot;model&quot; ou une image inférieure à {2}.</translation>
+    </message>
+    <message>
+        <source>Make the sequence anew, or leave &quot;benchmark&quot; out of it.</source>
+        <translation>Refaites la séquence, ou retirez-en &quot;benchmark&quot;.</translation>
+    </message>
+    <message>
+        <source>each point was aligned without a fifth of the landmarks, the one nearest to it among them</source>
+        <translation>chaque point a été aligné sans un cinquième des repères, dont le plus proche de lui</translation>
+    </message>
+    <message>
+        <source>benchmark is no file name</source>
+        <translation>benchmark n’est pas un nom de fichier</translation>
+    </message>
+    <message>
+        <source>judged by its own landmarks, without a benchmark kept with the sequence: a fault that never changes is hardly seen</source>
+        <translation>jugé par ses propres repères, sans référence gardée avec la séquence : une erreur qui ne change jamais ne se voit guère</translation>
+    </message>
+    <message>
+        <source>The benchmark does not hold {0} landmarks in {1} frames, as the sequence does.</source>
+        <translation>La référence ne contient pas {0} repères dans {1} images, comme la séquence.</translation>
+    </message>
+    <message>
+        <source>{0} landmarks that the benchmark has no place for were left out</source>
+        <translation>{0} repères pour lesquels la référence n’a pas de place ont été laissés de côté</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AdvanceControls</name>

@@ -68,6 +68,7 @@ Outcome describe(const registration_quality::Quality& quality, const SirgnComman
       {{"landmarks", quality.mesh.points_mm.size()},
        {"frames", frames},
        {"triangles", quality.mesh.triangles.size()},
+       {"judged_against", judged_against(quality)},
        {"mean_correlation", quality.mean_correlation},
        {"rejected", Json::object()},
        {"tre_mm", mean(quality.tre_mm)},
@@ -104,7 +105,7 @@ void add_sirgn(CLI::App& app, Action& chosen) {
       ->add_option(
           "--method", settings->method,
           "given: the clouds that the sequence names as registered; icp, geo: register them to the model first; gnra: "
-          "all frames at once, by the landmarks")
+          "all frames at once, by the landmarks that are not the ones that judge")
       ->transform(one_of(
           Words<Method>{{"given", Method::given}, {"icp", Method::icp}, {"geo", Method::geo}, {"gnra", Method::gnra}}))
       ->required();

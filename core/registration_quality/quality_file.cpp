@@ -23,6 +23,10 @@ Failure invalid(const fs::path& folder) {
 
 }  // namespace
 
+std::string_view judged_against(const Quality& quality) {
+  return quality.against_benchmark ? "benchmark" : "own-landmarks";
+}
+
 Result<void> write_quality(const fs::path& folder, const StoredQuality& stored) {
   std::error_code problem;
   geometry::Surface mesh = stored.quality.mesh;
@@ -35,6 +39,7 @@ Result<void> write_quality(const fs::path& folder, const StoredQuality& stored) 
   }
   const Json summary{{"sequence", fs::absolute(stored.sequence, problem).string()},
                      {"method", stored.method},
+                     {"judged_against", judged_against(stored.quality)},
                      {"tolerances_mm", stored.tolerances_mm},
                      {"frames", stored.quality.mesh_in_frames_mm.size()},
                      {"mean_correlation", stored.quality.mean_correlation},
@@ -61,6 +66,7 @@ Result<StoredQuality> read_quality(const fs::path& folder) {
     stored.tolerances_mm = document->at("tolerances_mm").get<std::vector<double>>();
     stored.quality.tre_mm = document->at("tre_per_frame_mm").get<std::vector<double>>();
     stored.quality.rmse_mm = document->at("rmse_per_frame_mm").get<std::vector<double>>();
+    stored.quality.against_benchmark = document->value("judged_against", "") == "benchmark";
     stored.quality.mean_correlation = document->at("mean_correlation").get<double>();
     frames = document->at("frames").get<std::size_t>();
   } catch (const Json::exception&) {

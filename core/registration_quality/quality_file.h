@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/result.h"
@@ -17,6 +18,9 @@ struct StoredQuality {
   std::vector<double> tolerances_mm;
   Quality quality;  // mesh, correlation, error_mm, frames_seen, mesh_in_frames_mm, rmse_mm, tre_mm and mean_correlation
 };
+
+// "benchmark" or "own-landmarks".
+[[nodiscard]] std::string_view judged_against(const Quality& quality);
 
 // The folder is made where there is none. Failures: those of write_surface and write_json_file.
 Result<void> write_quality(const std::filesystem::path& folder, const StoredQuality& stored);

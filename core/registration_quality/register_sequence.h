@@ -13,7 +13,7 @@ enum class SequenceMethod {
   given,  // as somebody else's algorithm left it: the clouds that the sequence names as registered
   icp,    // each frame by itself to the model, by nearest points
   geo,    // each frame by itself to the model, by distances along the surface
-  gnra    // all frames at once, by the landmarks themselves
+  gnra    // all frames at once, by the landmarks; each point without those of the fold of the landmark next to it
 };
 inline constexpr SequenceMethod sequence_methods[] = {SequenceMethod::icp, SequenceMethod::geo, SequenceMethod::gnra,
                                                       SequenceMethod::given};
@@ -21,6 +21,8 @@ inline constexpr SequenceMethod sequence_methods[] = {SequenceMethod::icp, Seque
 // "given", "icp", "geo", "gnra".
 [[nodiscard]] std::string_view name_of(SequenceMethod method);
 
+// What gnra does to a landmark was not fitted to that landmark: an alignment that is judged by landmarks which it was
+// fitted to would agree with itself. It is judged without the sequence's benchmark, which is a gnra of its own.
 // Failures: "sequence-not-registered" (given, and the sequence names no registered clouds), "sequence-no-model" (icp or
 // geo, and it names no model), "sequence-frame-not-aligned" (gnra), those of read_cloud, read_surface,
 // register_surfaces and align_globally, with the frame's file; "cancelled".

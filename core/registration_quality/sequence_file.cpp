@@ -11,6 +11,7 @@
 #include "base/json.h"
 #include "geometry/mesh_file.h"
 #include "geometry/ply_file.h"
+#include "registration_quality/benchmark.h"
 
 namespace glisson::registration_quality {
 namespace {
@@ -50,8 +51,8 @@ Result<SequenceFiles> read_sequence(const fs::path& file) {
     return object[key].get<std::string>();
   };
   if (!json.is_object()) return invalid(file, GLISSON_TEXT("it is not an object"));
-  if (auto known =
-          refuse_unknown_keys(json, {"frames", "landmarks", "model", "camera", "registered", "simulated"}, "sequence");
+  if (auto known = refuse_unknown_keys(
+          json, {"frames", "landmarks", "model", "camera", "registered", "benchmark", "simulated"}, "sequence");
       !known) {
     return failure(std::move(known.error()).in_file(file));
   }
@@ -102,6 +103,13 @@ Result<SequenceFiles> read_sequence(const fs::path& file) {
   auto landmarks = read_tracks(folder / *tracks, sequence.clouds.size());
   if (!landmarks) return failure(landmarks.error());
   sequence.landmarks = std::move(*landmarks);
+  if (json.contains("benchmark")) {
+    const auto name = text_of(json, "benchmark");
+    if (!name) return invalid(file, GLISSON_TEXT("benchmark is no file name"));
+    auto benchmark = read_benchmark(folder / *name, sequence.landmarks, sequence.clouds.size());
+    if (!benchmark) return failure(benchmark.error());
+    sequence.benchmark = std::move(*benchmark);
+  }
   return sequence;
 }
 

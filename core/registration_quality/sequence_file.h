@@ -3,9 +3,11 @@
 // where somebody else registered the clouds, the clouds as registered.
 //
 //   {"frames": [{"image": "f000.png", "cloud": "f000.ply"}, ...], "landmarks": "tracks.csv", "model": "model.ply",
-//    "camera": {"matrix": [3x3], "distortion": [..]}, "registered": ["r000.ply", ...], "simulated": "how"}
+//    "camera": {"matrix": [3x3], "distortion": [..]}, "registered": ["r000.ply", ...], "benchmark": "benchmark.csv",
+//    "simulated": "how"}
 //
-// tracks.csv: landmark,frame,x_mm,y_mm,z_mm, frames counted from 0. Paths are relative to the document.
+// tracks.csv: landmark,frame,x_mm,y_mm,z_mm, frames counted from 0. benchmark.csv: benchmark.h. Paths are relative to
+// the document.
 
 #include <filesystem>
 #include <optional>
@@ -25,11 +27,12 @@ struct SequenceFiles {
   std::optional<std::filesystem::path> model;
   std::optional<vision::Camera> camera;  // that took the images; clouds and landmarks are in its space
   std::vector<LandmarkTrack> landmarks;
+  std::optional<Benchmark> benchmark;  // that registrations are judged against, whatever their algorithm
   std::string simulated;  // how, to be said wherever it is shown; empty: the document says nothing of the kind
 };
 
 // Failures: file-not-readable, json-..., "sequence-invalid" (what is missing, or of which kind), "tracks-invalid"
-// (which line), "sequence-frame-missing" (a file that is named is not there).
+// (which line), those of read_benchmark, "sequence-frame-missing" (a file that is named is not there).
 Result<SequenceFiles> read_sequence(const std::filesystem::path& file);
 
 // A folder that a sequence is written into. It must not exist or be empty ("sequence-folder-not-empty"), and unless

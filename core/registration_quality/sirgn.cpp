@@ -65,9 +65,10 @@ struct Landmarks {
 Result<void> check(const RegisteredSequence& sequence, const SirgnOptions& options);
 Landmarks place_landmarks(const RegisteredSequence& sequence, const std::vector<FrameMotion>& frames, Quality& quality);
 std::vector<std::array<int, 3>> triangulate(const Points& points_mm);
-Points spread(const std::vector<FrameMotion>& frames, int count);
 SharedCentreWarps fit_warps(const std::vector<FrameMotion>& frames, const SirgnOptions& options);
-void rate_triangles(const Landmarks& landmarks, const SharedCentreWarps& warps, std::size_t frames, Quality& quality);
+void rate_triangles(const Landmarks& landmarks, const SharedCentreWarps& warps,
+                    const std::optional<BenchmarkWarps>& benchmark, const std::vector<FrameMotion>& frames,
+                    Quality& quality);
 void place_mesh(const SharedCentreWarps& warps, std::size_t frames, Quality& quality);
 void rate_frames(const RegisteredSequence& sequence, const std::vector<FrameMotion>& frames, const Landmarks& landmarks,
                  Quality& quality);
@@ -90,6 +91,8 @@ Result<Quality> sirgn(const RegisteredSequence& sequence, const SirgnOptions& op
   }
 
   Quality quality;
+  quality.against_benchmark = sequence.benchmark.has_value();
+  quality.notes = sequence.notes;
   const Landmarks landmarks = place_landmarks(sequence, frames, quality);
   quality.mesh.points_mm = landmarks.on_model_mm;
   quality.mesh.triangles = triangulate(landmarks.on_model_mm);
@@ -112,11 +115,16 @@ Result<Quality> sirgn(const RegisteredSequence& sequence, const SirgnOptions& op
   const SharedCentreWarps warps = fit_warps(frames, options);
   if (progress.cancelled()) return cancelled();
   progress.report(0.7, GLISSON_TEXT("triangles"));
-  rate_triangles(landmarks, warps, frames.size(), quality);
+  rate_triangles(landmarks, warps, benchmark_warps(sequence, options), frames, quality);
   place_mesh(warps, frames.size(), quality);
   quality.doubt_mm = doubt_mm(quality, landmarks.placed_mm);
   rate_frames(sequence, frames, landmarks, quality);
   label(options, quality);
+  if (!quality.against_benchmark) {
+    quality.notes.push_back({GLISSON_TEXT("judged by its own landmarks, without a benchmark kept with the sequence: a "
+                                          "fault that never changes is hardly seen"),
+                             {}});
+  }
   return quality;
 }
 
@@ -139,6 +147,17 @@ Result<void> check(const RegisteredSequence& sequence, const SirgnOptions& optio
     if (track.positions_mm.size() != sequence.frames.size()) {
       return failure("sirgn-tracks", GLISSON_TEXT("Landmark {0} was followed through {1} frames of {2}."),
                      {track.id, std::to_string(track.positions_mm.size()), std::to_string(sequence.frames.size())});
+    }
+  }
+  if (const auto& benchmark = sequence.benchmark) {
+    const auto tracks = sequence.landmarks.size(), frames = sequence.frames.size();
+    const bool whole = benchmark->on_model_mm.size() == tracks && benchmark->in_frames_mm.size() == tracks &&
+                       std::all_of(benchmark->in_frames_mm.begin(), benchmark->in_frames_mm.end(),
+                                   [&](const auto& in_frames) { return in_frames.size() == frames; });
+    if (!whole) {
+      return failure("sirgn-tracks",
+                     GLISSON_TEXT("The benchmark does not hold {0} landmarks in {1} frames, as the sequence does."),
+                     {std::to_string(tracks), std::to_string(frames)});
     }
   }
   for (const double tolerance_mm : options.tolerances_mm) {
@@ -182,7 +201,7 @@ Landmarks place_landmarks(const RegisteredSequence& sequence, const std::vector<
   Landmarks landmarks;
   std::optional<geometry::SurfaceDistance> model;
   if (sequence.model) model.emplace(*sequence.model);
-  int too_short = 0;
+  int too_short = 0, without_place = 0;
   for (std::size_t track = 0; track < sequence.landmarks.size(); ++track) {
     std::vector<std::optional<Vector3d>> seen(frames.size()), placed(frames.size());
     Vector3d sum = Vector3d::Zero();
@@ -207,11 +226,20 @@ Landmarks place_landmarks(const RegisteredSequence& sequence, const std::vector<
       ++landmarks.off_the_clouds;
       continue;
     }
-    const Vector3d mean = sum / count;
+    std::optional<Vector3d> on_model;
+    if (sequence.benchmark) {
+      on_model = sequence.benchmark->on_model_mm[track];
+      if (!on_model) {
+        ++without_place;
+        continue;
+      }
+    } else {
+      on_model = model ? model->closest(sum / count).point_mm : Vector3d(sum / count);
+    }
     landmarks.track.push_back(static_cast<int>(track));
     landmarks.seen_mm.push_back(std::move(seen));
     landmarks.placed_mm.push_back(std::move(placed));
-    landmarks.on_model_mm.push_back(model ? model->closest(mean).point_mm : mean);
+    landmarks.on_model_mm.push_back(*on_model);
   }
   if (too_short > 0) {
     quality.notes.push_back(
@@ -220,6 +248,10 @@ Landmarks place_landmarks(const RegisteredSequence& sequence, const std::vector<
   if (landmarks.off_the_clouds > 0) {
     quality.notes.push_back({GLISSON_TEXT("{0} landmarks far from the points of their frames were left out"),
                              {std::to_string(landmarks.off_the_clouds)}});
+  }
+  if (without_place > 0) {
+    quality.notes.push_back({GLISSON_TEXT("{0} landmarks that the benchmark has no place for were left out"),
+                             {std::to_string(without_place)}});
   }
   return landmarks;
 }
@@ -239,31 +271,23 @@ std::vector<std::array<int, 3>> triangulate(const Points& points_mm) {
   return geometry::delaunay_triangles(flat);
 }
 
-// Farthest points among all that any frame was registered to.
-Points spread(const std::vector<FrameMotion>& frames, int count) {
-  constexpr std::size_t maximum_candidates = 20000;
+// Some of all that any frame was registered to.
+Points registered_places(const std::vector<FrameMotion>& frames) {
+  constexpr std::size_t maximum_places = 20000;
   std::size_t total = 0;
   for (const FrameMotion& frame : frames) total += frame.registered_mm().size();
-  const std::size_t step = std::max<std::size_t>(1, total / maximum_candidates);
-  Points candidates;
+  const std::size_t step = std::max<std::size_t>(1, total / maximum_places);
+  Points places;
   for (const FrameMotion& frame : frames) {
-    for (std::size_t i = 0; i < frame.registered_mm().size(); i += step) candidates.push_back(frame.registered_mm()[i]);
+    for (std::size_t i = 0; i < frame.registered_mm().size(); i += step) places.push_back(frame.registered_mm()[i]);
   }
-  std::vector<double> squared_mm2(candidates.size(), std::numeric_limits<double>::infinity());
-  Points chosen;
-  std::size_t next = 0;
-  while (static_cast<int>(chosen.size()) < count && squared_mm2[next] > 0) {
-    chosen.push_back(candidates[next]);
-    for (std::size_t i = 0; i < candidates.size(); ++i) {
-      squared_mm2[i] = std::min(squared_mm2[i], (candidates[i] - chosen.back()).squaredNorm());
-    }
-    next = static_cast<std::size_t>(std::max_element(squared_mm2.begin(), squared_mm2.end()) - squared_mm2.begin());
-  }
-  return chosen;
+  return places;
 }
 
 SharedCentreWarps fit_warps(const std::vector<FrameMotion>& frames, const SirgnOptions& options) {
-  Points centres = spread(frames, options.control_points);
+  const Points places = registered_places(frames);
+  Points centres;
+  for (const std::size_t place : spread(places, options.control_points)) centres.push_back(places[place]);
   Eigen::MatrixXd displacements(static_cast<Eigen::Index>(centres.size()),
                                 static_cast<Eigen::Index>(3 * frames.size()));
   parallel_for(frames.size(), 1, [&](std::size_t begin, std::size_t end) {
@@ -299,7 +323,50 @@ double correlation_of(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
   return from_mean_a.dot(from_mean_b) / std::sqrt(variance_a * variance_b);
 }
 
-void rate_triangles(const Landmarks& landmarks, const SharedCentreWarps& warps, std::size_t frames, Quality& quality) {
+// How far the registration displaces places on the model in some frames: a row a place, a column a frame; and of each
+// frame the place that is warped most (2.3).
+struct Displaced {
+  Eigen::MatrixXd mm;
+  std::vector<Eigen::Index> most;
+};
+
+Displaced displaced_by_benchmark(const std::vector<Vector3d>& places, const std::vector<Eigen::Index>& seen,
+                                 const BenchmarkWarps& benchmark, const std::vector<FrameMotion>& frames) {
+  const Eigen::MatrixXd to_frames = benchmark.warps.displacements_mm(places);
+  Displaced displaced{Eigen::MatrixXd(to_frames.rows(), static_cast<Eigen::Index>(seen.size())), {}};
+  for (Eigen::Index n = 0; n < displaced.mm.cols(); ++n) {
+    const Eigen::Index t = seen[static_cast<std::size_t>(n)];
+    double farthest_mm = -1;
+    displaced.most.push_back(0);
+    for (Eigen::Index place = 0; place < to_frames.rows(); ++place) {
+      const Vector3d displacement = to_frames.block<1, 3>(place, 3 * t).transpose();
+      const Vector3d in_frame = places[static_cast<std::size_t>(place)] + displacement;
+      displaced.mm(place, n) = (in_frame - frames[static_cast<std::size_t>(t)].to_model(in_frame)).norm();
+      if (displacement.norm() <= farthest_mm) continue;
+      farthest_mm = displacement.norm();
+      displaced.most.back() = place;
+    }
+  }
+  return displaced;
+}
+
+Displaced displaced_by_itself(const std::vector<Vector3d>& places, const std::vector<Eigen::Index>& seen,
+                              const SharedCentreWarps& warps) {
+  const Eigen::MatrixXd to_frames = warps.displacements_mm(places);
+  Displaced displaced{Eigen::MatrixXd(to_frames.rows(), static_cast<Eigen::Index>(seen.size())), {}};
+  for (Eigen::Index n = 0; n < displaced.mm.cols(); ++n) {
+    for (Eigen::Index place = 0; place < to_frames.rows(); ++place) {
+      displaced.mm(place, n) = to_frames.block<1, 3>(place, 3 * seen[static_cast<std::size_t>(n)]).norm();
+    }
+    displaced.mm.col(n).maxCoeff(&displaced.most.emplace_back());
+  }
+  return displaced;
+}
+
+void rate_triangles(const Landmarks& landmarks, const SharedCentreWarps& warps,
+                    const std::optional<BenchmarkWarps>& benchmark, const std::vector<FrameMotion>& motions,
+                    Quality& quality) {
+  const std::size_t frames = motions.size();
   const auto& triangles = quality.mesh.triangles;
   quality.correlation.assign(triangles.size(), 0);
   quality.error_mm.assign(triangles.size(), 0);
@@ -312,6 +379,7 @@ void rate_triangles(const Landmarks& landmarks, const SharedCentreWarps& warps, 
       for (std::size_t c = 0; c < 3; ++c) corners[c] = static_cast<std::size_t>(triangles[k][c]);
       std::vector<Eigen::Index> seen;  // frames that hold all corners
       for (std::size_t t = 0; t < frames; ++t) {
+        if (benchmark && !benchmark->holds[t]) continue;
         if (std::all_of(corners.begin(), corners.end(),
                         [&](std::size_t c) { return landmarks.seen_mm[c][t].has_value(); }))
           seen.push_back(static_cast<Eigen::Index>(t));
@@ -336,25 +404,20 @@ void rate_triangles(const Landmarks& landmarks, const SharedCentreWarps& warps, 
       }
       if (count < fewest_frames) continue;
 
-      // The inside: how far S^-1 displaces each place in each frame; the farthest of each frame speaks (2.3).
+      // The inside: how far each place is displaced in each frame; the most heavily warped one speaks for it (2.3).
       const auto places = lattice(landmarks.on_model_mm[corners[0]], landmarks.on_model_mm[corners[1]],
                                   landmarks.on_model_mm[corners[2]]);
-      const Eigen::MatrixXd displacements = warps.displacements_mm(places);
-      Eigen::MatrixXd warped_mm(displacements.rows(), count);
-      for (Eigen::Index place = 0; place < displacements.rows(); ++place) {
-        for (Eigen::Index n = 0; n < count; ++n) {
-          warped_mm(place, n) = displacements.block<1, 3>(place, 3 * seen[static_cast<std::size_t>(n)]).norm();
-        }
-      }
-      Eigen::VectorXd correlations(displacements.rows());
-      for (Eigen::Index place = 0; place < displacements.rows(); ++place) {
-        correlations[place] = correlation_of(warped_mm.row(place).transpose(), landmark_mm);
+      const Displaced displaced = benchmark ? displaced_by_benchmark(places, seen, *benchmark, motions)
+                                            : displaced_by_itself(places, seen, warps);
+      Eigen::VectorXd correlations(displaced.mm.rows());
+      for (Eigen::Index place = 0; place < displaced.mm.rows(); ++place) {
+        correlations[place] = correlation_of(displaced.mm.row(place).transpose(), landmark_mm);
       }
       double sum = 0;
       for (Eigen::Index n = 0; n < count; ++n) {
-        Eigen::Index worst = 0;
-        course.warp_mm[static_cast<std::size_t>(seen[static_cast<std::size_t>(n)])] = warped_mm.col(n).maxCoeff(&worst);
-        sum += correlations[worst];
+        const auto frame = static_cast<std::size_t>(n);
+        course.warp_mm[static_cast<std::size_t>(seen[frame])] = displaced.mm(displaced.most[frame], n);
+        sum += correlations[displaced.most[frame]];
       }
       quality.correlation[k] = sum / static_cast<double>(count);
     }

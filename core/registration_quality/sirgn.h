@@ -2,13 +2,18 @@
 // SIRGn: how good a registration of a video is, triangle by triangle (section 2.2 of the dissertation; Barrow, Ho,
 // Althoff, Tueller, Kastner, ISVC 2019). It needs no truth but landmarks G that were followed through the sequence.
 //
-// What the text leaves open is settled so:
-// - The registration under test is judged through its warp S, fitted to it: S^-1(.; t), from the model's space to frame
-//   t, is a thin-plate spline through control points spread over where the registration put the frames' clouds. The
-//   centres are the same for all frames, so that one factorisation serves them all. The landmarks are no centres.
-// - A landmark on the model is the mean of where the registration put it (M holds "the average location of all the
-//   landmarks"), brought to the model's surface where one is given.
-// - The most heavily warped point of a triangle (2.3) is sought among 15 places evenly over it.
+// Model M, the landmarks' places on it and the warps S are the benchmark's (2.1), made by a global alignment of all
+// frames, whatever algorithm is under test (benchmark.h). What the text leaves open is settled so:
+// - The most heavily warped point of a triangle (2.3) is sought among 15 places evenly over it, by the benchmark's S.
+// Its
+//   distance vector is taken "identically": from where the benchmark has the point in the frame to where the
+//   registration under test puts it on the model.
+// - A sequence without a benchmark is judged against itself, which cannot see a fault that never changes, and a note
+//   says so. S is then fitted to the registration under test: S^-1(.; t), from the model's space to frame t, is a
+//   thin-plate spline through control points spread over where the registration put the frames' clouds. The centres are
+//   the same for all frames, so that one factorisation serves them all. The landmarks are no centres. A landmark on the
+//   model is the mean of where the registration put it (M holds "the average location of all the landmarks"), brought
+//   to the model's surface where one is given.
 // - In (2.4), c_k,t of each frame t gives one vector omega_k,t over all frames; the correlations with the mean of the
 //   corners' landmark vectors are averaged over t.
 
@@ -38,10 +43,19 @@ struct LandmarkTrack {
   std::vector<std::optional<Eigen::Vector3d>> positions_mm;
 };
 
+// What a registration is judged against, in the model's space; a landmark each, in the order of the sequence's. Nothing
+// for a landmark, or for all in a frame, that the global alignment left out.
+struct Benchmark {
+  std::vector<std::optional<Eigen::Vector3d>> on_model_mm;                // where it is on M
+  std::vector<std::vector<std::optional<Eigen::Vector3d>>> in_frames_mm;  // [landmark][frame]: S^-1 of that place
+};
+
 struct RegisteredSequence {
   std::vector<RegisteredFrame> frames;
   std::vector<LandmarkTrack> landmarks;
   std::optional<geometry::Surface> model;
+  std::optional<Benchmark> benchmark;
+  std::vector<Sentence> notes;  // of how it was registered
 };
 
 struct SirgnOptions {
@@ -54,7 +68,7 @@ struct SirgnOptions {
 // What a triangle's values are made of, frame by frame, mm; NaN in frames that do not hold all three corners.
 struct TriangleCourse {
   std::vector<double> landmarks_mm;  // eq. 2.2: how far the corners, as seen, are from where they are on the model
-  std::vector<double> warp_mm;       // eq. 2.3: how far S^-1 displaces the most heavily warped point
+  std::vector<double> warp_mm;       // eq. 2.3: how far the registration displaces the most heavily warped point
   std::vector<double> error_mm;      // how far the corners, as registered, are from where they are on the model
 };
 
@@ -85,14 +99,15 @@ struct Quality {
   std::vector<double> rmse_mm;
   std::vector<double> tre_mm;
 
-  std::vector<Sentence> notes;  // what was left out, and why
+  bool against_benchmark = false;  // or against the registration's own landmarks
+  std::vector<Sentence> notes;     // what was left out, and why
 };
 
 // Failures: "sirgn-too-few-frames" (fewer than three), "sirgn-too-few-landmarks" (fewer than four seen in three frames,
 // or all on a line), "sirgn-landmarks-off" (fewer than four, since the others' median distance from the points of their
 // frames is above half of these points' reach), "sirgn-not-point-for-point" (a frame's cloud and its registered cloud
-// differ in number), "sirgn-tracks" (a track that does not have an entry a frame), "sirgn-empty-frame",
-// "sirgn-tolerance", "cancelled".
+// differ in number), "sirgn-tracks" (a track, of the sequence or of its benchmark, that does not have an entry a
+// frame), "sirgn-empty-frame", "sirgn-tolerance", "cancelled".
 Result<Quality> sirgn(const RegisteredSequence& sequence, const SirgnOptions& options = {},
                       const Progress& progress = {});
 

@@ -7,6 +7,7 @@
 #include "geometry/manifold.h"
 #include "geometry/mesh_file.h"
 #include "registration/global_alignment.h"
+#include "registration_quality/benchmark.h"
 #include "registration_quality/sequence_file.h"
 #include "registration_quality/sirgn.h"
 #include "vision/picture_check.h"
@@ -15,6 +16,8 @@ namespace glisson::registration_quality {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr auto benchmark_name = "benchmark.csv";
 
 // The frames as they come, written one by one.
 class Recording {
@@ -36,6 +39,7 @@ class Recording {
   vision::LandmarkTracker tracker_;
   std::vector<geometry::Surface> surfaces_;
   Json frames_ = Json::array();
+  bool has_benchmark_ = false;
   VideoSequence sequence_;
 };
 
@@ -128,6 +132,7 @@ Result<VideoSequence> Recording::finish(const Progress& progress) {
     auto given = geometry::read_surface(*options_.model);
     if (!given) return failure(given.error());
     model = std::move(*given);
+    sequence_.notes.push_back("the model was given: registrations are judged without a benchmark");
   } else {
     auto aligned = aligned_model(tracks, progress);
     if (!aligned) return failure(aligned.error());
@@ -140,15 +145,13 @@ Result<VideoSequence> Recording::finish(const Progress& progress) {
     matrix.push_back(
         std::vector<double>(calibration_.left.matrix.row(row).begin(), calibration_.left.matrix.row(row).end()));
   }
+  Json document{{"frames", frames_},
+                {"landmarks", "tracks.csv"},
+                {"model", "model.ply"},
+                {"camera", {{"matrix", matrix}, {"distortion", calibration_.left.distortion}}}};
+  if (has_benchmark_) document["benchmark"] = benchmark_name;
   sequence_.file = folder_ / "sequence.json";
-  if (auto written = write_json_file(sequence_.file,
-                                     {{"frames", frames_},
-                                      {"landmarks", "tracks.csv"},
-                                      {"model", "model.ply"},
-                                      {"camera", {{"matrix", matrix}, {"distortion", calibration_.left.distortion}}}});
-      !written) {
-    return failure(written.error());
-  }
+  if (auto written = write_json_file(sequence_.file, document); !written) return failure(written.error());
   return std::move(sequence_);
 }
 
@@ -185,6 +188,16 @@ Result<geometry::Surface> Recording::aligned_model(const std::vector<vision::Tra
   if (!alignment) return failure(alignment.error());
   sequence_.alignment_rms_mm = {alignment->before_rms_mm, alignment->rigid_rms_mm, alignment->rms_mm};
   sequence_.notes.insert(sequence_.notes.end(), alignment->notes.begin(), alignment->notes.end());
+  if (options_.landmarks) {
+    sequence_.notes.push_back("the expert's landmarks were not aligned: registrations are judged without a benchmark");
+  } else {
+    std::vector<LandmarkTrack> landmarks;
+    for (const vision::Track& track : tracks) landmarks.push_back({track.id, track.positions_mm});
+    if (auto written = write_benchmark(folder_ / benchmark_name, landmarks, benchmark_of(*alignment)); !written) {
+      return failure(written.error());
+    }
+    has_benchmark_ = true;
+  }
   return registration::merged_model(surfaces_, *alignment);
 }
 

@@ -37,7 +37,9 @@ struct VideoSequence {
   std::vector<std::string> notes;  // frames left out, what the global alignment says
 };
 
-// Writes folder/sequence.json, f000.png, f000.ply, ..., tracks.csv and model.ply. Every cloud is the largest piece that
+// Writes folder/sequence.json, f000.png, f000.ply, ..., tracks.csv and model.ply; where the model is the frames' own
+// and the landmarks are the tracked ones, benchmark.csv too (benchmark.h). A given model lies in no space that the
+// alignment knows, so that such a sequence has no benchmark, and a note says so. Every cloud is the largest piece that
 // hangs together. The folder must not exist or be empty ("sequence-folder-not-empty"). Failures: those of FrameSource,
 // StereoMatcher, check_against_pictures and LandmarkTracker; "sequence-lengths" (one video ends before the other);
 // "sequence-too-few-frames" (fewer than three frames show anything); "sequence-no-landmarks" (no

@@ -8,7 +8,8 @@
 #include <numeric>
 #include <random>
 
-#include "registration_quality/sirgn.h"
+#include "registration/rigid.h"
+#include "registration_quality/benchmark.h"
 
 namespace glisson::registration_quality::test {
 
@@ -36,6 +37,7 @@ struct MadeSequence {
   RegisteredSequence sequence;
   std::vector<std::vector<double>> true_error_mm;  // [frame][point]: how far the registration put it from its place
   std::vector<Vector3d> rest_mm;                   // of the points, in the model's space
+  std::vector<Vector3d> landmarks_mm;              // at rest
 };
 
 inline double bump(const Vector3d& point, const Vector3d& center, double radius) {
@@ -101,6 +103,7 @@ inline MadeSequence make_sequence(const geometry::Surface& liver, const Sequence
   std::shuffle(order.begin(), order.end(), random);
   for (int k = 0; k < spec.landmarks; ++k) {
     LandmarkTrack track{"g" + std::to_string(k), {}};
+    made.landmarks_mm.push_back(made.rest_mm[order[static_cast<std::size_t>(k)]]);
     const bool outlier = uniform(random) < spec.outlier_share;
     for (int t = 0; t < spec.frames; ++t) {
       const Vector3d seen = in_frame(made.rest_mm[order[static_cast<std::size_t>(k)]], t) +
@@ -111,6 +114,26 @@ inline MadeSequence make_sequence(const geometry::Surface& liver, const Sequence
     made.sequence.landmarks.push_back(std::move(track));
   }
   return made;
+}
+
+// What `sequence` keeps with a video: all frames aligned by the tracks, whatever the registration under test did. Only
+// its space, in a real video the model's own, is brought to the one of these sequences: as a rigid body.
+inline Benchmark benchmark_for(const MadeSequence& made) {
+  registration::Sightings sightings;
+  for (const LandmarkTrack& track : made.sequence.landmarks) sightings.push_back(track.positions_mm);
+  const auto alignment = registration::align_globally(sightings).value();
+  Benchmark benchmark = benchmark_of(alignment);
+  std::vector<Vector3d> from_mm, to_mm;
+  for (std::size_t k = 0; k < sightings.size(); ++k) {
+    if (!benchmark.on_model_mm[k]) continue;
+    from_mm.push_back(*benchmark.on_model_mm[k]);
+    to_mm.push_back(made.landmarks_mm[k]);
+  }
+  const auto to_model = registration::align_points(from_mm, to_mm).value();
+  for (auto& place : benchmark.on_model_mm) {
+    if (place) place = to_model * *place;
+  }
+  return benchmark;
 }
 
 // The true error of each triangle: the mean, over all frames, of the points that lie over it.

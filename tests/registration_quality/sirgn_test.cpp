@@ -4,10 +4,13 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "base/files.h"
 #include "geometry/mesh_file.h"
+#include "registration_quality/register_sequence.h"
 #include "sequences.h"
 #include "support/data.h"
 
@@ -28,8 +31,11 @@ struct Judgement {
   double rank_of_doubt, area_of_doubt;
 };
 
-Judgement judge(const SequenceSpec& spec) {
-  const auto made = test::make_sequence(liver(), spec);
+enum class By { itself, benchmark };
+
+Judgement judge(const SequenceSpec& spec, By by = By::itself) {
+  auto made = test::make_sequence(liver(), spec);
+  if (by == By::benchmark) made.sequence.benchmark = test::benchmark_for(made);
   Judgement judgement{sirgn(made.sequence).value(), 0, 0, 0, 0, 0, 0};
   const auto truth_mm = test::true_triangle_errors_mm(made, judgement.quality.mesh);
   std::vector<double> rated_bad;
@@ -109,13 +115,132 @@ TEST(Sirgn, BearsTrackingOutliersBetterThanLandmarkErrors) {
   EXPECT_GT(judgement.rank_of_correlation, judgement.rank_of_error + 0.1);
 }
 
-// Its blind spot: a fault that never changes moves the landmarks' mean with it, and the correlation sees only change.
-// Measured: rank correlation 0.6, area 0.65. Kept as a test so that it stays known.
-TEST(Sirgn, HardlySeesAFaultThatNeverChanges) {
+// The blind spot of judging a registration by itself: a fault that never changes moves the landmarks' mean with it, and
+// the correlation sees only change. Measured: rank correlation 0.6, area 0.65. Kept as a test so that it stays known.
+TEST(Sirgn, HardlySeesAFaultThatNeverChangesWithoutABenchmark) {
   GLISSON_NEEDS_DATA("pbsm_liver_insilico");
   const Judgement judgement = judge({.faults = {fault(Fault::Course::constant)}});
   EXPECT_LT(judgement.area_of_correlation, 0.85);
   EXPECT_LT(judgement.area_of_error, 0.7);
+  ASSERT_FALSE(judgement.quality.notes.empty());
+  EXPECT_NE(judgement.quality.notes.back().message().find("without a benchmark"), std::string::npos);
+}
+
+// Printed for docs/figures/sirgn.json. The rule (sirgn.h) was written down before any of these was looked at.
+void print_areas(const char* what, const Judgement& judgement) {
+  fmt::print("{}: {:.2f} / {:.2f}\n", what, judgement.rank_of_correlation, judgement.area_of_correlation);
+}
+
+TEST(Sirgn, SeesAFaultThatNeverChangesAgainstTheBenchmark) {
+  GLISSON_NEEDS_DATA("pbsm_liver_insilico");
+  double least = 1, largest = 0;
+  for (const int landmarks : {60, 200}) {
+    for (const unsigned seed : {1U, 2U, 3U}) {
+      const Judgement judgement =
+          judge({.landmarks = landmarks, .faults = {fault(Fault::Course::constant)}, .seed = seed}, By::benchmark);
+      EXPECT_TRUE(judgement.quality.against_benchmark);
+      EXPECT_GE(judgement.area_of_correlation, 0.85);
+      if (seed == 1) print_areas(landmarks == 60 ? "constant, 60" : "constant, 200", judgement);
+      least = std::min(least, judgement.area_of_correlation);
+      largest = std::max(largest, judgement.area_of_correlation);
+    }
+  }
+  fmt::print("constant, three seeds: {:.2f} to {:.2f}\n", least, largest);
+}
+
+// Not for nothing: without landmarks that jump the area is 0.89 to 0.94 (0.94 to 0.99 by itself), since a fault pulls
+// the registration's own landmarks along with it where the benchmark stands still, and with a tenth of them jumping
+// 0.86 to 0.91 (0.94 to 0.99), since the benchmark does not follow a jump that the sightings show.
+TEST(Sirgn, SeesFaultsThatComeAndGoAgainstTheBenchmarkToo) {
+  GLISSON_NEEDS_DATA("pbsm_liver_insilico");
+  for (const Fault::Course course : {Fault::Course::irregular, Fault::Course::with_time}) {
+    for (const double outliers : {0.0, 0.1}) {
+      for (const int landmarks : {60, 200}) {
+        const Judgement judgement =
+            judge({.landmarks = landmarks, .outlier_share = outliers, .faults = {fault(course)}}, By::benchmark);
+        EXPECT_GE(judgement.area_of_correlation, 0.85);
+        const std::string what = fmt::format("{}, {}{}", course == Fault::Course::irregular ? "irregular" : "growing",
+                                             landmarks, outliers > 0 ? ", some jump" : "");
+        print_areas(what.c_str(), judgement);
+      }
+    }
+  }
+}
+
+TEST(Sirgn, CallsAPerfectRegistrationPerfectAgainstTheBenchmark) {
+  GLISSON_NEEDS_DATA("pbsm_liver_insilico");
+  const Judgement judgement = judge({}, By::benchmark);
+  EXPECT_GT(judgement.quality.mean_correlation, 0.9);
+  EXPECT_EQ(judgement.quality.rejected_fraction.front(), 0);
+}
+
+// The inverse of the warps that align the frames, at the landmarks.
+TEST(Benchmark, HoldsWhereTheAlignmentHasEachPlaceInEachFrame) {
+  GLISSON_NEEDS_DATA("pbsm_liver_insilico");
+  const auto made = test::make_sequence(liver(), {.frames = 12, .outlier_share = 0.1, .faults = {}});
+  registration::Sightings sightings;
+  for (const LandmarkTrack& track : made.sequence.landmarks) sightings.push_back(track.positions_mm);
+  const auto alignment = registration::align_globally(sightings).value();
+  const Benchmark benchmark = benchmark_of(alignment);
+  int places = 0;
+  for (std::size_t k = 0; k < sightings.size(); ++k) {
+    if (!benchmark.on_model_mm[k]) continue;
+    for (std::size_t t = 0; t < 12; ++t) {
+      if (!benchmark.in_frames_mm[k][t]) continue;
+      EXPECT_LT((alignment.frames[t]->warp(*benchmark.in_frames_mm[k][t]) - *benchmark.on_model_mm[k]).norm(), 2e-3);
+      ++places;
+    }
+  }
+  EXPECT_GT(places, 0.99 * 12 * 60);
+
+  const TemporaryFolder folder;
+  ASSERT_TRUE(write_benchmark(folder.path() / "b.csv", made.sequence.landmarks, benchmark));
+  const Benchmark read = read_benchmark(folder.path() / "b.csv", made.sequence.landmarks, 12).value();
+  for (std::size_t k = 0; k < sightings.size(); ++k) {
+    ASSERT_EQ(read.on_model_mm[k].has_value(), benchmark.on_model_mm[k].has_value());
+    if (read.on_model_mm[k]) {
+      EXPECT_LT((*read.on_model_mm[k] - *benchmark.on_model_mm[k]).norm(), 1e-3);
+    }
+    for (std::size_t t = 0; t < 12; ++t) {
+      EXPECT_EQ(read.in_frames_mm[k][t].has_value(), benchmark.in_frames_mm[k][t].has_value());
+    }
+  }
+  const auto refused = [&](const char* line) {
+    EXPECT_TRUE(write_text_file(folder.path() / "bad.csv", std::string("landmark,frame,x_mm,y_mm,z_mm\n") + line));
+    return read_benchmark(folder.path() / "bad.csv", made.sequence.landmarks, 12).error().code;
+  };
+  EXPECT_EQ(refused("nobody,model,0,0,0\n"), "benchmark-invalid");
+  EXPECT_EQ(refused("g0,12,0,0,0\n"), "benchmark-invalid");
+  EXPECT_EQ(refused("g0,model,0,nan,0\n"), "benchmark-invalid");
+}
+
+// Noise of 3 mm on the tracks alone: an alignment that follows it agrees with the landmarks that it follows, and is no
+// better for that. Of landmarks that it has not seen it cannot know the noise.
+TEST(RegisterSequence, JudgesTheGlobalAlignmentByLandmarksThatItWasNotFittedTo) {
+  GLISSON_NEEDS_DATA("pbsm_liver_insilico");
+  const TemporaryFolder folder;
+  const auto made = test::make_sequence(liver(), {.frames = 8, .tracking_noise_mm = 3, .faults = {}});
+  SequenceFiles files;
+  files.landmarks = made.sequence.landmarks;
+  registration::Sightings sightings;
+  for (const LandmarkTrack& track : files.landmarks) sightings.push_back(track.positions_mm);
+  for (std::size_t t = 0; t < 8; ++t) {
+    files.clouds.push_back(folder.path() / fmt::format("f{}.ply", t));
+    geometry::Surface cloud;
+    cloud.points_mm = made.sequence.frames[t].cloud_mm;
+    cloud.triangles = {{0, 1, 2}};
+    ASSERT_TRUE(geometry::write_surface(files.clouds.back(), cloud));
+  }
+  const auto registered = register_sequence(files, SequenceMethod::gnra);
+  ASSERT_TRUE(registered.has_value()) << registered.error().message();
+  const Quality quality = sirgn(*registered).value();
+  double held_out_mm = 0;
+  for (const double tre_mm : quality.tre_mm) held_out_mm += tre_mm / 8;
+  const double fitted_mm = registration::align_globally(sightings)->rms_mm;
+  // The mean length of an error of 3 mm a coordinate is 4.8 mm.
+  EXPECT_GT(held_out_mm, 4.5);
+  EXPECT_LT(fitted_mm, 0.8 * held_out_mm);
+  EXPECT_FALSE(quality.against_benchmark);
 }
 
 // Measured with 200 landmarks over two seeds, correlation's value first: a constant fault 0.65 and 0.64 to 0.72 and
@@ -197,6 +322,10 @@ TEST(Sirgn, RefusesWhatCannotBeJudgedAndSaysWhy) {
   }
   EXPECT_EQ(sirgn(sequence).error().code, "sirgn-landmarks-off");
   EXPECT_EQ(sirgn(sequence).error().message(), "5 of 5 landmarks lie far from the points of their frames.");
+
+  sequence = small_sequence();
+  sequence.benchmark = Benchmark{{std::nullopt}, {{}}};
+  EXPECT_EQ(sirgn(sequence).error().code, "sirgn-tracks");
 
   EXPECT_EQ(sirgn(small_sequence(), {.tolerances_mm = {-1}}).error().code, "sirgn-tolerance");
 }
