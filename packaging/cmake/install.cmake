@@ -1,6 +1,7 @@
 # Where everything goes with `cmake --install`, and what `cpack -G DEB` puts into the Debian package.
 #
 #   component program      glisson, glisson-cli, their resources, desktop entry, manual pages: the Debian package
+#   component python       the package for Python: the Debian package python3-glisson
 #   component development  the core's headers and libraries, for find_package(Glisson)
 set(CMAKE_INSTALL_DOCDIR share/doc/glisson)
 include(GNUInstallDirs)
@@ -43,6 +44,17 @@ if(TARGET glisson)
     DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps COMPONENT program)
 endif()
 
+# --- the package for Python
+set(CPACK_COMPONENTS_ALL program)
+if(TARGET glisson_python)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+  set(python_packages lib/python3/dist-packages)  # Debian's place for what comes as a package
+  install(DIRECTORY ${PROJECT_BINARY_DIR}/python/glisson DESTINATION ${python_packages} COMPONENT python
+    FILES_MATCHING PATTERN "*.py" PATTERN "*.pyi" PATTERN "py.typed")
+  install(TARGETS glisson_python LIBRARY DESTINATION ${python_packages}/glisson COMPONENT python)
+  install(FILES ${share}/debian-copyright DESTINATION share/doc/python3-glisson RENAME copyright COMPONENT python)
+endif()
+
 # --- the core, to build on
 get_property(rooms GLOBAL PROPERTY GLISSON_ROOMS)
 set_target_properties(glisson_options PROPERTIES EXPORT_NAME options)
@@ -77,7 +89,6 @@ vessels are followed, and displacements of 5 mm or more are flagged.
 Not a medical device: nothing it shows may guide the treatment of a patient.")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
-set(CPACK_COMPONENTS_ALL program)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME glisson)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
@@ -86,4 +97,14 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # What the programs load by name while they run, and dpkg-shlibdeps cannot see: Mesa, letters, Qt's reader of icons and
 # its own words in other languages; and a BLAS that factorises 13 times faster than the one that would be chosen otherwise.
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "libegl-mesa0, libgl1-mesa-dri, fonts-dejavu-core, libqt6svg6, qt6-translations-l10n, libopenblas0-pthread")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-glisson)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_PYTHON_DESCRIPTION
+"the core of Glisson for Python: livers as numpy arrays
+Images, segmentation, meshes, mechanics, registration and its quality as
+functions over numpy arrays.
+.
+Not a medical device: nothing it shows may guide the treatment of a patient.")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= ${GLISSON_PYTHON_VERSION}), python3 (<< ${GLISSON_NEXT_PYTHON}), python3-numpy, libopenblas0-pthread, libegl-mesa0, libgl1-mesa-dri, fonts-dejavu-core")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS glisson)
 include(CPack)

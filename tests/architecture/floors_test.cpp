@@ -26,6 +26,7 @@ const std::map<std::string, int> floor_of = {
     {"rehearsal", 4},    {"guidance", 4},     {"closedloop", 4},   {"vasculature", 3},
     {"planning", 4},     {"casefile", 5},     {"scene", 6},        {"report", 6},
     {"studies", 7},      {"cli", 8},          {"widgets", 8},      {"desktop", 9},
+    {"python", 9},
 };
 
 // Rooms with folders inside: a folder includes only those that stand before it. What lies in no folder is "", last.
@@ -56,6 +57,7 @@ const std::vector<ThirdParty> third_parties = {
     {"spdlog", std::regex("spdlog/.*"), {"base"}},
     {"Ceres", std::regex("ceres/.*"), {"closedloop"}},
     {"CLI11", std::regex("CLI/.*"), {"cli"}},
+    {"pybind11", std::regex("pybind11/.*|Python\\.h"), {"python"}},
     {"Highway", std::regex("hwy/.*"), {"mechanics", "hardware", "registration"}},
     {"TBB", std::regex("(oneapi/)?tbb/.*"), {"base"}},
     {"OpenSSL", std::regex("openssl/.*"), {"base", "report"}},

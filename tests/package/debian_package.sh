@@ -20,4 +20,17 @@ needed=$(dpkg-deb --field "$package" Depends)
 for library in libvtk9.1 libqt6widgets6 libdcmtk17 libopenblas0-pthread libqt6svg6; do
   grep -q "$library" <<<"$needed" || { echo "The package does not ask for $library."; failed=1; }
 done
+
+# python3-glisson, where the package for Python was built.
+[ -d "$1/python/glisson" ] || exit $failed
+package=$(ls "$place"/python3-glisson_*.deb)
+held=$(dpkg-deb --contents "$package")
+for file in __init__.py __init__.pyi py.typed '_core\.cpython-.*\.so'; do
+  grep -q " ./usr/lib/python3/dist-packages/glisson/$file\$" <<<"$held" || { echo "python3-glisson lacks $file."; failed=1; }
+done
+needed=$(dpkg-deb --field "$package" Depends)
+for library in python3-numpy libvtk9.1 libdcmtk17 libopenblas0-pthread 'python3 (>= 3'; do
+  grep -qF "$library" <<<"$needed" || { echo "python3-glisson does not ask for $library."; failed=1; }
+done
+! grep -q libqt6 <<<"$needed" || { echo "python3-glisson asks for Qt."; failed=1; }
 exit $failed

@@ -1,0 +1,934 @@
+"""Made by packaging/dev/stubs from the package's own docstrings."""
+import os
+import pathlib
+from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple, overload
+
+import numpy
+import numpy.typing
+
+from . import exchange as exchange
+
+__version__: str
+
+class Error(Exception):
+    """Something from outside that cannot be used, or an answer that was not found.
+
+    code       stable, for programs: "volume-file-truncated"
+    message    what is wrong and where: one English sentence
+    hint       what to do; may be empty
+    arguments  the values in the message, in order: a list of texts
+    file       the file that it is about, or ""
+    """
+    code: str
+    message: str
+    hint: str
+    arguments: List[str]
+    file: str
+
+class Case:
+    """A case: the folder NAME.glisson with everything known of one patient, and where it came from.
+
+    Case(folder) opens one. The folder is the state, a Case a view of it; each change is one transaction.
+
+    Raises glisson.Error: what is wrong with the folder or its case.json."""
+    def __init__(self, folder: str | os.PathLike[str]) -> None:
+        ...
+
+    def assign_stiffness(self, *, uniform_kPa: Optional[float] = ..., progress: Optional[Callable[[float, str], Any]] = ...) -> numpy.typing.NDArray[Any]:
+        """Gives each cell its Young's modulus (kPa), from the case's stiffness map or one value, saves the model and returns them: float64, (cells,).
+
+        progress(fraction, stage) is told how far it is; KeyboardInterrupt cancels."""
+
+    @staticmethod
+    def create(folder: str | os.PathLike[str]) -> Case:
+        """A new case; the folder must not exist or be empty, and should end in ".glisson"."""
+
+    @property
+    def entries(self) -> List[Any]:
+        """What the case holds and how each was made: a list of dicts with id, file, sha256, by, options, from, notes, version, when_utc."""
+
+    def file_of(self, id: str) -> pathlib.Path:
+        """The full path of an entry's file.
+
+        Raises glisson.Error: case-lacks-entry."""
+
+    @property
+    def folder(self) -> pathlib.Path:
+        """Where it lies."""
+
+    def freshness(self, id: str) -> str:
+        """"current", "stale" (what it was made from has changed), "changed-outside" or "missing"."""
+
+    def grow_structure(self, name: str, seeds_mm: numpy.typing.ArrayLike, *, within: Optional[str] = ..., progress: Optional[Callable[[float, str], Any]] = ...) -> Dict[str, Any]:
+        """Grows a structure from points inside it (n x 3, LPS, mm) on the anatomy and saves it. How follows from the name: vessels and lesions by contrast, organs as the liver.
+
+        progress(fraction, stage) is told how far it is; KeyboardInterrupt cancels."""
+
+    def import_study(self, path: str | os.PathLike[str], *, anatomy_uid: Optional[str] = ..., stiffness_uid: Optional[str] = ..., progress: Optional[Callable[[float, str], Any]] = ...) -> Dict[str, Any]:
+        """Takes the series of a folder or file into the case: id -> notes of each volume.
+
+        progress(fraction, stage) is told how far it is; KeyboardInterrupt cancels.
+        Raises glisson.Error: import-no-anatomy, import-ambiguous, import-unknown-uid, import-would-replace."""
+
+    def mask(self, structure: str = ...) -> Mask:
+        """A structure's mask: "liver", "tumour-1", ..."""
+
+    def mesh(self, id: str = ...) -> TetMesh:
+        """The liver's tetrahedra; "meshes/model" has the cell field "youngs_modulus_kPa"."""
+
+    def mesh_liver(self, *, target_cells: int = ..., progress: Optional[Callable[[float, str], Any]] = ...) -> TetMesh:
+        """Meshes the liver with the structures inside it, saves the mesh and the surfaces, and returns the TetMesh.
+
+        progress(fraction, stage) is told how far it is; KeyboardInterrupt cancels."""
+
+    @property
+    def origin(self) -> str:
+        """"SIMULATED ...", or empty for a real patient: to be shown beside anything of it."""
+
+    def question(self, scenario: Any = ...) -> Dict[str, Any]:
+        """What simulate(), StaticRehearsal or Session are asked of this patient: a dict.
+
+        mesh              the TetMesh with the patient's own stiffness
+        scenario          as given, with what the case brings where it says nothing: supports, landmarks, accepted evidence
+        atlas_youngs_kPa  of the reference body that it is compared with
+        remarks           what was assumed, left out, or is stale
+
+        Raises glisson.Error: case-lacks-entry before there is a model; scenario-invalid."""
+
+    @property
+    def structures(self) -> List[str]:
+        """Names of its structures."""
+
+    def surface(self, structure: str = ...) -> Surface:
+        """A structure's smooth surface."""
+
+    def volume(self, id: str = ...) -> Volume:
+        """A measured quantity of the case: "volumes/anatomy", "volumes/stiffness" (kPa)."""
+
+class Grown:
+    """A structure grown from seeds."""
+
+    @property
+    def brightness(self) -> float:
+        """Mean of the structure, in the image's unit."""
+
+    @property
+    def doubts(self) -> List[str]:
+        """Why it may not be what was meant, and what to do: one sentence each."""
+
+    @property
+    def mask(self) -> Mask:
+        """On the grid of the image."""
+
+    @property
+    def probably_leaked(self) -> bool:
+        """Into a neighbour: not to be used unseen."""
+
+    @property
+    def volume_ml(self) -> float:
+        """ml."""
+
+class LabelMap:
+    """Which of several structures each voxel belongs to; 0 is none.
+
+    array       uint16, shape (i, j, k): the image's own memory, without a copy; writing to it changes the image, and it lives
+                on when the image is gone. i runs along a row of pixels and is fastest in memory. array.T is [k, j, i], as
+                SimpleITK has it.
+    spacing_mm  (3,): between the centres of voxels along i, j, k, mm
+    origin_mm   (3,): centre of voxel (0, 0, 0), patient coordinates LPS (x to the left, y to the back, z to the head), mm
+    direction   (3, 3): its columns are the unit vectors of the axes i, j, k in LPS
+
+    Made of an array, whose values are copied once into memory of the core; LabelMap.empty() makes an image to be filled in
+    place. numpy.asarray(image) is image.array.
+
+    Raises glisson.Error: array-shape, grid-size, grid-spacing, grid-origin, grid-direction, labels-values."""
+    def __init__(self, array: numpy.typing.ArrayLike, *, spacing_mm: numpy.typing.ArrayLike = ..., origin_mm: numpy.typing.ArrayLike = ..., direction: numpy.typing.ArrayLike = ...) -> None:
+        ...
+
+    def __array__(self, dtype: Any = ...) -> Any:
+        """The values as numpy wants them."""
+
+    @property
+    def array(self) -> numpy.typing.NDArray[Any]:
+        """The values, [i, j, k], without a copy."""
+
+    @property
+    def direction(self) -> numpy.typing.NDArray[numpy.float64]:
+        """Columns: the axes i, j, k in LPS."""
+
+    @staticmethod
+    def empty(size: Sequence[int], *, spacing_mm: numpy.typing.ArrayLike = ..., origin_mm: numpy.typing.ArrayLike = ..., direction: numpy.typing.ArrayLike = ...) -> LabelMap:
+        """All zero, to be filled in place through its array; size is (i, j, k)."""
+
+    def index_of(self, position_mm: numpy.typing.ArrayLike) -> numpy.typing.NDArray[numpy.float64]:
+        """The (fractional) voxel index [i, j, k] at a position (LPS, mm)."""
+
+    @property
+    def origin_mm(self) -> numpy.typing.NDArray[numpy.float64]:
+        """Centre of voxel (0, 0, 0), LPS, mm."""
+
+    def position_mm(self, index: numpy.typing.ArrayLike) -> numpy.typing.NDArray[numpy.float64]:
+        """Where a (fractional) voxel index [i, j, k] lies: LPS, mm."""
+
+    @property
+    def spacing_mm(self) -> numpy.typing.NDArray[numpy.float64]:
+        """Along i, j, k, mm."""
+
+    @property
+    def voxel_volume_mm3(self) -> float:
+        """mm3."""
+
+class LiverMesh:
+    """What mesh_labels made."""
+
+    @property
+    def body(self) -> TetMesh:
+        """The TetMesh; cell field "region": the label of each cell."""
+
+    @property
+    def hausdorff_mm(self) -> float:
+        """The largest distance between the surface and the boundary of the labelled voxels, mm."""
+
+    @property
+    def mean_distance_mm(self) -> float:
+        """mm."""
+
+    @property
+    def notes(self) -> List[str]:
+        """What was cut, left out, filled, or got no cells of its own: one sentence each."""
+
+    @property
+    def regions(self) -> List[Any]:
+        """A dict a label: label, label_volume_ml, mesh_volume_ml."""
+
+    @property
+    def surface(self) -> Surface:
+        """Its boundary, a Surface: watertight, manifold."""
+
+class Mask:
+    """Which voxels belong to something: 0 or 1.
+
+    array       uint8, shape (i, j, k): the image's own memory, without a copy; writing to it changes the image, and it lives
+                on when the image is gone. i runs along a row of pixels and is fastest in memory. array.T is [k, j, i], as
+                SimpleITK has it.
+    spacing_mm  (3,): between the centres of voxels along i, j, k, mm
+    origin_mm   (3,): centre of voxel (0, 0, 0), patient coordinates LPS (x to the left, y to the back, z to the head), mm
+    direction   (3, 3): its columns are the unit vectors of the axes i, j, k in LPS
+
+    Made of an array, whose values are copied once into memory of the core; Mask.empty() makes an image to be filled in
+    place. numpy.asarray(image) is image.array.
+
+    Raises glisson.Error: array-shape, grid-size, grid-spacing, grid-origin, grid-direction, mask-values."""
+    def __init__(self, array: numpy.typing.ArrayLike, *, spacing_mm: numpy.typing.ArrayLike = ..., origin_mm: numpy.typing.ArrayLike = ..., direction: numpy.typing.ArrayLike = ...) -> None:
+        ...
+
+    def __array__(self, dtype: Any = ...) -> Any:
+        """The values as numpy wants them."""
+
+    @property
+    def array(self) -> numpy.typing.NDArray[Any]:
+        """The values, [i, j, k], without a copy."""
+
+    @property
+    def direction(self) -> numpy.typing.NDArray[numpy.float64]:
+        """Columns: the axes i, j, k in LPS."""
+
+    @staticmethod
+    def empty(size: Sequence[int], *, spacing_mm: numpy.typing.ArrayLike = ..., origin_mm: numpy.typing.ArrayLike = ..., direction: numpy.typing.ArrayLike = ...) -> Mask:
+        """All zero, to be filled in place through its array; size is (i, j, k)."""
+
+    def index_of(self, position_mm: numpy.typing.ArrayLike) -> numpy.typing.NDArray[numpy.float64]:
+        """The (fractional) voxel index [i, j, k] at a position (LPS, mm)."""
+
+    @property
+    def origin_mm(self) -> numpy.typing.NDArray[numpy.float64]:
+        """Centre of voxel (0, 0, 0), LPS, mm."""
+
+    def position_mm(self, index: numpy.typing.ArrayLike) -> numpy.typing.NDArray[numpy.float64]:
+        """Where a (fractional) voxel index [i, j, k] lies: LPS, mm."""
+
+    @property
+    def spacing_mm(self) -> numpy.typing.NDArray[numpy.float64]:
+        """Along i, j, k, mm."""
+
+    @property
+    def voxel_volume_mm3(self) -> float:
+        """mm3."""
+
+class PlacedTool:
+    """A tool on the surface; only its force is free."""
+
+    def answer(self, force_N: numpy.typing.ArrayLike) -> RehearsalState:
+        """The body under that force (3,), N, LPS: well under a millisecond."""
+
+    @property
+    def center_mm(self) -> numpy.typing.NDArray[numpy.float64]:
+        """LPS, mm."""
+
+    def displacement_mm(self, force_N: numpy.typing.ArrayLike) -> numpy.typing.NDArray[Any]:
+        """float64, shape (points, 3): of every point of the mesh, mm."""
+
+    @property
+    def radius_mm(self) -> float:
+        """Of the disc that it touches, mm."""
+
+    @property
+    def touched_faces(self) -> int:
+        """Faces of the surface under it."""
+
+class RehearsalState:
+    """The body under a force on a placed tool."""
+
+    @property
+    def answer_ms(self) -> float:
+        """What the answer took, ms."""
+
+    @property
+    def force_N(self) -> numpy.typing.NDArray[numpy.float64]:
+        """(3,), N."""
+
+    @property
+    def landmarks(self) -> List[Any]:
+        """A dict each: id, rest_mm, displaced_mm, displacement_mm, outside_by_mm."""
+
+    @property
+    def max_difference_mm(self) -> float:
+        """Between patient and atlas over the surface, mm; 0 without an atlas."""
+
+    @property
+    def max_displacement_mm(self) -> float:
+        """Over the surface, mm."""
+
+    @property
+    def relative_residual(self) -> float:
+        """The larger of the solves that it is made from."""
+
+    @property
+    def state(self) -> str:
+        """As Simulation.state."""
+
+    @property
+    def surface_mm(self) -> numpy.typing.NDArray[Any]:
+        """float64, shape (points, 3): the displaced points of the rehearsal's surface, LPS, mm. Without a copy."""
+
+class SegmentedMask:
+    """A mask with its name, label and colour, as 3D Slicer and DICOM SEG have it."""
+
+    @property
+    def color_rgb(self) -> List[float]:
+        """sRGB, each 0..1."""
+
+    @property
+    def label_value(self) -> int:
+        """In the file, 1..255."""
+
+    @property
+    def mask(self) -> Mask:
+        """Which voxels belong to it: a copy."""
+
+    @property
+    def name(self) -> str:
+        """"liver"."""
+
+class Series:
+    """A stack of parallel slices, taken once or several times; scan() finds them."""
+
+    @property
+    def description(self) -> str:
+        """As the scanner called it."""
+
+    @property
+    def files(self) -> List[pathlib.Path]:
+        """Volume after volume, by position along the normal in each."""
+
+    @property
+    def modality(self) -> str:
+        """"MR", "CT", ..."""
+
+    @property
+    def problems(self) -> List[str]:
+        """One sentence each."""
+
+    @property
+    def role(self) -> str:
+        """What it is for: "anatomy", "mre-stiffness", ..., "other"."""
+
+    @property
+    def role_evidence(self) -> str:
+        """The header fields that decided."""
+
+    @property
+    def size(self) -> List[int]:
+        """(i, j, k) of one volume."""
+
+    @property
+    def spacing_mm(self) -> numpy.typing.NDArray[numpy.float64]:
+        """Along i, j, k, mm."""
+
+    @property
+    def uid(self) -> str:
+        """SeriesInstanceUID; a path for a volume file."""
+
+    @property
+    def unit(self) -> str:
+        """Of the voxels once read."""
+
+    @property
+    def volumes(self) -> int:
+        """How many complete volumes there are."""
+
+class Session:
+    """A rehearsal with tools in contact, command by command, recorded.
+
+    Made of a TetMesh and a scenario as StaticRehearsal is. The same commands give the same states, to the bit."""
+    def __init__(self, mesh: TetMesh, scenario: Any, *, atlas_youngs_kPa: Optional[float] = ..., progress: Optional[Callable[[float, str], Any]] = ...) -> None:
+        ...
+
+    def displacement_mm(self) -> numpy.typing.NDArray[Any]:
+        """float64, shape (points, 3): of every point of the mesh in the present state, mm, by a solve of its own."""
+
+    def recording(self) -> Any:
+        """What was carried out with each state's digest, as files of sessions have it."""
+
+    def replay(self, recording: Any, *, progress: Optional[Callable[[float, str], Any]] = ...) -> Optional[int]:
+        """Carries all commands of a recording out (a dict, or its JSON text). The first, from 0, whose state is not the one recorded; None where all are.
+
+        Raises glisson.Error: session-invalid."""
+
+    @property
+    def state(self) -> SessionState:
+        """The present one."""
+
+    def step(self, command: Any) -> SessionState:
+        """Carries a command out and returns the SessionState: a dict as files of sessions have it.
+
+        {"hold": {"id": "probe", "shape": "palpation-probe", "position_mm": [...], "direction": [...], "push_mN": 500}}
+        {"hold": {"id": "jaws", "grasp": {"at_rest_mm": [...], "radius_mm": 5}, "displacement_mm": [...]}}
+        {"release": "probe"}, {"undo": True}, {"settle": True}
+
+        Raises glisson.Error: session-invalid, document-invalid. What cannot be carried out is said in `refused`."""
+
+    @property
+    def surface(self) -> Surface:
+        """The outer surface at rest: a copy."""
+
+class SessionState:
+    """A session after a command."""
+
+    @property
+    def digest(self) -> str:
+        """SHA-256 of every displacement and force: equal for equal bits."""
+
+    @property
+    def landmarks(self) -> List[Any]:
+        """A dict each: id, rest_mm, displaced_mm, displacement_mm, outside_by_mm."""
+
+    @property
+    def max_displacement_mm(self) -> float:
+        """Over the surface, mm."""
+
+    @property
+    def number(self) -> int:
+        """Of the commands that led here."""
+
+    @property
+    def refused(self) -> str:
+        """Why the last command was not carried out; empty where it was."""
+
+    @property
+    def settled(self) -> bool:
+        """At rest, which at large strain takes time."""
+
+    @property
+    def state(self) -> str:
+        """As Simulation.state; "not-converged" too."""
+
+    @property
+    def step_ms(self) -> float:
+        """What the command took, ms."""
+
+    @property
+    def surface_mm(self) -> numpy.typing.NDArray[Any]:
+        """float64, shape (points, 3): displaced points of the session's surface, LPS, mm. Without a copy."""
+
+    @property
+    def tools(self) -> List[Any]:
+        """A dict each: id, force_N (on the body), contacts, advance_mm, penetration_mm."""
+
+class Simulation:
+    """What simulate() found: an equilibrium, or a motion's end."""
+
+    @property
+    def displacement_mm(self) -> numpy.typing.NDArray[Any]:
+        """float64, shape (points, 3): of each point of the mesh, LPS, mm. Without a copy, read only."""
+
+    @property
+    def landmarks(self) -> List[Any]:
+        """A dict each: id, rest_mm, displaced_mm, displacement_mm, outside_by_mm."""
+
+    @property
+    def largest_strain(self) -> float:
+        """Largest principal strain in magnitude."""
+
+    @property
+    def max_displacement_mm(self) -> float:
+        """mm."""
+
+    @property
+    def mesh(self) -> TetMesh:
+        """The rest mesh with point field "displacement_mm" and cell fields "youngs_modulus_kPa" and "von_mises_kPa"."""
+
+    @property
+    def notes(self) -> List[str]:
+        """What a person should know before trusting the numbers."""
+
+    @property
+    def reactions_N(self) -> Dict[str, Any]:
+        """Sums, N: "applied" by the loads; by "fixed" points, "foundations", "ligaments"."""
+
+    @property
+    def relative_residual(self) -> float:
+        """|K u - f| / |f| over what is free to move."""
+
+    @property
+    def sentence(self) -> str:
+        """The same, for a person."""
+
+    @property
+    def state(self) -> str:
+        """"within" what the model is made for, "outside-of-the-model" (strained beyond it), or "unusable" (cells turned inside out)."""
+
+    @property
+    def steps(self) -> List[Any]:
+        """Of a motion, a dict a step: time_s, landmarks_mm (landmarks, 3), largest_strain."""
+
+    @property
+    def strain_energy_uJ(self) -> float:
+        """uJ."""
+
+class StaticRehearsal:
+    """A liver ready for a tool: its stiffness is factorised once.
+
+    Made of a TetMesh and a scenario (supports, moduli, landmarks; its loads stand), as simulate() takes it. With
+    atlas_youngs_kPa a reference body of that one modulus is computed beside it.
+
+    Raises glisson.Error: as simulate, landmark-outside; place_tool: tool-touches-nothing, not-converged."""
+    def __init__(self, mesh: TetMesh, scenario: Any, *, atlas_youngs_kPa: Optional[float] = ..., progress: Optional[Callable[[float, str], Any]] = ...) -> None:
+        ...
+
+    def place_tool(self, center_mm: numpy.typing.ArrayLike, radius_mm: float) -> PlacedTool:
+        """A PlacedTool on the disc of surface around that place (LPS, mm)."""
+
+    @property
+    def surface(self) -> Surface:
+        """The outer surface at rest: a copy."""
+
+class Study:
+    """What scan() found."""
+
+    @property
+    def series(self) -> List[Series]:
+        """By series number."""
+
+    @property
+    def skipped(self) -> List[Tuple[str, str]]:
+        """Files that could not be used: (path, reason)."""
+
+class Surface:
+    """A triangle surface in patient coordinates (LPS, mm), with quantities on its points and triangles.
+
+    Made of points_mm (points, 3) and triangles (triangles, 3), whole numbers from 0, counter-clockwise seen from outside.
+    It never changes once it is made: its arrays are read only, share its memory, and live on when it is gone.
+
+    Raises glisson.Error: array-shape, array-not-whole, and what check_surface of the core refuses."""
+    def __init__(self, points_mm: numpy.typing.ArrayLike, triangles: numpy.typing.ArrayLike, *, point_fields: Mapping[str, Any] = ..., cell_fields: Mapping[str, Any] = ...) -> None:
+        ...
+
+    @property
+    def area_mm2(self) -> float:
+        """mm2."""
+
+    @property
+    def cell_fields(self) -> Dict[str, Any]:
+        """The same, one item a cell."""
+
+    @property
+    def is_watertight(self) -> bool:
+        """Every edge is shared by exactly two triangles that run along it in opposite directions."""
+
+    @property
+    def point_fields(self) -> Dict[str, Any]:
+        """Quantities on the points by name: float64, (points,) or (points, components). Without a copy, read only."""
+
+    @property
+    def points_mm(self) -> numpy.typing.NDArray[Any]:
+        """float64, shape (points, 3): patient coordinates LPS, mm. Without a copy, read only."""
+
+    @property
+    def triangles(self) -> numpy.typing.NDArray[Any]:
+        """int32, shape (triangles, 3). Without a copy, read only."""
+
+    @property
+    def volume_mm3(self) -> float:
+        """Enclosed, mm3; meaningful only when watertight, negative for a surface turned inside out."""
+
+class SurfaceMatch:
+    """Point source_points[i] of the source belongs to target_points[i]."""
+
+    def densify(self) -> numpy.typing.NDArray[Any]:
+        """int32, (points of the source,): a target point for each of them."""
+
+    @property
+    def orientation_kept(self) -> float:
+        """Share of neighbours that turn the same way: 1 for a good match, 0 for a mirrored one."""
+
+    @property
+    def solution(self) -> Dict[str, Any]:
+        """As trwls() answers."""
+
+    @property
+    def source_points(self) -> numpy.typing.NDArray[Any]:
+        """int32, (matches,)."""
+
+    @property
+    def target_points(self) -> numpy.typing.NDArray[Any]:
+        """int32, (matches,)."""
+
+class TetMesh:
+    """A body of tetrahedra in patient coordinates (LPS, mm), with quantities on its points and cells.
+
+    Made of points_mm (points, 3) and cells (cells, 4), whole numbers from 0; each cell has a positive volume:
+    (p1 - p0) x (p2 - p0) . (p3 - p0) > 0. It never changes once it is made: its arrays are read only, share its memory,
+    and live on when it is gone.
+
+    Raises glisson.Error: array-shape, array-not-whole, and what makes a body useless (an index out of range, a flat or
+    turned cell, a point that is not finite)."""
+    def __init__(self, points_mm: numpy.typing.ArrayLike, cells: numpy.typing.ArrayLike, *, point_fields: Mapping[str, Any] = ..., cell_fields: Mapping[str, Any] = ...) -> None:
+        ...
+
+    @property
+    def cell_fields(self) -> Dict[str, Any]:
+        """The same, one item a cell."""
+
+    @property
+    def cells(self) -> numpy.typing.NDArray[Any]:
+        """int32, shape (cells, 4): points of each tetrahedron. Without a copy, read only."""
+
+    @property
+    def point_fields(self) -> Dict[str, Any]:
+        """Quantities on the points by name: float64, (points,) or (points, components). Without a copy, read only."""
+
+    @property
+    def points_mm(self) -> numpy.typing.NDArray[Any]:
+        """float64, shape (points, 3): patient coordinates LPS, mm. Without a copy, read only."""
+
+    def quality(self) -> Dict[str, Any]:
+        """Dihedral angles (degrees) and aspect (longest edge over shortest height, 1 for the regular tetrahedron)."""
+
+    @property
+    def volume_mm3(self) -> float:
+        """mm3."""
+
+    def with_fields(self, *, point_fields: Mapping[str, Any] = ..., cell_fields: Mapping[str, Any] = ...) -> TetMesh:
+        """A copy with these fields, in place of those of the same name."""
+
+class Volume:
+    """A measured quantity on a grid in space.
+
+    array       float32, shape (i, j, k): the image's own memory, without a copy; writing to it changes the image, and it lives
+                on when the image is gone. i runs along a row of pixels and is fastest in memory. array.T is [k, j, i], as
+                SimpleITK has it.
+    spacing_mm  (3,): between the centres of voxels along i, j, k, mm
+    origin_mm   (3,): centre of voxel (0, 0, 0), patient coordinates LPS (x to the left, y to the back, z to the head), mm
+    direction   (3, 3): its columns are the unit vectors of the axes i, j, k in LPS
+
+    Made of an array, whose values are copied once into memory of the core; Volume.empty() makes an image to be filled in
+    place. numpy.asarray(image) is image.array.
+
+    Raises glisson.Error: array-shape, grid-size, grid-spacing, grid-origin, grid-direction."""
+    def __init__(self, array: numpy.typing.ArrayLike, *, spacing_mm: numpy.typing.ArrayLike = ..., origin_mm: numpy.typing.ArrayLike = ..., direction: numpy.typing.ArrayLike = ..., unit: str = ...) -> None:
+        ...
+
+    def __array__(self, dtype: Any = ...) -> Any:
+        """The values as numpy wants them."""
+
+    @property
+    def array(self) -> numpy.typing.NDArray[Any]:
+        """The values, [i, j, k], without a copy."""
+
+    @property
+    def direction(self) -> numpy.typing.NDArray[numpy.float64]:
+        """Columns: the axes i, j, k in LPS."""
+
+    @staticmethod
+    def empty(size: Sequence[int], *, spacing_mm: numpy.typing.ArrayLike = ..., origin_mm: numpy.typing.ArrayLike = ..., direction: numpy.typing.ArrayLike = ..., unit: str = ...) -> Volume:
+        """All zero, to be filled in place through its array; size is (i, j, k)."""
+
+    def index_of(self, position_mm: numpy.typing.ArrayLike) -> numpy.typing.NDArray[numpy.float64]:
+        """The (fractional) voxel index [i, j, k] at a position (LPS, mm)."""
+
+    @property
+    def origin_mm(self) -> numpy.typing.NDArray[numpy.float64]:
+        """Centre of voxel (0, 0, 0), LPS, mm."""
+
+    def position_mm(self, index: numpy.typing.ArrayLike) -> numpy.typing.NDArray[numpy.float64]:
+        """Where a (fractional) voxel index [i, j, k] lies: LPS, mm."""
+
+    @property
+    def spacing_mm(self) -> numpy.typing.NDArray[numpy.float64]:
+        """Along i, j, k, mm."""
+
+    @property
+    def unit(self) -> str:
+        """"HU", "kPa", "Pa", "rad", "um", or empty for arbitrary units."""
+    @unit.setter
+    def unit(self, value: str) -> None: ...
+
+    @property
+    def voxel_volume_mm3(self) -> float:
+        """mm3."""
+
+def align_points(from_mm: numpy.typing.ArrayLike, to_mm: numpy.typing.ArrayLike) -> numpy.typing.NDArray[numpy.float64]:
+    """The rotation and translation (4 x 4) that bring points (n x 3, mm) nearest to others, pair by pair (Kabsch).
+
+    Raises glisson.Error: alignment-too-few-points, alignment-sizes."""
+
+def atlas_youngs_kPa(poisson_ratio: float = ...) -> float:
+    """Young's modulus (kPa) of healthy adults' livers: a mean shear modulus of 2.1 kPa."""
+
+def boundary_surface(mesh: TetMesh) -> Surface:
+    """The outer surface of a TetMesh, counter-clockwise from outside. Its point field "mesh_point" says which point of the mesh each one is, its cell field "mesh_cell" which tetrahedron lies behind each triangle."""
+
+def cell_centroids_mm(mesh: TetMesh) -> numpy.typing.NDArray[Any]:
+    """float64, shape (cells, 3): LPS, mm."""
+
+def cell_stiffness(mesh: TetMesh, shear_kPa: Volume, *, confident: Optional[Mask] = ..., organ: Optional[Mask] = ..., poisson_ratio: float = ..., unreliable_border_mm: float = ...) -> Dict[str, Any]:
+    """Young's modulus of each cell of a TetMesh from a map of the shear modulus (a Volume, kPa), E = 2 G (1 + nu).
+
+    Each cell takes the voxel nearest to its centroid; cells without a reliable voxel are filled from around. Not reliable
+    is what is not positive, not in the mask `confident`, outside of the mask `organ` or within unreliable_border_mm of its
+    border.
+    A dict: youngs_kPa (float64, (cells,)), measured (bool, (cells,)), mean_kPa, sd_kPa, min_kPa, max_kPa,
+    cells_without_data, filled_fraction.
+
+    Raises glisson.Error: stiffness-no-cells, stiffness-empty-map, stiffness-bad-grid, stiffness-bad-options,
+    stiffness-no-overlap, stiffness-nothing-reliable."""
+
+def dice(a: Mask, b: Mask) -> float:
+    """Dice's overlap of two masks: 1 the same, 0 apart.
+
+    Raises glisson.Error: masks-grids-differ."""
+
+def draw_case(case: Case, scene: str, *, width: int = ..., height: int = ...) -> numpy.typing.NDArray[Any]:
+    """A scene of a Case, drawn with no window: uint8, shape (height, width, 3), rows from the top.
+
+    scene  "anatomy", "liver", "stiffness", "model"; "waves" and "confidence" where waves were inverted; "resection"
+
+    Raises glisson.Error: scene-unknown, case-lacks-entry, picture-size, drawing-unavailable."""
+
+def draw_result(folder: str | os.PathLike[str], *, width: int = ..., height: int = ...) -> numpy.typing.NDArray[Any]:
+    """The moved liver of a result's folder, coloured by displacement, as draw_case."""
+
+def draw_surface(surface: Surface, *, field: Optional[str] = ..., range: Sequence[float] = ..., title: str = ..., colour_map: str = ..., color_rgb: Sequence[float] = ..., width: int = ..., height: int = ...) -> numpy.typing.NDArray[Any]:
+    """A Surface from the surgeon's side, drawn with no window: uint8, shape (height, width, 3), rows from the top.
+
+    field  a point or cell field to colour it by, over `range`, with `title` (and the unit) for the legend
+
+    Raises glisson.Error: scene-invalid, picture-size, drawing-unavailable, colour-map-unknown."""
+
+def explain(experiment: str | os.PathLike[str], *, progress: Optional[Callable[[float, str], Any]] = ...) -> Dict[str, Any]:
+    """What the declared model of an experiment (a JSON file) lacks.
+
+    A dict: report (verdict, errors before and after, effects with their parameters and evidence, as report.json has it)
+    and model (the better model, as model.json has it; written to a file, predict() takes it up).
+
+    progress is told (fraction, stage); KeyboardInterrupt cancels.
+    Raises glisson.Error: what is wrong with the experiment, or "cancelled"."""
+
+def grow_contrast(image: Volume, seeds_mm: numpy.typing.ArrayLike, kind: str, *, within: Optional[Mask] = ..., progress: Optional[Callable[[float, str], Any]] = ...) -> Grown:
+    """A "vessel" or a "lesion" from points inside it (n x 3, LPS, mm): what stands out from the tissue around,
+    inside of the mask `within` where it is given.
+
+    Raises glisson.Error: kind-unknown, grids-differ, grow-no-seeds, grow-bad-image, grow-seed-outside,
+    grow-seed-on-nothing, grow-no-contrast, grow-only-thick."""
+
+def grow_from_seeds(image: Volume, seeds_mm: numpy.typing.ArrayLike, *, progress: Optional[Callable[[float, str], Any]] = ...) -> Grown:
+    """The liver from points inside it (n x 3, LPS, mm), in MR or CT.
+
+    progress(fraction, stage) is told how far it is; KeyboardInterrupt cancels.
+    Raises glisson.Error: grow-no-seeds, grow-bad-image, grow-seed-outside, grow-seed-on-nothing, grow-constant-image,
+    grow-nothing-found."""
+
+def guide(file: str | os.PathLike[str], *, progress: Optional[Callable[[float, str], Any]] = ...) -> Any:
+    """The organ and its hidden targets in each frame of a guidance case (guidance.json, "glisson-guidance/1").
+
+    A dict: mesh (the TetMesh at rest); frames, a dict each: id, converged (where not, a note says why), residual_rms_mm,
+    seconds; and where it did: pose (4 x 4, scan to camera, mm); displacement_mm (points, 3), in the scan's frame: a place x of the scan lies
+    at pose (x + displacement); targets (id, position_mm in the camera's frame, sd_mm), tools (id, force_N, sd_N); notes.
+
+    progress is told (fraction, stage); KeyboardInterrupt cancels.
+    Raises glisson.Error: what is wrong with the case."""
+
+def hoist_segment_vi(liver: TetMesh) -> Dict[str, Any]:
+    """Where a retractor lifts segment VI: a dict of tool, center_mm (LPS), direction (unit), radius_mm, usual_force_N. A scenario's load: {"tool": {"center_mm": ..., "radius_mm": ..., "force_N": ...}}."""
+
+def invert(phase_rad: numpy.typing.ArrayLike, *, frequency_Hz: float, spacing_mm: numpy.typing.ArrayLike = ..., origin_mm: numpy.typing.ArrayLike = ..., direction: numpy.typing.ArrayLike = ..., along: numpy.typing.ArrayLike = ..., organ: Optional[Mask] = ..., method: str = ..., progress: Optional[Callable[[float, str], Any]] = ...) -> Dict[str, Any]:
+    """The shear modulus from phase images of one vibration.
+
+    phase_rad     float32, shape (directions, instants, i, j, k): wrapped phase, instants evenly spread over one period
+    frequency_Hz  of the vibration
+    along         (directions, 3): unit vectors of the directions in LPS, or empty where they are not known
+    organ         a Mask: only its voxels are inverted
+    method        "direct" (the complex modulus) or "lfe" (local frequency estimation)
+
+    A dict: magnitude_kPa, storage_kPa, loss_kPa, confidence (0 to 1): Volumes; region: the Mask of what could be inverted;
+    mean_kPa, confident_fraction, notes.
+
+    Raises glisson.Error: array-shape, waves-none, waves-no-frequency, waves-too-few-offsets, waves-empty-organ,
+    waves-nothing-confident."""
+
+def mark_attachments(liver: TetMesh) -> TetMesh:
+    """The liver with the point fields "bare_area" and "diaphragm" (0 or 1), found by its shape: what holds it in the body.
+
+    Raises glisson.Error: liver-no-attachment."""
+
+def mask_surface(mask: Mask, *, smoothing_iterations: int = ..., pass_band: float = ...) -> Surface:
+    """A smooth closed surface around a mask's voxels, by default as for organs; vessels of two voxels keep their shape with smoothing_iterations=20, pass_band=0.1.
+
+    Raises glisson.Error: mask-empty."""
+
+def match_surfaces(source: Surface, target: Surface, *, points: int = ..., solver: str = ..., prior: str = ..., progress: Optional[Callable[[float, str], Any]] = ...) -> SurfaceMatch:
+    """GEO: two Surfaces matched by geodesic distances, however they bend and wherever they lie.
+
+    points  of each surface; solver "trwls", or "trws" (the slow one in double precision)
+    prior   "none": any pose; "positions": roughly aligned; "auto": positions for a part of a whole
+
+    Raises glisson.Error: too-few-points, matching-too-few-points, matching-too-many-points, mrf-too-large, solver-unknown,
+    prior-unknown."""
+
+
+
+def plan_hardware(*, liver_volume_cm3: float, accuracy_mm: float, youngs_kPa: Optional[float] = ..., duration_h: float = ..., frames_per_s: float = ..., ambient_C: float = ..., limit_C: float = ..., devices: Sequence[str | os.PathLike[str]] = ...) -> Dict[str, Any]:
+    """The least obtrusive wearable computer that holds for a case, and why others fail.
+
+    A dict: platforms, a dict each (id, name, worn, feasible, fps: what it can hold, power_W, battery_h, temperature_C,
+    headroom_W, reasons, assumed); recommended (an id or None); nodes, frame_flops, frame_bytes; notes.
+    devices: further device tables (JSON files).
+
+    Raises glisson.Error: request-invalid, volume-not-a-liver, accuracy-not-reached, resources-missing."""
+
+def predict(experiment: str | os.PathLike[str], better: Optional[str | os.PathLike[str]] = ..., *, progress: Optional[Callable[[float, str], Any]] = ...) -> Dict[str, Any]:
+    """The trials of an experiment (a JSON file) as its declared model predicts them, or a better one (model.json).
+
+    A dict: unit; trials, a dict each: id, predicted (float64), error (None where nobody measured); error of all that was
+    measured: rms, mean, p95, max, noise, reduced_chi2; predicted, a number a row of all of them.
+
+    Raises glisson.Error: what is wrong with the experiment, model-invalid."""
+
+def read_dicom_seg(file: str | os.PathLike[str]) -> List[SegmentedMask]:
+    """The segments of a DICOM SEG file: a list of SegmentedMask."""
+
+def read_labels_file(file: str | os.PathLike[str]) -> LabelMap:
+    """The same for whole numbers 0..65535, as a LabelMap.
+
+    Raises glisson.Error: as read_volume_file, and volume-file-not-labels."""
+
+def read_mask_file(file: str | os.PathLike[str]) -> SegmentedMask:
+    """The first segment of a label file; all that is not zero where it names none.
+
+    Raises glisson.Error: as read_labels_file."""
+
+def read_series(series: Series, volume: int = ..., *, progress: Optional[Callable[[float, str], Any]] = ...) -> Volume:
+    """One volume of a series, with its rescaling applied.
+
+    Raises glisson.Error: file-not-readable, dicom-truncated, dicom-changed, dicom-pixels-damaged, dicom-compression-unknown, dicom-colour."""
+
+def read_surface(file: str | os.PathLike[str]) -> Surface:
+    """A .vtp, .vtk, .stl, .obj, .off or .ply file as a Surface; numeric arrays become fields.
+
+    Raises glisson.Error: file-not-readable, mesh-format-unknown, mesh-file-invalid, mesh-cell-type, mesh-too-large."""
+
+def read_tetrahedra(file: str | os.PathLike[str]) -> TetMesh:
+    """A .vtu or .vtk file as a TetMesh.
+
+    Raises glisson.Error: file-not-readable, mesh-format-unknown, mesh-file-invalid, mesh-cell-type, mesh-too-large."""
+
+def read_volume_file(file: str | os.PathLike[str]) -> Volume:
+    """A NIfTI, NRRD or MetaImage file as a Volume, in LPS.
+
+    Raises glisson.Error: volume-file-unknown-type, -unreadable, -not-scalar, -not-3d, -bad-grid, -too-large, -truncated, -longer, -damaged."""
+
+def register_surfaces(source: Surface, target: Surface, *, method: str = ..., progress: Optional[Callable[[float, str], Any]] = ...) -> Dict[str, Any]:
+    """One Surface moved onto another, rigidly first, then as it bends.
+
+    method  "icp": from where they lie; "geo": by distances along them, so that they may lie anywhere
+    A dict: surface (the source moved, its points in their order), rms_mm, iterations, orientation_kept (for "geo": below
+    0.6 it should not be trusted).
+
+    Raises glisson.Error: registration-no-pairs, registration-mirrored, registration-singular, method-unknown."""
+
+def rigid_icp(source: Surface, target: Surface, *, progress: Optional[Callable[[float, str], Any]] = ...) -> Dict[str, Any]:
+    """Rigid alignment by closest points, from where the Surfaces lie. A dict: transform (4 x 4, source to target), rms_mm, iterations, converged."""
+
+def scan(path: str | os.PathLike[str], *, progress: Optional[Callable[[float, str], Any]] = ...) -> Study:
+    """All series under a folder, in the files of a DICOMDIR, or in one file; slices are ordered by where they stand.
+
+    progress(fraction, stage) is told how far it is.
+    Raises glisson.Error: path-not-found, path-not-readable, dicomdir-damaged."""
+
+def set_thread_count(threads: int) -> None:
+    """How many threads loops use; 0 means as many as the machine has."""
+
+def simulate(mesh: TetMesh, scenario: Any, *, progress: Optional[Callable[[float, str], Any]] = ...) -> Simulation:
+    """A TetMesh under supports, loads and tools: its equilibrium, or its motion.
+
+    scenario  a dict (or JSON text) as scenario files have it: lengths mm, forces N, moduli and pressures kPa, densities
+              kg/m3; numpy arrays and numbers may stand in it
+    progress  is told (fraction, stage); KeyboardInterrupt cancels
+
+    Raises glisson.Error: scenario-invalid, landmark-outside, modulus-missing, not-converged, not-available, cut-invalid,
+    cut-misses, document-invalid, and what a model refuses (no supports, no cells)."""
+
+def sirgn(frames: Sequence[Tuple[numpy.typing.ArrayLike, numpy.typing.ArrayLike]], landmarks: Mapping[str, numpy.typing.ArrayLike], *, model: Optional[Surface] = ..., tolerances_mm: Sequence[float] = ..., progress: Optional[Callable[[float, str], Any]] = ...) -> Dict[str, Any]:
+    """How good a registration of a video is, triangle by triangle, by landmarks alone (SIRGn).
+
+    frames     a pair a frame: the cloud as seen (n x 3, in the frame's space) and where the registration put it (n x 3, in
+               the model's), point for point, mm
+    landmarks  id -> (frames, 3): where each was seen, in the frame's space, mm; NaN where it was not
+    model      a Surface, or None
+
+    A dict: mesh (the correlation mesh, a Surface), correlation (-1..1), error_mm, doubt_mm, frames_seen: one a triangle;
+    mean_correlation; rejected_fraction, one a tolerance; rmse_mm, tre_mm, one a frame; notes.
+
+    Raises glisson.Error: sirgn-too-few-frames, sirgn-too-few-landmarks, sirgn-landmarks-off, sirgn-not-point-for-point,
+    sirgn-tracks, sirgn-empty-frame, sirgn-tolerance."""
+
+def sirgn_of_sequence(file: str | os.PathLike[str], method: str, *, tolerances_mm: Sequence[float] = ..., progress: Optional[Callable[[float, str], Any]] = ...) -> Dict[str, Any]:
+    """The same of a sequence on disk, as it was registered ("given") or by "icp", "geo" or "gnra"."""
+
+def trwls(source_mm: numpy.typing.ArrayLike, target_mm: numpy.typing.ArrayLike, *, sigma_mm: float, tau_mm: float, passes: int = ..., progress: Optional[Callable[[float, str], Any]] = ...) -> Dict[str, Any]:
+    """Matches nodes to labels by their distances, (nodes, nodes) and (labels, labels), mm: TRWL-S.
+
+    A pair of nodes at x that gets labels at y costs exp(-min(x, y) / sigma) min(|x - y|, tau).
+    A dict: labels (int32, (nodes,)), energy, lower_bound, passes, stopped, solve_ms.
+
+    Raises glisson.Error: matching-distances, matching-too-few-points, matching-too-many-points, matching-constants,
+    matching-passes."""
+
+def usual_supports() -> List[Any]:
+    """The supports of a scenario that go with mark_attachments: the bare area held, the diaphragm on a foundation."""
+
+def volume_ml(mask: Mask) -> float:
+    """Of a mask's voxels, ml."""
+
+def write_mask_file(file: str | os.PathLike[str], mask: Mask, name: str, *, label_value: int = ..., color_rgb: Sequence[float] = ...) -> None:
+    """Writes a .nrrd that 3D Slicer opens as one named, coloured segment, all or nothing."""
+
+def write_surface(file: str | os.PathLike[str], surface: Surface) -> None:
+    """Writes .vtp (with all fields), .stl, .obj or .ply, all or nothing."""
+
+def write_tetrahedra(file: str | os.PathLike[str], mesh: TetMesh) -> None:
+    """Writes .vtu with all fields, all or nothing."""
+
+def write_volume_file(file: str | os.PathLike[str], volume: Volume) -> None:
+    """Writes .nrrd, .nii, .nii.gz or .mha, 32-bit floats, all or nothing."""

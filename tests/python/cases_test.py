@@ -1,0 +1,61 @@
+"""Cases from Python: made, filled, read back, and refused where they are none."""
+import pathlib
+import tempfile
+import unittest
+
+from support import Case, ball, glisson, np
+
+
+def image_of(mask, inside=200.0, outside=60.0):
+    """A Volume with even noise about two values."""
+    values = np.where(mask.array, inside, outside) + np.random.default_rng(7).normal(0, 8, mask.array.shape)
+    return glisson.Volume(values, spacing_mm=mask.spacing_mm, origin_mm=mask.origin_mm)
+
+
+class Cases(Case):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.root = pathlib.Path(self.folder.name)
+
+    def tearDown(self):
+        self.folder.cleanup()
+
+    def test_from_an_image_to_a_model(self):
+        liver = ball(56, 60.0, 2.5)
+        glisson.write_volume_file(self.root / "anatomy.nrrd", image_of(liver))
+        case = glisson.Case.create(self.root / "patient.glisson")
+        case.import_study(self.root / "anatomy.nrrd")
+        anatomy = case.volume("volumes/anatomy")
+        self.assertEqual(anatomy.array.shape, liver.array.shape)
+        grown = case.grow_structure("liver", [[0, 0, 0]])
+        self.assertEqual(grown["id"], "labels/liver")
+        self.assertGreater(glisson.dice(case.mask("liver"), liver), 0.95)
+        mesh = case.mesh_liver(target_cells=1500)
+        youngs = case.assign_stiffness(uniform_kPa=6.1)
+        self.assertEqual(youngs.shape, (len(mesh.cells),))
+        self.assertTrue((youngs == 6.1).all())
+        self.assertEqual(case.structures, ["liver"])
+        again = glisson.Case(self.root / "patient.glisson")
+        np.testing.assert_array_equal(again.mesh("meshes/model").cell_fields["youngs_modulus_kPa"], youngs)
+        self.assertTrue(again.surface("liver").is_watertight)
+        self.assertEqual(again.freshness("meshes/model"), "current")
+        asked = again.question({"loads": [{"gravity_m_s2": [0, 9.81, 0]}]})
+        self.assertTrue(asked["scenario"]["supports"])
+        found = glisson.simulate(asked["mesh"], asked["scenario"])
+        self.assertGreater(found.max_displacement_mm, 0.1)
+        np.testing.assert_allclose(found.reactions_N["applied"][1], 9.81e-6 * asked["mesh"].volume_mm3, rtol=1e-6)
+        entry = next(e for e in again.entries if e["id"] == "meshes/liver")
+        self.assertIn("labels/liver", entry["from"])
+
+    def test_what_is_no_case_is_refused(self):
+        with self.assertRaises(glisson.Error):
+            glisson.Case(self.root / "nothing.glisson")
+        case = glisson.Case.create(self.root / "empty.glisson")
+        error = self.assertRefused("case-lacks-entry", case.volume, "volumes/anatomy")
+        self.assertTrue(error.hint)
+        self.assertRefused("case-lacks-entry", case.mesh)
+        self.assertRefused("case-exists", glisson.Case.create, self.root / "empty.glisson")
+
+
+if __name__ == "__main__":
+    unittest.main()
