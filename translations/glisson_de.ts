@@ -1308,10 +1308,6 @@
         <translation>{0} enthält kein Bild oder ist beschädigt.</translation>
     </message>
     <message>
-        <source>{0} declares an impossible size: {1} x {2} pixels in {3} frames.</source>
-        <translation>{0} gibt eine unmögliche Größe an: {1} x {2} Pixel in {3} Bildern.</translation>
-    </message>
-    <message>
         <source>{0} declares impossible pixels: {1} of {2} bits, the highest {3}.</source>
         <translation>{0} gibt unmögliche Pixel an: {1} von {2} Bit, das höchste {3}.</translation>
     </message>
@@ -2276,16 +2272,8 @@
         <translation>Nennen Sie die Spalte mit der Zeit, oder schneiden Sie die Datei dort ab.</translation>
     </message>
     <message>
-        <source>{0} has {1} samples and {2} rows without a reading.</source>
-        <translation>{0} hat {1} Messpunkte und {2} Zeilen ohne Ablesung.</translation>
-    </message>
-    <message>
         <source>Check the columns; at most every tenth row may be empty.</source>
         <translation>Prüfen Sie die Spalten; höchstens jede zehnte Zeile darf leer sein.</translation>
-    </message>
-    <message>
-        <source>The trace holds {0} runs, the log {1}.</source>
-        <translation>Die Aufzeichnung enthält {0} Läufe, das Protokoll {1}.</translation>
     </message>
     <message>
         <source>Change the shortest run and pause, or cut the trace to the logged runs.</source>
@@ -2306,18 +2294,6 @@
     <message>
         <source>Record pauses between the runs; check that the right column was read.</source>
         <translation>Zeichnen Sie Pausen zwischen den Läufen auf; prüfen Sie, ob die richtige Spalte gelesen wurde.</translation>
-    </message>
-    <message>
-        <source>The recording has {0} gaps; runs end there and nothing is made up for them.</source>
-        <translation>Die Aufzeichnung hat {0} Lücken; Läufe enden dort, und für die Lücken wird nichts erfunden.</translation>
-    </message>
-    <message>
-        <source>{0} rows held no reading.</source>
-        <translation>{0} Zeilen enthielten keine Ablesung.</translation>
-    </message>
-    <message>
-        <source>{0} runs reach the end of a channel&apos;s range: their power is a lower bound. Record again with a larger range.</source>
-        <translation>{0} Läufe erreichen das Ende des Bereichs eines Kanals: Ihre Leistung ist eine untere Schranke. Zeichnen Sie erneut mit größerem Bereich auf.</translation>
     </message>
     <message>
         <source>Idle power moves by {0} W over the recording; each run is compared with the pauses beside it.</source>
@@ -2404,10 +2380,6 @@
         <translation>Bilder</translation>
     </message>
     <message>
-        <source>{0} landmarks were seen in three frames or more; four that do not lie on one line are needed.</source>
-        <translation>{0} Landmarken wurden in drei oder mehr Bildern gesehen; vier, die nicht auf einer Geraden liegen, sind nötig.</translation>
-    </message>
-    <message>
         <source>Track more features, or mark them by hand.</source>
         <translation>Verfolgen Sie mehr Merkmale, oder markieren Sie sie von Hand.</translation>
     </message>
@@ -2420,16 +2392,8 @@
         <translation>Dreiecke</translation>
     </message>
     <message>
-        <source>{0} frames are too few to correlate; {1} are needed.</source>
-        <translation>{0} Bilder sind zu wenige für eine Korrelation; {1} sind nötig.</translation>
-    </message>
-    <message>
         <source>Frame {0} has {1} points, and {2} after registration: they must match one by one.</source>
         <translation>Bild {0} hat {1} Punkte und nach der Registrierung {2}: Sie müssen einzeln übereinstimmen.</translation>
-    </message>
-    <message>
-        <source>Landmark {0} was followed through {1} frames of {2}.</source>
-        <translation>Landmarke {0} wurde durch {1} von {2} Bildern verfolgt.</translation>
     </message>
     <message>
         <source>A tolerance must be a positive number of mm.</source>
@@ -2442,14 +2406,6 @@
     <message>
         <source>Name a new folder for the sequence.</source>
         <translation>Nennen Sie einen neuen Ordner für die Sequenz.</translation>
-    </message>
-    <message>
-        <source>The {0} video ends after {1} frames, before the other.</source>
-        <translation>Das Video {0} endet nach {1} Bildern, vor dem anderen.</translation>
-    </message>
-    <message>
-        <source>{0} frames show something; {1} are needed.</source>
-        <translation>{0} Bilder zeigen etwas; {1} sind nötig.</translation>
     </message>
     <message>
         <source>No feature could be followed through {0} frames.</source>
@@ -2474,10 +2430,6 @@
     <message>
         <source>Two frames or more can be aligned.</source>
         <translation>Ausrichten lassen sich zwei Bilder oder mehr.</translation>
-    </message>
-    <message>
-        <source>A landmark was followed through {0} frames of {1}.</source>
-        <translation>Eine Landmarke wurde durch {0} von {1} Bildern verfolgt.</translation>
     </message>
     <message>
         <source>aligning frames</source>
@@ -3476,14 +3428,6 @@
         <translation>Experiment wird gelesen</translation>
     </message>
     <message>
-        <source>{0} landmarks seen in fewer than three frames were left out</source>
-        <translation>{0} Landmarken, die in weniger als drei Bildern zu sehen waren, wurden weggelassen</translation>
-    </message>
-    <message>
-        <source>{0} triangles have all corners in fewer than three frames: their correlation is 0</source>
-        <translation>Bei {0} Dreiecken sind alle Ecken in weniger als drei Bildern zu sehen: ihre Korrelation ist 0</translation>
-    </message>
-    <message>
         <source>no model was given, so there is no distance from it (RMSE)</source>
         <translation>kein Modell angegeben, daher auch kein Abstand davon (RMSE)</translation>
     </message>
@@ -3628,10 +3572,6 @@
         <translation>{0} entfernen</translation>
     </message>
     <message>
-        <source>The structures have changed since the model was built, and {0} landmarks now lie outside of it: they are left out. Build the model anew.</source>
-        <translation>Die Strukturen haben sich geändert, seit das Modell erstellt wurde, und {0} Landmarken liegen nun außerhalb: Sie werden ausgelassen. Erstellen Sie das Modell neu.</translation>
-    </message>
-    <message>
         <source>The model cannot be used. Build it anew.</source>
         <translation>Das Modell kann nicht verwendet werden. Erstellen Sie es neu.</translation>
     </message>
@@ -3676,16 +3616,8 @@
         <translation>Benennen Sie die Spalten so, in dieser Reihenfolge, durch Kommas getrennt.</translation>
     </message>
     <message>
-        <source>{0} of {1} landmarks lie far from the points of their frames.</source>
-        <translation>{0} von {1} Landmarken liegen weit von den Punkten ihrer Bilder entfernt.</translation>
-    </message>
-    <message>
         <source>Check that tracks and clouds are both in mm of the left camera.</source>
         <translation>Prüfen Sie, ob Spuren und Punktwolken beide in mm der linken Kamera angegeben sind.</translation>
-    </message>
-    <message>
-        <source>{0} landmarks far from the points of their frames were left out</source>
-        <translation>{0} Landmarken, die weit von den Punkten ihrer Bilder entfernt liegen, wurden weggelassen</translation>
     </message>
     <message>
         <source>In line {0} no number stands in the column &quot;{1}&quot;.</source>
@@ -3736,10 +3668,6 @@
         <translation>Das Netz hat {0} Zellen statt {1}; Form und innere Strukturen verlangen sie.</translation>
     </message>
     <message>
-        <source>{0} cells were taken away where the body touched itself in a point or an edge.</source>
-        <translation>{0} Zellen wurden entfernt, wo der Körper sich selbst in einem Punkt oder einer Kante berührte.</translation>
-    </message>
-    <message>
         <source>{0}: {1} piece ({2} ml) too thin for {3} cells got no cells of its own; about {4} cells would show it.</source>
         <translation>{0}: {1} Stück ({2} ml) ist für {3} Zellen zu dünn und bekam keine eigenen; mit etwa {4} Zellen wäre es zu sehen.</translation>
     </message>
@@ -3766,10 +3694,6 @@
     <message>
         <source>Simulate it again with the model as it is now.</source>
         <translation>Simulieren Sie erneut mit dem jetzigen Modell.</translation>
-    </message>
-    <message>
-        <source>Held like this, {0} cells of the liver are turned inside out: nothing can be measured there.</source>
-        <translation>So gehalten sind {0} Zellen der Leber umgestülpt: Dort lässt sich nichts messen.</translation>
     </message>
     <message>
         <source>Pull or push with less force.</source>
@@ -4852,10 +4776,6 @@
         <translation>Der Körper kommt unter seinen ständigen Lasten nicht zur Ruhe.</translation>
     </message>
     <message>
-        <source>The step would turn {0} cells inside out: a tool goes too far into the body.</source>
-        <translation>Der Schritt würde {0} Zellen umstülpen: Ein Werkzeug dringt zu weit in den Körper ein.</translation>
-    </message>
-    <message>
         <source>A session does not know &quot;{0}&quot; of a scenario.</source>
         <translation>Eine Sitzung kennt „{0}“ aus einem Szenario nicht.</translation>
     </message>
@@ -5212,6 +5132,150 @@
         <translation>--study und --plan gelten nur für ein DICOM SEG (--format dicom-seg).</translation>
     </message>
     <message>
+        <source>Repeat the longest trial at half of its current or load.</source>
+        <translation>Den längsten Versuch mit halbem Strom oder halber Last wiederholen.</translation>
+    </message>
+    <message>
+        <source>Repeat the longest trial at twice its current or load.</source>
+        <translation>Den längsten Versuch mit doppeltem Strom oder doppelter Last wiederholen.</translation>
+    </message>
+    <message>
+        <source>Repeat the longest trial in a room that is 15 °C warmer.</source>
+        <translation>Den längsten Versuch in einem um 15 °C wärmeren Raum wiederholen.</translation>
+    </message>
+    <message>
+        <source>A finer mesh would change the prediction; {0} % of what it would change shows in the measurements and is taken off what the better model predicts.</source>
+        <translation>Ein feineres Netz würde die Vorhersage ändern; {0} % dieser Änderung zeigen sich in den Messungen und sind von der Vorhersage des besseren Modells abgezogen.</translation>
+    </message>
+    <message>
+        <source>There is only one trial, so nothing could be predicted that was not fitted.</source>
+        <translation>Es gibt nur einen Versuch; vorhergesagt werden konnte also nichts, woran nicht angepasst wurde.</translation>
+    </message>
+    <message>
+        <source>The residual is not quite random, but no larger than the noise can be trusted to be.</source>
+        <translation>Das Residuum ist nicht ganz zufällig, aber nicht größer, als das Rauschen verlässlich angegeben ist.</translation>
+    </message>
+    <message>
+        <source>The residual is not quite random, but no larger than what a finer mesh would change of the prediction.</source>
+        <translation>Das Residuum ist nicht ganz zufällig, aber nicht größer als das, was ein feineres Netz an der Vorhersage ändern würde.</translation>
+    </message>
+    <message>
+        <source>What was found brings the residual to the noise, but is no clearly better evidence (BIC {0}) than a smooth function of what was done, which names no cause.</source>
+        <translation>Das Gefundene bringt das Residuum bis auf das Rauschen, ist aber nicht deutlich besser belegt (BIC {0}) als eine glatte Funktion der Versuchsbedingungen, die keine Ursache nennt.</translation>
+    </message>
+    <message>
+        <source>{0} was left out: {1}</source>
+        <translation>{0} wurde weggelassen: {1}</translation>
+    </message>
+    <message>
+        <source>These data do not determine {0} of {1}.</source>
+        <translation>Diese Daten bestimmen {0} nicht (Effekt: {1}).</translation>
+    </message>
+    <message>
+        <source>{0} of {1} ended at the limit of its range ({2}).</source>
+        <translation>{0} endete an der Grenze des zulässigen Bereichs ({2}; Effekt: {1}).</translation>
+    </message>
+    <message>
+        <source>{0} and {1} can hardly be told apart in size (correlation {2}).</source>
+        <translation>„{0}“ und „{1}“ lassen sich in ihrer Größe kaum trennen (Korrelation {2}).</translation>
+    </message>
+    <message>
+        <source>there is nowhere to begin</source>
+        <translation>es gibt keinen Anfangswert</translation>
+    </message>
+    <message>
+        <source>it promised to take much less of the error than others</source>
+        <translation>es versprach, viel weniger vom Fehler wegzunehmen als andere</translation>
+    </message>
+    <message>
+        <source>Deform ten times as slowly.</source>
+        <translation>Zehnmal so langsam verformen.</translation>
+    </message>
+    <message>
+        <source>Deform ten times as fast.</source>
+        <translation>Zehnmal so schnell verformen.</translation>
+    </message>
+    <message>
+        <source>Deform quickly and hold for the length of the longest trial.</source>
+        <translation>Rasch verformen und so lange halten, wie der längste Versuch dauert.</translation>
+    </message>
+    <message>
+        <source>Load and unload twice.</source>
+        <translation>Zweimal belasten und entlasten.</translation>
+    </message>
+    <message>
+        <source>Deform a fifth further.</source>
+        <translation>Um ein Fünftel weiter verformen.</translation>
+    </message>
+    <message>
+        <source>Deform to the other side (tension in place of compression, or the reverse).</source>
+        <translation>Zur anderen Seite verformen (Zug statt Druck oder umgekehrt).</translation>
+    </message>
+    <message>
+        <source>Press at ({0}, {1}, {2}) mm with {3} N.</source>
+        <translation>Bei ({0}, {1}, {2}) mm mit {3} N drücken.</translation>
+    </message>
+    <message>
+        <source>Press as in trial {0}, but with {1} N.</source>
+        <translation>Wie in Versuch {0} drücken, aber mit {1} N.</translation>
+    </message>
+    <message>
+        <source>Press as in trial {0} and hold the force for {1} s.</source>
+        <translation>Wie in Versuch {0} drücken und die Kraft {1} s lang halten.</translation>
+    </message>
+    <message>
+        <source>Pull where trial {0} presses, with {1} N.</source>
+        <translation>Dort ziehen, wo Versuch {0} drückt, mit {1} N.</translation>
+    </message>
+    <message>
+        <source>Error by load, a line a trial: broken before, whole after</source>
+        <translation>Fehler über der Last, eine Linie je Versuch: gestrichelt vorher, durchgezogen nachher</translation>
+    </message>
+    <message>
+        <source>Measured (dots), before (broken), after (line)</source>
+        <translation>Gemessen (Punkte), vorher (gestrichelt), nachher (Linie)</translation>
+    </message>
+    <message>
+        <source>What was left before (broken) and after (line)</source>
+        <translation>Was vorher (gestrichelt) und nachher (Linie) blieb</translation>
+    </message>
+    <message>
+        <source>{0} has {1} samples and {2} rows without a reading.</source>
+        <translation>{0} hat {1} Messpunkte und {2} Zeilen ohne Ablesung.</translation>
+    </message>
+    <message>
+        <source>The trace holds {0} runs, the log {1}.</source>
+        <translation>Die Aufzeichnung enthält {0} Läufe, das Protokoll {1}.</translation>
+    </message>
+    <message>
+        <source>The recording has {0} gaps; runs end there and nothing is made up for them.</source>
+        <translation>Die Aufzeichnung hat {0} Lücken; Läufe enden dort, und für die Lücken wird nichts erfunden.</translation>
+    </message>
+    <message>
+        <source>{0} rows held no reading.</source>
+        <translation>{0} Zeilen enthielten keine Ablesung.</translation>
+    </message>
+    <message>
+        <source>{0} runs reach the end of a channel&apos;s range: their power is a lower bound. Record again with a larger range.</source>
+        <translation>{0} Läufe erreichen das Ende des Bereichs eines Kanals: Ihre Leistung ist eine untere Schranke. Zeichnen Sie erneut mit größerem Bereich auf.</translation>
+    </message>
+    <message>
+        <source>{0} declares an impossible size: {1} x {2} pixels in {3} frames.</source>
+        <translation>{0} gibt eine unmögliche Größe an: {1} x {2} Pixel in {3} Bildern.</translation>
+    </message>
+    <message>
+        <source>The step would turn {0} cells inside out: a tool goes too far into the body.</source>
+        <translation>Der Schritt würde {0} Zellen umstülpen: Ein Werkzeug dringt zu weit in den Körper ein.</translation>
+    </message>
+    <message>
+        <source>{0} cells were taken away where the body touched itself in a point or an edge.</source>
+        <translation>{0} Zellen wurden entfernt, wo der Körper sich selbst in einem Punkt oder einer Kante berührte.</translation>
+    </message>
+    <message>
+        <source>A landmark was followed through {0} frames of {1}.</source>
+        <translation>Eine Landmarke wurde durch {0} von {1} Bildern verfolgt.</translation>
+    </message>
+    <message>
         <source>Line {1} of {0} is not landmark,frame,x_mm,y_mm,z_mm of a landmark in the tracks, with &quot;model&quot; or a frame below {2}.</source>
         <translation>Zeile {1} von {0} ist nicht landmark,frame,x_mm,y_mm,z_mm einer verfolgten Landmarke, mit &quot;model&quot; oder einem Bild unter {2}.</translation>
     </message>
@@ -5228,16 +5292,116 @@
         <translation>benchmark ist kein Dateiname</translation>
     </message>
     <message>
+        <source>{0} of {1} landmarks lie far from the points of their frames.</source>
+        <translation>{0} von {1} Landmarken liegen weit von den Punkten ihrer Bilder entfernt.</translation>
+    </message>
+    <message>
+        <source>{0} landmarks were seen in three frames or more; four that do not lie on one line are needed.</source>
+        <translation>{0} Landmarken wurden in drei oder mehr Bildern gesehen; vier, die nicht auf einer Geraden liegen, sind nötig.</translation>
+    </message>
+    <message>
         <source>judged by its own landmarks, without a benchmark kept with the sequence: a fault that never changes is hardly seen</source>
         <translation>anhand der eigenen Landmarken beurteilt, ohne einen Vergleichsmaßstab in der Sequenz: ein Fehler, der sich nie ändert, ist kaum zu sehen</translation>
+    </message>
+    <message>
+        <source>{0} frames are too few to correlate; {1} are needed.</source>
+        <translation>{0} Bilder sind zu wenige für eine Korrelation; {1} sind nötig.</translation>
+    </message>
+    <message>
+        <source>Landmark {0} was followed through {1} frames of {2}.</source>
+        <translation>Landmarke {0} wurde durch {1} von {2} Bildern verfolgt.</translation>
     </message>
     <message>
         <source>The benchmark does not hold {0} landmarks in {1} frames, as the sequence does.</source>
         <translation>Der Vergleichsmaßstab enthält nicht {0} Landmarken in {1} Bildern wie die Sequenz.</translation>
     </message>
     <message>
+        <source>{0} landmarks seen in fewer than three frames were left out</source>
+        <translation>{0} Landmarken, die in weniger als drei Bildern zu sehen waren, wurden weggelassen</translation>
+    </message>
+    <message>
+        <source>{0} landmarks far from the points of their frames were left out</source>
+        <translation>{0} Landmarken, die weit von den Punkten ihrer Bilder entfernt liegen, wurden weggelassen</translation>
+    </message>
+    <message>
         <source>{0} landmarks that the benchmark has no place for were left out</source>
         <translation>{0} Landmarken, für die der Vergleichsmaßstab keinen Ort hat, wurden weggelassen</translation>
+    </message>
+    <message>
+        <source>{0} triangles have all corners in fewer than three frames: their correlation is 0</source>
+        <translation>Bei {0} Dreiecken sind alle Ecken in weniger als drei Bildern zu sehen: ihre Korrelation ist 0</translation>
+    </message>
+    <message>
+        <source>The {0} video ends after {1} frames, before the other.</source>
+        <translation>Das Video {0} endet nach {1} Bildern, vor dem anderen.</translation>
+    </message>
+    <message>
+        <source>{0} frames show something; {1} are needed.</source>
+        <translation>{0} Bilder zeigen etwas; {1} sind nötig.</translation>
+    </message>
+    <message>
+        <source>Held like this, {0} cells of the liver are turned inside out: nothing can be measured there.</source>
+        <translation>So gehalten sind {0} Zellen der Leber umgestülpt: Dort lässt sich nichts messen.</translation>
+    </message>
+    <message>
+        <source>{0} was made on the data &quot;{1}&quot;, {2} on &quot;{3}&quot;.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} and {1} have no case in common.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name the same cases in the first column of both metrics.csv.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tolerances name {0}, which neither {1} nor {2} has.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} must begin with a line case,METRIC,METRIC, ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Column {0} of {1} has no name of its own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Line {0} of {1} has more cells than the first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Line {0} of {1} names no case, or one that was there before.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} holds no case.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} holds no metrics.csv.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write one: a line case,METRIC,..., then a row for each case.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} must lie between 0 and 1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The pictures have different sizes: {0} x {1} and {2} x {3}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mask of the pictures is black everywhere.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The structures have changed since the model was built, and {0} landmarks now lie outside of it: they are left out. Build the model anew.</source>
+        <translation>Die Strukturen haben sich geändert, seit das Modell erstellt wurde, und {0} Landmarken liegen nun außerhalb: Sie werden ausgelassen. Erstellen Sie das Modell neu.</translation>
     </message>
 </context>
 <context>
@@ -5920,6 +6084,10 @@
     <message>
         <source>The error falls from %1 to %2.</source>
         <translation>Der Fehler fällt von %1 auf %2.</translation>
+    </message>
+    <message>
+        <source>%1 It would tell what was found from: %2.</source>
+        <translation>%1 Das würde das Gefundene unterscheiden von: %2.</translation>
     </message>
 </context>
 <context>
@@ -6717,6 +6885,14 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Griffe am Fad
     <message>
         <source>Pictures (*.png)</source>
         <translation>Bilder (*.png)</translation>
+    </message>
+    <message>
+        <source>Scan</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>The scan itself as a soft backdrop: bones and bright vessels behind the organ</source>
+        <translation>Die Aufnahme selbst als weicher Hintergrund: Knochen und helle Gefäße hinter dem Organ</translation>
     </message>
 </context>
 <context>

@@ -1308,10 +1308,6 @@
         <translation>{0} no contiene ninguna imagen o está dañado.</translation>
     </message>
     <message>
-        <source>{0} declares an impossible size: {1} x {2} pixels in {3} frames.</source>
-        <translation>{0} declara un tamaño imposible: {1} x {2} píxeles en {3} fotogramas.</translation>
-    </message>
-    <message>
         <source>{0} declares impossible pixels: {1} of {2} bits, the highest {3}.</source>
         <translation>{0} declara píxeles imposibles: {1} de {2} bits, el más alto {3}.</translation>
     </message>
@@ -2276,16 +2272,8 @@
         <translation>Indique la columna que contiene el tiempo o corte ahí el archivo.</translation>
     </message>
     <message>
-        <source>{0} has {1} samples and {2} rows without a reading.</source>
-        <translation>{0} tiene {1} mediciones y {2} filas sin lectura.</translation>
-    </message>
-    <message>
         <source>Check the columns; at most every tenth row may be empty.</source>
         <translation>Compruebe las columnas; como máximo una de cada diez filas puede estar vacía.</translation>
-    </message>
-    <message>
-        <source>The trace holds {0} runs, the log {1}.</source>
-        <translation>El registro contiene {0} ejecuciones, el diario {1}.</translation>
     </message>
     <message>
         <source>Change the shortest run and pause, or cut the trace to the logged runs.</source>
@@ -2306,18 +2294,6 @@
     <message>
         <source>Record pauses between the runs; check that the right column was read.</source>
         <translation>Registre pausas entre las ejecuciones; compruebe que se leyó la columna correcta.</translation>
-    </message>
-    <message>
-        <source>The recording has {0} gaps; runs end there and nothing is made up for them.</source>
-        <translation>El registro tiene {0} huecos; las ejecuciones terminan ahí y no se inventa nada para ellos.</translation>
-    </message>
-    <message>
-        <source>{0} rows held no reading.</source>
-        <translation>{0} filas no contenían ninguna lectura.</translation>
-    </message>
-    <message>
-        <source>{0} runs reach the end of a channel&apos;s range: their power is a lower bound. Record again with a larger range.</source>
-        <translation>{0} ejecuciones alcanzan el final del intervalo de un canal: su potencia es una cota inferior. Registre de nuevo con un intervalo mayor.</translation>
     </message>
     <message>
         <source>Idle power moves by {0} W over the recording; each run is compared with the pauses beside it.</source>
@@ -2404,10 +2380,6 @@
         <translation>fotogramas</translation>
     </message>
     <message>
-        <source>{0} landmarks were seen in three frames or more; four that do not lie on one line are needed.</source>
-        <translation>{0} puntos de referencia se vieron en tres o más fotogramas; hacen falta cuatro no alineados.</translation>
-    </message>
-    <message>
         <source>Track more features, or mark them by hand.</source>
         <translation>Siga más rasgos o márquelos a mano.</translation>
     </message>
@@ -2420,16 +2392,8 @@
         <translation>triángulos</translation>
     </message>
     <message>
-        <source>{0} frames are too few to correlate; {1} are needed.</source>
-        <translation>{0} fotogramas son demasiado pocos para correlacionar; hacen falta {1}.</translation>
-    </message>
-    <message>
         <source>Frame {0} has {1} points, and {2} after registration: they must match one by one.</source>
         <translation>El fotograma {0} tiene {1} puntos, y {2} tras el registro: deben corresponderse uno a uno.</translation>
-    </message>
-    <message>
-        <source>Landmark {0} was followed through {1} frames of {2}.</source>
-        <translation>El punto de referencia {0} se siguió en {1} fotogramas de {2}.</translation>
     </message>
     <message>
         <source>A tolerance must be a positive number of mm.</source>
@@ -2442,14 +2406,6 @@
     <message>
         <source>Name a new folder for the sequence.</source>
         <translation>Indique una carpeta nueva para la secuencia.</translation>
-    </message>
-    <message>
-        <source>The {0} video ends after {1} frames, before the other.</source>
-        <translation>El vídeo {0} termina tras {1} fotogramas, antes que el otro.</translation>
-    </message>
-    <message>
-        <source>{0} frames show something; {1} are needed.</source>
-        <translation>{0} fotogramas muestran algo; hacen falta {1}.</translation>
     </message>
     <message>
         <source>No feature could be followed through {0} frames.</source>
@@ -2474,10 +2430,6 @@
     <message>
         <source>Two frames or more can be aligned.</source>
         <translation>Se pueden alinear dos fotogramas o más.</translation>
-    </message>
-    <message>
-        <source>A landmark was followed through {0} frames of {1}.</source>
-        <translation>Un punto de referencia se siguió en {0} fotogramas de {1}.</translation>
     </message>
     <message>
         <source>aligning frames</source>
@@ -3476,14 +3428,6 @@
         <translation>Leyendo el experimento</translation>
     </message>
     <message>
-        <source>{0} landmarks seen in fewer than three frames were left out</source>
-        <translation>Se omitieron {0} puntos de referencia vistos en menos de tres fotogramas</translation>
-    </message>
-    <message>
-        <source>{0} triangles have all corners in fewer than three frames: their correlation is 0</source>
-        <translation>{0} triángulos tienen todos sus vértices en menos de tres fotogramas: su correlación es 0</translation>
-    </message>
-    <message>
         <source>no model was given, so there is no distance from it (RMSE)</source>
         <translation>no se dio ningún modelo, así que no hay distancia a él (RMSE)</translation>
     </message>
@@ -3628,10 +3572,6 @@
         <translation>Quitar {0}</translation>
     </message>
     <message>
-        <source>The structures have changed since the model was built, and {0} landmarks now lie outside of it: they are left out. Build the model anew.</source>
-        <translation>Las estructuras han cambiado desde que se construyó el modelo y {0} puntos de referencia quedan fuera de él: se omiten. Vuelva a construir el modelo.</translation>
-    </message>
-    <message>
         <source>The model cannot be used. Build it anew.</source>
         <translation>El modelo no se puede usar. Vuelva a construirlo.</translation>
     </message>
@@ -3676,16 +3616,8 @@
         <translation>Nombre así las columnas, en este orden, separadas por comas.</translation>
     </message>
     <message>
-        <source>{0} of {1} landmarks lie far from the points of their frames.</source>
-        <translation>{0} de {1} puntos de referencia están lejos de los puntos de sus imágenes.</translation>
-    </message>
-    <message>
         <source>Check that tracks and clouds are both in mm of the left camera.</source>
         <translation>Compruebe que las trayectorias y las nubes estén ambas en mm de la cámara izquierda.</translation>
-    </message>
-    <message>
-        <source>{0} landmarks far from the points of their frames were left out</source>
-        <translation>se omitieron {0} puntos de referencia lejos de los puntos de sus imágenes</translation>
     </message>
     <message>
         <source>In line {0} no number stands in the column &quot;{1}&quot;.</source>
@@ -3736,10 +3668,6 @@
         <translation>La malla tiene {0} celdas en vez de {1}; su forma y sus estructuras internas las requieren.</translation>
     </message>
     <message>
-        <source>{0} cells were taken away where the body touched itself in a point or an edge.</source>
-        <translation>Se quitaron {0} celdas donde el cuerpo se tocaba a sí mismo en un punto o una arista.</translation>
-    </message>
-    <message>
         <source>{0}: {1} piece ({2} ml) too thin for {3} cells got no cells of its own; about {4} cells would show it.</source>
         <translation>{0}: {1} trozo ({2} ml), demasiado fino para {3} celdas, no tiene celdas propias; con unas {4} celdas se vería.</translation>
     </message>
@@ -3766,10 +3694,6 @@
     <message>
         <source>Simulate it again with the model as it is now.</source>
         <translation>Simúlelo de nuevo con el modelo tal como es ahora.</translation>
-    </message>
-    <message>
-        <source>Held like this, {0} cells of the liver are turned inside out: nothing can be measured there.</source>
-        <translation>Sujeto así, {0} celdas del hígado están vueltas del revés: allí no se puede medir nada.</translation>
     </message>
     <message>
         <source>Pull or push with less force.</source>
@@ -4852,10 +4776,6 @@
         <translation>El cuerpo no encuentra reposo bajo sus cargas permanentes.</translation>
     </message>
     <message>
-        <source>The step would turn {0} cells inside out: a tool goes too far into the body.</source>
-        <translation>El paso volvería del revés {0} celdas: una herramienta entra demasiado en el cuerpo.</translation>
-    </message>
-    <message>
         <source>A session does not know &quot;{0}&quot; of a scenario.</source>
         <translation>Una sesión no conoce «{0}» de un escenario.</translation>
     </message>
@@ -5212,6 +5132,150 @@
         <translation>--study y --plan sirven solo para un DICOM SEG (--format dicom-seg).</translation>
     </message>
     <message>
+        <source>Repeat the longest trial at half of its current or load.</source>
+        <translation>Repetir el ensayo más largo con la mitad de su corriente o de su carga.</translation>
+    </message>
+    <message>
+        <source>Repeat the longest trial at twice its current or load.</source>
+        <translation>Repetir el ensayo más largo con el doble de su corriente o de su carga.</translation>
+    </message>
+    <message>
+        <source>Repeat the longest trial in a room that is 15 °C warmer.</source>
+        <translation>Repetir el ensayo más largo en una sala 15 °C más caliente.</translation>
+    </message>
+    <message>
+        <source>A finer mesh would change the prediction; {0} % of what it would change shows in the measurements and is taken off what the better model predicts.</source>
+        <translation>Una malla más fina cambiaría la predicción; el {0} % de ese cambio se ve en las mediciones y se descuenta de lo que predice el modelo mejor.</translation>
+    </message>
+    <message>
+        <source>There is only one trial, so nothing could be predicted that was not fitted.</source>
+        <translation>Solo hay un ensayo, así que no se pudo predecir nada que no se hubiera usado en el ajuste.</translation>
+    </message>
+    <message>
+        <source>The residual is not quite random, but no larger than the noise can be trusted to be.</source>
+        <translation>El residuo no es del todo aleatorio, pero no es mayor que lo fiable que es el ruido indicado.</translation>
+    </message>
+    <message>
+        <source>The residual is not quite random, but no larger than what a finer mesh would change of the prediction.</source>
+        <translation>El residuo no es del todo aleatorio, pero no es mayor que lo que una malla más fina cambiaría en la predicción.</translation>
+    </message>
+    <message>
+        <source>What was found brings the residual to the noise, but is no clearly better evidence (BIC {0}) than a smooth function of what was done, which names no cause.</source>
+        <translation>Lo hallado lleva el residuo hasta el ruido, pero no es una evidencia claramente mejor (BIC {0}) que una función suave de lo que se hizo, que no nombra ninguna causa.</translation>
+    </message>
+    <message>
+        <source>{0} was left out: {1}</source>
+        <translation>Se dejó fuera: {0}. Motivo: {1}</translation>
+    </message>
+    <message>
+        <source>These data do not determine {0} of {1}.</source>
+        <translation>Estos datos no determinan {0} (efecto: {1}).</translation>
+    </message>
+    <message>
+        <source>{0} of {1} ended at the limit of its range ({2}).</source>
+        <translation>{0} terminó en el límite de su intervalo ({2}; efecto: {1}).</translation>
+    </message>
+    <message>
+        <source>{0} and {1} can hardly be told apart in size (correlation {2}).</source>
+        <translation>Apenas se distinguen en su magnitud «{0}» y «{1}» (correlación {2}).</translation>
+    </message>
+    <message>
+        <source>there is nowhere to begin</source>
+        <translation>no hay ningún valor inicial</translation>
+    </message>
+    <message>
+        <source>it promised to take much less of the error than others</source>
+        <translation>prometía quitar mucho menos error que otros</translation>
+    </message>
+    <message>
+        <source>Deform ten times as slowly.</source>
+        <translation>Deformar diez veces más despacio.</translation>
+    </message>
+    <message>
+        <source>Deform ten times as fast.</source>
+        <translation>Deformar diez veces más deprisa.</translation>
+    </message>
+    <message>
+        <source>Deform quickly and hold for the length of the longest trial.</source>
+        <translation>Deformar deprisa y mantener durante lo que dura el ensayo más largo.</translation>
+    </message>
+    <message>
+        <source>Load and unload twice.</source>
+        <translation>Cargar y descargar dos veces.</translation>
+    </message>
+    <message>
+        <source>Deform a fifth further.</source>
+        <translation>Deformar una quinta parte más.</translation>
+    </message>
+    <message>
+        <source>Deform to the other side (tension in place of compression, or the reverse).</source>
+        <translation>Deformar hacia el otro lado (tracción en vez de compresión, o al revés).</translation>
+    </message>
+    <message>
+        <source>Press at ({0}, {1}, {2}) mm with {3} N.</source>
+        <translation>Presionar en ({0}, {1}, {2}) mm con {3} N.</translation>
+    </message>
+    <message>
+        <source>Press as in trial {0}, but with {1} N.</source>
+        <translation>Presionar como en el ensayo {0}, pero con {1} N.</translation>
+    </message>
+    <message>
+        <source>Press as in trial {0} and hold the force for {1} s.</source>
+        <translation>Presionar como en el ensayo {0} y mantener la fuerza durante {1} s.</translation>
+    </message>
+    <message>
+        <source>Pull where trial {0} presses, with {1} N.</source>
+        <translation>Tirar donde el ensayo {0} presiona, con {1} N.</translation>
+    </message>
+    <message>
+        <source>Error by load, a line a trial: broken before, whole after</source>
+        <translation>Error según la carga, una línea por ensayo: discontinua antes, continua después</translation>
+    </message>
+    <message>
+        <source>Measured (dots), before (broken), after (line)</source>
+        <translation>Medido (puntos), antes (discontinua), después (línea)</translation>
+    </message>
+    <message>
+        <source>What was left before (broken) and after (line)</source>
+        <translation>Lo que quedaba antes (discontinua) y después (línea)</translation>
+    </message>
+    <message>
+        <source>{0} has {1} samples and {2} rows without a reading.</source>
+        <translation>{0} tiene {1} mediciones y {2} filas sin lectura.</translation>
+    </message>
+    <message>
+        <source>The trace holds {0} runs, the log {1}.</source>
+        <translation>El registro contiene {0} ejecuciones, el diario {1}.</translation>
+    </message>
+    <message>
+        <source>The recording has {0} gaps; runs end there and nothing is made up for them.</source>
+        <translation>El registro tiene {0} huecos; las ejecuciones terminan ahí y no se inventa nada para ellos.</translation>
+    </message>
+    <message>
+        <source>{0} rows held no reading.</source>
+        <translation>{0} filas no contenían ninguna lectura.</translation>
+    </message>
+    <message>
+        <source>{0} runs reach the end of a channel&apos;s range: their power is a lower bound. Record again with a larger range.</source>
+        <translation>{0} ejecuciones alcanzan el final del intervalo de un canal: su potencia es una cota inferior. Registre de nuevo con un intervalo mayor.</translation>
+    </message>
+    <message>
+        <source>{0} declares an impossible size: {1} x {2} pixels in {3} frames.</source>
+        <translation>{0} declara un tamaño imposible: {1} x {2} píxeles en {3} fotogramas.</translation>
+    </message>
+    <message>
+        <source>The step would turn {0} cells inside out: a tool goes too far into the body.</source>
+        <translation>El paso volvería del revés {0} celdas: una herramienta entra demasiado en el cuerpo.</translation>
+    </message>
+    <message>
+        <source>{0} cells were taken away where the body touched itself in a point or an edge.</source>
+        <translation>Se quitaron {0} celdas donde el cuerpo se tocaba a sí mismo en un punto o una arista.</translation>
+    </message>
+    <message>
+        <source>A landmark was followed through {0} frames of {1}.</source>
+        <translation>Un punto de referencia se siguió en {0} fotogramas de {1}.</translation>
+    </message>
+    <message>
         <source>Line {1} of {0} is not landmark,frame,x_mm,y_mm,z_mm of a landmark in the tracks, with &quot;model&quot; or a frame below {2}.</source>
         <translation>La línea {1} de {0} no es landmark,frame,x_mm,y_mm,z_mm de un punto de referencia seguido, con &quot;model&quot; o un fotograma menor que {2}.</translation>
     </message>
@@ -5228,16 +5292,116 @@
         <translation>benchmark no es un nombre de archivo</translation>
     </message>
     <message>
+        <source>{0} of {1} landmarks lie far from the points of their frames.</source>
+        <translation>{0} de {1} puntos de referencia están lejos de los puntos de sus imágenes.</translation>
+    </message>
+    <message>
+        <source>{0} landmarks were seen in three frames or more; four that do not lie on one line are needed.</source>
+        <translation>{0} puntos de referencia se vieron en tres o más fotogramas; hacen falta cuatro no alineados.</translation>
+    </message>
+    <message>
         <source>judged by its own landmarks, without a benchmark kept with the sequence: a fault that never changes is hardly seen</source>
         <translation>juzgado por sus propios puntos de referencia, sin una referencia guardada con la secuencia: un fallo que nunca cambia apenas se ve</translation>
+    </message>
+    <message>
+        <source>{0} frames are too few to correlate; {1} are needed.</source>
+        <translation>{0} fotogramas son demasiado pocos para correlacionar; hacen falta {1}.</translation>
+    </message>
+    <message>
+        <source>Landmark {0} was followed through {1} frames of {2}.</source>
+        <translation>El punto de referencia {0} se siguió en {1} fotogramas de {2}.</translation>
     </message>
     <message>
         <source>The benchmark does not hold {0} landmarks in {1} frames, as the sequence does.</source>
         <translation>La referencia no contiene {0} puntos de referencia en {1} fotogramas, como la secuencia.</translation>
     </message>
     <message>
+        <source>{0} landmarks seen in fewer than three frames were left out</source>
+        <translation>Se omitieron {0} puntos de referencia vistos en menos de tres fotogramas</translation>
+    </message>
+    <message>
+        <source>{0} landmarks far from the points of their frames were left out</source>
+        <translation>se omitieron {0} puntos de referencia lejos de los puntos de sus imágenes</translation>
+    </message>
+    <message>
         <source>{0} landmarks that the benchmark has no place for were left out</source>
         <translation>se omitieron {0} puntos de referencia para los que la referencia no tiene lugar</translation>
+    </message>
+    <message>
+        <source>{0} triangles have all corners in fewer than three frames: their correlation is 0</source>
+        <translation>{0} triángulos tienen todos sus vértices en menos de tres fotogramas: su correlación es 0</translation>
+    </message>
+    <message>
+        <source>The {0} video ends after {1} frames, before the other.</source>
+        <translation>El vídeo {0} termina tras {1} fotogramas, antes que el otro.</translation>
+    </message>
+    <message>
+        <source>{0} frames show something; {1} are needed.</source>
+        <translation>{0} fotogramas muestran algo; hacen falta {1}.</translation>
+    </message>
+    <message>
+        <source>Held like this, {0} cells of the liver are turned inside out: nothing can be measured there.</source>
+        <translation>Sujeto así, {0} celdas del hígado están vueltas del revés: allí no se puede medir nada.</translation>
+    </message>
+    <message>
+        <source>{0} was made on the data &quot;{1}&quot;, {2} on &quot;{3}&quot;.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} and {1} have no case in common.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name the same cases in the first column of both metrics.csv.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tolerances name {0}, which neither {1} nor {2} has.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} must begin with a line case,METRIC,METRIC, ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Column {0} of {1} has no name of its own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Line {0} of {1} has more cells than the first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Line {0} of {1} names no case, or one that was there before.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} holds no case.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} holds no metrics.csv.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write one: a line case,METRIC,..., then a row for each case.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} must lie between 0 and 1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The pictures have different sizes: {0} x {1} and {2} x {3}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mask of the pictures is black everywhere.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The structures have changed since the model was built, and {0} landmarks now lie outside of it: they are left out. Build the model anew.</source>
+        <translation>Las estructuras han cambiado desde que se construyó el modelo y {0} puntos de referencia quedan fuera de él: se omiten. Vuelva a construir el modelo.</translation>
     </message>
 </context>
 <context>
@@ -5920,6 +6084,10 @@
     <message>
         <source>The error falls from %1 to %2.</source>
         <translation>El error baja de %1 a %2.</translation>
+    </message>
+    <message>
+        <source>%1 It would tell what was found from: %2.</source>
+        <translation>%1 Distinguiría lo hallado de: %2.</translation>
     </message>
 </context>
 <context>
@@ -6719,6 +6887,14 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar. Ctrl+arrastrar: girar. Tiradores 
     <message>
         <source>Pictures (*.png)</source>
         <translation>Imágenes (*.png)</translation>
+    </message>
+    <message>
+        <source>Scan</source>
+        <translation>Imagen</translation>
+    </message>
+    <message>
+        <source>The scan itself as a soft backdrop: bones and bright vessels behind the organ</source>
+        <translation>La propia imagen como fondo suave: huesos y vasos brillantes detrás del órgano</translation>
     </message>
 </context>
 <context>

@@ -1308,10 +1308,6 @@
         <translation>{0} ne contient pas d’image, ou est endommagé.</translation>
     </message>
     <message>
-        <source>{0} declares an impossible size: {1} x {2} pixels in {3} frames.</source>
-        <translation>{0} déclare une taille impossible&#xa0;: {1} x {2} pixels en {3} images.</translation>
-    </message>
-    <message>
         <source>{0} declares impossible pixels: {1} of {2} bits, the highest {3}.</source>
         <translation>{0} déclare des pixels impossibles&#xa0;: {1} bits sur {2}, le plus haut {3}.</translation>
     </message>
@@ -2276,16 +2272,8 @@
         <translation>Indiquez la colonne qui contient le temps, ou coupez le fichier à cet endroit.</translation>
     </message>
     <message>
-        <source>{0} has {1} samples and {2} rows without a reading.</source>
-        <translation>{0} a {1} mesures et {2} lignes sans mesure.</translation>
-    </message>
-    <message>
         <source>Check the columns; at most every tenth row may be empty.</source>
         <translation>Vérifiez les colonnes&#xa0;; au plus une ligne sur dix peut être vide.</translation>
-    </message>
-    <message>
-        <source>The trace holds {0} runs, the log {1}.</source>
-        <translation>La trace contient {0} exécutions, le journal {1}.</translation>
     </message>
     <message>
         <source>Change the shortest run and pause, or cut the trace to the logged runs.</source>
@@ -2306,18 +2294,6 @@
     <message>
         <source>Record pauses between the runs; check that the right column was read.</source>
         <translation>Enregistrez des pauses entre les exécutions&#xa0;; vérifiez que la bonne colonne a été lue.</translation>
-    </message>
-    <message>
-        <source>The recording has {0} gaps; runs end there and nothing is made up for them.</source>
-        <translation>L’enregistrement a {0} lacunes&#xa0;; les exécutions s’y arrêtent et rien n’est inventé pour les combler.</translation>
-    </message>
-    <message>
-        <source>{0} rows held no reading.</source>
-        <translation>{0} lignes ne contenaient pas de mesure.</translation>
-    </message>
-    <message>
-        <source>{0} runs reach the end of a channel&apos;s range: their power is a lower bound. Record again with a larger range.</source>
-        <translation>{0} exécutions atteignent la limite de la plage d’un canal&#xa0;: leur puissance est une borne inférieure. Recommencez avec une plage plus grande.</translation>
     </message>
     <message>
         <source>Idle power moves by {0} W over the recording; each run is compared with the pauses beside it.</source>
@@ -2404,10 +2380,6 @@
         <translation>images</translation>
     </message>
     <message>
-        <source>{0} landmarks were seen in three frames or more; four that do not lie on one line are needed.</source>
-        <translation>{0} repères ont été vus dans trois images ou plus&#xa0;; il en faut quatre non alignés.</translation>
-    </message>
-    <message>
         <source>Track more features, or mark them by hand.</source>
         <translation>Suivez plus de points caractéristiques, ou marquez-les à la main.</translation>
     </message>
@@ -2420,16 +2392,8 @@
         <translation>triangles</translation>
     </message>
     <message>
-        <source>{0} frames are too few to correlate; {1} are needed.</source>
-        <translation>{0} images sont trop peu pour une corrélation&#xa0;; il en faut {1}.</translation>
-    </message>
-    <message>
         <source>Frame {0} has {1} points, and {2} after registration: they must match one by one.</source>
         <translation>L’image {0} a {1} points, et {2} après recalage&#xa0;: ils doivent correspondre un à un.</translation>
-    </message>
-    <message>
-        <source>Landmark {0} was followed through {1} frames of {2}.</source>
-        <translation>Le repère {0} a été suivi sur {1} images sur {2}.</translation>
     </message>
     <message>
         <source>A tolerance must be a positive number of mm.</source>
@@ -2442,14 +2406,6 @@
     <message>
         <source>Name a new folder for the sequence.</source>
         <translation>Indiquez un nouveau dossier pour la séquence.</translation>
-    </message>
-    <message>
-        <source>The {0} video ends after {1} frames, before the other.</source>
-        <translation>La vidéo {0} se termine après {1} images, avant l’autre.</translation>
-    </message>
-    <message>
-        <source>{0} frames show something; {1} are needed.</source>
-        <translation>{0} images montrent quelque chose&#xa0;; il en faut {1}.</translation>
     </message>
     <message>
         <source>No feature could be followed through {0} frames.</source>
@@ -2474,10 +2430,6 @@
     <message>
         <source>Two frames or more can be aligned.</source>
         <translation>On peut aligner deux images ou plus.</translation>
-    </message>
-    <message>
-        <source>A landmark was followed through {0} frames of {1}.</source>
-        <translation>Un repère a été suivi sur {0} images sur {1}.</translation>
     </message>
     <message>
         <source>aligning frames</source>
@@ -3476,14 +3428,6 @@
         <translation>Lecture de l’expérience</translation>
     </message>
     <message>
-        <source>{0} landmarks seen in fewer than three frames were left out</source>
-        <translation>{0} repères vus dans moins de trois images ont été écartés</translation>
-    </message>
-    <message>
-        <source>{0} triangles have all corners in fewer than three frames: their correlation is 0</source>
-        <translation>{0} triangles n’ont tous leurs sommets que dans moins de trois images&#xa0;: leur corrélation est 0</translation>
-    </message>
-    <message>
         <source>no model was given, so there is no distance from it (RMSE)</source>
         <translation>aucun modèle n’a été donné, donc aucune distance à celui-ci (RMSE)</translation>
     </message>
@@ -3628,10 +3572,6 @@
         <translation>Supprimer {0}</translation>
     </message>
     <message>
-        <source>The structures have changed since the model was built, and {0} landmarks now lie outside of it: they are left out. Build the model anew.</source>
-        <translation>Les structures ont changé depuis la construction du modèle, et {0} repères se trouvent maintenant en dehors&#xa0;: ils sont écartés. Refaites le modèle.</translation>
-    </message>
-    <message>
         <source>The model cannot be used. Build it anew.</source>
         <translation>Le modèle ne peut pas être utilisé. Refaites-le.</translation>
     </message>
@@ -3676,16 +3616,8 @@
         <translation>Nommez ainsi les colonnes, dans cet ordre, séparées par des virgules.</translation>
     </message>
     <message>
-        <source>{0} of {1} landmarks lie far from the points of their frames.</source>
-        <translation>{0} repères sur {1} sont loin des points de leurs images.</translation>
-    </message>
-    <message>
         <source>Check that tracks and clouds are both in mm of the left camera.</source>
         <translation>Vérifiez que les trajectoires et les nuages sont tous deux en mm de la caméra gauche.</translation>
-    </message>
-    <message>
-        <source>{0} landmarks far from the points of their frames were left out</source>
-        <translation>{0} repères loin des points de leurs images ont été écartés</translation>
     </message>
     <message>
         <source>In line {0} no number stands in the column &quot;{1}&quot;.</source>
@@ -3736,10 +3668,6 @@
         <translation>Le maillage a {0} cellules au lieu de {1}&#xa0;; sa forme et ses structures internes les demandent.</translation>
     </message>
     <message>
-        <source>{0} cells were taken away where the body touched itself in a point or an edge.</source>
-        <translation>{0} cellules ont été retirées là où le corps se touchait lui-même en un point ou une arête.</translation>
-    </message>
-    <message>
         <source>{0}: {1} piece ({2} ml) too thin for {3} cells got no cells of its own; about {4} cells would show it.</source>
         <translation>{0}&#xa0;: {1} morceau ({2} ml) trop mince pour {3} cellules n’a pas de cellules propres&#xa0;; environ {4} cellules le montreraient.</translation>
     </message>
@@ -3766,10 +3694,6 @@
     <message>
         <source>Simulate it again with the model as it is now.</source>
         <translation>Simulez de nouveau avec le modèle actuel.</translation>
-    </message>
-    <message>
-        <source>Held like this, {0} cells of the liver are turned inside out: nothing can be measured there.</source>
-        <translation>Tenu ainsi, {0} cellules du foie sont retournées : rien ne peut y être mesuré.</translation>
     </message>
     <message>
         <source>Pull or push with less force.</source>
@@ -4852,10 +4776,6 @@
         <translation>Le corps ne trouve pas de repos sous ses charges permanentes.</translation>
     </message>
     <message>
-        <source>The step would turn {0} cells inside out: a tool goes too far into the body.</source>
-        <translation>Ce pas retournerait {0} cellules : un outil s’enfonce trop dans le corps.</translation>
-    </message>
-    <message>
         <source>A session does not know &quot;{0}&quot; of a scenario.</source>
         <translation>Une séance ne connaît pas « {0} » d’un scénario.</translation>
     </message>
@@ -5212,6 +5132,150 @@
         <translation>--study et --plan ne servent qu&apos;à un DICOM SEG (--format dicom-seg).</translation>
     </message>
     <message>
+        <source>Repeat the longest trial at half of its current or load.</source>
+        <translation>Répéter l’essai le plus long avec la moitié de son courant ou de sa charge.</translation>
+    </message>
+    <message>
+        <source>Repeat the longest trial at twice its current or load.</source>
+        <translation>Répéter l’essai le plus long avec le double de son courant ou de sa charge.</translation>
+    </message>
+    <message>
+        <source>Repeat the longest trial in a room that is 15 °C warmer.</source>
+        <translation>Répéter l’essai le plus long dans une pièce plus chaude de 15 °C.</translation>
+    </message>
+    <message>
+        <source>A finer mesh would change the prediction; {0} % of what it would change shows in the measurements and is taken off what the better model predicts.</source>
+        <translation>Un maillage plus fin changerait la prédiction ; {0} % de ce changement se voit dans les mesures et est retiré de ce que prédit le meilleur modèle.</translation>
+    </message>
+    <message>
+        <source>There is only one trial, so nothing could be predicted that was not fitted.</source>
+        <translation>Il n’y a qu’un essai ; rien n’a donc pu être prédit qui n’ait servi à l’ajustement.</translation>
+    </message>
+    <message>
+        <source>The residual is not quite random, but no larger than the noise can be trusted to be.</source>
+        <translation>Le résidu n’est pas tout à fait aléatoire, mais pas plus grand que ce que vaut le bruit indiqué.</translation>
+    </message>
+    <message>
+        <source>The residual is not quite random, but no larger than what a finer mesh would change of the prediction.</source>
+        <translation>Le résidu n’est pas tout à fait aléatoire, mais pas plus grand que ce qu’un maillage plus fin changerait à la prédiction.</translation>
+    </message>
+    <message>
+        <source>What was found brings the residual to the noise, but is no clearly better evidence (BIC {0}) than a smooth function of what was done, which names no cause.</source>
+        <translation>Ce qui a été trouvé ramène le résidu au bruit, mais n’est pas nettement mieux étayé (BIC {0}) qu’une fonction lisse de ce qui a été fait, qui ne nomme aucune cause.</translation>
+    </message>
+    <message>
+        <source>{0} was left out: {1}</source>
+        <translation>{0} a été écarté : {1}</translation>
+    </message>
+    <message>
+        <source>These data do not determine {0} of {1}.</source>
+        <translation>Ces données ne déterminent pas {0} (effet : {1}).</translation>
+    </message>
+    <message>
+        <source>{0} of {1} ended at the limit of its range ({2}).</source>
+        <translation>{0} a fini à la limite de son intervalle ({2} ; effet : {1}).</translation>
+    </message>
+    <message>
+        <source>{0} and {1} can hardly be told apart in size (correlation {2}).</source>
+        <translation>« {0} » et « {1} » se distinguent à peine par leur ampleur (corrélation {2}).</translation>
+    </message>
+    <message>
+        <source>there is nowhere to begin</source>
+        <translation>il n’y a aucune valeur de départ</translation>
+    </message>
+    <message>
+        <source>it promised to take much less of the error than others</source>
+        <translation>il promettait d’enlever bien moins d’erreur que d’autres</translation>
+    </message>
+    <message>
+        <source>Deform ten times as slowly.</source>
+        <translation>Déformer dix fois plus lentement.</translation>
+    </message>
+    <message>
+        <source>Deform ten times as fast.</source>
+        <translation>Déformer dix fois plus vite.</translation>
+    </message>
+    <message>
+        <source>Deform quickly and hold for the length of the longest trial.</source>
+        <translation>Déformer rapidement et maintenir pendant la durée de l’essai le plus long.</translation>
+    </message>
+    <message>
+        <source>Load and unload twice.</source>
+        <translation>Charger et décharger deux fois.</translation>
+    </message>
+    <message>
+        <source>Deform a fifth further.</source>
+        <translation>Déformer d’un cinquième de plus.</translation>
+    </message>
+    <message>
+        <source>Deform to the other side (tension in place of compression, or the reverse).</source>
+        <translation>Déformer dans l’autre sens (traction au lieu de compression, ou l’inverse).</translation>
+    </message>
+    <message>
+        <source>Press at ({0}, {1}, {2}) mm with {3} N.</source>
+        <translation>Appuyer en ({0}, {1}, {2}) mm avec {3} N.</translation>
+    </message>
+    <message>
+        <source>Press as in trial {0}, but with {1} N.</source>
+        <translation>Appuyer comme dans l’essai {0}, mais avec {1} N.</translation>
+    </message>
+    <message>
+        <source>Press as in trial {0} and hold the force for {1} s.</source>
+        <translation>Appuyer comme dans l’essai {0} et maintenir la force pendant {1} s.</translation>
+    </message>
+    <message>
+        <source>Pull where trial {0} presses, with {1} N.</source>
+        <translation>Tirer là où l’essai {0} appuie, avec {1} N.</translation>
+    </message>
+    <message>
+        <source>Error by load, a line a trial: broken before, whole after</source>
+        <translation>Erreur selon la charge, une ligne par essai : tirets avant, continue après</translation>
+    </message>
+    <message>
+        <source>Measured (dots), before (broken), after (line)</source>
+        <translation>Mesuré (points), avant (tirets), après (ligne)</translation>
+    </message>
+    <message>
+        <source>What was left before (broken) and after (line)</source>
+        <translation>Ce qui restait avant (tirets) et après (ligne)</translation>
+    </message>
+    <message>
+        <source>{0} has {1} samples and {2} rows without a reading.</source>
+        <translation>{0} a {1} mesures et {2} lignes sans mesure.</translation>
+    </message>
+    <message>
+        <source>The trace holds {0} runs, the log {1}.</source>
+        <translation>La trace contient {0} exécutions, le journal {1}.</translation>
+    </message>
+    <message>
+        <source>The recording has {0} gaps; runs end there and nothing is made up for them.</source>
+        <translation>L’enregistrement a {0} lacunes&#xa0;; les exécutions s’y arrêtent et rien n’est inventé pour les combler.</translation>
+    </message>
+    <message>
+        <source>{0} rows held no reading.</source>
+        <translation>{0} lignes ne contenaient pas de mesure.</translation>
+    </message>
+    <message>
+        <source>{0} runs reach the end of a channel&apos;s range: their power is a lower bound. Record again with a larger range.</source>
+        <translation>{0} exécutions atteignent la limite de la plage d’un canal&#xa0;: leur puissance est une borne inférieure. Recommencez avec une plage plus grande.</translation>
+    </message>
+    <message>
+        <source>{0} declares an impossible size: {1} x {2} pixels in {3} frames.</source>
+        <translation>{0} déclare une taille impossible&#xa0;: {1} x {2} pixels en {3} images.</translation>
+    </message>
+    <message>
+        <source>The step would turn {0} cells inside out: a tool goes too far into the body.</source>
+        <translation>Ce pas retournerait {0} cellules : un outil s’enfonce trop dans le corps.</translation>
+    </message>
+    <message>
+        <source>{0} cells were taken away where the body touched itself in a point or an edge.</source>
+        <translation>{0} cellules ont été retirées là où le corps se touchait lui-même en un point ou une arête.</translation>
+    </message>
+    <message>
+        <source>A landmark was followed through {0} frames of {1}.</source>
+        <translation>Un repère a été suivi sur {0} images sur {1}.</translation>
+    </message>
+    <message>
         <source>Line {1} of {0} is not landmark,frame,x_mm,y_mm,z_mm of a landmark in the tracks, with &quot;model&quot; or a frame below {2}.</source>
         <translation>La ligne {1} de {0} n’est pas landmark,frame,x_mm,y_mm,z_mm d’un repère suivi, avec &quot;model&quot; ou une image inférieure à {2}.</translation>
     </message>
@@ -5228,16 +5292,116 @@
         <translation>benchmark n’est pas un nom de fichier</translation>
     </message>
     <message>
+        <source>{0} of {1} landmarks lie far from the points of their frames.</source>
+        <translation>{0} repères sur {1} sont loin des points de leurs images.</translation>
+    </message>
+    <message>
+        <source>{0} landmarks were seen in three frames or more; four that do not lie on one line are needed.</source>
+        <translation>{0} repères ont été vus dans trois images ou plus&#xa0;; il en faut quatre non alignés.</translation>
+    </message>
+    <message>
         <source>judged by its own landmarks, without a benchmark kept with the sequence: a fault that never changes is hardly seen</source>
         <translation>jugé par ses propres repères, sans référence gardée avec la séquence : une erreur qui ne change jamais ne se voit guère</translation>
+    </message>
+    <message>
+        <source>{0} frames are too few to correlate; {1} are needed.</source>
+        <translation>{0} images sont trop peu pour une corrélation&#xa0;; il en faut {1}.</translation>
+    </message>
+    <message>
+        <source>Landmark {0} was followed through {1} frames of {2}.</source>
+        <translation>Le repère {0} a été suivi sur {1} images sur {2}.</translation>
     </message>
     <message>
         <source>The benchmark does not hold {0} landmarks in {1} frames, as the sequence does.</source>
         <translation>La référence ne contient pas {0} repères dans {1} images, comme la séquence.</translation>
     </message>
     <message>
+        <source>{0} landmarks seen in fewer than three frames were left out</source>
+        <translation>{0} repères vus dans moins de trois images ont été écartés</translation>
+    </message>
+    <message>
+        <source>{0} landmarks far from the points of their frames were left out</source>
+        <translation>{0} repères loin des points de leurs images ont été écartés</translation>
+    </message>
+    <message>
         <source>{0} landmarks that the benchmark has no place for were left out</source>
         <translation>{0} repères pour lesquels la référence n’a pas de place ont été laissés de côté</translation>
+    </message>
+    <message>
+        <source>{0} triangles have all corners in fewer than three frames: their correlation is 0</source>
+        <translation>{0} triangles n’ont tous leurs sommets que dans moins de trois images&#xa0;: leur corrélation est 0</translation>
+    </message>
+    <message>
+        <source>The {0} video ends after {1} frames, before the other.</source>
+        <translation>La vidéo {0} se termine après {1} images, avant l’autre.</translation>
+    </message>
+    <message>
+        <source>{0} frames show something; {1} are needed.</source>
+        <translation>{0} images montrent quelque chose&#xa0;; il en faut {1}.</translation>
+    </message>
+    <message>
+        <source>Held like this, {0} cells of the liver are turned inside out: nothing can be measured there.</source>
+        <translation>Tenu ainsi, {0} cellules du foie sont retournées : rien ne peut y être mesuré.</translation>
+    </message>
+    <message>
+        <source>{0} was made on the data &quot;{1}&quot;, {2} on &quot;{3}&quot;.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} and {1} have no case in common.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name the same cases in the first column of both metrics.csv.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tolerances name {0}, which neither {1} nor {2} has.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} must begin with a line case,METRIC,METRIC, ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Column {0} of {1} has no name of its own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Line {0} of {1} has more cells than the first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Line {0} of {1} names no case, or one that was there before.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} holds no case.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} holds no metrics.csv.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write one: a line case,METRIC,..., then a row for each case.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} must lie between 0 and 1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The pictures have different sizes: {0} x {1} and {2} x {3}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mask of the pictures is black everywhere.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The structures have changed since the model was built, and {0} landmarks now lie outside of it: they are left out. Build the model anew.</source>
+        <translation>Les structures ont changé depuis la construction du modèle, et {0} repères se trouvent maintenant en dehors&#xa0;: ils sont écartés. Refaites le modèle.</translation>
     </message>
 </context>
 <context>
@@ -5920,6 +6084,10 @@
     <message>
         <source>The error falls from %1 to %2.</source>
         <translation>L&apos;erreur tombe de %1 à %2.</translation>
+    </message>
+    <message>
+        <source>%1 It would tell what was found from: %2.</source>
+        <translation>%1 Cela distinguerait ce qui a été trouvé de : %2.</translation>
     </message>
 </context>
 <context>
@@ -6719,6 +6887,14 @@ Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: déplacer. Ctrl+glisser&#xa0;: tour
     <message>
         <source>Pictures (*.png)</source>
         <translation>Images (*.png)</translation>
+    </message>
+    <message>
+        <source>Scan</source>
+        <translation>Image</translation>
+    </message>
+    <message>
+        <source>The scan itself as a soft backdrop: bones and bright vessels behind the organ</source>
+        <translation>L’image elle-même comme fond doux : os et vaisseaux brillants derrière l’organe</translation>
     </message>
 </context>
 <context>

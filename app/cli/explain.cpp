@@ -47,8 +47,8 @@ std::string in_words(const closedloop::Explanation& explanation, const closedloo
     text += "\n";
   }
   if (explanation.smooth_correction) text += "  smooth-correction, which claims no cause\n";
-  if (explanation.next) text += "  next: " + explanation.next->sentence + "\n";
-  return text + bullet_list(explanation.notes);
+  if (explanation.next) text += "  next: " + explanation.next->sentence.message() + "\n";
+  return text + bullet_list(messages(explanation.notes));
 }
 
 }  // namespace

@@ -15,6 +15,8 @@ namespace glisson::casefile {
 namespace fs = std::filesystem;
 namespace {
 
+Towards towards(bool before) { return before ? Towards::before : Towards::after; }
+
 std::string content_of(const std::optional<Entry>& entry) { return entry ? entry->sha256 : std::string(); }
 
 std::optional<Entry> find(const std::vector<Entry>& entries, const std::string& id) {
@@ -50,6 +52,7 @@ struct History::Impl {
   Result<void> finish();
   Result<Moved> move(const Step& step, Side to);
   Result<Moved> move_entries(const Step& step, Side to);
+  Failure overtaken(const std::string& what);
   Result<void> append(Listing next, Step step);
   Result<void> install(Listing next);
   Result<void> forget_all();
@@ -187,6 +190,9 @@ Result<void> History::Impl::take_up() {
   if (auto finished = finish(); !finished) return finished;
   if (listing.moving) {
     const auto [number, to] = *listing.moving;
+    const auto step = std::find_if(listing.steps.begin(), listing.steps.end(),
+                                   [number = number](const Step& each) { return each.number == number; });
+    if (step == listing.steps.end()) return history_damaged(journal_file());
     const auto changes = read_changes(step_file(number));
     if (!changes) return failure(changes.error());
     const auto now = Case::open(case_folder);
@@ -197,6 +203,8 @@ Result<void> History::Impl::take_up() {
       return content_of(find(now->entries(), change.id)) ==
              content_of(to == Side::before ? change.sides.before : change.sides.after);
     });
+    const bool at_before = arrived == (to == Side::before);
+    if (auto brought = bring_followed(case_folder, kept, step->followed, towards(at_before)); !brought) return brought;
     if (arrived) next.done = to == Side::before ? listing.done - 1 : listing.done + 1;
     if (next.done > next.steps.size()) return history_damaged(journal_file());
     if (auto installed = install(std::move(next)); !installed) return installed;
@@ -217,9 +225,13 @@ Result<void> History::Impl::begin(const Sentence& name, const std::vector<std::s
     }
     entries.push_back(Json::parse(record_of(entry)));
   }
-  return write_json_file(
-      begun_file(),
-      Json{{"number", listing.next}, {"name", json_of(name)}, {"touches", touches}, {"entries", entries}});
+  Json begun{{"number", listing.next}, {"name", json_of(name)}, {"touches", touches}, {"entries", entries}};
+  if (touches.empty()) {
+    const FollowedFiles files = followed_files(case_folder);
+    if (auto held = keep_followed(case_folder, kept, files); !held) return held;
+    begun["followed"] = files;
+  }
+  return write_json_file(begun_file(), begun);
 }
 
 // Makes a step of what has changed since begin(), by this program or, after a kill, by the one before.
@@ -262,7 +274,16 @@ Result<void> History::Impl::finish() {
       }
       changes.push_back(std::move(change));
     }
-    if (number == listing.next && !changes.empty()) {
+    if (begun->contains("followed")) {
+      const FollowedFiles files = followed_files(case_folder);
+      step.followed = changes_between(begun->at("followed").get<FollowedFiles>(), files);
+      for (const FileChange& change : step.followed) {
+        for (const std::string& content : {change.before, change.after}) {
+          if (!content.empty()) step.kept.push_back(kept.place_of(entry_for(change.file, content)).filename().string());
+        }
+      }
+    }
+    if (number == listing.next && !(changes.empty() && step.followed.empty())) {
       if (auto written = write_json_file(step_file(number), json_of(changes)); !written) return written;
       outcome = append(listing, std::move(step));
     }
@@ -304,6 +325,13 @@ Result<History::Moved> History::Impl::move_entries(const Step& step, Side to) {
   const auto changes = read_changes(step_file(step.number));
   if (!changes) return failure(changes.error());
   Moved moved{step.name, {}, {}};
+  const FollowedFiles followed = followed_files(case_folder);
+  for (const FileChange& change : step.followed) {
+    const auto there = followed.find(change.file);
+    const std::string content = there == followed.end() ? std::string() : there->second;
+    if (content != change.before && content != change.after) return overtaken(change.file);
+    moved.entries.push_back(change.file);
+  }
   try {
     std::vector<Replacement> replacements;
     for (const EntryChange& change : *changes) {
@@ -313,15 +341,7 @@ Result<History::Moved> History::Impl::move_entries(const Step& step, Side to) {
       const auto present = find(now->entries(), change.id);
       const bool as_left = content_of(present) == content_of(from) &&
                            (!from || sha256_of_file(case_folder / from->file).value_or("") == from->sha256);
-      if (!as_left) {
-        if (auto forgotten = forget_all(); !forgotten) return failure(forgotten.error());
-        return failure(Error{"history-overtaken",
-                             GLISSON_TEXT("{0} has been changed by something else since: what was done before cannot "
-                                          "be undone any more."),
-                             {change.id},
-                             {},
-                             case_folder});
-      }
+      if (!as_left) return overtaken(change.id);
       if (from && is_whole_file(change.content)) {
         if (auto held = kept.keep(case_folder, *from); !held) return failure(held.error());
       }
@@ -334,7 +354,12 @@ Result<History::Moved> History::Impl::move_entries(const Step& step, Side to) {
     Listing next = listing;
     next.moving = {step.number, to};
     if (auto installed = install(next); !installed) return failure(installed.error());
-    const auto replaced = now->replace(replacements);
+    const bool back = to == Side::before;
+    auto replaced = keep_followed(case_folder, kept, followed).and_then([&] {
+      return bring_followed(case_folder, kept, step.followed, towards(back));
+    });
+    if (replaced) replaced = now->replace(replacements);
+    if (!replaced) (void)bring_followed(case_folder, kept, step.followed, towards(!back));
     next.moving.reset();
     if (replaced) next.done += to == Side::before ? std::size_t(-1) : 1;
     if (auto installed = install(std::move(next)); !installed) return failure(installed.error());
@@ -344,6 +369,17 @@ Result<History::Moved> History::Impl::move_entries(const Step& step, Side to) {
   }
   sweep();
   return moved;
+}
+
+// All is forgotten: what came before rests on contents that are no longer there.
+Failure History::Impl::overtaken(const std::string& what) {
+  if (auto forgotten = forget_all(); !forgotten) return failure(forgotten.error());
+  return failure(Error{"history-overtaken",
+                       GLISSON_TEXT("{0} has been changed by something else since: what was done before cannot be "
+                                    "undone any more."),
+                       {what},
+                       {},
+                       case_folder});
 }
 
 Result<void> History::Impl::install(Listing next) {

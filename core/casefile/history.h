@@ -5,6 +5,7 @@
 //   history/steps/N.json     one step: the entries of case.json before and after, and small values before and after
 //   history/steps/N-ID.runs  of a label: the voxels that the step turned
 //   history/kept/SHA256.EXT  of any other file: what it held before it was replaced
+//                            (of the plan that is followed, results/resection, too)
 //   history/begun.json       while a change is under way: what the case was when it began
 //
 // A step is a difference, never a whole volume where runs of voxels say the same. Beyond the caps the oldest steps are
@@ -48,8 +49,8 @@ class History {
   // What an undo or redo has changed: entries that are other than before (or gone), and values with what they are now.
   struct Moved {
     Sentence name;
-    std::vector<std::string> entries;
-    std::vector<ValueChange> values;  // `after` is what holds now
+    std::vector<std::string> entries;  // and the files in results/resection
+    std::vector<ValueChange> values;   // `after` is what holds now
   };
 
   // Takes up what was interrupted. Fails with "history-in-use" where another window has it open; a history that cannot

@@ -26,6 +26,9 @@ Json json_of(const Listing& listing) {
     for (const ValueChange& value : step.values) {
       one["values"].push_back(Json{{"key", value.key}, {"before", value.before}, {"after", value.after}});
     }
+    for (const FileChange& file : step.followed) {
+      one["followed"].push_back(Json{{"file", file.file}, {"before", file.before}, {"after", file.after}});
+    }
     json["steps"].push_back(std::move(one));
   }
   return json;
@@ -40,6 +43,9 @@ Listing listing_from(const Json& json) {
     Step step{one.at("number"), sentence_from(one.at("name")), {}, one.value("kept", std::vector<std::string>{})};
     for (const Json& value : one.value("values", Json::array())) {
       step.values.push_back({value.at("key"), value.at("before"), value.at("after")});
+    }
+    for (const Json& file : one.value("followed", Json::array())) {
+      step.followed.push_back({file.at("file"), file.at("before"), file.at("after")});
     }
     listing.steps.push_back(std::move(step));
   }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/json.h"
+#include "casefile/followed_files.h"
 #include "casefile/history.h"
 #include "casefile/history_content.h"
 #include "casefile/sentence_record.h"
@@ -23,8 +24,9 @@ enum class Side { before, after };
 struct Step {
   int number = 0;
   Sentence name;
-  std::vector<ValueChange> values;  // of a step about values; empty: it is about entries
-  std::vector<std::string> kept;    // the kept files that it needs, by name
+  std::vector<ValueChange> values;        // of a step about values; empty: it is about entries
+  std::vector<std::string> kept;          // the kept files that it needs, by name
+  std::vector<FileChange> followed = {};  // of the plan that is followed
 };
 
 // The list of steps, as journal.json holds it.

@@ -22,6 +22,7 @@ class Names {
   std::string suffix_;
 };
 
+Json json_of(const Sentence& sentence) { return {{"text", sentence.text}, {"arguments", sentence.arguments}}; }
 Json json_of(const ErrorFigures& figures, const Observations& observations);
 Json json_of(const ResidualDiagnostics& diagnostics);
 Json json_of(const FoundEffect& effect, const Names& named);
@@ -86,9 +87,14 @@ Json report_json(const Explanation& explanation, const Observations& observation
     std::string alternatives;
     for (const std::string& alternative : explanation.next->alternatives)
       alternatives += (alternatives.empty() ? "" : ", ") + alternative;
-    json["next_measurement"] = explanation.next->sentence + " It would tell what was found from: " + alternatives + ".";
+    json["next_measurement"] =
+        explanation.next->sentence.message() + " It would tell what was found from: " + alternatives + ".";
+    json["next_measurement_pieces"] = json_of(explanation.next->sentence);
+    json["next_measurement_pieces"]["alternatives"] = explanation.next->alternatives;
   }
-  json["notes"] = explanation.notes;
+  json["notes"] = messages(explanation.notes);
+  json["note_pieces"] = Json::array();
+  for (const Sentence& note : explanation.notes) json["note_pieces"].push_back(json_of(note));
   return null_where_not_finite(std::move(json));
 }
 

@@ -74,13 +74,13 @@ Page explanation_page(const Explanation& explanation, const Observations& observ
     page.blocks.push_back(Paragraph{
         fmt::format("{} Expected to tell what was found from {}: the predictions are {:.0f} standard deviations "
                     "of the noise apart.",
-                    explanation.next->sentence, alternatives, explanation.next->expected_separation)});
+                    explanation.next->sentence.message(), alternatives, explanation.next->expected_separation)});
   } else {
     page.blocks.push_back(
         Paragraph{"No further trial is needed to tell the leading explanations apart, or none is "
                   "known that would."});
   }
-  for (const std::string& note : explanation.notes) page.blocks.push_back(Paragraph{note});
+  for (const Sentence& note : explanation.notes) page.blocks.push_back(Paragraph{note.message()});
   page.footer = "Glisson plans and reviews liver surgery. Not a medical device.";
   return page;
 }

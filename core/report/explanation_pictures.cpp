@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "base/result.h"
 #include "report/plot.h"
 
 namespace glisson::report {
@@ -97,7 +98,7 @@ Drawing errors_by_load(const Explanation& explanation, const Observations& obser
     before.points.emplace_back(sums.load, std::sqrt(sums.before / sums.count));
     after.points.emplace_back(sums.load, std::sqrt(sums.after / sums.count));
   }
-  Plot plot{"Error by load, a line a trial: broken before, whole after", "force (N)",
+  Plot plot{GLISSON_TEXT("Error by load, a line a trial: broken before, whole after"), "force (N)",
             fmt::format("error ({})", observations.unit)};
   for (auto& [trial, both] : curves_of_trial) plot.curves.insert(plot.curves.end(), both.begin(), both.end());
   return {svg_of(plot), plot.caption};
@@ -162,9 +163,11 @@ std::vector<Drawing> as_curves(const Explanation& explanation, const Observation
     };
     const std::string name = material ? "stress (kPa)" : observations.directions[direction];
     drawings.push_back(pictured(
-        material, false, {"Measured (dots), before (broken), after (line)", material ? "strain" : "time (s)", name}));
+        material, false,
+        {GLISSON_TEXT("Measured (dots), before (broken), after (line)"), material ? "strain" : "time (s)", name}));
     drawings.push_back(
-        pictured(false, true, {"What was left before (broken) and after (line)", "time (s)", "residual of " + name}));
+        pictured(false, true,
+                 {GLISSON_TEXT("What was left before (broken) and after (line)"), "time (s)", "residual of " + name}));
   }
   return drawings;
 }

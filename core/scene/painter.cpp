@@ -16,6 +16,7 @@
 #include <string_view>
 
 #include "scene/annotations.h"
+#include "scene/backdrop_actor.h"
 #include "scene/markers.h"
 #include "scene/offscreen.h"
 #include "scene/overlay.h"
@@ -116,6 +117,7 @@ struct Painter::Impl {
   void build(const Scene& wanted, const std::map<SurfaceId, Points>& moved);
   void change_slices(const std::map<std::size_t, ViewChanges::Slice>& changes);
   void move(const SurfaceId& surface, const Points& points_mm);
+  void hang(const std::optional<Backdrop>& wanted);
   void lay_out_viewport(const Viewport& viewport, int shrink);
   DrawnFrame read(int width, int height);
 
@@ -123,6 +125,7 @@ struct Painter::Impl {
   vtkNew<vtkRenderer> renderer;
   std::optional<Transparency> transparency;
   std::string drawn_by;
+  bool slow = false;  // a processor does the work of the graphics card
   double pixel_scale = 1;
   Detail detail = Detail::full;
   Scene scene;
@@ -131,6 +134,7 @@ struct Painter::Impl {
   std::map<SurfaceId, geometry::Surface> cut_shapes;  // of surfaces that slices cut and that have moved
   std::vector<std::unique_ptr<SliceActor>> slices;
   std::vector<LineItem> lines;
+  std::unique_ptr<BackdropActor> backdrop;
   Overlay overlay{*renderer};
   Markers markers{*renderer};
   Drawing drawing{*renderer};
@@ -177,9 +181,9 @@ Result<void> Painter::Impl::open() {
   window->AddRenderer(renderer);
   window->Start();
   if (const GLubyte* name = glGetString(GL_RENDERER)) drawn_by = reinterpret_cast<const char*>(name);
+  slow = std::string_view(drawn_by).find("llvmpipe") != std::string_view::npos;
   if (!transparency) {
     // Multisampling and exact transparency each cost a software renderer more than half its frames.
-    const bool slow = std::string_view(drawn_by).find("llvmpipe") != std::string_view::npos;
     window->SetMultiSamples(slow ? 0 : 4);
     transparency = slow ? Transparency::quick : Transparency::exact;
   }
@@ -209,7 +213,9 @@ void Painter::Impl::apply(const ViewChanges& changes) {
   if (changes.annotations) scene.annotations = *changes.annotations;
   if (changes.drawn_lines) drawing.set_lines(*changes.drawn_lines);
   if (changes.drawn_cells) drawing.set_cells(*changes.drawn_cells);
+  if (changes.backdrop) hang(*changes.backdrop);
   if (changes.detail) detail = *changes.detail;
+  if (backdrop) backdrop->set_detail(detail);
   if (changes.scene || changes.detail) {
     for (const auto& [surface, drawn] : surfaces) drawn.actor->set_detail(detail);
   }
@@ -270,10 +276,18 @@ void Painter::Impl::move(const SurfaceId& surface, const Points& points_mm) {
   }
 }
 
+void Painter::Impl::hang(const std::optional<Backdrop>& wanted) {
+  backdrop.reset();
+  if (!wanted) return;
+  const auto drawn = slow ? BackdropActor::Drawn::by_processor : BackdropActor::Drawn::by_card;
+  backdrop = std::make_unique<BackdropActor>(*window, *renderer, *wanted, drawn);
+}
+
 void Painter::Impl::lay_out_viewport(const Viewport& viewport, int shrink) {
   place(*renderer->GetActiveCamera(), viewport);
   renderer->SetUseDepthPeeling(*transparency == Transparency::exact ? 1 : 0);
   for (const auto& [surface, drawn] : surfaces) drawn.actor->sort_what_is_clear(*transparency == Transparency::exact);
+  if (backdrop) backdrop->stand_behind(bounds(scene).center_mm(), viewport.camera.sight);
   renderer->ResetCameraClippingRange();
   const Eigen::Vector3d towards_viewer_mm = -viewport.camera.sight * 0.002 * viewport.camera.visible_height_mm;
   for (const auto& slice : slices) slice->lift_lines(towards_viewer_mm);

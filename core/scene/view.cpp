@@ -111,6 +111,7 @@ void View::set_window(std::size_t slice, double center, double width) {
 void View::set_annotations(const Annotations& annotations) { changes_.annotations = annotations; }
 void View::set_drawn_lines(const std::vector<DrawnLines>& lines) { changes_.drawn_lines = lines; }
 void View::set_drawn_cells(const std::optional<DrawnCells>& cells) { changes_.drawn_cells = cells; }
+void View::set_backdrop(const std::optional<Backdrop>& backdrop) { changes_.backdrop = backdrop; }
 void View::set_detail(Detail detail) { changes_.detail = detail; }
 
 void View::set_size(int width, int height) {

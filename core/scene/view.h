@@ -40,6 +40,8 @@ class View {
   // What is drawn over the slices while a person works; it stays when another scene is shown.
   void set_drawn_lines(const std::vector<DrawnLines>& lines);
   void set_drawn_cells(const std::optional<DrawnCells>& cells);
+  // The scan behind the surfaces; it stays when another scene is shown, and takes no part in what the camera frames.
+  void set_backdrop(const std::optional<Backdrop>& backdrop);
 
   // How many device pixels one pixel of line width or text stands for (2 on a high-resolution screen).
   void set_pixel_scale(double pixel_scale);

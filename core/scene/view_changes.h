@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "scene/backdrop.h"
 #include "scene/drawing.h"
 #include "scene/scene.h"
 #include "scene/viewport.h"
@@ -48,6 +49,7 @@ struct ViewChanges {
   std::optional<Annotations> annotations;
   std::optional<std::vector<DrawnLines>> drawn_lines;
   std::optional<std::optional<DrawnCells>> drawn_cells;
+  std::optional<std::optional<Backdrop>> backdrop;
   std::optional<double> pixel_scale;
   std::optional<Detail> detail;
 

@@ -31,6 +31,6 @@ int main(int count, char** words) {
       fmt::print("    {} = {:.3g} (95 %: {:.3g} to {:.3g})\n", each.parameter.name, each.value, each.low, each.high);
     for (const auto& kind : effect.alike) fmt::print("    these data cannot tell it from {}\n", kind);
   }
-  for (const std::string& note : found.notes) fmt::print("- {}\n", note);
+  for (const Sentence& note : found.notes) fmt::print("- {}\n", note.message());
   or_stop(report::write_explanation(words[2], explained));
 }

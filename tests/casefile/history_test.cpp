@@ -190,6 +190,48 @@ TEST_F(HistoryTest, WhatAnotherProgramChangedIsNotOverwritten) {
   EXPECT_FALSE((*history)->undo_name());
 }
 
+// results/resection is no entry of the case; what it holds belongs to the step that wrote it all the same.
+TEST_F(HistoryTest, ThePlanThatIsFollowedGoesWithItsStep) {
+  const fs::path plan = folder_ / "results" / "resection" / "resection.json";
+  const auto keep = [&](const std::string& id, const std::string& followed) {
+    return [&, id, followed] {
+      return write_text(folder_, id, id).and_then([&] {
+        fs::create_directories(plan.parent_path());
+        return write_text_file(plan, followed);
+      });
+    };
+  };
+  {
+    auto history = History::open(folder_);
+    ASSERT_TRUE((*history)->record(named("first"), keep("plans/one", "at 40 mm")));
+    ASSERT_TRUE((*history)->record(named("second"), keep("plans/two", "at 50 mm")));
+    ASSERT_TRUE((*history)->record(named("stroke"),
+                                   [&] {
+                                     return save(folder_, "liver", ball({30, 24, 30}, 9));
+                                   },
+                                   {"labels/liver"}));
+    ASSERT_TRUE((*history)->undo());
+    EXPECT_EQ(read_text_file(plan).value(), "at 50 mm");
+    const auto moved = (*history)->undo();
+    ASSERT_TRUE(moved);
+    EXPECT_THAT(moved->entries, testing::UnorderedElementsAre("plans/two", "results/resection/resection.json"));
+    EXPECT_EQ(read_text_file(plan).value(), "at 40 mm");
+  }
+  auto history = History::open(folder_);
+  ASSERT_TRUE((*history)->undo());
+  EXPECT_FALSE(fs::exists(plan.parent_path()));
+  ASSERT_TRUE((*history)->redo());
+  ASSERT_TRUE((*history)->redo());
+  EXPECT_EQ(read_text_file(plan).value(), "at 50 mm");
+  // What somebody else planned since is not overwritten.
+  ASSERT_TRUE(write_text_file(plan, "at 60 mm"));
+  const auto refused = (*history)->undo();
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, "history-overtaken");
+  EXPECT_EQ(read_text_file(plan).value(), "at 60 mm");
+  EXPECT_NE(Case::open(folder_)->find("plans/two"), nullptr);
+}
+
 TEST_F(HistoryTest, OneWindowAtATimeAndADamagedHistoryKeepsNobodyFromTheCase) {
   auto history = History::open(folder_);
   ASSERT_TRUE((*history)->record(named("one"), [&] { return write_text(folder_, "meshes/liver", "one"); }));

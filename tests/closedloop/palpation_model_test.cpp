@@ -222,7 +222,7 @@ TEST(PalpationModel, FurtherTrialsArePredictedAsTheExperimentsOwnWouldBe) {
   Palpation experiment = pad({.bricks = {4, 4, 2}, .forces_N = {1.0}, .hold_on = false});
   experiment.trials[2].samples.back().force_mN = 1500;  // the one that the further trials vary
   const auto model = model_of(experiment);
-  const std::vector<std::string> further = model->further_trials();
+  const std::vector<std::string> further = messages(model->further_trials());
   ASSERT_EQ(further.size(), 4u);
   EXPECT_THAT(further[0], HasSubstr("Press at ("));
   EXPECT_THAT(further[1], HasSubstr("trial p03, but with 3 N"));

@@ -24,8 +24,11 @@
 #include "run_test.h"
 #include "shown.h"
 #include "support/folders.h"
+#include "widgets/evidence/effect_words.h"
 #include "widgets/evidence/evidence_view.h"
+#include "widgets/evidence/svg_view.h"
 #include "widgets/main_window.h"
+#include "widgets/words/language.h"
 
 namespace glisson::widgets {
 namespace {
@@ -277,6 +280,55 @@ class EvidenceTest : public QObject {
     QVERIFY(view_->record()->drawings.size() == 3);
     QTest::qWait(100);
     QVERIFY(window_->grab().save(pictures_ + "/evidence_report.png"));
+  }
+
+  // What the search found is told in English in files, and in the window's language on screen, the effects by the names
+  // that the window gives them.
+  void speaks_of_what_it_found_in_the_language_of_the_window() {
+    // One trial that was over before anything crept: it says little, and that is said.
+    const fs::path tissue = *resource_folder() / "examples" / "tissue";
+    Json experiment = read_json_file(tissue / "experiment.json").value();
+    const auto quick = std::find_if(experiment["trials"].begin(), experiment["trials"].end(),
+                                    [](const Json& trial) { return trial.at("id") == "quick"; });
+    QVERIFY(quick != experiment["trials"].end());
+    experiment["trials"] = Json::array({*quick});
+    fs::create_directories(folder_ / "one-trial");
+    fs::copy(tissue / "quick.csv", folder_ / "one-trial" / "quick.csv");
+    QVERIFY(bool(write_json_file(folder_ / "one-trial" / "experiment.json", experiment)));
+    finish([&] { view_->open(folder_ / "one-trial" / "experiment.json"); });
+    const EvidenceRecord& record = *view_->record();
+    QVERIFY(record.notes.size() > 1);
+    const QString first = QString::fromStdString(record.notes.front().text).section("{", -1).section("}", -1);
+    const QLabel* said = nullptr;
+    for (const auto* each : view_->findChildren<QLabel*>()) said = each->text().contains(first) ? each : said;
+    QVERIFY2(said != nullptr, qPrintable(first));
+    const QString english_notes = said->text(), english_next = child<QLabel>("next_measurement")->text();
+    for (const char* language : {"de", "es", "fr"}) {
+      choose_language(language);
+      QTest::qWait(50);
+      const QString notes = said->text(), next = child<QLabel>("next_measurement")->text();
+      for (const Sentence& note : record.notes) {
+        QVERIFY2(!notes.contains(QString::fromStdString(note.text).section(" {", 0, 0)), qPrintable(notes));
+        for (const std::string& named : note.arguments) {
+          if (named.find('-') != std::string::npos || named.find('_') != std::string::npos) {
+            QVERIFY2(!notes.contains(QString::fromStdString(named)), qPrintable(notes));
+          }
+        }
+      }
+      QVERIFY2(next != english_next && notes != english_notes, qPrintable(next));
+      QVERIFY2(!next.contains("It would tell"), qPrintable(next));
+      for (const std::string& kind : record.next_tells_apart) {
+        QVERIFY2(next.contains(effect_label(kind)), qPrintable(next));
+      }
+      for (const auto* drawing : view_->answer().findChildren<SvgView*>()) {
+        QVERIFY2(!drawing->toolTip().contains("before"), qPrintable(drawing->toolTip()));
+      }
+    }
+    QVERIFY(window_->grab().save(pictures_ + "/evidence_french.png"));
+    choose_language("en");
+    QTest::qWait(50);
+    QCOMPARE(said->text(), english_notes);
+    QCOMPARE(child<QLabel>("next_measurement")->text(), english_next);
   }
 
   void says_that_a_folder_holds_no_report() {

@@ -5,10 +5,12 @@
 #include <QComboBox>
 #include <QSignalSpy>
 #include <QTableWidget>
+#include <QToolButton>
 #include <QtTest>
 
 #include "base/files.h"
 #include "block_patient.h"
+#include "kept_pictures.h"
 #include "modelled_case.h"
 #include "run_test.h"
 #include "shown.h"
@@ -47,6 +49,36 @@ class ViewsTest : public QObject {
     views().set_crosshair({60, 40, 40});
     slice().setFocus();
     QTest::qWait(50);
+  }
+
+  // Off until somebody asks for it, and gone again with a second click.
+  void shows_the_scan_behind_the_patient() {
+    Patient patient = block_patient({3, 2, 2}, {{"hilum", {8, 40, 40}}}, {});
+    patient.name = "Block with a spine";
+    auto scan = slope("HU");
+    for (std::size_t k = 0; k < scan->values.size(); ++k) {
+      if (k / 40 % 32 > 24) scan->values[k] = 700;  // behind the block
+    }
+    patient.anatomy = scan;
+    window_->show_patient(patient);
+    auto* button = child<QToolButton>("scan_behind");
+    QVERIFY(button->isEnabled() && !button->isChecked());
+    SpaceView& space = views().space();
+    const QImage before = space.picture();
+    const scene::Camera camera = space.view().camera();
+    button->click();
+    const QImage with = space.picture();
+    QVERIFY(with != before);
+    QVERIFY(space.view().camera().focus_mm == camera.focus_mm);
+    qInfo("a frame of %d x %d with the scan behind: %.1f ms, by %s", space.width(), space.height(),
+          space.last_frame_ms(), qPrintable(space.drawn_by()));
+    QVERIFY(window_->grab().save(glisson::test::kept_picture("views-scan-behind.png")));
+    button->click();
+    QVERIFY(space.picture() == before);
+    patient.anatomy = nullptr;
+    patient.name = "Block without images";
+    window_->show_patient(patient);
+    QVERIFY(!button->isEnabled());
   }
 
   void measures_a_distance_in_a_slice_by_two_clicks() {

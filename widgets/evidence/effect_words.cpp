@@ -57,6 +57,12 @@ QString effect_labels(const std::vector<std::string>& kinds) {
   return labels.isEmpty() ? QString("–") : labels.join(", ");
 }
 
+QString effect_or_parameter_label(const std::string& name) {
+  const QString effect = effect_label(name);
+  const bool is_name = name.find(' ') == std::string::npos && name.find('_') != std::string::npos;
+  return effect == QString::fromStdString(name) && is_name ? parameter_label(name) : effect;
+}
+
 QString parameter_label(const std::string& name) {
   static constexpr std::array<std::pair<const char*, const char*>, 9> units{{{"_kPa_per_mm", ", kPa/mm"},
                                                                              {"_N_per_mm", ", N/mm"},

@@ -165,6 +165,14 @@ void EvidenceAnswer::show_drawings() {
   drawings_->setVisible(!drawings.empty());
 }
 
+QString EvidenceAnswer::next_measurement(const EvidenceRecord& record) {
+  if (!record.next_measurement) return tr("No further trial is known that would tell the leading explanations apart.");
+  const QString sentence = translated(*record.next_measurement);
+  return record.next_tells_apart.empty()
+             ? sentence
+             : tr("%1 It would tell what was found from: %2.").arg(sentence, effect_labels(record.next_tells_apart));
+}
+
 void EvidenceAnswer::word() {
   before_->setText(tr("Before"));
   after_->setText(tr("After"));
@@ -211,11 +219,12 @@ void EvidenceAnswer::word() {
   }
   for (QWidget* each : std::initializer_list<QWidget*>{shape_, errors_}) each->setVisible(details_->isChecked());
   next_title_->setText(tr("What to measure next"));
-  next_->setText(record.next_measurement.empty()
-                     ? tr("No further trial is known that would tell the leading explanations apart.")
-                     : QString::fromStdString(record.next_measurement));
+  next_->setText(next_measurement(record));
   QStringList notes;
-  for (const std::string& note : record.notes) notes << translated(note);
+  for (Sentence note : record.notes) {
+    for (std::string& named : note.arguments) named = effect_or_parameter_label(named).toStdString();
+    notes << translated(note);
+  }
   notes_->setText(notes.join("\n"));
   notes_->setVisible(!notes.isEmpty() && details_->isChecked());
   if (explained_ && has_residual_scene(*explained_)) show_residual();

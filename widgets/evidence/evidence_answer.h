@@ -35,6 +35,7 @@ class EvidenceAnswer : public QScrollArea {
   QWidget* make_residual();
   QWidget* make_numbers();
   void word();
+  [[nodiscard]] static QString next_measurement(const EvidenceRecord& record);
   void show_residual();
   void show_drawings();
 

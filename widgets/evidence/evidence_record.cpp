@@ -71,6 +71,10 @@ std::vector<std::string> strings(const Json& json, const char* key) {
   return json.contains(key) ? json[key].get<std::vector<std::string>>() : std::vector<std::string>();
 }
 
+Sentence sentence_in(const Json& pieces) {
+  return {pieces.at("text").get<std::string>(), strings(pieces, "arguments")};
+}
+
 std::vector<EvidenceParameter> parameters_in(const Json& json) {
   std::vector<EvidenceParameter> parameters;
   for (const auto& [name, found] : json.items()) {
@@ -130,10 +134,16 @@ EvidenceRecord record_in(const Json& said, const Json& model) {
                               reader.number(json, "delta_bic"), strings(json, "alike"),
                               json.value("removed", std::string())});
   }
-  if (said.contains("next_measurement") && said["next_measurement"].is_string()) {
-    record.next_measurement = said["next_measurement"].get<std::string>();
+  if (said.contains("next_measurement_pieces")) {
+    record.next_measurement = sentence_in(said["next_measurement_pieces"]);
+    record.next_tells_apart = strings(said["next_measurement_pieces"], "alternatives");
+  } else if (said.contains("next_measurement") && said["next_measurement"].is_string()) {
+    record.next_measurement = Sentence{said["next_measurement"].get<std::string>(), {}};
   }
-  record.notes = strings(said, "notes");
+  for (const Json& pieces : said.value("note_pieces", Json::array())) record.notes.push_back(sentence_in(pieces));
+  if (!said.contains("note_pieces")) {  // of an older version, in English
+    for (std::string& note : strings(said, "notes")) record.notes.push_back({std::move(note), {}});
+  }
   return record;
 }
 

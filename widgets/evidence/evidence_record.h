@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "base/sentence.h"
 
 namespace glisson::widgets {
 
@@ -56,8 +57,11 @@ struct EvidenceRecord {
   std::vector<std::string> shape_before, shape_after;  // in what the rest is not noise; empty for noise
   std::vector<EvidenceEffect> effects;
   std::vector<EvidenceCandidate> ranking;
-  std::string next_measurement;  // empty for none
-  std::vector<std::string> notes;
+  // What to measure next, if anything would help, and which kinds it would tell apart. A report of an older version has
+  // the sentence in English, the kinds in it.
+  std::optional<Sentence> next_measurement;
+  std::vector<std::string> next_tells_apart;
+  std::vector<Sentence> notes;
   std::vector<EvidenceDrawing> drawings;
 };
 

@@ -4,6 +4,8 @@
 #include <QSvgRenderer>
 
 #include "widgets/theme.h"
+#include "widgets/words/keep_translated.h"
+#include "widgets/words/translated.h"
 
 namespace glisson::widgets {
 namespace {
@@ -14,8 +16,12 @@ constexpr int caption_px = 40;
 
 SvgView::SvgView(EvidenceDrawing drawing, QWidget* parent) : QWidget(parent), drawing_(std::move(drawing)) {
   setMinimumSize(320, 270);
-  setAccessibleName(drawing_.caption);
-  setToolTip(drawing_.caption);
+  keep_translated(this, [this] {
+    caption_ = translated(drawing_.caption.toStdString());
+    setAccessibleName(caption_);
+    setToolTip(caption_);
+    update();
+  });
 }
 
 void SvgView::paintEvent(QPaintEvent*) {
@@ -31,7 +37,7 @@ void SvgView::paintEvent(QPaintEvent*) {
   renderer.render(&painter, QRectF(0, 0, width(), height() - caption_px));
   painter.setPen(theme_colour("faint"));
   painter.drawText(QRectF(4, height() - caption_px, width() - 8, caption_px), Qt::AlignHCenter | Qt::TextWordWrap,
-                   drawing_.caption);
+                   caption_);
 }
 
 }  // namespace glisson::widgets

@@ -19,6 +19,7 @@ class SvgView : public QWidget {
 
  private:
   EvidenceDrawing drawing_;
+  QString caption_;  // in the language of the window
 };
 
 }  // namespace glisson::widgets

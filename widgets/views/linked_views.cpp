@@ -58,6 +58,11 @@ LinkedViews::LinkedViews(QWidget* parent) : QWidget(parent) {
     connect(sides[k], &QToolButton::clicked, space_, [this, side] { space_->look_from(side); });
     ++k;
   }
+  scan_ = frames_[1]->add_button();
+  scan_->setObjectName("scan_behind");
+  scan_->setCheckable(true);
+  scan_->setEnabled(false);
+  connect(scan_, &QToolButton::toggled, this, &LinkedViews::hang_scan);
   keep_translated(this, [=, this] {
     frames_[0]->set_name(tr("Transverse"));
     frames_[1]->set_name(tr("Patient"));
@@ -74,6 +79,8 @@ LinkedViews::LinkedViews(QWidget* parent) : QWidget(parent) {
     sides[1]->setText(tr("Front"));
     sides[2]->setText(tr("Right"));
     sides[3]->setText(tr("Below"));
+    scan_->setText(tr("Scan"));
+    scan_->setToolTip(tr("The scan itself as a soft backdrop: bones and bright vessels behind the organ"));
     for (QToolButton* side : sides) side->setToolTip(tr("Look from here, everything in view"));
   });
   for (ViewFrame* frame : frames_) {
@@ -134,9 +141,24 @@ void LinkedViews::save_picture(std::size_t frame) {
 }
 
 void LinkedViews::show_slices(const SliceContent& content) {
+  const bool another = volume_ != content.volume;
   volume_ = content.volume;
+  scan_->setEnabled(volume_ != nullptr);
+  if (another) hang_scan();
   for (SliceView* slice : slices_) slice->show_content(content);
   Q_EMIT window_shown();
+}
+
+void LinkedViews::set_scan_behind(bool behind) { scan_->setChecked(behind); }
+
+void LinkedViews::hang_scan() {
+  const bool behind = scan_->isChecked() && volume_ != nullptr;
+  const std::optional<scene::Backdrop> backdrop =
+      behind ? std::optional(shows_hounsfield_units() ? scene::ct_backdrop(volume_)
+                                                      : scene::backdrop_by_brightness(volume_))
+             : std::nullopt;
+  space_->view().set_backdrop(backdrop);
+  space_->redraw();
 }
 
 void LinkedViews::set_crosshair(const Eigen::Vector3d& position_mm) {

@@ -38,6 +38,10 @@ class LinkedViews : public QWidget {
   [[nodiscard]] WindowPreset window_preset() const;
   [[nodiscard]] bool shows_hounsfield_units() const;
 
+  // The scan behind the patient in space, where there is one.
+  void set_scan_behind(bool behind);
+  [[nodiscard]] bool scan_behind() const { return scan_->isChecked(); }
+
   // The slices' normals; see SliceView::set_axes.
   void set_axes(const Eigen::Matrix3d& axes);
   // The coronal slice across the surgeon's line of sight (scene/camera.h), the others upright and level to it.
@@ -68,11 +72,13 @@ class LinkedViews : public QWidget {
   void arrange(const std::vector<std::array<int, 5>>& places, const std::vector<int>& row_stretches,
                const std::vector<int>& column_stretches);
   [[nodiscard]] int frame_in_use() const;
+  void hang_scan();
 
   std::array<SliceView*, 3> slices_{};
   SpaceView* space_ = nullptr;
   SpaceView* second_space_ = nullptr;
   std::array<ViewFrame*, 5> frames_{};  // transverse, space, coronal, sagittal, second space
+  QToolButton* scan_ = nullptr;         // switches the scan behind the patient
   QGridLayout* grid_ = nullptr;
   ViewLayout layout_ = ViewLayout::square;
   ViewLayout before_one_ = ViewLayout::square;

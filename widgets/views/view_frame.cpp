@@ -44,7 +44,11 @@ ViewFrame::ViewFrame(const QColor& accent, QWidget* view, QWidget* parent) : QFr
   connect(more_->menu(), &QMenu::aboutToShow, this, [this] {
     more_->menu()->clear();
     for (QToolButton* button : buttons_) {
-      more_->menu()->addAction(button->text(), button, &QToolButton::click)->setToolTip(button->toolTip());
+      QAction* entry = more_->menu()->addAction(button->text(), button, &QToolButton::click);
+      entry->setToolTip(button->toolTip());
+      entry->setCheckable(button->isCheckable());
+      entry->setChecked(button->isChecked());
+      entry->setEnabled(button->isEnabled());
     }
   });
   picture_ = new QToolButton(bar);

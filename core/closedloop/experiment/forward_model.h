@@ -10,6 +10,7 @@
 
 #include "base/progress.h"
 #include "base/result.h"
+#include "base/sentence.h"
 #include "closedloop/experiment/effect.h"
 #include "closedloop/experiment/experiment.h"
 #include "closedloop/experiment/observations.h"
@@ -61,7 +62,7 @@ class ForwardModel {
 
   // Further trials that could be measured, as sentences for a person ("press at (…) mm with 2 N"), and what settings
   // predict there, in units of the noise.
-  [[nodiscard]] virtual std::vector<std::string> further_trials() const { return {}; }
+  [[nodiscard]] virtual std::vector<Sentence> further_trials() const { return {}; }
   [[nodiscard]] virtual Result<Eigen::VectorXd> predict_further(std::size_t trial, const Settings& settings) const;
 };
 

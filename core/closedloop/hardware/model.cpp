@@ -22,7 +22,7 @@ class PlatformModel : public ForwardModel {
   [[nodiscard]] const std::vector<Effect>& catalogue() const override { return catalogue_; }
   [[nodiscard]] Result<Eigen::VectorXd> predict(const Settings& settings) const override;
   [[nodiscard]] SystematicUncertainty systematic_uncertainty() const override;
-  [[nodiscard]] std::vector<std::string> further_trials() const override;
+  [[nodiscard]] std::vector<Sentence> further_trials() const override;
   [[nodiscard]] Result<Eigen::VectorXd> predict_further(std::size_t trial, const Settings& settings) const override;
 
  private:
@@ -171,10 +171,10 @@ SystematicUncertainty PlatformModel::systematic_uncertainty() const {
   return uncertainty;
 }
 
-std::vector<std::string> PlatformModel::further_trials() const {
-  return {"Repeat the longest trial at half of its current or load.",
-          "Repeat the longest trial at twice its current or load.",
-          "Repeat the longest trial in a room that is 15 C warmer."};
+std::vector<Sentence> PlatformModel::further_trials() const {
+  return {{GLISSON_TEXT("Repeat the longest trial at half of its current or load."), {}},
+          {GLISSON_TEXT("Repeat the longest trial at twice its current or load."), {}},
+          {GLISSON_TEXT("Repeat the longest trial in a room that is 15 °C warmer."), {}}};
 }
 
 Result<Eigen::VectorXd> PlatformModel::predict_further(std::size_t which, const Settings& settings) const {

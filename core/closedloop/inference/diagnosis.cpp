@@ -33,7 +33,7 @@ class Diagnosis {
   [[nodiscard]] const Candidate& worth_naming(const Choice& choice, Verdict verdict) const;
   [[nodiscard]] double mesh_error_share(const Candidate& named) const;
   [[nodiscard]] Result<std::optional<HeldOut>> held_out(const Candidate& named, double mesh_error_share) const;
-  [[nodiscard]] std::vector<std::string> notes_on_verdict(const Choice& choice, const Remainder& left) const;
+  [[nodiscard]] std::vector<Sentence> notes_on_verdict(const Choice& choice, const Remainder& left) const;
 
   const DiagnosisOptions& options_;
   const Progress& progress_;
@@ -41,9 +41,9 @@ class Diagnosis {
   Search search_;
 };
 
-std::vector<std::string> notes_on_ranking(const std::vector<RankedCandidate>& ranking);
+std::vector<Sentence> notes_on_ranking(const std::vector<RankedCandidate>& ranking);
 
-void append(std::vector<std::string>& notes, std::vector<std::string> more) {
+void append(std::vector<Sentence>& notes, std::vector<Sentence> more) {
   notes.insert(notes.end(), std::move_iterator(more.begin()), std::move_iterator(more.end()));
 }
 
@@ -82,16 +82,16 @@ Result<Explanation> Diagnosis::run() {
   if (!found) return failure(std::move(found.error()));
   std::vector<RankedCandidate> alone = ranking(search_, declared, choice->singles);
 
-  std::vector<std::string> notes = notes_on_ranking(alone);
+  std::vector<Sentence> notes = notes_on_ranking(alone);
   append(notes, notes_on_verdict(*choice, left));
   if (share != 0)
-    notes.push_back(fmt::format(
-        "A finer mesh would change the prediction; {:.0f} % of what it would change shows in the measurements "
-        "and is taken off what the better model predicts.",
-        100 * share));
+    notes.push_back(
+        {GLISSON_TEXT("A finer mesh would change the prediction; {0} % of what it would change shows in the "
+                      "measurements and is taken off what the better model predicts."),
+         {fmt::format("{:.0f}", 100 * share)}});
   append(notes, std::move(found->notes));
   if (!search_.folds().any())
-    notes.emplace_back("There is only one trial, so nothing could be predicted that was not fitted.");
+    notes.push_back({GLISSON_TEXT("There is only one trial, so nothing could be predicted that was not fitted."), {}});
   auto next = next_measurement(search_.model(), named.fit.settings, found->alternatives, options_);
   progress_.report(1, GLISSON_TEXT("done"));
 
@@ -183,27 +183,28 @@ Result<std::optional<HeldOut>> Diagnosis::held_out(const Candidate& named, doubl
   return held_out_error(all_, predicted, options_.evidence);
 }
 
-std::vector<std::string> Diagnosis::notes_on_verdict(const Choice& choice, const Remainder& left) const {
+std::vector<Sentence> Diagnosis::notes_on_verdict(const Choice& choice, const Remainder& left) const {
   const Candidate& chosen = choice.found.chosen;
   if (left.effects == 0 && reaches_noise(left, options_) &&
       !residual_diagnostics(all_, chosen.fit.white, chosen.fit.predicted).is_noise) {
     // Rows that are not quite random may still be as small as the noise.
     const bool small = reaches_noise({0, false, left.rms_in_noise, {}}, options_);
-    return {small ? "The residual is not quite random, but no larger than the noise can be trusted to be."
-                  : "The residual is not quite random, but no larger than what a finer mesh would change of the "
-                    "prediction."};
+    return {{small
+                 ? GLISSON_TEXT("The residual is not quite random, but no larger than the noise can be trusted to be.")
+                 : GLISSON_TEXT("The residual is not quite random, but no larger than what a finer mesh would change "
+                                "of the prediction."),
+             {}}};
   }
   if (!left.evidence_over_smooth || verdict_of(left, options_) == Verdict::explained) return {};
-  return {fmt::format(
-      "What was found brings the residual to the noise, but is no clearly better evidence (BIC {:+.0f}) than a smooth "
-      "function of what was done, which names no cause.",
-      *left.evidence_over_smooth)};
+  return {{GLISSON_TEXT("What was found brings the residual to the noise, but is no clearly better evidence (BIC {0}) "
+                        "than a smooth function of what was done, which names no cause."),
+           {fmt::format("{:+.0f}", *left.evidence_over_smooth)}}};
 }
 
-std::vector<std::string> notes_on_ranking(const std::vector<RankedCandidate>& ranking) {
-  std::vector<std::string> notes;
+std::vector<Sentence> notes_on_ranking(const std::vector<RankedCandidate>& ranking) {
+  std::vector<Sentence> notes;
   for (const RankedCandidate& candidate : ranking)
-    if (candidate.failed) notes.push_back(fmt::format("{} was left out: {}", candidate.kind, candidate.removed));
+    if (candidate.failed) notes.push_back({GLISSON_TEXT("{0} was left out: {1}"), {candidate.kind, candidate.removed}});
   return notes;
 }
 

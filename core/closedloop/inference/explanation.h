@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/sentence.h"
 #include "closedloop/experiment/effect.h"
 #include "closedloop/experiment/observations.h"
 #include "closedloop/experiment/residual.h"
@@ -64,7 +65,7 @@ struct RankedCandidate {
 };
 
 struct NextMeasurement {
-  std::string sentence;
+  Sentence sentence;
   std::vector<std::string> alternatives;  // kinds it would tell apart
   double expected_separation = 0;         // of their predictions, in standard deviations of the noise
 };
@@ -86,7 +87,8 @@ struct Explanation {
   std::optional<SmoothCorrection> smooth_correction;
   std::optional<HeldOut> held_out_corrected;  // with it
   std::optional<NextMeasurement> next;
-  std::vector<std::string> notes;  // for a person: what is undetermined, what was left out and why
+  // For a person: what is undetermined, what was left out and why. Arguments name kinds and parameters as they are.
+  std::vector<Sentence> notes;
   Eigen::VectorXd predicted_before;
   // The share of SystematicUncertainty::expected that the measurements show after all effects, and that is taken off
   // the better model's predictions; 0 where they do not show it.

@@ -17,14 +17,14 @@ class MaterialModel : public ForwardModel {
   [[nodiscard]] const Observations& observations() const override { return observations_; }
   [[nodiscard]] const std::vector<Effect>& catalogue() const override { return catalogue_; }
   [[nodiscard]] Result<Eigen::VectorXd> predict(const Settings& settings) const override;
-  [[nodiscard]] std::vector<std::string> further_trials() const override;
+  [[nodiscard]] std::vector<Sentence> further_trials() const override;
   [[nodiscard]] Result<Eigen::VectorXd> predict_further(std::size_t trial, const Settings& settings) const override;
 
  private:
   [[nodiscard]] MaterialBehaviour behaviour(const Settings& settings) const;
 
   struct FurtherTrial {
-    std::string sentence;
+    Sentence sentence;
     Eigen::VectorXd time_s;
     Eigen::VectorXd stretch;
   };
@@ -79,8 +79,8 @@ Result<Eigen::VectorXd> MaterialModel::predict(const Settings& settings) const {
   return predicted;
 }
 
-std::vector<std::string> MaterialModel::further_trials() const {
-  std::vector<std::string> sentences;
+std::vector<Sentence> MaterialModel::further_trials() const {
+  std::vector<Sentence> sentences;
   for (const FurtherTrial& trial : further()) sentences.push_back(trial.sentence);
   return sentences;
 }
@@ -101,8 +101,8 @@ std::vector<MaterialModel::FurtherTrial> MaterialModel::further() const {
     if (trial.time_s.size() > 1) seconds = std::max(seconds, trial.time_s[trial.time_s.size() - 1] - trial.time_s[0]);
   }
   constexpr Eigen::Index samples = 100;
-  const auto trial = [&](std::string sentence, double duration_s, double reach, auto&& shape) {
-    FurtherTrial made{std::move(sentence), Eigen::VectorXd::LinSpaced(samples, 0, duration_s), {}};
+  const auto trial = [&](const char* sentence, double duration_s, double reach, auto&& shape) {
+    FurtherTrial made{{sentence, {}}, Eigen::VectorXd::LinSpaced(samples, 0, duration_s), {}};
     made.stretch = Eigen::VectorXd::NullaryExpr(
         samples, [&](Eigen::Index i) { return 1 + reach * shape(double(i) / double(samples - 1)); });
     return made;
@@ -111,13 +111,14 @@ std::vector<MaterialModel::FurtherTrial> MaterialModel::further() const {
   const auto held = [](double x) { return std::min(1.0, 20 * x); };
   const auto cycles = [](double x) { return 1 - std::abs(1 - std::fmod(4 * x, 2.0)); };
   std::vector<FurtherTrial> trials;
-  trials.push_back(trial("Deform ten times as slowly.", 10 * seconds, strain, ramp));
-  trials.push_back(trial("Deform ten times as fast.", seconds / 10, strain, ramp));
-  trials.push_back(trial("Deform quickly and hold for the length of the longest trial.", seconds, strain, held));
-  trials.push_back(trial("Load and unload twice.", 4 * seconds, strain, cycles));
-  trials.push_back(trial("Deform a fifth further.", 1.2 * seconds, std::max(-0.9, 1.2 * strain), ramp));
-  trials.push_back(trial("Deform to the other side (tension in place of compression, or the reverse).", seconds,
-                         std::max(-0.8, -0.5 * strain), ramp));
+  trials.push_back(trial(GLISSON_TEXT("Deform ten times as slowly."), 10 * seconds, strain, ramp));
+  trials.push_back(trial(GLISSON_TEXT("Deform ten times as fast."), seconds / 10, strain, ramp));
+  trials.push_back(
+      trial(GLISSON_TEXT("Deform quickly and hold for the length of the longest trial."), seconds, strain, held));
+  trials.push_back(trial(GLISSON_TEXT("Load and unload twice."), 4 * seconds, strain, cycles));
+  trials.push_back(trial(GLISSON_TEXT("Deform a fifth further."), 1.2 * seconds, std::max(-0.9, 1.2 * strain), ramp));
+  trials.push_back(trial(GLISSON_TEXT("Deform to the other side (tension in place of compression, or the reverse)."),
+                         seconds, std::max(-0.8, -0.5 * strain), ramp));
   return trials;
 }
 

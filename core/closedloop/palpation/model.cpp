@@ -47,7 +47,7 @@ class PalpationModel : public ForwardModel {
                                           const Eigen::VectorXd& residual) const override;
 
   [[nodiscard]] bool predicts_quickly() const override { return false; }
-  [[nodiscard]] std::vector<std::string> further_trials() const override;
+  [[nodiscard]] std::vector<Sentence> further_trials() const override;
   [[nodiscard]] Result<Eigen::VectorXd> predict_further(std::size_t trial, const Settings& settings) const override;
 
  private:
@@ -271,8 +271,8 @@ double PalpationModel::promise_of_stiffening(const Effect& effect, const Setting
   return before && after ? match(left, *after - *before).gain_mm2 : unknown;
 }
 
-std::vector<std::string> PalpationModel::further_trials() const {
-  std::vector<std::string> sentences;
+std::vector<Sentence> PalpationModel::further_trials() const {
+  std::vector<Sentence> sentences;
   for (FurtherTrial& further : further_palpations(experiment_, solver_.specimen().body.boundary))
     sentences.push_back(std::move(further.sentence));
   return sentences;

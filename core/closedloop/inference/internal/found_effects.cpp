@@ -12,7 +12,7 @@ namespace {
 
 struct FoundParameters {
   std::vector<std::vector<FoundParameter>> of_setting;
-  std::vector<std::string> notes;
+  std::vector<Sentence> notes;
 };
 FoundParameters found_parameters(const Search& search, const Candidate& chosen);
 
@@ -90,7 +90,7 @@ std::optional<NextMeasurement> next_measurement(const ForwardModel& model, const
                                                 const std::vector<Alternative>& alternatives,
                                                 const DiagnosisOptions& options) {
   if (alternatives.empty()) return std::nullopt;
-  const std::vector<std::string> sentences = model.further_trials();
+  const std::vector<Sentence> sentences = model.further_trials();
   NextMeasurement next;
   for (std::size_t trial = 0; trial < sentences.size(); ++trial) {
     const auto expected = model.predict_further(trial, chosen);
@@ -114,8 +114,8 @@ std::optional<NextMeasurement> next_measurement(const ForwardModel& model, const
 
 namespace {
 
-std::vector<std::string> hardly_told_apart(const Settings& settings, const Eigen::MatrixXd& covariance,
-                                           double inseparable);
+std::vector<Sentence> hardly_told_apart(const Settings& settings, const Eigen::MatrixXd& covariance,
+                                        double inseparable);
 
 // Value, standard deviation and interval: from the noise, or, where trials are many and scatter more, from them.
 FoundParameter found_parameter(const Parameter& parameter, double value, double std,
@@ -163,26 +163,27 @@ FoundParameters found_parameters(const Search& search, const Candidate& chosen) 
                           model.observations().trial_count() >= options.trials_to_resample);
       one.determined = one.std < options.undetermined * ranges.prior_width[at];
       if (!one.determined)
-        found.notes.push_back(fmt::format("These data do not determine {} of {}.", parameter.name, settings[i].kind));
+        found.notes.push_back(
+            {GLISSON_TEXT("These data do not determine {0} of {1}."), {parameter.name, settings[i].kind}});
       if (at_end_of_range(parameter, one.value, options.told_at_end_of_range))
-        found.notes.push_back(fmt::format("{} of {} ended at the limit of its range ({:.3g}).", parameter.name,
-                                          settings[i].kind, one.value));
+        found.notes.push_back({GLISSON_TEXT("{0} of {1} ended at the limit of its range ({2})."),
+                               {parameter.name, settings[i].kind, fmt::format("{:.3g}", one.value)}});
       found.of_setting[i].push_back(std::move(one));
       ++at;
     }
   }
-  for (std::string& note : hardly_told_apart(settings, covariance_of_noise, options.inseparable))
+  for (Sentence& note : hardly_told_apart(settings, covariance_of_noise, options.inseparable))
     found.notes.push_back(std::move(note));
   return found;
 }
 
 // A sentence for each two effects of which one's size stands for the other's.
-std::vector<std::string> hardly_told_apart(const Settings& settings, const Eigen::MatrixXd& covariance,
-                                           double inseparable) {
+std::vector<Sentence> hardly_told_apart(const Settings& settings, const Eigen::MatrixXd& covariance,
+                                        double inseparable) {
   std::vector<std::size_t> setting_of_parameter;
   for (std::size_t i = 0; i < settings.size(); ++i)
     setting_of_parameter.insert(setting_of_parameter.end(), static_cast<std::size_t>(settings[i].parameters.size()), i);
-  std::vector<std::string> notes;
+  std::vector<Sentence> notes;
   std::set<std::pair<std::size_t, std::size_t>> said;
   for (Eigen::Index a = 0; a < covariance.rows(); ++a) {
     for (Eigen::Index b = 0; b < a; ++b) {
@@ -190,8 +191,8 @@ std::vector<std::string> hardly_told_apart(const Settings& settings, const Eigen
       const std::size_t other = setting_of_parameter[static_cast<std::size_t>(a)];
       const double correlation = covariance(a, b) / std::sqrt(covariance(a, a) * covariance(b, b));
       if (one != other && std::abs(correlation) > inseparable && said.insert({one, other}).second)
-        notes.push_back(fmt::format("{} and {} can hardly be told apart in size (correlation {:.2f}).",
-                                    settings[one].kind, settings[other].kind, correlation));
+        notes.push_back({GLISSON_TEXT("{0} and {1} can hardly be told apart in size (correlation {2})."),
+                         {settings[one].kind, settings[other].kind, fmt::format("{:.2f}", correlation)}});
     }
   }
   return notes;

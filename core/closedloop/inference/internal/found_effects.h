@@ -20,7 +20,7 @@ struct Alternative {
 struct FoundEffects {
   std::vector<FoundEffect> effects;  // by what they remove, the largest first
   std::vector<Alternative> alternatives;
-  std::vector<std::string> notes;  // which parameters the data leave open
+  std::vector<Sentence> notes;  // which parameters the data leave open
 };
 
 // The settings of `chosen`. `in_place`: for each of them, what was fitted in its place. `held_out_rms` and `rms` are

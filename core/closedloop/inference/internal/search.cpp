@@ -118,7 +118,7 @@ Candidate Search::fit_from(const Attempt& attempt) const {
   }
   Candidate candidate = best ? evaluated(std::move(*best)) : Candidate{};
   if (!best) {
-    candidate.removed = problem.empty() ? "there is nowhere to begin" : problem;
+    candidate.removed = problem.empty() ? GLISSON_TEXT("there is nowhere to begin") : problem;
     candidate.failed = true;
   }
   return candidate;
@@ -185,7 +185,7 @@ Result<std::vector<Candidate>> Search::fit_each(const Settings& active, const st
   for (std::size_t i = 0; i < effects.size(); ++i) {
     candidates[i].kind = effects[i]->kind;
     candidates[i].form = effects[i]->form;
-    candidates[i].removed = "it promised to take much less of the error than others";
+    candidates[i].removed = GLISSON_TEXT("it promised to take much less of the error than others");
   }
   each([&](std::size_t i) { return !effects[i]->late; },
        [&](std::size_t i) { attempts[i] = begin(active, *effects[i], residual); });

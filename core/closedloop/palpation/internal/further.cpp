@@ -6,10 +6,14 @@
 #include <limits>
 #include <optional>
 
+#include "base/result.h"
 #include "base/units.h"
 
 namespace glisson::closedloop {
 namespace {
+
+std::string whole(double value) { return fmt::format("{:.0f}", value); }
+std::string short_figure(double value) { return fmt::format("{:.2g}", value); }
 
 struct Furthest {
   const PalpationTrial* trial = nullptr;
@@ -60,7 +64,7 @@ std::vector<FurtherTrial> further_palpations(const Palpation& experiment,
     longest_s = std::max(longest_s, trial.samples.back().time_s - trial.samples.front().time_s);
 
   std::vector<FurtherTrial> further;
-  const auto add = [&](const std::string& sentence, const PalpationTool& tool, double times, double hold_s) {
+  const auto add = [&](Sentence sentence, const PalpationTool& tool, double times, double hold_s) {
     PalpationSample before, after = *base.sample;
     after.force_mN *= times;
     after.time_s = reached_s;
@@ -70,19 +74,22 @@ std::vector<FurtherTrial> further_palpations(const Palpation& experiment,
       samples.push_back(after);
       samples.back().time_s = hold_s;
     }
-    further.push_back({sentence, {fmt::format("further-{}", further.size() + 1), tool, std::move(samples)}});
+    further.push_back({std::move(sentence), {fmt::format("further-{}", further.size() + 1), tool, std::move(samples)}});
   };
   const PalpationTool& tool = base.trial->tool;
   if (const auto place = untouched_place(experiment, tool, boundary)) {
     PalpationTool elsewhere = tool;
     elsewhere.center_mm = *place;
-    add(fmt::format("Press at ({:.0f}, {:.0f}, {:.0f}) mm with {:.2g} N.", place->x(), place->y(), place->z(), force_N),
+    add({GLISSON_TEXT("Press at ({0}, {1}, {2}) mm with {3} N."),
+         {whole(place->x()), whole(place->y()), whole(place->z()), short_figure(force_N)}},
         elsewhere, 1, 0);
   }
-  add(fmt::format("Press as in trial {}, but with {:.2g} N.", base.trial->id, 2 * force_N), tool, 2, 0);
-  add(fmt::format("Press as in trial {} and hold the force for {:.0f} s.", base.trial->id, 10 * longest_s), tool, 1,
-      10 * longest_s);
-  add(fmt::format("Pull where trial {} presses, with {:.2g} N.", base.trial->id, force_N), tool, -1, 0);
+  add({GLISSON_TEXT("Press as in trial {0}, but with {1} N."), {base.trial->id, short_figure(2 * force_N)}}, tool, 2,
+      0);
+  add({GLISSON_TEXT("Press as in trial {0} and hold the force for {1} s."), {base.trial->id, whole(10 * longest_s)}},
+      tool, 1, 10 * longest_s);
+  add({GLISSON_TEXT("Pull where trial {0} presses, with {1} N."), {base.trial->id, short_figure(force_N)}}, tool, -1,
+      0);
   return further;
 }
 

@@ -2,16 +2,16 @@
 // Trials that could still be made on a specimen: where, how hard and for how long, as sentences and as what the model
 // is asked to predict. Inside of this room.
 
-#include <string>
 #include <vector>
 
+#include "base/sentence.h"
 #include "closedloop/experiment/experiment.h"
 #include "mechanics/elements/boundary.h"
 
 namespace glisson::closedloop {
 
 struct FurtherTrial {
-  std::string sentence;  // for a person: "Press at (…) mm with 2 N."
+  Sentence sentence;     // for a person: "Press at (…) mm with 2 N."
   PalpationTrial trial;  // one sample with the markers of the experiment; their positions mean nothing
 };
 
