@@ -6,6 +6,7 @@
 
 #include "base/json_reading.h"
 #include "closedloop/hardware/effects.h"
+#include "closedloop/inference/posterior.h"
 #include "closedloop/learnt_organ.h"
 #include "closedloop/material/effects.h"
 
@@ -89,6 +90,25 @@ Json report_json(const Explanation& explanation, const Observations& observation
     for (const std::string& alternative : explanation.next->alternatives)
       alternatives += (alternatives.empty() ? "" : ", ") + alternative;
     json["next_measurement"] = explanation.next->sentence + " It would tell what was found from: " + alternatives + ".";
+  }
+  if (!explanation.posterior.empty()) {
+    json["posterior"] = {{"explanations", Json::array()},
+                         {"agrees_with_verdict", agrees(explanation)},
+                         {"sentence", posterior_sentence(explanation)}};
+    for (const WeighedExplanation& weighed : explanation.posterior)
+      json["posterior"]["explanations"].push_back(
+          {{"name", name_of(weighed)},
+           {"kinds", weighed.something_else ? Json(nullptr) : Json(weighed.kinds)},
+           {"probability", weighed.probability}});
+  }
+  if (explanation.verdict == Verdict::nothing_missing) {
+    Json& visible = json["smallest_visible"] = Json::array();
+    for (const SmallestVisible& one : explanation.smallest_visible) {
+      visible.push_back({{"kind", one.kind}, {"parameter", one.parameter}, {"no_effect", one.no_effect}});
+      if (!one.form.empty()) visible.back()["law"] = one.form;
+      if (one.component > 0) visible.back()["component"] = one.component;
+      visible.back()["value"] = one.value ? Json(*one.value) : Json(nullptr);
+    }
   }
   json["notes"] = explanation.notes;
   return null_where_not_finite(std::move(json));
