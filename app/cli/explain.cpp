@@ -4,6 +4,8 @@
 
 #include "base/json.h"
 #include "closedloop/explanation_file.h"
+#include "closedloop/inference/posterior.h"
+#include "closedloop/inference/visible.h"
 #include "command.h"
 #include "report/explanation_folder.h"
 #include "shared_options.h"
@@ -39,6 +41,8 @@ std::string in_words(const closedloop::Explanation& explanation, const closedloo
     text +=
         fmt::format("  on trials left out: {:.3g} {} before, {:.3g} after\n", explanation.held_out_before->rms, unit,
                     explanation.held_out_corrected ? explanation.held_out_corrected->rms : explanation.held_out->rms);
+  if (const std::string sure = closedloop::posterior_sentence(explanation); !sure.empty()) text += "  " + sure + "\n";
+  if (const std::string seen = closedloop::visible_sentence(explanation); !seen.empty()) text += "  " + seen + "\n";
   for (const auto& effect : explanation.effects) {
     text += "  " + effect.kind + (effect.form.empty() ? "" : " (" + effect.form + ")") + ":";
     for (const auto& found : effect.parameters)

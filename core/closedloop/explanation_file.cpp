@@ -5,7 +5,10 @@
 #include <utility>
 
 #include "base/json_reading.h"
+#include "closedloop/hardware/effects.h"
+#include "closedloop/inference/posterior.h"
 #include "closedloop/learnt_organ.h"
+#include "closedloop/material/effects.h"
 
 namespace glisson::closedloop {
 namespace {
@@ -92,6 +95,25 @@ Json report_json(const Explanation& explanation, const Observations& observation
     json["next_measurement_pieces"] = json_of(explanation.next->sentence);
     json["next_measurement_pieces"]["alternatives"] = explanation.next->alternatives;
   }
+  if (!explanation.posterior.empty()) {
+    json["posterior"] = {{"explanations", Json::array()},
+                         {"agrees_with_verdict", agrees(explanation)},
+                         {"sentence", posterior_sentence(explanation)}};
+    for (const WeighedExplanation& weighed : explanation.posterior)
+      json["posterior"]["explanations"].push_back(
+          {{"name", name_of(weighed)},
+           {"kinds", weighed.something_else ? Json(nullptr) : Json(weighed.kinds)},
+           {"probability", weighed.probability}});
+  }
+  if (explanation.verdict == Verdict::nothing_missing) {
+    Json& visible = json["smallest_visible"] = Json::array();
+    for (const SmallestVisible& one : explanation.smallest_visible) {
+      visible.push_back({{"kind", one.kind}, {"parameter", one.parameter}, {"no_effect", one.no_effect}});
+      if (!one.form.empty()) visible.back()["law"] = one.form;
+      if (one.component > 0) visible.back()["component"] = one.component;
+      visible.back()["value"] = one.value ? Json(*one.value) : Json(nullptr);
+    }
+  }
   json["notes"] = messages(explanation.notes);
   json["note_pieces"] = Json::array();
   for (const Sentence& note : explanation.notes) json["note_pieces"].push_back(json_of(note));
@@ -153,7 +175,8 @@ namespace {
 BetterModel better_model_from(const Json& json, const std::string& file, const ForwardModel& model,
                               const Experiment& experiment);
 
-Setting setting_from(const Json& json, const ForwardModel& model);
+std::vector<Effect> known_effects(const ForwardModel& model, const Experiment& experiment);
+Setting setting_from(const Json& json, const std::vector<Effect>& known);
 SmoothCorrection smooth_from(const Json& json, const Observations& observations);
 
 }  // namespace
@@ -190,20 +213,33 @@ BetterModel better_model_from(const Json& json, const std::string& file, const F
   if (json.value("kind", Json()) != kind_of(experiment))
     refuse_model(GLISSON_TEXT("{0} was not learnt from an experiment of the kind {1}."), {file, kind_of(experiment)});
   BetterModel better;
-  for (const Json& effect : json.at("effects")) better.settings.push_back(setting_from(effect, model));
+  const std::vector<Effect> known = known_effects(model, experiment);
+  for (const Json& effect : json.at("effects")) better.settings.push_back(setting_from(effect, known));
   better.mesh_error_share = json.value("mesh_error_share", 0.0);
   if (json.contains("smooth_correction"))
     better.smooth_correction = smooth_from(json.at("smooth_correction"), model.observations());
   return better;
 }
 
-Setting setting_from(const Json& json, const ForwardModel& model) {
+// What a model of this kind of experiment can be switched to, whether or not these trials could show it.
+std::vector<Effect> known_effects(const ForwardModel& model, const Experiment& experiment) {
+  std::vector<Effect> known;
+  if (const auto* material = std::get_if<Material>(&experiment.setup)) {
+    for (MaterialEffect& effect : known_material_effects(*material)) known.push_back(std::move(effect.effect));
+  } else if (const auto* platform = std::get_if<Platform>(&experiment.setup)) {
+    for (PlatformEffect& effect : known_platform_effects(*platform)) known.push_back(std::move(effect.effect));
+  } else {
+    known = model.catalogue();
+  }
+  return known;
+}
+
+Setting setting_from(const Json& json, const std::vector<Effect>& known) {
   const auto kind = json.at("kind").get<std::string>();
   const std::string form = json.value("law", std::string());
-  const auto& catalogue = model.catalogue();
-  const auto effect = std::find_if(catalogue.begin(), catalogue.end(),
-                                   [&](const Effect& known) { return known.kind == kind && known.form == form; });
-  if (effect == catalogue.end())
+  const auto effect =
+      std::find_if(known.begin(), known.end(), [&](const Effect& one) { return one.kind == kind && one.form == form; });
+  if (effect == known.end())
     refuse_model(GLISSON_TEXT("The effect {0} is unknown to this experiment."),
                  {kind + (form.empty() ? "" : " " + form)});
   Setting setting{kind, form, Eigen::VectorXd(effect->size())};

@@ -30,7 +30,7 @@ struct BetterModel {
                                      const Experiment& experiment);
 
 // For the experiment of `model`. Refused ("model-invalid"): another format, another kind of experiment, effects or
-// parameters that this experiment's catalogue does not know.
+// parameters that no experiment of this kind knows.
 Result<BetterModel> read_model(const std::filesystem::path& file, const ForwardModel& model,
                                const Experiment& experiment);
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <utility>
 
+#include "closedloop/inference/posterior.h"
 #include "report/explanation_pictures.h"
 
 namespace glisson::report {
@@ -38,6 +39,7 @@ std::string answer(const Explanation& explanation) {
 Table errors_table(const Explanation& explanation, const Observations& observations);
 Table effects_table(const Explanation& explanation);
 Table candidates_table(const Explanation& explanation, const Observations& observations);
+Table visible_table(const Explanation& explanation);
 std::string shape_sentence(const closedloop::ResidualDiagnostics& diagnostics);
 
 }  // namespace
@@ -47,7 +49,19 @@ Page explanation_page(const Explanation& explanation, const Observations& observ
   page.title = title;
   page.subtitle = "What the declared model lacks, by the measurements";
   page.blocks.push_back(Paragraph{answer(explanation)});
+  if (!explanation.posterior.empty()) {
+    page.blocks.push_back(Paragraph{posterior_sentence(explanation)});
+    page.blocks.push_back(DrawingRow{{probability_bars(explanation.posterior)}});
+    page.blocks.push_back(
+        Paragraph{"A probability weighs how well an explanation foretells what was measured, whatever the size of its "
+                  "effects, against how common it is taken to be before anything is measured. \"Something else\" "
+                  "stands for every cause that is not in the catalogue."});
+  }
   page.blocks.push_back(errors_table(explanation, observations));
+  if (!explanation.smallest_visible.empty()) {
+    page.blocks.push_back(Heading{"What these trials could have shown"});
+    page.blocks.push_back(visible_table(explanation));
+  }
   page.blocks.push_back(Heading{"Before"});
   page.blocks.push_back(Paragraph{shape_sentence(explanation.residual_before)});
   page.blocks.push_back(DrawingRow{explanation_pictures(explanation, observations)});
@@ -96,6 +110,18 @@ std::string shape_sentence(const closedloop::ResidualDiagnostics& diagnostics) {
     first = false;
   }
   return sentence + ".";
+}
+
+Table visible_table(const Explanation& explanation) {
+  Table table{"From this value on, nine of ten such experiments would have shown the effect",
+              {"effect", "parameter", "without effect", "seen from"},
+              {}};
+  for (const auto& one : explanation.smallest_visible)
+    table.rows.push_back({{one.kind + (one.form.empty() ? "" : " (" + one.form + ")")},
+                          {one.parameter + (one.component > 0 ? fmt::format(" {}", one.component) : "")},
+                          {fmt::format("{:.4g}", one.no_effect)},
+                          {one.value ? fmt::format("{:.4g}", *one.value) : "at no size in its range"}});
+  return table;
 }
 
 Table errors_table(const Explanation& explanation, const Observations& observations) {

@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "base/result.h"
+#include "closedloop/inference/posterior.h"
+#include "report/html.h"
 #include "report/plot.h"
 
 namespace glisson::report {
@@ -34,6 +36,26 @@ std::vector<Drawing> as_curves(const Explanation& explanation, const Observation
 
 std::vector<Drawing> explanation_pictures(const Explanation& explanation, const Observations& observations) {
   return observations.has_places() ? on_the_specimen(explanation, observations) : as_curves(explanation, observations);
+}
+
+Drawing probability_bars(const closedloop::Posterior& posterior) {
+  constexpr double width_px = 640, name_px = 260, bar_px = 300, line_px = 24;
+  const std::size_t count =
+      std::min<std::size_t>(8, posterior.size());  // what comes after is below a percent, or noise
+  std::string svg = fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:.0f} {:.0f}\" font-size=\"13\" "
+      "fill=\"currentColor\" role=\"img\">",
+      width_px, line_px * static_cast<double>(count) + 4);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double top = line_px * static_cast<double>(i) + 4;
+    svg += fmt::format("<text x=\"{:.0f}\" y=\"{:.0f}\" text-anchor=\"end\">{}</text>", name_px - 8, top + 14,
+                       escaped(name_of(posterior[i])));
+    svg += fmt::format("<rect x=\"{:.0f}\" y=\"{:.0f}\" width=\"{:.1f}\" height=\"{:.0f}\" fill=\"#0072b2\"/>", name_px,
+                       top, std::max(1.0, bar_px * posterior[i].probability), line_px - 6);
+    svg += fmt::format("<text x=\"{:.1f}\" y=\"{:.0f}\">{:.1f} %</text>",
+                       name_px + 6 + bar_px * posterior[i].probability, top + 14, 100 * posterior[i].probability);
+  }
+  return {svg + "</svg>", "Probability of each explanation, all that were weighed taken together"};
 }
 
 namespace {

@@ -12,4 +12,7 @@ namespace glisson::report {
 [[nodiscard]] std::vector<Drawing> explanation_pictures(const closedloop::Explanation& explanation,
                                                         const closedloop::Observations& observations);
 
+// How probable each explanation is: a bar each, the likeliest first, as long as its probability.
+[[nodiscard]] Drawing probability_bars(const closedloop::Posterior& posterior);
+
 }  // namespace glisson::report

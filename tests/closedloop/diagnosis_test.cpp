@@ -251,6 +251,24 @@ TEST(Explanation, ItsReportIsTheContractsAndItsModelPredictsWhatWasFitted) {
   EXPECT_LT((predict_with(*model, *better).value() - e.predicted_after).cwiseAbs().maxCoeff(), 1e-9);
 }
 
+TEST(Explanation, AModelIsReadForTrialsThatCouldNotHaveShownIt) {
+  // Hysteresis learnt from cycles, for a specimen that is only loaded.
+  const TemporaryFolder folder;
+  Material ramps = test::compression_tests(test::straight_line, 0.1);
+  ramps.trials.resize(2);
+  const auto model = material_model(ramps).value();
+  ASSERT_FALSE(std::any_of(model->catalogue().begin(), model->catalogue().end(),
+                           [](const Effect& effect) { return effect.kind == "hysteresis"; }));
+  ASSERT_TRUE(write_text_file(folder.path() / "m.json",
+                              R"({"format": "glisson-closedloop-model/1", "kind": "material",
+                                  "effects": [{"kind": "hysteresis", "law": "friction",
+                                               "parameters": {"friction_kPa": 1.5, "slip_strain": 0.01}}]})"));
+  const auto better = read_model(folder.path() / "m.json", *model, {"e.json", "", ramps});
+  ASSERT_TRUE(better) << better.error().message();
+  const Eigen::VectorXd more = predict_with(*model, *better).value() - model->predict({}).value();
+  EXPECT_NEAR(more[59], -1.5, 0.05);  // at the end of the first ramp all of it slides
+}
+
 TEST(Explanation, AModelThatKnowsOtherEffectsIsRefused) {
   const TemporaryFolder folder;
   const Material material = test::compression_tests(test::straight_line, 0.1);

@@ -5,6 +5,8 @@
 #include <functional>
 #include <random>
 
+#include "base/files.h"
+#include "closedloop/explanation_file.h"
 #include "closedloop/hardware/model.h"
 #include "closedloop/inference/diagnosis.h"
 
@@ -54,6 +56,28 @@ struct Board {
   double limit_C = 1000;
   double slower_per_s = 0, faster_per_s = 0;  // of its speed, above and below the limit; none: held at the limit
 };
+
+TEST(HardwareModel, TakesALearntModelWhereTemperatureWasNotRecorded) {
+  // "internal-resistance", heating: learnt from cells whose warmth was seen.
+  const TemporaryFolder folder;
+  ASSERT_TRUE(write_text_file(folder.path() / "m.json",
+                              R"({"format": "glisson-closedloop-model/1", "kind": "platform",
+                                  "effects": [{"kind": "internal-resistance", "law": "heating",
+                                               "parameters": {"resistance_ohm": 0.05}}]})"));
+  for (const bool with_temperature : {true, false}) {
+    Platform platform = cell([](double) { return 0.0; }, 1);
+    platform.thermal_resistance_C_per_W = 5;
+    platform.noise_C = 0.2;
+    if (with_temperature)
+      for (PlatformTrial& trial : platform.trials)
+        trial.temperature_C = Eigen::VectorXd::Constant(trial.time_s.size(), trial.ambient_C);
+    const auto model = platform_model(platform).value();
+    const auto better = read_model(folder.path() / "m.json", *model, {"e.json", "", platform});
+    ASSERT_TRUE(better) << better.error().message();
+    const Eigen::VectorXd drop = model->predict({}).value() - predict_with(*model, *better).value();
+    EXPECT_NEAR(drop[0], 0.05, 1e-9) << with_temperature;  // 1 A
+  }
+}
 
 // A board that idles at 2 W and takes 8 W more at full load, 5 C/W and 120 s to the room's air.
 Platform board(const Board& board) {

@@ -35,11 +35,15 @@ TEST(ExplanationPage, SaysTheVerdictTheCandidatesAndWhatToMeasureNext) {
   e.effects.push_back({"support-compliance", "", "The bed gives way.", {}, -800, 0.1, 1.0, 0.9, {"preload"}});
   e.ranking.push_back({"capsule", "", {}, 1, {}, -3, {}, "the solve failed"});
   e.next = closedloop::NextMeasurement{"Press at the rim.", {"preload"}, 12};
+  e.posterior = {{{"support-compliance"}, false, 0.72}, {{}, true, 0.28}};
+  e.smallest_visible = {{"capsule", "", "stiffness_N_per_mm", 0, 0, 0.125},
+                        {"preload", "gravity", "gravity_m_s2", 2, 0, {}}};
   const Page page = explanation_page(e, two_markers(), "A <pad>");
   ASSERT_TRUE(write_html(folder.path() / "r.html", page));
   const std::string html = read_text_file(folder.path() / "r.html").value();
   for (const char* expected : {"Explained", "The bed gives way.", "preload", "the solve failed", "Press at the rim.",
-                               "<svg", "A &lt;pad&gt;", "p&lt;01&gt;"})
+                               "<svg", "Probability of support-compliance: 72 %", "72.0 %", "something else", "0.125",
+                               "gravity_m_s2 2", "at no size in its range", "A &lt;pad&gt;", "p&lt;01&gt;"})
     EXPECT_THAT(html, HasSubstr(expected));
   EXPECT_THAT(html, Not(HasSubstr("nan")));
 }

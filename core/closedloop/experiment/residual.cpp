@@ -15,8 +15,6 @@ namespace glisson::closedloop {
 namespace {
 
 constexpr double minimum_p = 1e-300;  // below, doubles end
-constexpr double noise_uncertainty = 1.05;
-constexpr double improbable = 1e-3;
 
 double upper_tail_of_chi_squared(double value, double degrees) {
   return std::max(minimum_p, boost::math::cdf(complement(boost::math::chi_squared(degrees), value)));
@@ -110,14 +108,14 @@ ResidualDiagnostics residual_diagnostics(const Observations& observations, const
   const auto minimum =
       std::min_element(tests.begin(), tests.end(), [](const auto& a, const auto& b) { return a.p_value < b.p_value; });
   diagnostics.smallest_p = std::min(1.0, minimum->p_value * static_cast<double>(tests.size()));
-  diagnostics.is_noise = diagnostics.smallest_p >= improbable;
+  diagnostics.is_noise = diagnostics.smallest_p >= improbable_for_noise;
   return diagnostics;
 }
 
 std::vector<std::string> ResidualDiagnostics::shape() const {
   std::vector<NoiseTest> significant;
   for (const NoiseTest& test : tests) {
-    if (test.p_value * static_cast<double>(tests.size()) < improbable) significant.push_back(test);
+    if (test.p_value * static_cast<double>(tests.size()) < improbable_for_noise) significant.push_back(test);
   }
   std::stable_sort(significant.begin(), significant.end(),
                    [](const auto& a, const auto& b) { return a.p_value < b.p_value; });
@@ -155,7 +153,7 @@ namespace {
 
 NoiseTest size_test(const Eigen::VectorXd& white) {
   const double reduced = white.squaredNorm() / static_cast<double>(white.size());
-  const double allowed = reduced / (noise_uncertainty * noise_uncertainty);
+  const double allowed = reduced / (noise_is_known_to * noise_is_known_to);
   return {"size", GLISSON_TEXT("it is larger than the noise"), reduced,
           upper_tail_of_chi_squared(allowed * static_cast<double>(white.size()), static_cast<double>(white.size()))};
 }
@@ -220,8 +218,9 @@ NoiseTest score_test(std::string name, std::string sentence, const Eigen::Matrix
   if (rank == 0) return test;
   const Eigen::MatrixXd orthonormal = qr.householderQ() * Eigen::MatrixXd::Identity(white.size(), rank);
   test.statistic = (orthonormal.transpose() * white).squaredNorm();
+  test.degrees = static_cast<double>(rank);
   test.p_value =
-      upper_tail_of_chi_squared(test.statistic / (noise_uncertainty * noise_uncertainty), static_cast<double>(rank));
+      upper_tail_of_chi_squared(test.statistic / (noise_is_known_to * noise_is_known_to), static_cast<double>(rank));
   return test;
 }
 

@@ -27,11 +27,17 @@ struct ErrorFigures {
 // Rows whose measurement is NaN are left out.
 [[nodiscard]] ErrorFigures error_figures(const Observations& observations, const Eigen::VectorXd& predicted);
 
+// A residual is noise when no test, all tests taken together, is more improbable than this;
+inline constexpr double improbable_for_noise = 1e-3;
+// the noise may be so many times as large as stated.
+inline constexpr double noise_is_known_to = 1.05;
+
 struct NoiseTest {
   std::string name;      // "size", "neighbours", "load", "time", "place", "direction", "trials", "scale"
   std::string sentence;  // what it says where it is significant
   double statistic = 0;
   double p_value = 1;
+  double degrees = 0;  // of freedom, where `statistic` is a sum of so many squares; else 0
 };
 
 struct ResidualDiagnostics {

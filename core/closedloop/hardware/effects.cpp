@@ -23,6 +23,7 @@ Reach reach_of(const Platform& platform);
 Eigen::VectorXd vector(std::initializer_list<double> values);
 
 using Effects = std::vector<PlatformEffect>;
+Effects effects_within(const Platform& platform, const Reach& reach);
 void add_battery(const Platform& platform, const Reach& reach, Effects& effects);
 void add_power(const Platform& platform, const Reach& reach, Effects& effects);
 void add_heat(const Platform& platform, const Reach& reach, Effects& effects);
@@ -30,15 +31,24 @@ void add_heat(const Platform& platform, const Reach& reach, Effects& effects);
 }  // namespace
 
 std::vector<PlatformEffect> platform_effects(const Platform& platform) {
-  const Reach reach = reach_of(platform);
+  return effects_within(platform, reach_of(platform));
+}
+
+std::vector<PlatformEffect> known_platform_effects(const Platform& platform) {
+  Reach reach = reach_of(platform);
+  reach.current = reach.load = reach.power = reach.temperature = true;
+  return effects_within(platform, reach);
+}
+
+namespace {
+
+Effects effects_within(const Platform& platform, const Reach& reach) {
   Effects effects;
   if (platform.nominal_voltage_V && reach.current) add_battery(platform, reach, effects);
   if (reach.current || reach.load || reach.power) add_power(platform, reach, effects);
   if (platform.thermal_resistance_C_per_W) add_heat(platform, reach, effects);
   return effects;
 }
-
-namespace {
 
 Eigen::VectorXd vector(std::initializer_list<double> values) {
   return Eigen::VectorXd::Map(values.begin(), static_cast<Eigen::Index>(values.size()));

@@ -17,4 +17,7 @@ struct PlatformEffect {
 // Those that the recorded quantities could show at all.
 [[nodiscard]] std::vector<PlatformEffect> platform_effects(const Platform& platform);
 
+// Those, and the ones that trials with more columns would show: a model learnt from such trials is applied to these.
+[[nodiscard]] std::vector<PlatformEffect> known_platform_effects(const Platform& platform);
+
 }  // namespace glisson::closedloop

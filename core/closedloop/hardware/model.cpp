@@ -33,7 +33,7 @@ class PlatformModel : public ForwardModel {
   void blur_the_end(const PlatformTrial& trial, const std::vector<std::size_t>& seen, Eigen::Index first);
 
   Platform platform_;
-  std::vector<PlatformEffect> effects_;
+  std::vector<PlatformEffect> effects_;  // also those that these trials could not show
   std::vector<Effect> catalogue_;
   Observations observations_;
 };
@@ -64,8 +64,8 @@ Result<std::unique_ptr<ForwardModel>> platform_model(Platform platform) {
 namespace {
 
 PlatformModel::PlatformModel(Platform platform)
-    : platform_(std::move(platform)), effects_(platform_effects(platform_)) {
-  for (const PlatformEffect& effect : effects_) catalogue_.push_back(effect.effect);
+    : platform_(std::move(platform)), effects_(known_platform_effects(platform_)) {
+  for (PlatformEffect& effect : platform_effects(platform_)) catalogue_.push_back(std::move(effect.effect));
   observations_.unit = "noise";
   observations_.directions = names;
   for (const PlatformTrial& trial : platform_.trials) observe(trial);

@@ -2,13 +2,16 @@
 
 #include <fmt/format.h>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "closedloop/inference/internal/found_effects.h"
 #include "closedloop/inference/internal/search_steps.h"
 #include "closedloop/inference/internal/search_swaps.h"
+#include "closedloop/inference/posterior.h"
 #include "closedloop/inference/smooth_baseline.h"
 #include "closedloop/inference/verdict.h"
+#include "closedloop/inference/visible.h"
 
 namespace glisson::closedloop {
 namespace {
@@ -33,6 +36,7 @@ class Diagnosis {
   [[nodiscard]] const Candidate& worth_naming(const Choice& choice, Verdict verdict) const;
   [[nodiscard]] double mesh_error_share(const Candidate& named) const;
   [[nodiscard]] Result<std::optional<HeldOut>> held_out(const Candidate& named, double mesh_error_share) const;
+  [[nodiscard]] Result<Posterior> weighed(const Choice& choice) const;
   [[nodiscard]] std::vector<Sentence> notes_on_verdict(const Choice& choice, const Remainder& left) const;
 
   const DiagnosisOptions& options_;
@@ -92,6 +96,15 @@ Result<Explanation> Diagnosis::run() {
   append(notes, std::move(found->notes));
   if (!search_.folds().any())
     notes.push_back({GLISSON_TEXT("There is only one trial, so nothing could be predicted that was not fitted."), {}});
+  auto probabilities = weighed(*choice);
+  if (!probabilities) return failure(std::move(probabilities.error()));
+  std::vector<SmallestVisible> visible;
+  if (verdict == Verdict::nothing_missing) {
+    auto found_visible =
+        smallest_visible(search_.model(), search_.systematic(), search_.whitening(), options_, progress_);
+    if (!found_visible) return failure(std::move(found_visible.error()));
+    visible = *std::move(found_visible);
+  }
   auto next = next_measurement(search_.model(), named.fit.settings, found->alternatives, options_);
   progress_.report(1, GLISSON_TEXT("done"));
 
@@ -115,6 +128,8 @@ Result<Explanation> Diagnosis::run() {
           smooth ? std::optional(held_out_error(all_, named.left_out.predicted + smooth->held_out, options_.evidence))
                  : std::nullopt,
       .next = std::move(next),
+      .posterior = *std::move(probabilities),
+      .smallest_visible = std::move(visible),
       .notes = std::move(notes),
       .predicted_before = declared.fit.predicted,
       .mesh_error_share = share,
@@ -181,6 +196,24 @@ Result<std::optional<HeldOut>> Diagnosis::held_out(const Candidate& named, doubl
     }
   }
   return held_out_error(all_, predicted, options_.evidence);
+}
+
+// Everything that was fitted. Where the declared model left nothing no effect was: each is looked at by itself.
+Result<Posterior> Diagnosis::weighed(const Choice& choice) const {
+  std::vector<LocalFit> considered = search_.considered();
+  const auto consider = [&](const Candidate& candidate) {
+    if (candidate.fitted()) considered.push_back(local_fit(candidate.fit, search_.whitening()));
+  };
+  consider(choice.found.chosen);
+  for (const std::vector<Candidate>& others : choice.found.in_place)
+    for (const Candidate& other : others) consider(other);
+  if (choice.singles.empty()) {
+    auto alone = search_.each_alone();
+    if (!alone) return failure(std::move(alone.error()));
+    considered.insert(considered.end(), std::move_iterator(alone->begin()), std::move_iterator(alone->end()));
+  }
+  return posterior({search_.model(), search_.systematic(), search_.whitening(), search_.correlation()},
+                   std::move(considered), options_.posterior, progress_);
 }
 
 std::vector<Sentence> Diagnosis::notes_on_verdict(const Choice& choice, const Remainder& left) const {

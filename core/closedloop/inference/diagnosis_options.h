@@ -58,6 +58,47 @@ struct EvidenceOptions {
   double resampling_prior = 1e-6;  // weakest of priors: keeps a resampling solvable that drew one trial again and again
 };
 
+// What is believed before anything is measured, and how far evidence is carried. Probabilities that add up to 1:
+// nothing, something else, and the rest for known causes, of which each set of as many causes has as much as another,
+// and each form of a kind as much as another.
+struct PosteriorOptions {
+  double nothing_missing = 0.3;  // models are declared to be right, and a good third of them pass
+  double something_else = 0.2;   // catalogues are never complete: of effects made outside of ours, about one in four
+  double two_causes = 0.2;       // of the known: two that act at once are rarer than one, and far more numerous
+  double three_causes = 0.03;    // ... three again
+
+  // An effect's parameters are normal about the middle of where a surgeon would expect them (Parameter::prior_low and
+  // prior_high), within the bounds of the search; half of that range is this many standard deviations.
+  double deviations_to_prior_end = 1;
+  // Standard deviation of the logarithm of the noise over the stated one: people know theirs to about a tenth.
+  double noise_scale = 0.1;
+  // Beside something else the noise may be of any size (it may be what is wrong): half of the probability that it is
+  // within this logarithm of the stated one, and a Cauchy tail.
+  double unknown_noise_scale = 0.5;
+
+  // The smooth function that stands for something else: normal logarithms of its amplitude, in noises, and of its
+  // lengths, in spreads of each feature.
+  double smooth_amplitude = 3;           // what draws attention is some noises large,
+  double smooth_amplitude_spread = 1.2;  // a third to ten of them
+  double smooth_length = 1.5;            // longer than the data reach: what does not depend on a feature
+  double smooth_length_spread = 1;       // from ripples of half a spread to straight lines
+  std::size_t smooth_rows = 240;         // its cost grows with their cube
+
+  double worth_refining = 15;    // nats below the best: less than one in a million, and no matter how exactly
+  double refined_enough = 0.2;   // standard deviations from the maximum of the posterior: a fiftieth of a nat
+  int refinements = 5;           // of Gauss and Newton; more is another maximum
+  double worth_telling = 0.001;  // of probability
+};
+
+// What an experiment could have shown (visible.h).
+struct VisibleOptions {
+  double power = 0.9;          // the usual one of a study that wants to miss little
+  double first_way = 0.02;     // of the range that a surgeon would expect: where effects are still small
+  double close_enough = 0.05;  // of the way: the noise itself is known no better
+  int tries = 3;               // each takes a solve
+  int tries_where_quick = 10;
+};
+
 struct DiagnosisOptions {
   double entry_bic = 10;  // "very strong" evidence on Kass and Raftery's scale (1995), over a score of candidates
   double alike_bic = 10;  // what less than that cannot tell apart, causes from a smooth function without cause too
@@ -76,6 +117,8 @@ struct DiagnosisOptions {
 
   SearchOptions search;
   EvidenceOptions evidence;
+  PosteriorOptions posterior;
+  VisibleOptions visible;
 };
 
 }  // namespace glisson::closedloop

@@ -70,6 +70,27 @@ struct NextMeasurement {
   double expected_separation = 0;         // of their predictions, in standard deviations of the noise
 };
 
+// How probable an explanation is among all that were weighed.
+struct WeighedExplanation {
+  std::vector<std::string> kinds;  // what acts together, in alphabetical order; none: nothing is missing
+  bool something_else = false;     // nothing of the catalogue, or not that alone
+  double probability = 0;
+};
+
+// Over nothing, each kind, the sets of kinds that the search fitted, and something else; the likeliest first. The
+// improbable are left out (PosteriorOptions::worth_telling), so that the sum is a little less than 1.
+using Posterior = std::vector<WeighedExplanation>;
+
+// From where on an effect would have been seen (visible.h).
+struct SmallestVisible {
+  std::string kind;
+  std::string form;
+  std::string parameter;
+  int component = 0;            // of a parameter that is a vector, from 1; else 0
+  double no_effect = 0;         // of the parameter
+  std::optional<double> value;  // absent: at no size within the parameter's bounds
+};
+
 struct Explanation {
   Verdict verdict = Verdict::nothing_missing;
   ErrorFigures before;
@@ -87,6 +108,8 @@ struct Explanation {
   std::optional<SmoothCorrection> smooth_correction;
   std::optional<HeldOut> held_out_corrected;  // with it
   std::optional<NextMeasurement> next;
+  Posterior posterior;
+  std::vector<SmallestVisible> smallest_visible;  // with "nothing missing"
   // For a person: what is undetermined, what was left out and why. Arguments name kinds and parameters as they are.
   std::vector<Sentence> notes;
   Eigen::VectorXd predicted_before;

@@ -122,6 +122,19 @@ double evidence_over_smooth(const Observations& observations, const Eigen::Vecto
   return minimum_bic(blocks, variance, n, progress) - named;
 }
 
+Eigen::MatrixXd varying_features(const Observations& observations) {
+  Eigen::MatrixXd features = features_with_history(observations);
+  std::vector<Eigen::Index> varying;
+  for (Eigen::Index f = 0; f < features.cols(); ++f) {
+    features.col(f).array() -= features.col(f).mean();
+    const double spread = std::sqrt(features.col(f).squaredNorm() / static_cast<double>(features.rows()));
+    if (spread < 1e-12) continue;
+    features.col(f) /= spread;
+    varying.push_back(f);
+  }
+  return features(Eigen::all, varying);
+}
+
 namespace {
 
 Eigen::MatrixXd features_with_history(const Observations& observations) {
@@ -153,15 +166,7 @@ Eigen::MatrixXd features_with_history(const Observations& observations) {
 
 std::vector<Block> blocks_of(const Observations& observations, const Eigen::VectorXd& residual,
                              const std::vector<Eigen::Index>& rows) {
-  Eigen::MatrixXd features = features_with_history(observations);
-  std::vector<Eigen::Index> varying;
-  for (Eigen::Index f = 0; f < features.cols(); ++f) {
-    features.col(f).array() -= features.col(f).mean();
-    const double spread = std::sqrt(features.col(f).squaredNorm() / static_cast<double>(features.rows()));
-    if (spread < 1e-12) continue;
-    features.col(f) /= spread;
-    varying.push_back(f);
-  }
+  const Eigen::MatrixXd features = varying_features(observations);
   std::vector<Block> blocks;
   for (int direction = 0; direction < static_cast<int>(observations.directions.size()); ++direction) {
     std::vector<Eigen::Index> own;
@@ -170,7 +175,7 @@ std::vector<Block> blocks_of(const Observations& observations, const Eigen::Vect
     }
     if (own.empty()) continue;
     Block block{residual(own).cwiseQuotient(observations.noise(own)), {}};
-    for (const Eigen::Index f : varying) {
+    for (Eigen::Index f = 0; f < features.cols(); ++f) {
       const Eigen::VectorXd x = features(own, f);
       block.square_distance.emplace_back((x.replicate(1, x.size()) - x.transpose().replicate(x.size(), 1)).cwiseAbs2());
     }

@@ -23,4 +23,8 @@ namespace glisson::closedloop {
                                           const Eigen::VectorXd& explained, Eigen::Index parameters, double correlation,
                                           const Progress& progress = {});
 
+// What a smooth function may depend on: load, place and conditions, way, time and the largest load so far; a column
+// each that varies, about its mean and in its own spread; a row each observation.
+[[nodiscard]] Eigen::MatrixXd varying_features(const Observations& observations);
+
 }  // namespace glisson::closedloop

@@ -25,6 +25,7 @@ Reach reach_of(const Material& material);
 Eigen::VectorXd vector(std::initializer_list<double> values);
 
 using Effects = std::vector<MaterialEffect>;
+Effects effects_within(const Material& material, const Reach& reach);
 void add_stiffness(const Material& material, const Reach& reach, Effects& effects);
 void add_stiffening(const Material& material, const Reach& reach, Effects& effects);
 void add_relaxation(const Reach& reach, Effects& effects);
@@ -34,7 +35,19 @@ void add_load_cell(const Material& material, const Reach& reach, Effects& effect
 }  // namespace
 
 std::vector<MaterialEffect> material_effects(const Material& material) {
-  const Reach reach = reach_of(material);
+  return effects_within(material, reach_of(material));
+}
+
+std::vector<MaterialEffect> known_material_effects(const Material& material) {
+  Reach reach = reach_of(material);
+  reach.unloads = reach.both_sides = true;
+  if (!(reach.longest_s > 0)) reach.longest_s = reach.shortest_s = 1;
+  return effects_within(material, reach);
+}
+
+namespace {
+
+Effects effects_within(const Material& material, const Reach& reach) {
   Effects effects;
   add_stiffness(material, reach, effects);
   add_stiffening(material, reach, effects);
@@ -43,8 +56,6 @@ std::vector<MaterialEffect> material_effects(const Material& material) {
   add_load_cell(material, reach, effects);
   return effects;
 }
-
-namespace {
 
 Eigen::VectorXd vector(std::initializer_list<double> values) {
   return Eigen::VectorXd::Map(values.begin(), static_cast<Eigen::Index>(values.size()));

@@ -18,4 +18,7 @@ struct MaterialEffect {
 // no asymmetry where only one side was tested.
 [[nodiscard]] std::vector<MaterialEffect> material_effects(const Material& material);
 
+// Those, and the ones that other trials would show: a model learnt from such trials is applied to these.
+[[nodiscard]] std::vector<MaterialEffect> known_material_effects(const Material& material);
+
 }  // namespace glisson::closedloop

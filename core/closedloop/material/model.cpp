@@ -31,7 +31,7 @@ class MaterialModel : public ForwardModel {
   [[nodiscard]] std::vector<FurtherTrial> further() const;
 
   Material material_;
-  std::vector<MaterialEffect> effects_;
+  std::vector<MaterialEffect> effects_;  // also those that these trials could not show
   std::vector<Effect> catalogue_;
   Observations observations_;
 };
@@ -47,8 +47,10 @@ Result<std::unique_ptr<ForwardModel>> material_model(Material material) {
 namespace {
 
 MaterialModel::MaterialModel(Material material)
-    : material_(std::move(material)), effects_(material_effects(material_)), observations_(observations_of(material_)) {
-  for (const MaterialEffect& effect : effects_) catalogue_.push_back(effect.effect);
+    : material_(std::move(material)),
+      effects_(known_material_effects(material_)),
+      observations_(observations_of(material_)) {
+  for (MaterialEffect& effect : material_effects(material_)) catalogue_.push_back(std::move(effect.effect));
 }
 
 MaterialBehaviour MaterialModel::behaviour(const Settings& settings) const {

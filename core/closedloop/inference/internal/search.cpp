@@ -315,6 +315,7 @@ Result<Candidate> Search::forward(Candidate current, std::vector<Candidate>* sin
                                progress_.part(begin, std::min(0.95, begin + 0.3)));
     if (!candidates) return failure(std::move(candidates.error()));
     if (step == 0 && singles != nullptr) *singles = *candidates;
+    consider(*candidates);
     std::erase_if(*candidates, [](const Candidate& candidate) { return !candidate.fitted(); });
     if (candidates->empty()) return current;
     std::erase_if(*candidates, [&](const Candidate& candidate) {
@@ -335,6 +336,34 @@ Result<Candidate> Search::forward(Candidate current, std::vector<Candidate>* sin
     if (leaves_nothing(current)) return current;
   }
   return current;
+}
+
+void Search::consider(const std::vector<Candidate>& candidates) {
+  for (const Candidate& candidate : candidates)
+    if (candidate.fitted()) considered_.push_back(local_fit(candidate.fit, whitening_));
+}
+
+Result<std::vector<LocalFit>> Search::each_alone() const {
+  std::vector<LocalFit> alone;
+  if (model_.predicts_quickly()) {
+    auto fitted = fit_each({}, additions({}), progress_);
+    if (!fitted) return failure(std::move(fitted.error()));
+    for (const Candidate& candidate : *fitted)
+      if (candidate.fitted()) alone.push_back(local_fit(candidate.fit, whitening_));
+    return alone;
+  }
+  const auto predicted = model_.predict({});
+  if (!predicted) return failure(predicted.error());
+  const Eigen::VectorXd residual = model_.observations().measured - *predicted;
+  for (const Effect* effect : additions({})) {
+    if (progress_.cancelled()) return cancelled();
+    if (effect->late) continue;
+    const Attempt attempt = begin({}, *effect, residual);
+    if (attempt.starts.empty()) continue;
+    if (const auto there = without_fitting(model_, attempt.starts.front(), whitening_))
+      alone.push_back(local_fit(*there, whitening_));
+  }
+  return alone;
 }
 
 Result<Candidate> Search::without(const Candidate& chosen, std::size_t which) const {

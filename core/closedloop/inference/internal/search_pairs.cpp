@@ -51,6 +51,7 @@ Result<Candidate> Search::with_best_pair(Candidate chosen, const Candidate& decl
                                          const std::vector<Candidate>& singles) {
   std::vector<Candidate> pairs = pairs_of(singles);
   if (progress_.cancelled()) return cancelled();
+  consider(pairs);
   const auto weight = [this](const Candidate& candidate) { return bic_of(candidate) + cost_of_choice(candidate); };
   std::erase_if(pairs, [&](const Candidate& pair) {
     return !pair.fitted() || !shows(pair, declared) || !predicts_better(pair, declared) ||

@@ -9,6 +9,7 @@
 #include "base/result.h"
 #include "closedloop/inference/diagnosis_options.h"
 #include "closedloop/inference/evidence.h"
+#include "closedloop/inference/laplace.h"
 
 namespace glisson::closedloop {
 
@@ -31,6 +32,12 @@ class Search {
 
   // Forward steps with backward checks from the declared model; leaves the first step's candidates in `singles`.
   Result<Candidate> select(const Candidate& declared, std::vector<Candidate>& singles);
+
+  // Each effect of the catalogue alone. Of models whose fits are slow, to first order from where a fit would begin.
+  Result<std::vector<LocalFit>> each_alone() const;
+
+  // All that the steps fitted, for what they are worth together.
+  [[nodiscard]] const std::vector<LocalFit>& considered() const { return considered_; }
 
   // The best candidate of each other kind in place of setting `which` of `chosen`, and the other forms of its own.
   Result<std::vector<Candidate>> in_place_of(const Candidate& chosen, std::size_t which) const;
@@ -76,6 +83,7 @@ class Search {
   [[nodiscard]] Attempt begin(const Settings& active, const Effect& effect, const Eigen::VectorXd& residual) const;
   [[nodiscard]] Candidate fit_from(const Attempt& attempt) const;
   void finish(Candidate& candidate) const;
+  void consider(const std::vector<Candidate>& candidates);
   void finish_near_the_best(std::vector<Candidate>& candidates, double chi2_without) const;
   [[nodiscard]] Candidate evaluated(Fit fit) const;
   [[nodiscard]] double plain_square(const Eigen::VectorXd& predicted) const;
@@ -91,6 +99,7 @@ class Search {
   SystematicUncertainty systematic_;
   Whitening whitening_;
   CrossValidationFolds folds_;
+  std::vector<LocalFit> considered_;
   double correlation_ = 1;  // of what the best candidate so far leaves
 };
 

@@ -1,0 +1,284 @@
+#include "closedloop/inference/posterior.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "base/parallel.h"
+#include "closedloop/inference/smooth_rest.h"
+
+namespace glisson::closedloop {
+namespace {
+
+using Kinds = std::vector<std::string>;
+
+// A set of effects with its evidence and its share of what was believed; natural logarithms.
+struct Weighed {
+  LocalFit fit;
+  Kinds kinds;
+  LogEvidence log;
+  double log_prior = 0;
+};
+
+Kinds kinds_of(const Settings& settings);
+bool shows_all(const LocalFit& fit);
+std::vector<LocalFit> best_of_each_set(std::vector<LocalFit> considered);
+void refine(const Weighing& weighing, std::vector<Weighed>& all, const PosteriorOptions& options,
+            const Progress& progress);
+double root_mean_square(const Eigen::VectorXd& values);
+
+// How many kinds there are and how many forms each has say what each set of them may expect.
+class Priors {
+ public:
+  Priors(const ForwardModel& model, const PosteriorOptions& options) : options_(options) {
+    for (const Effect& effect : model.catalogue()) forms_[effect.kind] += 1;
+  }
+
+  [[nodiscard]] double log_of(const Settings& settings) const {
+    if (settings.empty()) return std::log(options_.nothing_missing);
+    const double known = 1 - options_.nothing_missing - options_.something_else;
+    const double of_number = settings.size() == 1   ? 1 - options_.two_causes - options_.three_causes
+                             : settings.size() == 2 ? options_.two_causes
+                                                    : options_.three_causes;
+    double sets = 1;  // of as many kinds
+    for (std::size_t i = 0; i < settings.size(); ++i)
+      sets *= std::max(1.0, static_cast<double>(forms_.size()) - double(i)) / double(i + 1);
+    double log = std::log(known * of_number / sets);
+    for (const Setting& setting : settings) log -= std::log(forms_.at(setting.kind));
+    return log;
+  }
+
+ private:
+  const PosteriorOptions& options_;
+  std::map<std::string, double> forms_;
+};
+
+}  // namespace
+
+Result<Posterior> posterior(const Weighing& weighing, std::vector<LocalFit> considered, const PosteriorOptions& options,
+                            const Progress& progress) {
+  const ForwardModel& model = weighing.model;
+  const Observations& observations = model.observations();
+  const auto declared = without_fitting(model, {}, weighing.whitening);
+  if (!declared) return failure(declared.error());
+  considered.push_back(local_fit(*declared, weighing.whitening));
+  const Priors priors(model, options);
+  std::vector<Weighed> all;
+  for (LocalFit& fit : best_of_each_set(std::move(considered))) {
+    if (!shows_all(fit)) continue;
+    const LogEvidence log = log_evidence(model, fit, weighing.correlation, options);
+    if (!std::isfinite(log.evidence)) continue;
+    Kinds kinds = kinds_of(fit.settings);
+    const double prior = priors.log_of(fit.settings);
+    all.push_back({std::move(fit), std::move(kinds), log, prior});
+  }
+  if (model.predicts_quickly()) refine(weighing, all, options, progress);
+
+  // What lies within the prediction's own error shows nothing.
+  const double indistinct = weighing.systematic.indistinct;
+  const auto excess = [&](const Eigen::VectorXd& predicted) {
+    const double size = root_mean_square((observations.measured - predicted).cwiseQuotient(observations.noise));
+    return std::sqrt(std::max(0.0, size * size - 1));
+  };
+  const auto nothing = std::find_if(all.begin(), all.end(), [](const Weighed& one) { return one.kinds.empty(); });
+  const double of_nothing = nothing->log.evidence;
+  if (indistinct > 0) {
+    const double highest = std::max_element(all.begin(), all.end(), [](const auto& a, const auto& b) {
+                             return a.log.evidence < b.log.evidence;
+                           })->log.evidence;
+    const bool as_the_mesh = excess(declared->predicted) <= indistinct;
+    for (Weighed& one : all) {
+      if (one.log.evidence <= of_nothing || one.log.evidence < highest - options.worth_refining) continue;
+      const auto predicted = model.predict(one.fit.settings);
+      const bool shows =
+          predicted &&
+          root_mean_square((*predicted - declared->predicted).cwiseQuotient(observations.noise)) > indistinct;
+      if (as_the_mesh || !shows) one.log.evidence = of_nothing;
+    }
+  }
+
+  const auto weight = [](const Weighed& one) { return one.log.evidence + one.log_prior; };
+  const auto leading =
+      std::max_element(all.begin(), all.end(), [&](const auto& a, const auto& b) { return weight(a) < weight(b); });
+  const auto smooth = [&](const Eigen::VectorXd& predicted) {
+    return smooth_evidence(observations, weighing.systematic, observations.measured - predicted, weighing.correlation,
+                           options, progress);
+  };
+  // Over the rows that a smooth function rests on, beside the leading explanation's on the same rows.
+  std::vector<double> something_else;
+  const SmoothEvidence in_place = smooth(declared->predicted);
+  if (leading->kinds.empty()) {
+    const double beside = in_place.smooth - in_place.noise;
+    something_else.push_back(of_nothing + (excess(declared->predicted) <= indistinct ? std::min(0.0, beside) : beside));
+  } else {
+    const auto predicted = model.predict(leading->fit.settings);
+    if (!predicted) return failure(predicted.error());
+    const SmoothEvidence rest = smooth(*predicted);
+    const double beside = rest.smooth - rest.noise;
+    const double half = std::log(0.5);
+    something_else.push_back(half + leading->log.best + in_place.smooth - rest.noise);
+    something_else.push_back(half + leading->log.evidence +
+                             (excess(*predicted) <= indistinct ? std::min(0.0, beside) : beside));
+  }
+  if (progress.cancelled()) return cancelled();
+
+  double highest = weight(*leading);
+  for (double& log : something_else) {
+    log += std::log(options.something_else);
+    highest = std::max(highest, log);
+  }
+  std::map<Kinds, double> probabilities;
+  double other = 0, sum = 0;
+  for (const Weighed& one : all) probabilities[one.kinds] += std::exp(weight(one) - highest);
+  for (const auto& [kinds, probability] : probabilities) sum += probability;
+  for (const double log : something_else) other += std::exp(log - highest);
+  sum += other;
+  Posterior result;
+  const auto tell = [&](Kinds kinds, bool is_other, double probability) {
+    if (probability / sum >= options.worth_telling) result.push_back({std::move(kinds), is_other, probability / sum});
+  };
+  for (const auto& [kinds, probability] : probabilities) tell(kinds, false, probability);
+  tell({}, true, other);
+  std::stable_sort(result.begin(), result.end(),
+                   [](const auto& a, const auto& b) { return a.probability > b.probability; });
+  return result;
+}
+
+bool agrees(const Explanation& explanation) {
+  if (explanation.posterior.empty()) return true;
+  const WeighedExplanation& leading = explanation.posterior.front();
+  switch (explanation.verdict) {
+    case Verdict::nothing_missing: return leading.kinds.empty() && !leading.something_else;
+    case Verdict::unexplained: return leading.something_else;
+    default: break;
+  }
+  if (leading.something_else || leading.kinds.size() != explanation.effects.size()) return false;
+  Kinds left = leading.kinds;
+  for (const FoundEffect& effect : explanation.effects) {
+    auto same = std::find(left.begin(), left.end(), effect.kind);
+    if (same == left.end())
+      same = std::find_if(left.begin(), left.end(), [&](const std::string& kind) {
+        return std::count(effect.alike.begin(), effect.alike.end(), kind) > 0;
+      });
+    if (same == left.end()) return false;
+    left.erase(same);
+  }
+  return true;
+}
+
+std::string name_of(const WeighedExplanation& weighed) {
+  if (weighed.something_else) return "something else";
+  if (weighed.kinds.empty()) return "nothing is missing";
+  std::string name;
+  for (const std::string& kind : weighed.kinds) name += (name.empty() ? "" : " and ") + kind;
+  return name;
+}
+
+namespace {
+
+std::string in_percent(double probability) {
+  if (probability > 0.995) return "more than 99 %";
+  if (probability < 0.01) return "less than 1 %";
+  return fmt::format("{:.0f} %", 100 * probability);
+}
+
+std::string and_next(const Posterior& posterior) {
+  if (posterior.size() < 2 || posterior[1].probability < 0.01) return ".";
+  return fmt::format("; next comes: {}, {}.", name_of(posterior[1]), in_percent(posterior[1].probability));
+}
+
+}  // namespace
+
+std::string posterior_sentence(const Explanation& explanation) {
+  if (explanation.posterior.empty()) return "";
+  const Posterior& all = explanation.posterior;
+  const WeighedExplanation& leading = all.front();
+  const std::string much = in_percent(leading.probability);
+  if (agrees(explanation)) {
+    switch (explanation.verdict) {
+      case Verdict::nothing_missing:
+        return fmt::format("Probability that nothing is missing: {}{}", much, and_next(all));
+      case Verdict::explained: return fmt::format("Probability of {}: {}{}", name_of(leading), much, and_next(all));
+      default:
+        return fmt::format("Probability that something acts which is not in the catalogue: {}{}", much, and_next(all));
+    }
+  }
+  switch (explanation.verdict) {
+    case Verdict::nothing_missing:
+      return fmt::format(
+          "What is left passes every test for noise, and yet weighing all explanations finds a weak sign of {} ({}): "
+          "only further trials could tell.",
+          name_of(leading), much);
+    case Verdict::explained:
+      return fmt::format(
+          "What was found suffices, but weighing all explanations, {} is likelier ({}): take the name as one of "
+          "several that these data allow.",
+          name_of(leading), much);
+    default:
+      return fmt::format(
+          "Among all explanations {} weighs most ({}), but it does not pass as a cause: it leaves too much, or a "
+          "function without a cause does about as well. Do not build on it.",
+          name_of(leading), much);
+  }
+}
+
+namespace {
+
+Kinds kinds_of(const Settings& settings) {
+  Kinds kinds;
+  for (const Setting& setting : settings) kinds.push_back(setting.kind);
+  std::sort(kinds.begin(), kinds.end());
+  return kinds;
+}
+
+// Each of its effects changes something that was measured; of one that does not the data say nothing, and it is not
+// weighed.
+bool shows_all(const LocalFit& fit) {
+  Eigen::Index at = 0;
+  for (const Setting& setting : fit.settings) {
+    const Eigen::Index count = setting.parameters.size();
+    if (count > 0 && fit.information.diagonal().segment(at, count).maxCoeff() <= 0) return false;
+    at += count;
+  }
+  return true;
+}
+
+// Of several fits of the same forms the closest.
+std::vector<LocalFit> best_of_each_set(std::vector<LocalFit> considered) {
+  std::map<std::set<std::pair<std::string, std::string>>, LocalFit> best;
+  for (LocalFit& fit : considered) {
+    std::set<std::pair<std::string, std::string>> forms;
+    for (const Setting& setting : fit.settings) forms.emplace(setting.kind, setting.form);
+    const auto [known, is_new] = best.try_emplace(std::move(forms), fit);
+    if (!is_new && fit.chi2 < known->second.chi2) known->second = std::move(fit);
+  }
+  std::vector<LocalFit> fits;
+  for (auto& [forms, fit] : best) fits.push_back(std::move(fit));
+  return fits;
+}
+
+void refine(const Weighing& weighing, std::vector<Weighed>& all, const PosteriorOptions& options,
+            const Progress& progress) {
+  double highest = -std::numeric_limits<double>::infinity();
+  for (const Weighed& one : all) highest = std::max(highest, one.log.evidence);
+  parallel_for(all.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      if (all[i].log.evidence < highest - options.worth_refining) continue;
+      all[i].fit = at_maximum(weighing.model, weighing.whitening, std::move(all[i].fit), weighing.correlation, options,
+                              progress);
+      all[i].log = log_evidence(weighing.model, all[i].fit, weighing.correlation, options);
+    }
+  });
+}
+
+double root_mean_square(const Eigen::VectorXd& values) {
+  return values.norm() / std::sqrt(static_cast<double>(values.size()));
+}
+
+}  // namespace
+}  // namespace glisson::closedloop

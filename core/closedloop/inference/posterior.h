@@ -1,0 +1,42 @@
+#pragma once
+// A probability for each explanation, by the evidence of each (laplace.h, smooth_rest.h) and what was believed before
+// anything was measured (PosteriorOptions). It stands beside the verdict, which has rules of its own.
+
+#include <string>
+#include <vector>
+
+#include "base/progress.h"
+#include "closedloop/experiment/forward_model.h"
+#include "closedloop/inference/diagnosis_options.h"
+#include "closedloop/inference/explanation.h"
+#include "closedloop/inference/laplace.h"
+
+namespace glisson::closedloop {
+
+// What everything is weighed on.
+struct Weighing {
+  const ForwardModel& model;
+  const SystematicUncertainty& systematic;
+  const Whitening& whitening;  // over all rows
+  double correlation = 1;
+};
+
+// `considered`: sets of effects near where they fit best; a set may stand there several times and counts once, sets
+// that are not there count as impossible. Of "something else" half is a smooth function in place of all known causes,
+// half one beside the likeliest of them; half of nothing where nothing is likeliest. What lies within the prediction's
+// own error (SystematicUncertainty::indistinct) is no better evidence than the declared model. Fails where that cannot
+// be solved, and when cancelled.
+Result<Posterior> posterior(const Weighing& weighing, std::vector<LocalFit> considered, const PosteriorOptions& options,
+                            const Progress& progress = {});
+
+// Whether the likeliest explanation is what the verdict says, or one that the data cannot tell from it.
+[[nodiscard]] bool agrees(const Explanation& explanation);
+
+// For a person, what follows the verdict: how probable it is, or, where another is likelier, what to make of that.
+// Empty where nothing was weighed.
+[[nodiscard]] std::string posterior_sentence(const Explanation& explanation);
+
+// "nothing is missing", "stiffness-scale and hysteresis", "something else".
+[[nodiscard]] std::string name_of(const WeighedExplanation& weighed);
+
+}  // namespace glisson::closedloop

@@ -1,0 +1,30 @@
+#pragma once
+// Is there a smooth function of what was done in a residual, whatever caused it? The evidence of a Gaussian process
+// (smooth_baseline.h) beside that of noise, with proper priors over its amplitudes and lengths and over the noise's
+// size, which beside something else may be any (PosteriorOptions), by Laplace's method: the weight of "something else"
+// in a posterior.
+//
+// Rasmussen and Williams, Gaussian Processes for Machine Learning (2006), 5.2.
+
+#include <Eigen/Core>
+
+#include "base/progress.h"
+#include "closedloop/experiment/observations.h"
+#include "closedloop/experiment/whitening.h"
+#include "closedloop/inference/diagnosis_options.h"
+
+namespace glisson::closedloop {
+
+// Natural logarithms, over the same rows: neighbours in time averaged, or every so many markers, to at most
+// PosteriorOptions::smooth_rows and no more than are independent of each other (rows / correlation).
+struct SmoothEvidence {
+  double smooth = 0;
+  double noise = 0;
+};
+
+// `residual`: measured - predicted. Where the search is cancelled, its best so far.
+[[nodiscard]] SmoothEvidence smooth_evidence(const Observations& observations, const SystematicUncertainty& systematic,
+                                             const Eigen::VectorXd& residual, double correlation,
+                                             const PosteriorOptions& options, const Progress& progress = {});
+
+}  // namespace glisson::closedloop

@@ -1,0 +1,216 @@
+// A probability for each explanation: its evidence against an independent estimate, and what it says of made-up tests.
+
+#include "closedloop/inference/posterior.h"
+
+#include <gmock/gmock.h>
+#include <algorithm>
+#include <cmath>
+#include <Eigen/Cholesky>
+#include <numbers>
+#include <random>
+
+#include "base/json.h"
+#include "closedloop/explanation_file.h"
+#include "closedloop/inference/diagnosis.h"
+#include "closedloop/inference/smooth_rest.h"
+#include "closedloop/material/model.h"
+#include "made_up_tests.h"
+
+namespace glisson::closedloop {
+namespace {
+
+using testing::HasSubstr;
+
+const PosteriorOptions options;
+
+double log_mean(const std::vector<double>& logs) {
+  const double highest = *std::max_element(logs.begin(), logs.end());
+  double sum = 0;
+  for (const double log : logs) sum += std::exp(log - highest);
+  return highest + std::log(sum / double(logs.size()));
+}
+
+// ln of the likelihood whatever the noise's size, on a plain grid of it.
+double log_likelihood(double chi2, double rows) {
+  std::vector<double> logs;
+  constexpr int count = 4001;
+  constexpr double low = -1, high = 3;
+  for (int i = 0; i < count; ++i) {
+    const double log_scale = low + (high - low) * i / (count - 1);
+    logs.push_back(-rows * log_scale - chi2 / 2 * std::exp(-2 * log_scale) -
+                   0.5 * std::pow(log_scale / options.noise_scale, 2) -
+                   std::log(options.noise_scale * std::sqrt(2 * std::numbers::pi)));
+  }
+  return log_mean(logs) + std::log(high - low);
+}
+
+// By importance sampling from a broad Student's t of 4 degrees about `middle`: it needs no shape of the posterior.
+double sampled_log_evidence(const ForwardModel& model, const Whitening& whitening, const LocalFit& middle,
+                            int samples) {
+  const ParameterPrior prior = prior_of(model, middle.settings, options);
+  const Eigen::VectorXd at = prior.inward(values_of(middle.settings));
+  const Eigen::VectorXd slope = prior.slope(values_of(middle.settings));
+  const auto size = at.size();
+  const Eigen::MatrixXd precision = (slope.asDiagonal() * middle.information * slope.asDiagonal()) /
+                                        std::max(1.0, middle.chi2 / double(middle.rows)) +
+                                    Eigen::MatrixXd::Identity(size, size);
+  const Eigen::LLT<Eigen::MatrixXd> covariance(1.5 * precision.inverse());
+  const Eigen::MatrixXd root = covariance.matrixL();
+  double log_mass = 0;
+  for (Eigen::Index p = 0; p < size; ++p)
+    log_mass += std::log(0.5 * (std::erf(prior.upper[p] / std::sqrt(2)) - std::erf(prior.lower[p] / std::sqrt(2))));
+  constexpr double degrees = 4;
+  std::mt19937 random(7);
+  std::normal_distribution<double> normal;
+  std::chi_squared_distribution<double> chi_squared(degrees);
+  std::vector<double> logs;
+  for (int i = 0; i < samples; ++i) {
+    Eigen::VectorXd z(size);
+    for (double& value : z) value = normal(random);
+    z *= std::sqrt(degrees / chi_squared(random));
+    const Eigen::VectorXd u = at + root * z;
+    if ((u.array() < prior.lower.array()).any() || (u.array() > prior.upper.array()).any()) {
+      logs.push_back(-1e300);
+      continue;
+    }
+    const auto predicted = model.predict(with_values(middle.settings, prior.outward(u)));
+    if (!predicted) {
+      logs.push_back(-1e300);
+      continue;
+    }
+    const double chi2 = whitening.whiten(model.observations().measured - *predicted).squaredNorm();
+    const double n = double(size);
+    const double log_proposal = std::lgamma((degrees + n) / 2) - std::lgamma(degrees / 2) -
+                                n / 2 * std::log(degrees * std::numbers::pi) - root.diagonal().array().log().sum() -
+                                (degrees + n) / 2 * std::log1p(z.squaredNorm() / degrees);
+    logs.push_back(log_likelihood(chi2, double(middle.rows)) - 0.5 * u.squaredNorm() -
+                   n / 2 * std::log(2 * std::numbers::pi) - log_mass - log_proposal);
+  }
+  return log_mean(logs);
+}
+
+struct Weak {
+  std::string kind, form;
+  double tolerance;  // nats
+};
+
+TEST(Evidence, LaplacesMethodComesToWhatSamplingDoes) {
+  // Creep of about half the noise, as each candidate sees it: one parameter, two, one with a bound at nothing, and a
+  // law that is far from linear in its parameters. Where an explanation is hundreds of nats worse than another, Laplace
+  // may be off by one or two (Ogden's law here), which matters to no probability.
+  const auto model = material_model(test::compression_tests(
+                                        [](const auto& trial) {
+                                          return test::relaxing(test::straight_line(trial), trial.time_s, 0.15, 12);
+                                        },
+                                        1.0))
+                         .value();
+  const Whitening whitening(model->observations().noise, {}, all_rows(model->observations()));
+  for (const Weak& one : {Weak{"stiffness-scale", "", 0.1}, Weak{"viscoelastic-creep", "", 0.4},
+                          Weak{"force-bias", "", 0.1}, Weak{"strain-stiffening", "exponential", 0.3},
+                          Weak{"softening", "drop", 0.3}, Weak{"hysteresis", "friction", 0.7}}) {
+    const auto effect = std::find_if(model->catalogue().begin(), model->catalogue().end(), [&](const Effect& known) {
+      return known.kind == one.kind && known.form == one.form;
+    });
+    ASSERT_NE(effect, model->catalogue().end()) << one.kind;
+    std::optional<Fit> best;
+    for (const Eigen::VectorXd& start : effect->starts) {
+      auto fitted = fit(*model, {{one.kind, one.form, start}}, whitening);
+      ASSERT_TRUE(fitted) << fitted.error().message();
+      if (!best || fitted->chi2 < best->chi2) best = std::move(*fitted);
+    }
+    const LocalFit middle = at_maximum(*model, whitening, local_fit(*best, whitening), 1, options);
+    const double laplace = log_evidence(*model, middle, 1, options).evidence;
+    EXPECT_NEAR(laplace, sampled_log_evidence(*model, whitening, middle, 6000), one.tolerance) << one.kind;
+  }
+}
+
+TEST(Evidence, OfAnEffectThatTheDataDoNotShowIsThatOfTheModelWithoutIt) {
+  // Its parameters stay as open as they were, and cost nothing.
+  const auto model = material_model(test::compression_tests(test::straight_line, 200)).value();
+  const Whitening whitening(model->observations().noise, {}, all_rows(model->observations()));
+  const auto evidence_of = [&](const Settings& settings) {
+    return log_evidence(*model, local_fit(without_fitting(*model, settings, whitening).value(), whitening), 1, options)
+        .evidence;
+  };
+  EXPECT_NEAR(evidence_of({{"stiffness-scale", "", Eigen::VectorXd::Ones(1)}}), evidence_of({}), 0.05);
+}
+
+TEST(SmoothEvidence, FindsASmoothFunctionAndNoneInNoise) {
+  const auto of = [](const test::Answer& answer) {
+    const auto model = material_model(test::compression_tests(answer, 0.2)).value();
+    const Observations& all = model->observations();
+    const SmoothEvidence evidence = smooth_evidence(all, {}, all.measured - 20 * all.load, 1, options);
+    return evidence.smooth - evidence.noise;
+  };
+  EXPECT_LT(of(test::straight_line), -1);
+  EXPECT_GT(of([](const auto& trial) { return Eigen::VectorXd(test::straight_line(trial) + 0.02 * trial.time_s); }),
+            50);
+}
+
+const WeighedExplanation& likeliest(const Explanation& explanation) { return explanation.posterior.front(); }
+
+TEST(Posterior, SaysWhatTheVerdictSaysWhereTheAnswerIsClear) {
+  const auto explained = [](const test::Answer& answer, double noise_kPa) {
+    return diagnose(*material_model(test::compression_tests(answer, noise_kPa)).value()).value();
+  };
+  const Explanation nothing = explained(test::straight_line, 0.1);
+  EXPECT_TRUE(agrees(nothing));
+  EXPECT_EQ(name_of(likeliest(nothing)), "nothing is missing");
+  EXPECT_GT(likeliest(nothing).probability, 0.8);
+  EXPECT_THAT(posterior_sentence(nothing), HasSubstr("nothing is missing"));
+
+  const Explanation creep = explained(
+      [](const auto& trial) { return test::relaxing(test::straight_line(trial), trial.time_s, 0.3, 12); }, 0.1);
+  EXPECT_TRUE(agrees(creep));
+  EXPECT_EQ(likeliest(creep).kinds, std::vector<std::string>{"viscoelastic-creep"});
+  EXPECT_GT(likeliest(creep).probability, 0.9);
+
+  const Explanation ringing = explained(
+      [](const auto& trial) {
+        return Eigen::VectorXd(test::straight_line(trial).array() + 0.5 * (1.7 * trial.time_s.array()).sin());
+      },
+      0.1);
+  EXPECT_TRUE(agrees(ringing)) << posterior_sentence(ringing);
+  EXPECT_TRUE(likeliest(ringing).something_else);
+
+  // A load cell that reads a fifth too much is as probable as a specimen that is a fifth stiffer.
+  const Explanation either =
+      explained([](const auto& trial) { return Eigen::VectorXd(1.2 * test::straight_line(trial)); }, 0.1);
+  EXPECT_TRUE(agrees(either)) << posterior_sentence(either);
+  EXPECT_LT(likeliest(either).probability, 0.9);
+  double sum = 0;
+  for (const WeighedExplanation& weighed : either.posterior) sum += weighed.probability;
+  EXPECT_NEAR(sum, 1, 0.02);
+}
+
+TEST(Posterior, StandsInTheReport) {
+  const auto model = material_model(test::compression_tests(test::straight_line, 0.1)).value();
+  const Explanation explanation = diagnose(*model).value();
+  const Json report = report_json(explanation, model->observations());
+  const Json& posterior = report["posterior"];
+  EXPECT_EQ(posterior["explanations"].size(), explanation.posterior.size());
+  EXPECT_EQ(posterior["explanations"][0]["kinds"], Json::array());
+  EXPECT_EQ(posterior["agrees_with_verdict"], true);
+  EXPECT_EQ(posterior["sentence"], posterior_sentence(explanation));
+}
+
+TEST(Posterior, WhereAnotherIsLikelierThanTheVerdictItIsSaidWithoutContradiction) {
+  Explanation e;
+  e.verdict = Verdict::nothing_missing;
+  e.posterior = {{{"hysteresis"}, false, 0.7}, {{}, false, 0.3}};
+  EXPECT_FALSE(agrees(e));
+  EXPECT_THAT(posterior_sentence(e), HasSubstr("weak sign of hysteresis (70 %)"));
+  e.verdict = Verdict::unexplained;
+  EXPECT_THAT(posterior_sentence(e), HasSubstr("does not pass as a cause"));
+  e.verdict = Verdict::explained;
+  FoundEffect found;
+  found.kind = "softening";
+  e.effects = {found};
+  EXPECT_FALSE(agrees(e));
+  EXPECT_THAT(posterior_sentence(e), HasSubstr("hysteresis is likelier (70 %)"));
+  e.effects.front().alike = {"hysteresis"};
+  EXPECT_TRUE(agrees(e));
+}
+
+}  // namespace
+}  // namespace glisson::closedloop
