@@ -5345,59 +5345,59 @@
     </message>
     <message>
         <source>{0} was made on the data &quot;{1}&quot;, {2} on &quot;{3}&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} wurde mit den Daten „{1}“ gemacht, {2} mit „{3}“.</translation>
     </message>
     <message>
         <source>{0} and {1} have no case in common.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} und {1} haben keinen Fall gemeinsam.</translation>
     </message>
     <message>
         <source>Name the same cases in the first column of both metrics.csv.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nennen Sie in der ersten Spalte beider metrics.csv dieselben Fälle.</translation>
     </message>
     <message>
         <source>The tolerances name {0}, which neither {1} nor {2} has.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Toleranzen nennen {0}, was weder {1} noch {2} hat.</translation>
     </message>
     <message>
         <source>{0} must begin with a line case,METRIC,METRIC, ...</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} muss mit einer Zeile case,METRIC,METRIC, ... beginnen.</translation>
     </message>
     <message>
         <source>Column {0} of {1} has no name of its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>Spalte {0} von {1} hat keinen eigenen Namen.</translation>
     </message>
     <message>
         <source>Line {0} of {1} has more cells than the first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeile {0} von {1} hat mehr Zellen als die erste.</translation>
     </message>
     <message>
         <source>Line {0} of {1} names no case, or one that was there before.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeile {0} von {1} nennt keinen Fall oder einen, der schon da war.</translation>
     </message>
     <message>
         <source>{0} holds no case.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} enthält keinen Fall.</translation>
     </message>
     <message>
         <source>{0} holds no metrics.csv.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} enthält keine metrics.csv.</translation>
     </message>
     <message>
         <source>Write one: a line case,METRIC,..., then a row for each case.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schreiben Sie eine: eine Zeile case,METRIC,..., dann eine Zeile je Fall.</translation>
     </message>
     <message>
         <source>{0} must lie between 0 and 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} muss zwischen 0 und 1 liegen.</translation>
     </message>
     <message>
         <source>The pictures have different sizes: {0} x {1} and {2} x {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Bilder sind verschieden groß: {0} x {1} und {2} x {3}.</translation>
     </message>
     <message>
         <source>The mask of the pictures is black everywhere.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Maske der Bilder ist überall schwarz.</translation>
     </message>
     <message>
         <source>The structures have changed since the model was built, and {0} landmarks now lie outside of it: they are left out. Build the model anew.</source>

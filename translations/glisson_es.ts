@@ -5345,59 +5345,59 @@
     </message>
     <message>
         <source>{0} was made on the data &quot;{1}&quot;, {2} on &quot;{3}&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} se hizo con los datos «{1}», {2} con «{3}».</translation>
     </message>
     <message>
         <source>{0} and {1} have no case in common.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} y {1} no tienen ningún caso en común.</translation>
     </message>
     <message>
         <source>Name the same cases in the first column of both metrics.csv.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre los mismos casos en la primera columna de ambos metrics.csv.</translation>
     </message>
     <message>
         <source>The tolerances name {0}, which neither {1} nor {2} has.</source>
-        <translation type="unfinished"></translation>
+        <translation>Las tolerancias nombran {0}, que ni {1} ni {2} tienen.</translation>
     </message>
     <message>
         <source>{0} must begin with a line case,METRIC,METRIC, ...</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} debe empezar con una línea case,METRIC,METRIC, ...</translation>
     </message>
     <message>
         <source>Column {0} of {1} has no name of its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>La columna {0} de {1} no tiene nombre propio.</translation>
     </message>
     <message>
         <source>Line {0} of {1} has more cells than the first.</source>
-        <translation type="unfinished"></translation>
+        <translation>La línea {0} de {1} tiene más celdas que la primera.</translation>
     </message>
     <message>
         <source>Line {0} of {1} names no case, or one that was there before.</source>
-        <translation type="unfinished"></translation>
+        <translation>La línea {0} de {1} no nombra ningún caso, o uno que ya estaba.</translation>
     </message>
     <message>
         <source>{0} holds no case.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} no contiene ningún caso.</translation>
     </message>
     <message>
         <source>{0} holds no metrics.csv.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} no contiene ningún metrics.csv.</translation>
     </message>
     <message>
         <source>Write one: a line case,METRIC,..., then a row for each case.</source>
-        <translation type="unfinished"></translation>
+        <translation>Escriba uno: una línea case,METRIC,..., luego una fila por caso.</translation>
     </message>
     <message>
         <source>{0} must lie between 0 and 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} debe estar entre 0 y 1.</translation>
     </message>
     <message>
         <source>The pictures have different sizes: {0} x {1} and {2} x {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Las imágenes tienen tamaños distintos: {0} x {1} y {2} x {3}.</translation>
     </message>
     <message>
         <source>The mask of the pictures is black everywhere.</source>
-        <translation type="unfinished"></translation>
+        <translation>La máscara de las imágenes es negra en todas partes.</translation>
     </message>
     <message>
         <source>The structures have changed since the model was built, and {0} landmarks now lie outside of it: they are left out. Build the model anew.</source>

@@ -5301,7 +5301,7 @@
     </message>
     <message>
         <source>judged by its own landmarks, without a benchmark kept with the sequence: a fault that never changes is hardly seen</source>
-        <translation>jugé par ses propres repères, sans référence gardée avec la séquence : une erreur qui ne change jamais ne se voit guère</translation>
+        <translation>jugé par ses propres repères, sans référence gardée avec la séquence&#xa0;: une erreur qui ne change jamais ne se voit guère</translation>
     </message>
     <message>
         <source>{0} frames are too few to correlate; {1} are needed.</source>
@@ -5345,59 +5345,59 @@
     </message>
     <message>
         <source>{0} was made on the data &quot;{1}&quot;, {2} on &quot;{3}&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} a été fait sur les données « {1} », {2} sur « {3} ».</translation>
     </message>
     <message>
         <source>{0} and {1} have no case in common.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} et {1} n&apos;ont aucun cas en commun.</translation>
     </message>
     <message>
         <source>Name the same cases in the first column of both metrics.csv.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nommez les mêmes cas dans la première colonne des deux metrics.csv.</translation>
     </message>
     <message>
         <source>The tolerances name {0}, which neither {1} nor {2} has.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les tolérances nomment {0}, que ni {1} ni {2} n&apos;ont.</translation>
     </message>
     <message>
         <source>{0} must begin with a line case,METRIC,METRIC, ...</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} doit commencer par une ligne case,METRIC,METRIC, ...</translation>
     </message>
     <message>
         <source>Column {0} of {1} has no name of its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>La colonne {0} de {1} n&apos;a pas de nom à elle.</translation>
     </message>
     <message>
         <source>Line {0} of {1} has more cells than the first.</source>
-        <translation type="unfinished"></translation>
+        <translation>La ligne {0} de {1} a plus de cellules que la première.</translation>
     </message>
     <message>
         <source>Line {0} of {1} names no case, or one that was there before.</source>
-        <translation type="unfinished"></translation>
+        <translation>La ligne {0} de {1} ne nomme aucun cas, ou un cas déjà vu.</translation>
     </message>
     <message>
         <source>{0} holds no case.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ne contient aucun cas.</translation>
     </message>
     <message>
         <source>{0} holds no metrics.csv.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ne contient pas de metrics.csv.</translation>
     </message>
     <message>
         <source>Write one: a line case,METRIC,..., then a row for each case.</source>
-        <translation type="unfinished"></translation>
+        <translation>Écrivez-en un : une ligne case,METRIC,..., puis une ligne par cas.</translation>
     </message>
     <message>
         <source>{0} must lie between 0 and 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} doit être compris entre 0 et 1.</translation>
     </message>
     <message>
         <source>The pictures have different sizes: {0} x {1} and {2} x {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les images ont des tailles différentes : {0} x {1} et {2} x {3}.</translation>
     </message>
     <message>
         <source>The mask of the pictures is black everywhere.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le masque des images est noir partout.</translation>
     </message>
     <message>
         <source>The structures have changed since the model was built, and {0} landmarks now lie outside of it: they are left out. Build the model anew.</source>
