@@ -47,6 +47,7 @@ void add_errors(py::module_& module) {
   error_class = PyErr_NewExceptionWithDoc("glisson.Error", what_it_is, PyExc_Exception, nullptr);
   if (error_class == nullptr) throw py::error_already_set();
   module.attr("Error") = py::handle(error_class);
+  // NOLINTNEXTLINE(performance-unnecessary-value-param): pybind11 asks for this signature
   py::register_exception_translator([](std::exception_ptr problem) {
     try {
       if (problem) std::rethrow_exception(problem);
