@@ -456,10 +456,6 @@
         <translation>Es gibt keine Art von Experiment namens „{0}“.</translation>
     </message>
     <message>
-        <source>The kinds are palpation, material and platform.</source>
-        <translation>Die Arten sind palpation, material und platform.</translation>
-    </message>
-    <message>
         <source>Line {0} of {1} names {2}, which is not there.</source>
         <translation>Zeile {0} von {1} nennt {2}, das nicht vorhanden ist.</translation>
     </message>
@@ -5239,6 +5235,66 @@
         <source>{0} landmarks that the benchmark has no place for were left out</source>
         <translation>{0} Landmarken, für die der Vergleichsmaßstab keinen Ort hat, wurden weggelassen</translation>
     </message>
+    <message>
+        <source>The kinds are palpation, material, platform and guidance.</source>
+        <translation>Die Arten sind palpation, material, platform und guidance.</translation>
+    </message>
+    <message>
+        <source>&quot;frames&quot; must be a list with at least one frame.</source>
+        <translation>&quot;frames&quot; muss eine Liste mit mindestens einem Bild sein.</translation>
+    </message>
+    <message>
+        <source>{0} must be a rigid motion: 16 numbers, row by row, scan to camera.</source>
+        <translation>{0} muss eine starre Bewegung sein: 16 Zahlen, Zeile für Zeile, vom Scan zur Kamera.</translation>
+    </message>
+    <message>
+        <source>Is it stretched or mirrored, or given column by column?</source>
+        <translation>Ist sie gedehnt oder gespiegelt, oder spaltenweise angegeben?</translation>
+    </message>
+    <message>
+        <source>{0} holds no points.</source>
+        <translation>{0} enthält keine Punkte.</translation>
+    </message>
+    <message>
+        <source>In {0} most points of {1} lie farther than {2} mm from the organ, as the pose has it.</source>
+        <translation>In {0} liegen die meisten Punkte von {1} nach der angegebenen Lage weiter als {2} mm vom Organ entfernt.</translation>
+    </message>
+    <message>
+        <source>Are they in metres, in another camera&apos;s frame, or is &quot;pose_guess&quot; that of another frame?</source>
+        <translation>Sind sie in Metern, im System einer anderen Kamera, oder ist &quot;pose_guess&quot; die eines anderen Bildes?</translation>
+    </message>
+    <message>
+        <source>In {0} more than one tool touches the organ.</source>
+        <translation>In {0} berührt mehr als ein Instrument das Organ.</translation>
+    </message>
+    <message>
+        <source>An experiment takes frames with one tool, or none.</source>
+        <translation>Ein Experiment nimmt Bilder mit einem Instrument oder keinem.</translation>
+    </message>
+    <message>
+        <source>Two frames have the id &quot;{0}&quot;.</source>
+        <translation>Zwei Bilder haben die Kennung &quot;{0}&quot;.</translation>
+    </message>
+    <message>
+        <source>{0} names no frames.</source>
+        <translation>{0} nennt keine Bilder.</translation>
+    </message>
+    <message>
+        <source>{0} names the frame &quot;{1}&quot;, which is not there.</source>
+        <translation>{0} nennt das Bild &quot;{1}&quot;, das es nicht gibt.</translation>
+    </message>
+    <message>
+        <source>The frame &quot;{0}&quot; belongs to two trials.</source>
+        <translation>Das Bild &quot;{0}&quot; gehört zu zwei Versuchen.</translation>
+    </message>
+    <message>
+        <source>{0} frames belong to no trial.</source>
+        <translation>{0} Bilder gehören zu keinem Versuch.</translation>
+    </message>
+    <message>
+        <source>Name each frame in one trial, or leave &quot;trials&quot; out: each frame is one then.</source>
+        <translation>Nennen Sie jedes Bild in einem Versuch, oder lassen Sie &quot;trials&quot; weg: dann ist jedes Bild einer.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AdvanceControls</name>
@@ -6153,6 +6209,10 @@ No measurements at hand? Try the example: a simulated sample of tissue that does
 Glisson sagt, wie weit das angegebene Modell danebenliegt, was ihm fehlt und wie sicher das ist.
 
 Keine Messungen zur Hand? Probieren Sie das Beispiel: eine simulierte Gewebeprobe, die etwas nicht Angegebenes tut.</translation>
+    </message>
+    <message>
+        <source>A guided sequence</source>
+        <translation>Eine geführte Sequenz</translation>
     </message>
 </context>
 <context>
@@ -9709,6 +9769,18 @@ Elastizitätsmodul %2 kPa (angenommen)</translation>
     <message>
         <source>Warp, %1</source>
         <translation>Verformung, %1</translation>
+    </message>
+    <message>
+        <source>TRE (mm)</source>
+        <translation>TRE (mm)</translation>
+    </message>
+    <message>
+        <source>RMSE (mm)</source>
+        <translation>RMSE (mm)</translation>
+    </message>
+    <message>
+        <source>Each frame of the whole registration. Left: how far registered landmarks are from where they are on the model, mm, with the tolerance as a dash-dotted line. Right: how far the registered cloud is from the model (root mean square), mm</source>
+        <translation>Jedes Bild der ganzen Registrierung. Links: wie weit registrierte Landmarken von ihrem Ort auf dem Modell entfernt sind, mm, mit der Toleranz als strichpunktierter Linie. Rechts: wie weit die registrierte Punktwolke vom Modell entfernt ist (quadratisches Mittel), mm</translation>
     </message>
 </context>
 <context>

@@ -456,10 +456,6 @@
         <translation>No hay ningún tipo de experimento llamado «{0}».</translation>
     </message>
     <message>
-        <source>The kinds are palpation, material and platform.</source>
-        <translation>Los tipos son palpation, material y platform.</translation>
-    </message>
-    <message>
         <source>Line {0} of {1} names {2}, which is not there.</source>
         <translation>La línea {0} de {1} nombra {2}, que no existe.</translation>
     </message>
@@ -5239,6 +5235,66 @@
         <source>{0} landmarks that the benchmark has no place for were left out</source>
         <translation>se omitieron {0} puntos de referencia para los que la referencia no tiene lugar</translation>
     </message>
+    <message>
+        <source>The kinds are palpation, material, platform and guidance.</source>
+        <translation>Los tipos son palpation, material, platform y guidance.</translation>
+    </message>
+    <message>
+        <source>&quot;frames&quot; must be a list with at least one frame.</source>
+        <translation>&quot;frames&quot; debe ser una lista con al menos un fotograma.</translation>
+    </message>
+    <message>
+        <source>{0} must be a rigid motion: 16 numbers, row by row, scan to camera.</source>
+        <translation>{0} debe ser un movimiento rígido: 16 números, fila por fila, del escáner a la cámara.</translation>
+    </message>
+    <message>
+        <source>Is it stretched or mirrored, or given column by column?</source>
+        <translation>¿Está estirado o reflejado, o dado columna por columna?</translation>
+    </message>
+    <message>
+        <source>{0} holds no points.</source>
+        <translation>{0} no contiene puntos.</translation>
+    </message>
+    <message>
+        <source>In {0} most points of {1} lie farther than {2} mm from the organ, as the pose has it.</source>
+        <translation>En {0} la mayoría de los puntos de {1} están a más de {2} mm del órgano, según la pose.</translation>
+    </message>
+    <message>
+        <source>Are they in metres, in another camera&apos;s frame, or is &quot;pose_guess&quot; that of another frame?</source>
+        <translation>¿Están en metros, en el sistema de otra cámara, o es &quot;pose_guess&quot; la de otro fotograma?</translation>
+    </message>
+    <message>
+        <source>In {0} more than one tool touches the organ.</source>
+        <translation>En {0} más de un instrumento toca el órgano.</translation>
+    </message>
+    <message>
+        <source>An experiment takes frames with one tool, or none.</source>
+        <translation>Un experimento admite fotogramas con un instrumento o ninguno.</translation>
+    </message>
+    <message>
+        <source>Two frames have the id &quot;{0}&quot;.</source>
+        <translation>Dos fotogramas tienen el id &quot;{0}&quot;.</translation>
+    </message>
+    <message>
+        <source>{0} names no frames.</source>
+        <translation>{0} no nombra fotogramas.</translation>
+    </message>
+    <message>
+        <source>{0} names the frame &quot;{1}&quot;, which is not there.</source>
+        <translation>{0} nombra el fotograma &quot;{1}&quot;, que no existe.</translation>
+    </message>
+    <message>
+        <source>The frame &quot;{0}&quot; belongs to two trials.</source>
+        <translation>El fotograma &quot;{0}&quot; pertenece a dos ensayos.</translation>
+    </message>
+    <message>
+        <source>{0} frames belong to no trial.</source>
+        <translation>{0} fotogramas no pertenecen a ningún ensayo.</translation>
+    </message>
+    <message>
+        <source>Name each frame in one trial, or leave &quot;trials&quot; out: each frame is one then.</source>
+        <translation>Nombre cada fotograma en un ensayo, o quite &quot;trials&quot;: entonces cada fotograma es uno.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AdvanceControls</name>
@@ -6153,6 +6209,10 @@ No measurements at hand? Try the example: a simulated sample of tissue that does
 Glisson dice cuánto se equivoca el modelo declarado, qué le falta y con qué certeza.
 
 ¿No tiene mediciones a mano? Pruebe el ejemplo: una muestra de tejido simulada que hace algo no declarado.</translation>
+    </message>
+    <message>
+        <source>A guided sequence</source>
+        <translation>Una secuencia guiada</translation>
     </message>
 </context>
 <context>
@@ -9712,6 +9772,18 @@ Módulo de Young %2 kPa (supuesto)</translation>
     <message>
         <source>Warp, %1</source>
         <translation>Deformación, %1</translation>
+    </message>
+    <message>
+        <source>TRE (mm)</source>
+        <translation>TRE (mm)</translation>
+    </message>
+    <message>
+        <source>RMSE (mm)</source>
+        <translation>RMSE (mm)</translation>
+    </message>
+    <message>
+        <source>Each frame of the whole registration. Left: how far registered landmarks are from where they are on the model, mm, with the tolerance as a dash-dotted line. Right: how far the registered cloud is from the model (root mean square), mm</source>
+        <translation>Cada fotograma de todo el registro. Izquierda: a qué distancia están los puntos de referencia registrados de su lugar en el modelo, mm, con la tolerancia como línea de trazo y punto. Derecha: a qué distancia está la nube registrada del modelo (media cuadrática), mm</translation>
     </message>
 </context>
 <context>

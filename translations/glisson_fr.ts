@@ -456,10 +456,6 @@
         <translation>Il n’y a pas de type d’expérience nommé «&#xa0;{0}&#xa0;».</translation>
     </message>
     <message>
-        <source>The kinds are palpation, material and platform.</source>
-        <translation>Les types sont palpation, material et platform.</translation>
-    </message>
-    <message>
         <source>Line {0} of {1} names {2}, which is not there.</source>
         <translation>La ligne {0} de {1} nomme {2}, qui n’existe pas.</translation>
     </message>
@@ -5229,7 +5225,7 @@
     </message>
     <message>
         <source>judged by its own landmarks, without a benchmark kept with the sequence: a fault that never changes is hardly seen</source>
-        <translation>jugé par ses propres repères, sans référence gardée avec la séquence : une erreur qui ne change jamais ne se voit guère</translation>
+        <translation>jugé par ses propres repères, sans référence gardée avec la séquence&#xa0;: une erreur qui ne change jamais ne se voit guère</translation>
     </message>
     <message>
         <source>The benchmark does not hold {0} landmarks in {1} frames, as the sequence does.</source>
@@ -5238,6 +5234,66 @@
     <message>
         <source>{0} landmarks that the benchmark has no place for were left out</source>
         <translation>{0} repères pour lesquels la référence n’a pas de place ont été laissés de côté</translation>
+    </message>
+    <message>
+        <source>The kinds are palpation, material, platform and guidance.</source>
+        <translation>Les sortes sont palpation, material, platform et guidance.</translation>
+    </message>
+    <message>
+        <source>&quot;frames&quot; must be a list with at least one frame.</source>
+        <translation>&quot;frames&quot; doit être une liste d’au moins une image.</translation>
+    </message>
+    <message>
+        <source>{0} must be a rigid motion: 16 numbers, row by row, scan to camera.</source>
+        <translation>{0} doit être un mouvement rigide&#xa0;: 16 nombres, ligne par ligne, du scanner à la caméra.</translation>
+    </message>
+    <message>
+        <source>Is it stretched or mirrored, or given column by column?</source>
+        <translation>Est-il étiré ou en miroir, ou donné colonne par colonne&#xa0;?</translation>
+    </message>
+    <message>
+        <source>{0} holds no points.</source>
+        <translation>{0} ne contient aucun point.</translation>
+    </message>
+    <message>
+        <source>In {0} most points of {1} lie farther than {2} mm from the organ, as the pose has it.</source>
+        <translation>Dans {0}, la plupart des points de {1} sont à plus de {2} mm de l’organe, d’après la pose.</translation>
+    </message>
+    <message>
+        <source>Are they in metres, in another camera&apos;s frame, or is &quot;pose_guess&quot; that of another frame?</source>
+        <translation>Sont-ils en mètres, dans le repère d’une autre caméra, ou &quot;pose_guess&quot; est-elle celle d’une autre image&#xa0;?</translation>
+    </message>
+    <message>
+        <source>In {0} more than one tool touches the organ.</source>
+        <translation>Dans {0}, plus d’un instrument touche l’organe.</translation>
+    </message>
+    <message>
+        <source>An experiment takes frames with one tool, or none.</source>
+        <translation>Une expérience prend des images avec un instrument, ou aucun.</translation>
+    </message>
+    <message>
+        <source>Two frames have the id &quot;{0}&quot;.</source>
+        <translation>Deux images ont l’identifiant &quot;{0}&quot;.</translation>
+    </message>
+    <message>
+        <source>{0} names no frames.</source>
+        <translation>{0} ne nomme aucune image.</translation>
+    </message>
+    <message>
+        <source>{0} names the frame &quot;{1}&quot;, which is not there.</source>
+        <translation>{0} nomme l’image &quot;{1}&quot;, qui n’existe pas.</translation>
+    </message>
+    <message>
+        <source>The frame &quot;{0}&quot; belongs to two trials.</source>
+        <translation>L’image &quot;{0}&quot; appartient à deux essais.</translation>
+    </message>
+    <message>
+        <source>{0} frames belong to no trial.</source>
+        <translation>{0} images n’appartiennent à aucun essai.</translation>
+    </message>
+    <message>
+        <source>Name each frame in one trial, or leave &quot;trials&quot; out: each frame is one then.</source>
+        <translation>Nommez chaque image dans un essai, ou retirez &quot;trials&quot;&#xa0;: chaque image en est alors un.</translation>
     </message>
 </context>
 <context>
@@ -6153,6 +6209,10 @@ No measurements at hand? Try the example: a simulated sample of tissue that does
 Glisson dit de combien le modèle déclaré se trompe, ce qui lui manque et avec quelle certitude.
 
 Pas de mesures sous la main&#xa0;? Essayez l’exemple&#xa0;: un échantillon de tissu simulé qui fait quelque chose de non déclaré.</translation>
+    </message>
+    <message>
+        <source>A guided sequence</source>
+        <translation>Une séquence guidée</translation>
     </message>
 </context>
 <context>
@@ -9712,6 +9772,18 @@ Module de Young %2 kPa (supposé)</translation>
     <message>
         <source>Warp, %1</source>
         <translation>Déformation, %1</translation>
+    </message>
+    <message>
+        <source>TRE (mm)</source>
+        <translation>TRE (mm)</translation>
+    </message>
+    <message>
+        <source>RMSE (mm)</source>
+        <translation>RMSE (mm)</translation>
+    </message>
+    <message>
+        <source>Each frame of the whole registration. Left: how far registered landmarks are from where they are on the model, mm, with the tolerance as a dash-dotted line. Right: how far the registered cloud is from the model (root mean square), mm</source>
+        <translation>Chaque image de tout le recalage. À gauche&#xa0;: la distance des repères recalés à leur place sur le modèle, mm, avec la tolérance en trait mixte. À droite&#xa0;: la distance du nuage recalé au modèle (moyenne quadratique), mm</translation>
     </message>
 </context>
 <context>
