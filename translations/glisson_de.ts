@@ -456,10 +456,6 @@
         <translation>Es gibt keine Art von Experiment namens „{0}“.</translation>
     </message>
     <message>
-        <source>The kinds are palpation, material and platform.</source>
-        <translation>Die Arten sind palpation, material und platform.</translation>
-    </message>
-    <message>
         <source>Line {0} of {1} names {2}, which is not there.</source>
         <translation>Zeile {0} von {1} nennt {2}, das nicht vorhanden ist.</translation>
     </message>
@@ -1306,6 +1302,10 @@
     <message>
         <source>{0} holds no image, or is damaged.</source>
         <translation>{0} enthält kein Bild oder ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>{0} declares an impossible size: {1} x {2} pixels in {3} frames.</source>
+        <translation>{0} gibt eine unmögliche Größe an: {1} x {2} Pixel in {3} Bildern.</translation>
     </message>
     <message>
         <source>{0} declares impossible pixels: {1} of {2} bits, the highest {3}.</source>
@@ -2272,8 +2272,16 @@
         <translation>Nennen Sie die Spalte mit der Zeit, oder schneiden Sie die Datei dort ab.</translation>
     </message>
     <message>
+        <source>{0} has {1} samples and {2} rows without a reading.</source>
+        <translation>{0} hat {1} Messpunkte und {2} Zeilen ohne Ablesung.</translation>
+    </message>
+    <message>
         <source>Check the columns; at most every tenth row may be empty.</source>
         <translation>Prüfen Sie die Spalten; höchstens jede zehnte Zeile darf leer sein.</translation>
+    </message>
+    <message>
+        <source>The trace holds {0} runs, the log {1}.</source>
+        <translation>Die Aufzeichnung enthält {0} Läufe, das Protokoll {1}.</translation>
     </message>
     <message>
         <source>Change the shortest run and pause, or cut the trace to the logged runs.</source>
@@ -2294,6 +2302,18 @@
     <message>
         <source>Record pauses between the runs; check that the right column was read.</source>
         <translation>Zeichnen Sie Pausen zwischen den Läufen auf; prüfen Sie, ob die richtige Spalte gelesen wurde.</translation>
+    </message>
+    <message>
+        <source>The recording has {0} gaps; runs end there and nothing is made up for them.</source>
+        <translation>Die Aufzeichnung hat {0} Lücken; Läufe enden dort, und für die Lücken wird nichts erfunden.</translation>
+    </message>
+    <message>
+        <source>{0} rows held no reading.</source>
+        <translation>{0} Zeilen enthielten keine Ablesung.</translation>
+    </message>
+    <message>
+        <source>{0} runs reach the end of a channel&apos;s range: their power is a lower bound. Record again with a larger range.</source>
+        <translation>{0} Läufe erreichen das Ende des Bereichs eines Kanals: Ihre Leistung ist eine untere Schranke. Zeichnen Sie erneut mit größerem Bereich auf.</translation>
     </message>
     <message>
         <source>Idle power moves by {0} W over the recording; each run is compared with the pauses beside it.</source>
@@ -2380,6 +2400,10 @@
         <translation>Bilder</translation>
     </message>
     <message>
+        <source>{0} landmarks were seen in three frames or more; four that do not lie on one line are needed.</source>
+        <translation>{0} Landmarken wurden in drei oder mehr Bildern gesehen; vier, die nicht auf einer Geraden liegen, sind nötig.</translation>
+    </message>
+    <message>
         <source>Track more features, or mark them by hand.</source>
         <translation>Verfolgen Sie mehr Merkmale, oder markieren Sie sie von Hand.</translation>
     </message>
@@ -2392,8 +2416,16 @@
         <translation>Dreiecke</translation>
     </message>
     <message>
+        <source>{0} frames are too few to correlate; {1} are needed.</source>
+        <translation>{0} Bilder sind zu wenige für eine Korrelation; {1} sind nötig.</translation>
+    </message>
+    <message>
         <source>Frame {0} has {1} points, and {2} after registration: they must match one by one.</source>
         <translation>Bild {0} hat {1} Punkte und nach der Registrierung {2}: Sie müssen einzeln übereinstimmen.</translation>
+    </message>
+    <message>
+        <source>Landmark {0} was followed through {1} frames of {2}.</source>
+        <translation>Landmarke {0} wurde durch {1} von {2} Bildern verfolgt.</translation>
     </message>
     <message>
         <source>A tolerance must be a positive number of mm.</source>
@@ -2406,6 +2438,14 @@
     <message>
         <source>Name a new folder for the sequence.</source>
         <translation>Nennen Sie einen neuen Ordner für die Sequenz.</translation>
+    </message>
+    <message>
+        <source>The {0} video ends after {1} frames, before the other.</source>
+        <translation>Das Video {0} endet nach {1} Bildern, vor dem anderen.</translation>
+    </message>
+    <message>
+        <source>{0} frames show something; {1} are needed.</source>
+        <translation>{0} Bilder zeigen etwas; {1} sind nötig.</translation>
     </message>
     <message>
         <source>No feature could be followed through {0} frames.</source>
@@ -2430,6 +2470,10 @@
     <message>
         <source>Two frames or more can be aligned.</source>
         <translation>Ausrichten lassen sich zwei Bilder oder mehr.</translation>
+    </message>
+    <message>
+        <source>A landmark was followed through {0} frames of {1}.</source>
+        <translation>Eine Landmarke wurde durch {0} von {1} Bildern verfolgt.</translation>
     </message>
     <message>
         <source>aligning frames</source>
@@ -3428,6 +3472,14 @@
         <translation>Experiment wird gelesen</translation>
     </message>
     <message>
+        <source>{0} landmarks seen in fewer than three frames were left out</source>
+        <translation>{0} Landmarken, die in weniger als drei Bildern zu sehen waren, wurden weggelassen</translation>
+    </message>
+    <message>
+        <source>{0} triangles have all corners in fewer than three frames: their correlation is 0</source>
+        <translation>Bei {0} Dreiecken sind alle Ecken in weniger als drei Bildern zu sehen: ihre Korrelation ist 0</translation>
+    </message>
+    <message>
         <source>no model was given, so there is no distance from it (RMSE)</source>
         <translation>kein Modell angegeben, daher auch kein Abstand davon (RMSE)</translation>
     </message>
@@ -3572,6 +3624,10 @@
         <translation>{0} entfernen</translation>
     </message>
     <message>
+        <source>The structures have changed since the model was built, and {0} landmarks now lie outside of it: they are left out. Build the model anew.</source>
+        <translation>Die Strukturen haben sich geändert, seit das Modell erstellt wurde, und {0} Landmarken liegen nun außerhalb: Sie werden ausgelassen. Erstellen Sie das Modell neu.</translation>
+    </message>
+    <message>
         <source>The model cannot be used. Build it anew.</source>
         <translation>Das Modell kann nicht verwendet werden. Erstellen Sie es neu.</translation>
     </message>
@@ -3616,8 +3672,16 @@
         <translation>Benennen Sie die Spalten so, in dieser Reihenfolge, durch Kommas getrennt.</translation>
     </message>
     <message>
+        <source>{0} of {1} landmarks lie far from the points of their frames.</source>
+        <translation>{0} von {1} Landmarken liegen weit von den Punkten ihrer Bilder entfernt.</translation>
+    </message>
+    <message>
         <source>Check that tracks and clouds are both in mm of the left camera.</source>
         <translation>Prüfen Sie, ob Spuren und Punktwolken beide in mm der linken Kamera angegeben sind.</translation>
+    </message>
+    <message>
+        <source>{0} landmarks far from the points of their frames were left out</source>
+        <translation>{0} Landmarken, die weit von den Punkten ihrer Bilder entfernt liegen, wurden weggelassen</translation>
     </message>
     <message>
         <source>In line {0} no number stands in the column &quot;{1}&quot;.</source>
@@ -3668,6 +3732,10 @@
         <translation>Das Netz hat {0} Zellen statt {1}; Form und innere Strukturen verlangen sie.</translation>
     </message>
     <message>
+        <source>{0} cells were taken away where the body touched itself in a point or an edge.</source>
+        <translation>{0} Zellen wurden entfernt, wo der Körper sich selbst in einem Punkt oder einer Kante berührte.</translation>
+    </message>
+    <message>
         <source>{0}: {1} piece ({2} ml) too thin for {3} cells got no cells of its own; about {4} cells would show it.</source>
         <translation>{0}: {1} Stück ({2} ml) ist für {3} Zellen zu dünn und bekam keine eigenen; mit etwa {4} Zellen wäre es zu sehen.</translation>
     </message>
@@ -3694,6 +3762,10 @@
     <message>
         <source>Simulate it again with the model as it is now.</source>
         <translation>Simulieren Sie erneut mit dem jetzigen Modell.</translation>
+    </message>
+    <message>
+        <source>Held like this, {0} cells of the liver are turned inside out: nothing can be measured there.</source>
+        <translation>So gehalten sind {0} Zellen der Leber umgestülpt: Dort lässt sich nichts messen.</translation>
     </message>
     <message>
         <source>Pull or push with less force.</source>
@@ -4776,6 +4848,10 @@
         <translation>Der Körper kommt unter seinen ständigen Lasten nicht zur Ruhe.</translation>
     </message>
     <message>
+        <source>The step would turn {0} cells inside out: a tool goes too far into the body.</source>
+        <translation>Der Schritt würde {0} Zellen umstülpen: Ein Werkzeug dringt zu weit in den Körper ein.</translation>
+    </message>
+    <message>
         <source>A session does not know &quot;{0}&quot; of a scenario.</source>
         <translation>Eine Sitzung kennt „{0}“ aus einem Szenario nicht.</translation>
     </message>
@@ -5132,6 +5208,94 @@
         <translation>--study und --plan gelten nur für ein DICOM SEG (--format dicom-seg).</translation>
     </message>
     <message>
+        <source>Line {1} of {0} is not landmark,frame,x_mm,y_mm,z_mm of a landmark in the tracks, with &quot;model&quot; or a frame below {2}.</source>
+        <translation>Zeile {1} von {0} ist nicht landmark,frame,x_mm,y_mm,z_mm einer verfolgten Landmarke, mit &quot;model&quot; oder einem Bild unter {2}.</translation>
+    </message>
+    <message>
+        <source>Make the sequence anew, or leave &quot;benchmark&quot; out of it.</source>
+        <translation>Erstellen Sie die Sequenz neu, oder lassen Sie &quot;benchmark&quot; weg.</translation>
+    </message>
+    <message>
+        <source>each point was aligned without a fifth of the landmarks, the one nearest to it among them</source>
+        <translation>jeder Punkt wurde ohne ein Fünftel der Landmarken ausgerichtet, darunter die ihm nächste</translation>
+    </message>
+    <message>
+        <source>benchmark is no file name</source>
+        <translation>benchmark ist kein Dateiname</translation>
+    </message>
+    <message>
+        <source>judged by its own landmarks, without a benchmark kept with the sequence: a fault that never changes is hardly seen</source>
+        <translation>anhand der eigenen Landmarken beurteilt, ohne einen Vergleichsmaßstab in der Sequenz: ein Fehler, der sich nie ändert, ist kaum zu sehen</translation>
+    </message>
+    <message>
+        <source>The benchmark does not hold {0} landmarks in {1} frames, as the sequence does.</source>
+        <translation>Der Vergleichsmaßstab enthält nicht {0} Landmarken in {1} Bildern wie die Sequenz.</translation>
+    </message>
+    <message>
+        <source>{0} landmarks that the benchmark has no place for were left out</source>
+        <translation>{0} Landmarken, für die der Vergleichsmaßstab keinen Ort hat, wurden weggelassen</translation>
+    </message>
+    <message>
+        <source>The kinds are palpation, material, platform and guidance.</source>
+        <translation>Die Arten sind palpation, material, platform und guidance.</translation>
+    </message>
+    <message>
+        <source>&quot;frames&quot; must be a list with at least one frame.</source>
+        <translation>&quot;frames&quot; muss eine Liste mit mindestens einem Bild sein.</translation>
+    </message>
+    <message>
+        <source>{0} must be a rigid motion: 16 numbers, row by row, scan to camera.</source>
+        <translation>{0} muss eine starre Bewegung sein: 16 Zahlen, Zeile für Zeile, vom Scan zur Kamera.</translation>
+    </message>
+    <message>
+        <source>Is it stretched or mirrored, or given column by column?</source>
+        <translation>Ist sie gedehnt oder gespiegelt, oder spaltenweise angegeben?</translation>
+    </message>
+    <message>
+        <source>{0} holds no points.</source>
+        <translation>{0} enthält keine Punkte.</translation>
+    </message>
+    <message>
+        <source>In {0} most points of {1} lie farther than {2} mm from the organ, as the pose has it.</source>
+        <translation>In {0} liegen die meisten Punkte von {1} nach der angegebenen Lage weiter als {2} mm vom Organ entfernt.</translation>
+    </message>
+    <message>
+        <source>Are they in metres, in another camera&apos;s frame, or is &quot;pose_guess&quot; that of another frame?</source>
+        <translation>Sind sie in Metern, im System einer anderen Kamera, oder ist &quot;pose_guess&quot; die eines anderen Bildes?</translation>
+    </message>
+    <message>
+        <source>In {0} more than one tool touches the organ.</source>
+        <translation>In {0} berührt mehr als ein Instrument das Organ.</translation>
+    </message>
+    <message>
+        <source>An experiment takes frames with one tool, or none.</source>
+        <translation>Ein Experiment nimmt Bilder mit einem Instrument oder keinem.</translation>
+    </message>
+    <message>
+        <source>Two frames have the id &quot;{0}&quot;.</source>
+        <translation>Zwei Bilder haben die Kennung &quot;{0}&quot;.</translation>
+    </message>
+    <message>
+        <source>{0} names no frames.</source>
+        <translation>{0} nennt keine Bilder.</translation>
+    </message>
+    <message>
+        <source>{0} names the frame &quot;{1}&quot;, which is not there.</source>
+        <translation>{0} nennt das Bild &quot;{1}&quot;, das es nicht gibt.</translation>
+    </message>
+    <message>
+        <source>The frame &quot;{0}&quot; belongs to two trials.</source>
+        <translation>Das Bild &quot;{0}&quot; gehört zu zwei Versuchen.</translation>
+    </message>
+    <message>
+        <source>{0} frames belong to no trial.</source>
+        <translation>{0} Bilder gehören zu keinem Versuch.</translation>
+    </message>
+    <message>
+        <source>Name each frame in one trial, or leave &quot;trials&quot; out: each frame is one then.</source>
+        <translation>Nennen Sie jedes Bild in einem Versuch, oder lassen Sie &quot;trials&quot; weg: dann ist jedes Bild einer.</translation>
+    </message>
+    <message>
         <source>Repeat the longest trial at half of its current or load.</source>
         <translation>Den längsten Versuch mit halbem Strom oder halber Last wiederholen.</translation>
     </message>
@@ -5240,110 +5404,6 @@
         <translation>Was vorher (gestrichelt) und nachher (Linie) blieb</translation>
     </message>
     <message>
-        <source>{0} has {1} samples and {2} rows without a reading.</source>
-        <translation>{0} hat {1} Messpunkte und {2} Zeilen ohne Ablesung.</translation>
-    </message>
-    <message>
-        <source>The trace holds {0} runs, the log {1}.</source>
-        <translation>Die Aufzeichnung enthält {0} Läufe, das Protokoll {1}.</translation>
-    </message>
-    <message>
-        <source>The recording has {0} gaps; runs end there and nothing is made up for them.</source>
-        <translation>Die Aufzeichnung hat {0} Lücken; Läufe enden dort, und für die Lücken wird nichts erfunden.</translation>
-    </message>
-    <message>
-        <source>{0} rows held no reading.</source>
-        <translation>{0} Zeilen enthielten keine Ablesung.</translation>
-    </message>
-    <message>
-        <source>{0} runs reach the end of a channel&apos;s range: their power is a lower bound. Record again with a larger range.</source>
-        <translation>{0} Läufe erreichen das Ende des Bereichs eines Kanals: Ihre Leistung ist eine untere Schranke. Zeichnen Sie erneut mit größerem Bereich auf.</translation>
-    </message>
-    <message>
-        <source>{0} declares an impossible size: {1} x {2} pixels in {3} frames.</source>
-        <translation>{0} gibt eine unmögliche Größe an: {1} x {2} Pixel in {3} Bildern.</translation>
-    </message>
-    <message>
-        <source>The step would turn {0} cells inside out: a tool goes too far into the body.</source>
-        <translation>Der Schritt würde {0} Zellen umstülpen: Ein Werkzeug dringt zu weit in den Körper ein.</translation>
-    </message>
-    <message>
-        <source>{0} cells were taken away where the body touched itself in a point or an edge.</source>
-        <translation>{0} Zellen wurden entfernt, wo der Körper sich selbst in einem Punkt oder einer Kante berührte.</translation>
-    </message>
-    <message>
-        <source>A landmark was followed through {0} frames of {1}.</source>
-        <translation>Eine Landmarke wurde durch {0} von {1} Bildern verfolgt.</translation>
-    </message>
-    <message>
-        <source>Line {1} of {0} is not landmark,frame,x_mm,y_mm,z_mm of a landmark in the tracks, with &quot;model&quot; or a frame below {2}.</source>
-        <translation>Zeile {1} von {0} ist nicht landmark,frame,x_mm,y_mm,z_mm einer verfolgten Landmarke, mit &quot;model&quot; oder einem Bild unter {2}.</translation>
-    </message>
-    <message>
-        <source>Make the sequence anew, or leave &quot;benchmark&quot; out of it.</source>
-        <translation>Erstellen Sie die Sequenz neu, oder lassen Sie &quot;benchmark&quot; weg.</translation>
-    </message>
-    <message>
-        <source>each point was aligned without a fifth of the landmarks, the one nearest to it among them</source>
-        <translation>jeder Punkt wurde ohne ein Fünftel der Landmarken ausgerichtet, darunter die ihm nächste</translation>
-    </message>
-    <message>
-        <source>benchmark is no file name</source>
-        <translation>benchmark ist kein Dateiname</translation>
-    </message>
-    <message>
-        <source>{0} of {1} landmarks lie far from the points of their frames.</source>
-        <translation>{0} von {1} Landmarken liegen weit von den Punkten ihrer Bilder entfernt.</translation>
-    </message>
-    <message>
-        <source>{0} landmarks were seen in three frames or more; four that do not lie on one line are needed.</source>
-        <translation>{0} Landmarken wurden in drei oder mehr Bildern gesehen; vier, die nicht auf einer Geraden liegen, sind nötig.</translation>
-    </message>
-    <message>
-        <source>judged by its own landmarks, without a benchmark kept with the sequence: a fault that never changes is hardly seen</source>
-        <translation>anhand der eigenen Landmarken beurteilt, ohne einen Vergleichsmaßstab in der Sequenz: ein Fehler, der sich nie ändert, ist kaum zu sehen</translation>
-    </message>
-    <message>
-        <source>{0} frames are too few to correlate; {1} are needed.</source>
-        <translation>{0} Bilder sind zu wenige für eine Korrelation; {1} sind nötig.</translation>
-    </message>
-    <message>
-        <source>Landmark {0} was followed through {1} frames of {2}.</source>
-        <translation>Landmarke {0} wurde durch {1} von {2} Bildern verfolgt.</translation>
-    </message>
-    <message>
-        <source>The benchmark does not hold {0} landmarks in {1} frames, as the sequence does.</source>
-        <translation>Der Vergleichsmaßstab enthält nicht {0} Landmarken in {1} Bildern wie die Sequenz.</translation>
-    </message>
-    <message>
-        <source>{0} landmarks seen in fewer than three frames were left out</source>
-        <translation>{0} Landmarken, die in weniger als drei Bildern zu sehen waren, wurden weggelassen</translation>
-    </message>
-    <message>
-        <source>{0} landmarks far from the points of their frames were left out</source>
-        <translation>{0} Landmarken, die weit von den Punkten ihrer Bilder entfernt liegen, wurden weggelassen</translation>
-    </message>
-    <message>
-        <source>{0} landmarks that the benchmark has no place for were left out</source>
-        <translation>{0} Landmarken, für die der Vergleichsmaßstab keinen Ort hat, wurden weggelassen</translation>
-    </message>
-    <message>
-        <source>{0} triangles have all corners in fewer than three frames: their correlation is 0</source>
-        <translation>Bei {0} Dreiecken sind alle Ecken in weniger als drei Bildern zu sehen: ihre Korrelation ist 0</translation>
-    </message>
-    <message>
-        <source>The {0} video ends after {1} frames, before the other.</source>
-        <translation>Das Video {0} endet nach {1} Bildern, vor dem anderen.</translation>
-    </message>
-    <message>
-        <source>{0} frames show something; {1} are needed.</source>
-        <translation>{0} Bilder zeigen etwas; {1} sind nötig.</translation>
-    </message>
-    <message>
-        <source>Held like this, {0} cells of the liver are turned inside out: nothing can be measured there.</source>
-        <translation>So gehalten sind {0} Zellen der Leber umgestülpt: Dort lässt sich nichts messen.</translation>
-    </message>
-    <message>
         <source>{0} was made on the data &quot;{1}&quot;, {2} on &quot;{3}&quot;.</source>
         <translation>{0} wurde mit den Daten „{1}“ gemacht, {2} mit „{3}“.</translation>
     </message>
@@ -5398,10 +5458,6 @@
     <message>
         <source>The mask of the pictures is black everywhere.</source>
         <translation>Die Maske der Bilder ist überall schwarz.</translation>
-    </message>
-    <message>
-        <source>The structures have changed since the model was built, and {0} landmarks now lie outside of it: they are left out. Build the model anew.</source>
-        <translation>Die Strukturen haben sich geändert, seit das Modell erstellt wurde, und {0} Landmarken liegen nun außerhalb: Sie werden ausgelassen. Erstellen Sie das Modell neu.</translation>
     </message>
 </context>
 <context>
@@ -6321,6 +6377,10 @@ No measurements at hand? Try the example: a simulated sample of tissue that does
 Glisson sagt, wie weit das angegebene Modell danebenliegt, was ihm fehlt und wie sicher das ist.
 
 Keine Messungen zur Hand? Probieren Sie das Beispiel: eine simulierte Gewebeprobe, die etwas nicht Angegebenes tut.</translation>
+    </message>
+    <message>
+        <source>A guided sequence</source>
+        <translation>Eine geführte Sequenz</translation>
     </message>
 </context>
 <context>
@@ -9885,6 +9945,18 @@ Elastizitätsmodul %2 kPa (angenommen)</translation>
     <message>
         <source>Warp, %1</source>
         <translation>Verformung, %1</translation>
+    </message>
+    <message>
+        <source>TRE (mm)</source>
+        <translation>TRE (mm)</translation>
+    </message>
+    <message>
+        <source>RMSE (mm)</source>
+        <translation>RMSE (mm)</translation>
+    </message>
+    <message>
+        <source>Each frame of the whole registration. Left: how far registered landmarks are from where they are on the model, mm, with the tolerance as a dash-dotted line. Right: how far the registered cloud is from the model (root mean square), mm</source>
+        <translation>Jedes Bild der ganzen Registrierung. Links: wie weit registrierte Landmarken von ihrem Ort auf dem Modell entfernt sind, mm, mit der Toleranz als strichpunktierter Linie. Rechts: wie weit die registrierte Punktwolke vom Modell entfernt ist (quadratisches Mittel), mm</translation>
     </message>
 </context>
 <context>

@@ -456,10 +456,6 @@
         <translation>No hay ningún tipo de experimento llamado «{0}».</translation>
     </message>
     <message>
-        <source>The kinds are palpation, material and platform.</source>
-        <translation>Los tipos son palpation, material y platform.</translation>
-    </message>
-    <message>
         <source>Line {0} of {1} names {2}, which is not there.</source>
         <translation>La línea {0} de {1} nombra {2}, que no existe.</translation>
     </message>
@@ -1306,6 +1302,10 @@
     <message>
         <source>{0} holds no image, or is damaged.</source>
         <translation>{0} no contiene ninguna imagen o está dañado.</translation>
+    </message>
+    <message>
+        <source>{0} declares an impossible size: {1} x {2} pixels in {3} frames.</source>
+        <translation>{0} declara un tamaño imposible: {1} x {2} píxeles en {3} fotogramas.</translation>
     </message>
     <message>
         <source>{0} declares impossible pixels: {1} of {2} bits, the highest {3}.</source>
@@ -2272,8 +2272,16 @@
         <translation>Indique la columna que contiene el tiempo o corte ahí el archivo.</translation>
     </message>
     <message>
+        <source>{0} has {1} samples and {2} rows without a reading.</source>
+        <translation>{0} tiene {1} mediciones y {2} filas sin lectura.</translation>
+    </message>
+    <message>
         <source>Check the columns; at most every tenth row may be empty.</source>
         <translation>Compruebe las columnas; como máximo una de cada diez filas puede estar vacía.</translation>
+    </message>
+    <message>
+        <source>The trace holds {0} runs, the log {1}.</source>
+        <translation>El registro contiene {0} ejecuciones, el diario {1}.</translation>
     </message>
     <message>
         <source>Change the shortest run and pause, or cut the trace to the logged runs.</source>
@@ -2294,6 +2302,18 @@
     <message>
         <source>Record pauses between the runs; check that the right column was read.</source>
         <translation>Registre pausas entre las ejecuciones; compruebe que se leyó la columna correcta.</translation>
+    </message>
+    <message>
+        <source>The recording has {0} gaps; runs end there and nothing is made up for them.</source>
+        <translation>El registro tiene {0} huecos; las ejecuciones terminan ahí y no se inventa nada para ellos.</translation>
+    </message>
+    <message>
+        <source>{0} rows held no reading.</source>
+        <translation>{0} filas no contenían ninguna lectura.</translation>
+    </message>
+    <message>
+        <source>{0} runs reach the end of a channel&apos;s range: their power is a lower bound. Record again with a larger range.</source>
+        <translation>{0} ejecuciones alcanzan el final del intervalo de un canal: su potencia es una cota inferior. Registre de nuevo con un intervalo mayor.</translation>
     </message>
     <message>
         <source>Idle power moves by {0} W over the recording; each run is compared with the pauses beside it.</source>
@@ -2380,6 +2400,10 @@
         <translation>fotogramas</translation>
     </message>
     <message>
+        <source>{0} landmarks were seen in three frames or more; four that do not lie on one line are needed.</source>
+        <translation>{0} puntos de referencia se vieron en tres o más fotogramas; hacen falta cuatro no alineados.</translation>
+    </message>
+    <message>
         <source>Track more features, or mark them by hand.</source>
         <translation>Siga más rasgos o márquelos a mano.</translation>
     </message>
@@ -2392,8 +2416,16 @@
         <translation>triángulos</translation>
     </message>
     <message>
+        <source>{0} frames are too few to correlate; {1} are needed.</source>
+        <translation>{0} fotogramas son demasiado pocos para correlacionar; hacen falta {1}.</translation>
+    </message>
+    <message>
         <source>Frame {0} has {1} points, and {2} after registration: they must match one by one.</source>
         <translation>El fotograma {0} tiene {1} puntos, y {2} tras el registro: deben corresponderse uno a uno.</translation>
+    </message>
+    <message>
+        <source>Landmark {0} was followed through {1} frames of {2}.</source>
+        <translation>El punto de referencia {0} se siguió en {1} fotogramas de {2}.</translation>
     </message>
     <message>
         <source>A tolerance must be a positive number of mm.</source>
@@ -2406,6 +2438,14 @@
     <message>
         <source>Name a new folder for the sequence.</source>
         <translation>Indique una carpeta nueva para la secuencia.</translation>
+    </message>
+    <message>
+        <source>The {0} video ends after {1} frames, before the other.</source>
+        <translation>El vídeo {0} termina tras {1} fotogramas, antes que el otro.</translation>
+    </message>
+    <message>
+        <source>{0} frames show something; {1} are needed.</source>
+        <translation>{0} fotogramas muestran algo; hacen falta {1}.</translation>
     </message>
     <message>
         <source>No feature could be followed through {0} frames.</source>
@@ -2430,6 +2470,10 @@
     <message>
         <source>Two frames or more can be aligned.</source>
         <translation>Se pueden alinear dos fotogramas o más.</translation>
+    </message>
+    <message>
+        <source>A landmark was followed through {0} frames of {1}.</source>
+        <translation>Un punto de referencia se siguió en {0} fotogramas de {1}.</translation>
     </message>
     <message>
         <source>aligning frames</source>
@@ -3428,6 +3472,14 @@
         <translation>Leyendo el experimento</translation>
     </message>
     <message>
+        <source>{0} landmarks seen in fewer than three frames were left out</source>
+        <translation>Se omitieron {0} puntos de referencia vistos en menos de tres fotogramas</translation>
+    </message>
+    <message>
+        <source>{0} triangles have all corners in fewer than three frames: their correlation is 0</source>
+        <translation>{0} triángulos tienen todos sus vértices en menos de tres fotogramas: su correlación es 0</translation>
+    </message>
+    <message>
         <source>no model was given, so there is no distance from it (RMSE)</source>
         <translation>no se dio ningún modelo, así que no hay distancia a él (RMSE)</translation>
     </message>
@@ -3572,6 +3624,10 @@
         <translation>Quitar {0}</translation>
     </message>
     <message>
+        <source>The structures have changed since the model was built, and {0} landmarks now lie outside of it: they are left out. Build the model anew.</source>
+        <translation>Las estructuras han cambiado desde que se construyó el modelo y {0} puntos de referencia quedan fuera de él: se omiten. Vuelva a construir el modelo.</translation>
+    </message>
+    <message>
         <source>The model cannot be used. Build it anew.</source>
         <translation>El modelo no se puede usar. Vuelva a construirlo.</translation>
     </message>
@@ -3616,8 +3672,16 @@
         <translation>Nombre así las columnas, en este orden, separadas por comas.</translation>
     </message>
     <message>
+        <source>{0} of {1} landmarks lie far from the points of their frames.</source>
+        <translation>{0} de {1} puntos de referencia están lejos de los puntos de sus imágenes.</translation>
+    </message>
+    <message>
         <source>Check that tracks and clouds are both in mm of the left camera.</source>
         <translation>Compruebe que las trayectorias y las nubes estén ambas en mm de la cámara izquierda.</translation>
+    </message>
+    <message>
+        <source>{0} landmarks far from the points of their frames were left out</source>
+        <translation>se omitieron {0} puntos de referencia lejos de los puntos de sus imágenes</translation>
     </message>
     <message>
         <source>In line {0} no number stands in the column &quot;{1}&quot;.</source>
@@ -3668,6 +3732,10 @@
         <translation>La malla tiene {0} celdas en vez de {1}; su forma y sus estructuras internas las requieren.</translation>
     </message>
     <message>
+        <source>{0} cells were taken away where the body touched itself in a point or an edge.</source>
+        <translation>Se quitaron {0} celdas donde el cuerpo se tocaba a sí mismo en un punto o una arista.</translation>
+    </message>
+    <message>
         <source>{0}: {1} piece ({2} ml) too thin for {3} cells got no cells of its own; about {4} cells would show it.</source>
         <translation>{0}: {1} trozo ({2} ml), demasiado fino para {3} celdas, no tiene celdas propias; con unas {4} celdas se vería.</translation>
     </message>
@@ -3694,6 +3762,10 @@
     <message>
         <source>Simulate it again with the model as it is now.</source>
         <translation>Simúlelo de nuevo con el modelo tal como es ahora.</translation>
+    </message>
+    <message>
+        <source>Held like this, {0} cells of the liver are turned inside out: nothing can be measured there.</source>
+        <translation>Sujeto así, {0} celdas del hígado están vueltas del revés: allí no se puede medir nada.</translation>
     </message>
     <message>
         <source>Pull or push with less force.</source>
@@ -4776,6 +4848,10 @@
         <translation>El cuerpo no encuentra reposo bajo sus cargas permanentes.</translation>
     </message>
     <message>
+        <source>The step would turn {0} cells inside out: a tool goes too far into the body.</source>
+        <translation>El paso volvería del revés {0} celdas: una herramienta entra demasiado en el cuerpo.</translation>
+    </message>
+    <message>
         <source>A session does not know &quot;{0}&quot; of a scenario.</source>
         <translation>Una sesión no conoce «{0}» de un escenario.</translation>
     </message>
@@ -5132,6 +5208,94 @@
         <translation>--study y --plan sirven solo para un DICOM SEG (--format dicom-seg).</translation>
     </message>
     <message>
+        <source>Line {1} of {0} is not landmark,frame,x_mm,y_mm,z_mm of a landmark in the tracks, with &quot;model&quot; or a frame below {2}.</source>
+        <translation>La línea {1} de {0} no es landmark,frame,x_mm,y_mm,z_mm de un punto de referencia seguido, con &quot;model&quot; o un fotograma menor que {2}.</translation>
+    </message>
+    <message>
+        <source>Make the sequence anew, or leave &quot;benchmark&quot; out of it.</source>
+        <translation>Haga la secuencia de nuevo, o quite &quot;benchmark&quot; de ella.</translation>
+    </message>
+    <message>
+        <source>each point was aligned without a fifth of the landmarks, the one nearest to it among them</source>
+        <translation>cada punto se alineó sin una quinta parte de los puntos de referencia, entre ellos el más cercano a él</translation>
+    </message>
+    <message>
+        <source>benchmark is no file name</source>
+        <translation>benchmark no es un nombre de archivo</translation>
+    </message>
+    <message>
+        <source>judged by its own landmarks, without a benchmark kept with the sequence: a fault that never changes is hardly seen</source>
+        <translation>juzgado por sus propios puntos de referencia, sin una referencia guardada con la secuencia: un fallo que nunca cambia apenas se ve</translation>
+    </message>
+    <message>
+        <source>The benchmark does not hold {0} landmarks in {1} frames, as the sequence does.</source>
+        <translation>La referencia no contiene {0} puntos de referencia en {1} fotogramas, como la secuencia.</translation>
+    </message>
+    <message>
+        <source>{0} landmarks that the benchmark has no place for were left out</source>
+        <translation>se omitieron {0} puntos de referencia para los que la referencia no tiene lugar</translation>
+    </message>
+    <message>
+        <source>The kinds are palpation, material, platform and guidance.</source>
+        <translation>Los tipos son palpation, material, platform y guidance.</translation>
+    </message>
+    <message>
+        <source>&quot;frames&quot; must be a list with at least one frame.</source>
+        <translation>&quot;frames&quot; debe ser una lista con al menos un fotograma.</translation>
+    </message>
+    <message>
+        <source>{0} must be a rigid motion: 16 numbers, row by row, scan to camera.</source>
+        <translation>{0} debe ser un movimiento rígido: 16 números, fila por fila, del escáner a la cámara.</translation>
+    </message>
+    <message>
+        <source>Is it stretched or mirrored, or given column by column?</source>
+        <translation>¿Está estirado o reflejado, o dado columna por columna?</translation>
+    </message>
+    <message>
+        <source>{0} holds no points.</source>
+        <translation>{0} no contiene puntos.</translation>
+    </message>
+    <message>
+        <source>In {0} most points of {1} lie farther than {2} mm from the organ, as the pose has it.</source>
+        <translation>En {0} la mayoría de los puntos de {1} están a más de {2} mm del órgano, según la pose.</translation>
+    </message>
+    <message>
+        <source>Are they in metres, in another camera&apos;s frame, or is &quot;pose_guess&quot; that of another frame?</source>
+        <translation>¿Están en metros, en el sistema de otra cámara, o es &quot;pose_guess&quot; la de otro fotograma?</translation>
+    </message>
+    <message>
+        <source>In {0} more than one tool touches the organ.</source>
+        <translation>En {0} más de un instrumento toca el órgano.</translation>
+    </message>
+    <message>
+        <source>An experiment takes frames with one tool, or none.</source>
+        <translation>Un experimento admite fotogramas con un instrumento o ninguno.</translation>
+    </message>
+    <message>
+        <source>Two frames have the id &quot;{0}&quot;.</source>
+        <translation>Dos fotogramas tienen el id &quot;{0}&quot;.</translation>
+    </message>
+    <message>
+        <source>{0} names no frames.</source>
+        <translation>{0} no nombra fotogramas.</translation>
+    </message>
+    <message>
+        <source>{0} names the frame &quot;{1}&quot;, which is not there.</source>
+        <translation>{0} nombra el fotograma &quot;{1}&quot;, que no existe.</translation>
+    </message>
+    <message>
+        <source>The frame &quot;{0}&quot; belongs to two trials.</source>
+        <translation>El fotograma &quot;{0}&quot; pertenece a dos ensayos.</translation>
+    </message>
+    <message>
+        <source>{0} frames belong to no trial.</source>
+        <translation>{0} fotogramas no pertenecen a ningún ensayo.</translation>
+    </message>
+    <message>
+        <source>Name each frame in one trial, or leave &quot;trials&quot; out: each frame is one then.</source>
+        <translation>Nombre cada fotograma en un ensayo, o quite &quot;trials&quot;: entonces cada fotograma es uno.</translation>
+    </message>
+    <message>
         <source>Repeat the longest trial at half of its current or load.</source>
         <translation>Repetir el ensayo más largo con la mitad de su corriente o de su carga.</translation>
     </message>
@@ -5240,110 +5404,6 @@
         <translation>Lo que quedaba antes (discontinua) y después (línea)</translation>
     </message>
     <message>
-        <source>{0} has {1} samples and {2} rows without a reading.</source>
-        <translation>{0} tiene {1} mediciones y {2} filas sin lectura.</translation>
-    </message>
-    <message>
-        <source>The trace holds {0} runs, the log {1}.</source>
-        <translation>El registro contiene {0} ejecuciones, el diario {1}.</translation>
-    </message>
-    <message>
-        <source>The recording has {0} gaps; runs end there and nothing is made up for them.</source>
-        <translation>El registro tiene {0} huecos; las ejecuciones terminan ahí y no se inventa nada para ellos.</translation>
-    </message>
-    <message>
-        <source>{0} rows held no reading.</source>
-        <translation>{0} filas no contenían ninguna lectura.</translation>
-    </message>
-    <message>
-        <source>{0} runs reach the end of a channel&apos;s range: their power is a lower bound. Record again with a larger range.</source>
-        <translation>{0} ejecuciones alcanzan el final del intervalo de un canal: su potencia es una cota inferior. Registre de nuevo con un intervalo mayor.</translation>
-    </message>
-    <message>
-        <source>{0} declares an impossible size: {1} x {2} pixels in {3} frames.</source>
-        <translation>{0} declara un tamaño imposible: {1} x {2} píxeles en {3} fotogramas.</translation>
-    </message>
-    <message>
-        <source>The step would turn {0} cells inside out: a tool goes too far into the body.</source>
-        <translation>El paso volvería del revés {0} celdas: una herramienta entra demasiado en el cuerpo.</translation>
-    </message>
-    <message>
-        <source>{0} cells were taken away where the body touched itself in a point or an edge.</source>
-        <translation>Se quitaron {0} celdas donde el cuerpo se tocaba a sí mismo en un punto o una arista.</translation>
-    </message>
-    <message>
-        <source>A landmark was followed through {0} frames of {1}.</source>
-        <translation>Un punto de referencia se siguió en {0} fotogramas de {1}.</translation>
-    </message>
-    <message>
-        <source>Line {1} of {0} is not landmark,frame,x_mm,y_mm,z_mm of a landmark in the tracks, with &quot;model&quot; or a frame below {2}.</source>
-        <translation>La línea {1} de {0} no es landmark,frame,x_mm,y_mm,z_mm de un punto de referencia seguido, con &quot;model&quot; o un fotograma menor que {2}.</translation>
-    </message>
-    <message>
-        <source>Make the sequence anew, or leave &quot;benchmark&quot; out of it.</source>
-        <translation>Haga la secuencia de nuevo, o quite &quot;benchmark&quot; de ella.</translation>
-    </message>
-    <message>
-        <source>each point was aligned without a fifth of the landmarks, the one nearest to it among them</source>
-        <translation>cada punto se alineó sin una quinta parte de los puntos de referencia, entre ellos el más cercano a él</translation>
-    </message>
-    <message>
-        <source>benchmark is no file name</source>
-        <translation>benchmark no es un nombre de archivo</translation>
-    </message>
-    <message>
-        <source>{0} of {1} landmarks lie far from the points of their frames.</source>
-        <translation>{0} de {1} puntos de referencia están lejos de los puntos de sus imágenes.</translation>
-    </message>
-    <message>
-        <source>{0} landmarks were seen in three frames or more; four that do not lie on one line are needed.</source>
-        <translation>{0} puntos de referencia se vieron en tres o más fotogramas; hacen falta cuatro no alineados.</translation>
-    </message>
-    <message>
-        <source>judged by its own landmarks, without a benchmark kept with the sequence: a fault that never changes is hardly seen</source>
-        <translation>juzgado por sus propios puntos de referencia, sin una referencia guardada con la secuencia: un fallo que nunca cambia apenas se ve</translation>
-    </message>
-    <message>
-        <source>{0} frames are too few to correlate; {1} are needed.</source>
-        <translation>{0} fotogramas son demasiado pocos para correlacionar; hacen falta {1}.</translation>
-    </message>
-    <message>
-        <source>Landmark {0} was followed through {1} frames of {2}.</source>
-        <translation>El punto de referencia {0} se siguió en {1} fotogramas de {2}.</translation>
-    </message>
-    <message>
-        <source>The benchmark does not hold {0} landmarks in {1} frames, as the sequence does.</source>
-        <translation>La referencia no contiene {0} puntos de referencia en {1} fotogramas, como la secuencia.</translation>
-    </message>
-    <message>
-        <source>{0} landmarks seen in fewer than three frames were left out</source>
-        <translation>Se omitieron {0} puntos de referencia vistos en menos de tres fotogramas</translation>
-    </message>
-    <message>
-        <source>{0} landmarks far from the points of their frames were left out</source>
-        <translation>se omitieron {0} puntos de referencia lejos de los puntos de sus imágenes</translation>
-    </message>
-    <message>
-        <source>{0} landmarks that the benchmark has no place for were left out</source>
-        <translation>se omitieron {0} puntos de referencia para los que la referencia no tiene lugar</translation>
-    </message>
-    <message>
-        <source>{0} triangles have all corners in fewer than three frames: their correlation is 0</source>
-        <translation>{0} triángulos tienen todos sus vértices en menos de tres fotogramas: su correlación es 0</translation>
-    </message>
-    <message>
-        <source>The {0} video ends after {1} frames, before the other.</source>
-        <translation>El vídeo {0} termina tras {1} fotogramas, antes que el otro.</translation>
-    </message>
-    <message>
-        <source>{0} frames show something; {1} are needed.</source>
-        <translation>{0} fotogramas muestran algo; hacen falta {1}.</translation>
-    </message>
-    <message>
-        <source>Held like this, {0} cells of the liver are turned inside out: nothing can be measured there.</source>
-        <translation>Sujeto así, {0} celdas del hígado están vueltas del revés: allí no se puede medir nada.</translation>
-    </message>
-    <message>
         <source>{0} was made on the data &quot;{1}&quot;, {2} on &quot;{3}&quot;.</source>
         <translation>{0} se hizo con los datos «{1}», {2} con «{3}».</translation>
     </message>
@@ -5398,10 +5458,6 @@
     <message>
         <source>The mask of the pictures is black everywhere.</source>
         <translation>La máscara de las imágenes es negra en todas partes.</translation>
-    </message>
-    <message>
-        <source>The structures have changed since the model was built, and {0} landmarks now lie outside of it: they are left out. Build the model anew.</source>
-        <translation>Las estructuras han cambiado desde que se construyó el modelo y {0} puntos de referencia quedan fuera de él: se omiten. Vuelva a construir el modelo.</translation>
     </message>
 </context>
 <context>
@@ -6321,6 +6377,10 @@ No measurements at hand? Try the example: a simulated sample of tissue that does
 Glisson dice cuánto se equivoca el modelo declarado, qué le falta y con qué certeza.
 
 ¿No tiene mediciones a mano? Pruebe el ejemplo: una muestra de tejido simulada que hace algo no declarado.</translation>
+    </message>
+    <message>
+        <source>A guided sequence</source>
+        <translation>Una secuencia guiada</translation>
     </message>
 </context>
 <context>
@@ -9888,6 +9948,18 @@ Módulo de Young %2 kPa (supuesto)</translation>
     <message>
         <source>Warp, %1</source>
         <translation>Deformación, %1</translation>
+    </message>
+    <message>
+        <source>TRE (mm)</source>
+        <translation>TRE (mm)</translation>
+    </message>
+    <message>
+        <source>RMSE (mm)</source>
+        <translation>RMSE (mm)</translation>
+    </message>
+    <message>
+        <source>Each frame of the whole registration. Left: how far registered landmarks are from where they are on the model, mm, with the tolerance as a dash-dotted line. Right: how far the registered cloud is from the model (root mean square), mm</source>
+        <translation>Cada fotograma de todo el registro. Izquierda: a qué distancia están los puntos de referencia registrados de su lugar en el modelo, mm, con la tolerancia como línea de trazo y punto. Derecha: a qué distancia está la nube registrada del modelo (media cuadrática), mm</translation>
     </message>
 </context>
 <context>

@@ -456,10 +456,6 @@
         <translation>Il n’y a pas de type d’expérience nommé «&#xa0;{0}&#xa0;».</translation>
     </message>
     <message>
-        <source>The kinds are palpation, material and platform.</source>
-        <translation>Les types sont palpation, material et platform.</translation>
-    </message>
-    <message>
         <source>Line {0} of {1} names {2}, which is not there.</source>
         <translation>La ligne {0} de {1} nomme {2}, qui n’existe pas.</translation>
     </message>
@@ -1306,6 +1302,10 @@
     <message>
         <source>{0} holds no image, or is damaged.</source>
         <translation>{0} ne contient pas d’image, ou est endommagé.</translation>
+    </message>
+    <message>
+        <source>{0} declares an impossible size: {1} x {2} pixels in {3} frames.</source>
+        <translation>{0} déclare une taille impossible&#xa0;: {1} x {2} pixels en {3} images.</translation>
     </message>
     <message>
         <source>{0} declares impossible pixels: {1} of {2} bits, the highest {3}.</source>
@@ -2272,8 +2272,16 @@
         <translation>Indiquez la colonne qui contient le temps, ou coupez le fichier à cet endroit.</translation>
     </message>
     <message>
+        <source>{0} has {1} samples and {2} rows without a reading.</source>
+        <translation>{0} a {1} mesures et {2} lignes sans mesure.</translation>
+    </message>
+    <message>
         <source>Check the columns; at most every tenth row may be empty.</source>
         <translation>Vérifiez les colonnes&#xa0;; au plus une ligne sur dix peut être vide.</translation>
+    </message>
+    <message>
+        <source>The trace holds {0} runs, the log {1}.</source>
+        <translation>La trace contient {0} exécutions, le journal {1}.</translation>
     </message>
     <message>
         <source>Change the shortest run and pause, or cut the trace to the logged runs.</source>
@@ -2294,6 +2302,18 @@
     <message>
         <source>Record pauses between the runs; check that the right column was read.</source>
         <translation>Enregistrez des pauses entre les exécutions&#xa0;; vérifiez que la bonne colonne a été lue.</translation>
+    </message>
+    <message>
+        <source>The recording has {0} gaps; runs end there and nothing is made up for them.</source>
+        <translation>L’enregistrement a {0} lacunes&#xa0;; les exécutions s’y arrêtent et rien n’est inventé pour les combler.</translation>
+    </message>
+    <message>
+        <source>{0} rows held no reading.</source>
+        <translation>{0} lignes ne contenaient pas de mesure.</translation>
+    </message>
+    <message>
+        <source>{0} runs reach the end of a channel&apos;s range: their power is a lower bound. Record again with a larger range.</source>
+        <translation>{0} exécutions atteignent la limite de la plage d’un canal&#xa0;: leur puissance est une borne inférieure. Recommencez avec une plage plus grande.</translation>
     </message>
     <message>
         <source>Idle power moves by {0} W over the recording; each run is compared with the pauses beside it.</source>
@@ -2380,6 +2400,10 @@
         <translation>images</translation>
     </message>
     <message>
+        <source>{0} landmarks were seen in three frames or more; four that do not lie on one line are needed.</source>
+        <translation>{0} repères ont été vus dans trois images ou plus&#xa0;; il en faut quatre non alignés.</translation>
+    </message>
+    <message>
         <source>Track more features, or mark them by hand.</source>
         <translation>Suivez plus de points caractéristiques, ou marquez-les à la main.</translation>
     </message>
@@ -2392,8 +2416,16 @@
         <translation>triangles</translation>
     </message>
     <message>
+        <source>{0} frames are too few to correlate; {1} are needed.</source>
+        <translation>{0} images sont trop peu pour une corrélation&#xa0;; il en faut {1}.</translation>
+    </message>
+    <message>
         <source>Frame {0} has {1} points, and {2} after registration: they must match one by one.</source>
         <translation>L’image {0} a {1} points, et {2} après recalage&#xa0;: ils doivent correspondre un à un.</translation>
+    </message>
+    <message>
+        <source>Landmark {0} was followed through {1} frames of {2}.</source>
+        <translation>Le repère {0} a été suivi sur {1} images sur {2}.</translation>
     </message>
     <message>
         <source>A tolerance must be a positive number of mm.</source>
@@ -2406,6 +2438,14 @@
     <message>
         <source>Name a new folder for the sequence.</source>
         <translation>Indiquez un nouveau dossier pour la séquence.</translation>
+    </message>
+    <message>
+        <source>The {0} video ends after {1} frames, before the other.</source>
+        <translation>La vidéo {0} se termine après {1} images, avant l’autre.</translation>
+    </message>
+    <message>
+        <source>{0} frames show something; {1} are needed.</source>
+        <translation>{0} images montrent quelque chose&#xa0;; il en faut {1}.</translation>
     </message>
     <message>
         <source>No feature could be followed through {0} frames.</source>
@@ -2430,6 +2470,10 @@
     <message>
         <source>Two frames or more can be aligned.</source>
         <translation>On peut aligner deux images ou plus.</translation>
+    </message>
+    <message>
+        <source>A landmark was followed through {0} frames of {1}.</source>
+        <translation>Un repère a été suivi sur {0} images sur {1}.</translation>
     </message>
     <message>
         <source>aligning frames</source>
@@ -3428,6 +3472,14 @@
         <translation>Lecture de l’expérience</translation>
     </message>
     <message>
+        <source>{0} landmarks seen in fewer than three frames were left out</source>
+        <translation>{0} repères vus dans moins de trois images ont été écartés</translation>
+    </message>
+    <message>
+        <source>{0} triangles have all corners in fewer than three frames: their correlation is 0</source>
+        <translation>{0} triangles n’ont tous leurs sommets que dans moins de trois images&#xa0;: leur corrélation est 0</translation>
+    </message>
+    <message>
         <source>no model was given, so there is no distance from it (RMSE)</source>
         <translation>aucun modèle n’a été donné, donc aucune distance à celui-ci (RMSE)</translation>
     </message>
@@ -3572,6 +3624,10 @@
         <translation>Supprimer {0}</translation>
     </message>
     <message>
+        <source>The structures have changed since the model was built, and {0} landmarks now lie outside of it: they are left out. Build the model anew.</source>
+        <translation>Les structures ont changé depuis la construction du modèle, et {0} repères se trouvent maintenant en dehors&#xa0;: ils sont écartés. Refaites le modèle.</translation>
+    </message>
+    <message>
         <source>The model cannot be used. Build it anew.</source>
         <translation>Le modèle ne peut pas être utilisé. Refaites-le.</translation>
     </message>
@@ -3616,8 +3672,16 @@
         <translation>Nommez ainsi les colonnes, dans cet ordre, séparées par des virgules.</translation>
     </message>
     <message>
+        <source>{0} of {1} landmarks lie far from the points of their frames.</source>
+        <translation>{0} repères sur {1} sont loin des points de leurs images.</translation>
+    </message>
+    <message>
         <source>Check that tracks and clouds are both in mm of the left camera.</source>
         <translation>Vérifiez que les trajectoires et les nuages sont tous deux en mm de la caméra gauche.</translation>
+    </message>
+    <message>
+        <source>{0} landmarks far from the points of their frames were left out</source>
+        <translation>{0} repères loin des points de leurs images ont été écartés</translation>
     </message>
     <message>
         <source>In line {0} no number stands in the column &quot;{1}&quot;.</source>
@@ -3668,6 +3732,10 @@
         <translation>Le maillage a {0} cellules au lieu de {1}&#xa0;; sa forme et ses structures internes les demandent.</translation>
     </message>
     <message>
+        <source>{0} cells were taken away where the body touched itself in a point or an edge.</source>
+        <translation>{0} cellules ont été retirées là où le corps se touchait lui-même en un point ou une arête.</translation>
+    </message>
+    <message>
         <source>{0}: {1} piece ({2} ml) too thin for {3} cells got no cells of its own; about {4} cells would show it.</source>
         <translation>{0}&#xa0;: {1} morceau ({2} ml) trop mince pour {3} cellules n’a pas de cellules propres&#xa0;; environ {4} cellules le montreraient.</translation>
     </message>
@@ -3694,6 +3762,10 @@
     <message>
         <source>Simulate it again with the model as it is now.</source>
         <translation>Simulez de nouveau avec le modèle actuel.</translation>
+    </message>
+    <message>
+        <source>Held like this, {0} cells of the liver are turned inside out: nothing can be measured there.</source>
+        <translation>Tenu ainsi, {0} cellules du foie sont retournées : rien ne peut y être mesuré.</translation>
     </message>
     <message>
         <source>Pull or push with less force.</source>
@@ -4776,6 +4848,10 @@
         <translation>Le corps ne trouve pas de repos sous ses charges permanentes.</translation>
     </message>
     <message>
+        <source>The step would turn {0} cells inside out: a tool goes too far into the body.</source>
+        <translation>Ce pas retournerait {0} cellules : un outil s’enfonce trop dans le corps.</translation>
+    </message>
+    <message>
         <source>A session does not know &quot;{0}&quot; of a scenario.</source>
         <translation>Une séance ne connaît pas « {0} » d’un scénario.</translation>
     </message>
@@ -5132,6 +5208,94 @@
         <translation>--study et --plan ne servent qu&apos;à un DICOM SEG (--format dicom-seg).</translation>
     </message>
     <message>
+        <source>Line {1} of {0} is not landmark,frame,x_mm,y_mm,z_mm of a landmark in the tracks, with &quot;model&quot; or a frame below {2}.</source>
+        <translation>La ligne {1} de {0} n’est pas landmark,frame,x_mm,y_mm,z_mm d’un repère suivi, avec &quot;model&quot; ou une image inférieure à {2}.</translation>
+    </message>
+    <message>
+        <source>Make the sequence anew, or leave &quot;benchmark&quot; out of it.</source>
+        <translation>Refaites la séquence, ou retirez-en &quot;benchmark&quot;.</translation>
+    </message>
+    <message>
+        <source>each point was aligned without a fifth of the landmarks, the one nearest to it among them</source>
+        <translation>chaque point a été aligné sans un cinquième des repères, dont le plus proche de lui</translation>
+    </message>
+    <message>
+        <source>benchmark is no file name</source>
+        <translation>benchmark n’est pas un nom de fichier</translation>
+    </message>
+    <message>
+        <source>judged by its own landmarks, without a benchmark kept with the sequence: a fault that never changes is hardly seen</source>
+        <translation>jugé par ses propres repères, sans référence gardée avec la séquence&#xa0;: une erreur qui ne change jamais ne se voit guère</translation>
+    </message>
+    <message>
+        <source>The benchmark does not hold {0} landmarks in {1} frames, as the sequence does.</source>
+        <translation>La référence ne contient pas {0} repères dans {1} images, comme la séquence.</translation>
+    </message>
+    <message>
+        <source>{0} landmarks that the benchmark has no place for were left out</source>
+        <translation>{0} repères pour lesquels la référence n’a pas de place ont été laissés de côté</translation>
+    </message>
+    <message>
+        <source>The kinds are palpation, material, platform and guidance.</source>
+        <translation>Les sortes sont palpation, material, platform et guidance.</translation>
+    </message>
+    <message>
+        <source>&quot;frames&quot; must be a list with at least one frame.</source>
+        <translation>&quot;frames&quot; doit être une liste d’au moins une image.</translation>
+    </message>
+    <message>
+        <source>{0} must be a rigid motion: 16 numbers, row by row, scan to camera.</source>
+        <translation>{0} doit être un mouvement rigide&#xa0;: 16 nombres, ligne par ligne, du scanner à la caméra.</translation>
+    </message>
+    <message>
+        <source>Is it stretched or mirrored, or given column by column?</source>
+        <translation>Est-il étiré ou en miroir, ou donné colonne par colonne&#xa0;?</translation>
+    </message>
+    <message>
+        <source>{0} holds no points.</source>
+        <translation>{0} ne contient aucun point.</translation>
+    </message>
+    <message>
+        <source>In {0} most points of {1} lie farther than {2} mm from the organ, as the pose has it.</source>
+        <translation>Dans {0}, la plupart des points de {1} sont à plus de {2} mm de l’organe, d’après la pose.</translation>
+    </message>
+    <message>
+        <source>Are they in metres, in another camera&apos;s frame, or is &quot;pose_guess&quot; that of another frame?</source>
+        <translation>Sont-ils en mètres, dans le repère d’une autre caméra, ou &quot;pose_guess&quot; est-elle celle d’une autre image&#xa0;?</translation>
+    </message>
+    <message>
+        <source>In {0} more than one tool touches the organ.</source>
+        <translation>Dans {0}, plus d’un instrument touche l’organe.</translation>
+    </message>
+    <message>
+        <source>An experiment takes frames with one tool, or none.</source>
+        <translation>Une expérience prend des images avec un instrument, ou aucun.</translation>
+    </message>
+    <message>
+        <source>Two frames have the id &quot;{0}&quot;.</source>
+        <translation>Deux images ont l’identifiant &quot;{0}&quot;.</translation>
+    </message>
+    <message>
+        <source>{0} names no frames.</source>
+        <translation>{0} ne nomme aucune image.</translation>
+    </message>
+    <message>
+        <source>{0} names the frame &quot;{1}&quot;, which is not there.</source>
+        <translation>{0} nomme l’image &quot;{1}&quot;, qui n’existe pas.</translation>
+    </message>
+    <message>
+        <source>The frame &quot;{0}&quot; belongs to two trials.</source>
+        <translation>L’image &quot;{0}&quot; appartient à deux essais.</translation>
+    </message>
+    <message>
+        <source>{0} frames belong to no trial.</source>
+        <translation>{0} images n’appartiennent à aucun essai.</translation>
+    </message>
+    <message>
+        <source>Name each frame in one trial, or leave &quot;trials&quot; out: each frame is one then.</source>
+        <translation>Nommez chaque image dans un essai, ou retirez &quot;trials&quot;&#xa0;: chaque image en est alors un.</translation>
+    </message>
+    <message>
         <source>Repeat the longest trial at half of its current or load.</source>
         <translation>Répéter l’essai le plus long avec la moitié de son courant ou de sa charge.</translation>
     </message>
@@ -5240,110 +5404,6 @@
         <translation>Ce qui restait avant (tirets) et après (ligne)</translation>
     </message>
     <message>
-        <source>{0} has {1} samples and {2} rows without a reading.</source>
-        <translation>{0} a {1} mesures et {2} lignes sans mesure.</translation>
-    </message>
-    <message>
-        <source>The trace holds {0} runs, the log {1}.</source>
-        <translation>La trace contient {0} exécutions, le journal {1}.</translation>
-    </message>
-    <message>
-        <source>The recording has {0} gaps; runs end there and nothing is made up for them.</source>
-        <translation>L’enregistrement a {0} lacunes&#xa0;; les exécutions s’y arrêtent et rien n’est inventé pour les combler.</translation>
-    </message>
-    <message>
-        <source>{0} rows held no reading.</source>
-        <translation>{0} lignes ne contenaient pas de mesure.</translation>
-    </message>
-    <message>
-        <source>{0} runs reach the end of a channel&apos;s range: their power is a lower bound. Record again with a larger range.</source>
-        <translation>{0} exécutions atteignent la limite de la plage d’un canal&#xa0;: leur puissance est une borne inférieure. Recommencez avec une plage plus grande.</translation>
-    </message>
-    <message>
-        <source>{0} declares an impossible size: {1} x {2} pixels in {3} frames.</source>
-        <translation>{0} déclare une taille impossible&#xa0;: {1} x {2} pixels en {3} images.</translation>
-    </message>
-    <message>
-        <source>The step would turn {0} cells inside out: a tool goes too far into the body.</source>
-        <translation>Ce pas retournerait {0} cellules : un outil s’enfonce trop dans le corps.</translation>
-    </message>
-    <message>
-        <source>{0} cells were taken away where the body touched itself in a point or an edge.</source>
-        <translation>{0} cellules ont été retirées là où le corps se touchait lui-même en un point ou une arête.</translation>
-    </message>
-    <message>
-        <source>A landmark was followed through {0} frames of {1}.</source>
-        <translation>Un repère a été suivi sur {0} images sur {1}.</translation>
-    </message>
-    <message>
-        <source>Line {1} of {0} is not landmark,frame,x_mm,y_mm,z_mm of a landmark in the tracks, with &quot;model&quot; or a frame below {2}.</source>
-        <translation>La ligne {1} de {0} n’est pas landmark,frame,x_mm,y_mm,z_mm d’un repère suivi, avec &quot;model&quot; ou une image inférieure à {2}.</translation>
-    </message>
-    <message>
-        <source>Make the sequence anew, or leave &quot;benchmark&quot; out of it.</source>
-        <translation>Refaites la séquence, ou retirez-en &quot;benchmark&quot;.</translation>
-    </message>
-    <message>
-        <source>each point was aligned without a fifth of the landmarks, the one nearest to it among them</source>
-        <translation>chaque point a été aligné sans un cinquième des repères, dont le plus proche de lui</translation>
-    </message>
-    <message>
-        <source>benchmark is no file name</source>
-        <translation>benchmark n’est pas un nom de fichier</translation>
-    </message>
-    <message>
-        <source>{0} of {1} landmarks lie far from the points of their frames.</source>
-        <translation>{0} repères sur {1} sont loin des points de leurs images.</translation>
-    </message>
-    <message>
-        <source>{0} landmarks were seen in three frames or more; four that do not lie on one line are needed.</source>
-        <translation>{0} repères ont été vus dans trois images ou plus&#xa0;; il en faut quatre non alignés.</translation>
-    </message>
-    <message>
-        <source>judged by its own landmarks, without a benchmark kept with the sequence: a fault that never changes is hardly seen</source>
-        <translation>jugé par ses propres repères, sans référence gardée avec la séquence&#xa0;: une erreur qui ne change jamais ne se voit guère</translation>
-    </message>
-    <message>
-        <source>{0} frames are too few to correlate; {1} are needed.</source>
-        <translation>{0} images sont trop peu pour une corrélation&#xa0;; il en faut {1}.</translation>
-    </message>
-    <message>
-        <source>Landmark {0} was followed through {1} frames of {2}.</source>
-        <translation>Le repère {0} a été suivi sur {1} images sur {2}.</translation>
-    </message>
-    <message>
-        <source>The benchmark does not hold {0} landmarks in {1} frames, as the sequence does.</source>
-        <translation>La référence ne contient pas {0} repères dans {1} images, comme la séquence.</translation>
-    </message>
-    <message>
-        <source>{0} landmarks seen in fewer than three frames were left out</source>
-        <translation>{0} repères vus dans moins de trois images ont été écartés</translation>
-    </message>
-    <message>
-        <source>{0} landmarks far from the points of their frames were left out</source>
-        <translation>{0} repères loin des points de leurs images ont été écartés</translation>
-    </message>
-    <message>
-        <source>{0} landmarks that the benchmark has no place for were left out</source>
-        <translation>{0} repères pour lesquels la référence n’a pas de place ont été laissés de côté</translation>
-    </message>
-    <message>
-        <source>{0} triangles have all corners in fewer than three frames: their correlation is 0</source>
-        <translation>{0} triangles n’ont tous leurs sommets que dans moins de trois images&#xa0;: leur corrélation est 0</translation>
-    </message>
-    <message>
-        <source>The {0} video ends after {1} frames, before the other.</source>
-        <translation>La vidéo {0} se termine après {1} images, avant l’autre.</translation>
-    </message>
-    <message>
-        <source>{0} frames show something; {1} are needed.</source>
-        <translation>{0} images montrent quelque chose&#xa0;; il en faut {1}.</translation>
-    </message>
-    <message>
-        <source>Held like this, {0} cells of the liver are turned inside out: nothing can be measured there.</source>
-        <translation>Tenu ainsi, {0} cellules du foie sont retournées : rien ne peut y être mesuré.</translation>
-    </message>
-    <message>
         <source>{0} was made on the data &quot;{1}&quot;, {2} on &quot;{3}&quot;.</source>
         <translation>{0} a été fait sur les données « {1} », {2} sur « {3} ».</translation>
     </message>
@@ -5398,10 +5458,6 @@
     <message>
         <source>The mask of the pictures is black everywhere.</source>
         <translation>Le masque des images est noir partout.</translation>
-    </message>
-    <message>
-        <source>The structures have changed since the model was built, and {0} landmarks now lie outside of it: they are left out. Build the model anew.</source>
-        <translation>Les structures ont changé depuis la construction du modèle, et {0} repères se trouvent maintenant en dehors&#xa0;: ils sont écartés. Refaites le modèle.</translation>
     </message>
 </context>
 <context>
@@ -6321,6 +6377,10 @@ No measurements at hand? Try the example: a simulated sample of tissue that does
 Glisson dit de combien le modèle déclaré se trompe, ce qui lui manque et avec quelle certitude.
 
 Pas de mesures sous la main&#xa0;? Essayez l’exemple&#xa0;: un échantillon de tissu simulé qui fait quelque chose de non déclaré.</translation>
+    </message>
+    <message>
+        <source>A guided sequence</source>
+        <translation>Une séquence guidée</translation>
     </message>
 </context>
 <context>
@@ -9888,6 +9948,18 @@ Module de Young %2 kPa (supposé)</translation>
     <message>
         <source>Warp, %1</source>
         <translation>Déformation, %1</translation>
+    </message>
+    <message>
+        <source>TRE (mm)</source>
+        <translation>TRE (mm)</translation>
+    </message>
+    <message>
+        <source>RMSE (mm)</source>
+        <translation>RMSE (mm)</translation>
+    </message>
+    <message>
+        <source>Each frame of the whole registration. Left: how far registered landmarks are from where they are on the model, mm, with the tolerance as a dash-dotted line. Right: how far the registered cloud is from the model (root mean square), mm</source>
+        <translation>Chaque image de tout le recalage. À gauche&#xa0;: la distance des repères recalés à leur place sur le modèle, mm, avec la tolérance en trait mixte. À droite&#xa0;: la distance du nuage recalé au modèle (moyenne quadratique), mm</translation>
     </message>
 </context>
 <context>

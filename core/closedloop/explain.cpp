@@ -1,5 +1,6 @@
 #include "closedloop/explain.h"
 
+#include "closedloop/guidance/model.h"
 #include "closedloop/hardware/model.h"
 #include "closedloop/inference/diagnosis.h"
 #include "closedloop/material/model.h"
@@ -21,6 +22,11 @@ Result<Explained> explain(const std::filesystem::path& file, const Progress& pro
 Result<std::unique_ptr<ForwardModel>> forward_model(Experiment experiment, const Progress& progress) {
   if (auto* palpation = std::get_if<Palpation>(&experiment.setup)) {
     return palpation_model(std::move(*palpation), progress).map_error([&](Error error) {
+      return error.file.empty() ? std::move(error).in_file(experiment.file) : error;
+    });
+  }
+  if (auto* guidance = std::get_if<Guidance>(&experiment.setup)) {
+    return guidance_model(std::move(*guidance), progress).map_error([&](Error error) {
       return error.file.empty() ? std::move(error).in_file(experiment.file) : error;
     });
   }

@@ -1,6 +1,7 @@
 #include "closedloop/explanation_file.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -44,7 +45,8 @@ std::string name_of(Verdict verdict) {
 }
 
 std::string kind_of(const Experiment& experiment) {
-  return experiment.setup.index() == 0 ? "palpation" : experiment.setup.index() == 1 ? "material" : "platform";
+  constexpr std::array<const char*, 4> kinds{"palpation", "material", "platform", "guidance"};
+  return kinds.at(experiment.setup.index());
 }
 
 Json report_json(const Explanation& explanation, const Observations& observations) {
@@ -127,7 +129,9 @@ std::string model_text(const Explanation& explanation, const ForwardModel& model
             {"verdict", name_of(explanation.verdict)},
             {"learnt_from", experiment.file.filename().string()},
             {"effects", Json::array()}};
-  if (const auto* palpation = std::get_if<Palpation>(&experiment.setup)) {
+  const auto* palpation = std::get_if<Palpation>(&experiment.setup);
+  if (const auto* guidance = std::get_if<Guidance>(&experiment.setup)) palpation = &guidance->organ;
+  if (palpation != nullptr) {
     const SpecimenPlace place = place_of(palpation->mesh);
     json["specimen"] = {{"min_mm", glisson::json_of(place.min_mm)},
                         {"max_mm", glisson::json_of(place.max_mm)},

@@ -67,7 +67,7 @@ Result<LearntOrgan> learn_organ(OrganModel declared, const geometry::TetMesh& me
   try {
     const bool material_test = document->at("kind") == "material";
     if (document->at("format") != "glisson-closedloop-model/1" ||
-        (!material_test && document->at("kind") != "palpation")) {
+        (!material_test && document->at("kind") != "palpation" && document->at("kind") != "guidance")) {
       return failure(Error{"model-invalid",
                            GLISSON_TEXT("{0} was not learnt from tissue."),
                            {model_file.filename().string()},

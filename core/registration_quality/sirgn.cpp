@@ -11,6 +11,7 @@
 #include "geometry/nearest.h"
 #include "geometry/surface.h"
 #include "registration_quality/internal/doubt.h"
+#include "registration_quality/internal/frame_motion.h"
 #include "registration_quality/internal/warp.h"
 
 namespace glisson::registration_quality {
@@ -20,38 +21,6 @@ using Eigen::Vector3d;
 using Points = std::vector<Vector3d>;
 
 constexpr double farthest_from_cloud = 0.5;  // of a landmark from a frame's points, as a fraction of their reach
-
-// A frame's finite point pairs, asked which way its points went.
-class FrameMotion {
- public:
-  FrameMotion(const RegisteredFrame& frame, std::size_t maximum_points);
-
-  [[nodiscard]] bool empty() const { return cloud_mm_.empty(); }
-  [[nodiscard]] const Points& registered_mm() const { return registered_mm_; }
-  // Where the registration puts a place of the frame, by the pairs around it.
-  [[nodiscard]] Vector3d to_model(const Vector3d& place_mm) const {
-    return place_mm + mean_displacement(*from_cloud_, place_mm, 1);
-  }
-  // How a place in the model's space is displaced to lie in the frame.
-  [[nodiscard]] Vector3d displacement_to_frame(const Vector3d& place_mm) const {
-    return mean_displacement(*from_registered_, place_mm, -1);
-  }
-  // How far a place lies from the frame's points, as a fraction of how far these reach (diagonal of their box).
-  [[nodiscard]] double distance_from_cloud(const Vector3d& place_mm) const {
-    return std::sqrt(from_cloud_->nearest(place_mm).squared_distance_mm2) / reach_mm_;
-  }
-  [[nodiscard]] double distance_to_registered_mm(const Vector3d& place_mm) const {
-    return std::sqrt(from_registered_->nearest(place_mm).squared_distance_mm2);
-  }
-
- private:
-  [[nodiscard]] Vector3d mean_displacement(const geometry::NearestPoint& tree, const Vector3d& place_mm,
-                                           double sign) const;
-
-  Points cloud_mm_, registered_mm_;
-  double reach_mm_ = 0;
-  std::optional<geometry::NearestPoint> from_cloud_, from_registered_;
-};
 
 // Landmarks as the registration puts them, and on the model.
 struct Landmarks {
@@ -166,34 +135,6 @@ Result<void> check(const RegisteredSequence& sequence, const SirgnOptions& optio
     }
   }
   return {};
-}
-
-FrameMotion::FrameMotion(const RegisteredFrame& frame, std::size_t maximum_points) {
-  const std::size_t step = std::max<std::size_t>(1, frame.cloud_mm.size() / maximum_points);
-  for (std::size_t i = 0; i < frame.cloud_mm.size(); i += step) {
-    if (!frame.cloud_mm[i].allFinite() || !frame.registered_mm[i].allFinite()) continue;
-    cloud_mm_.push_back(frame.cloud_mm[i]);
-    registered_mm_.push_back(frame.registered_mm[i]);
-  }
-  if (cloud_mm_.empty()) return;
-  reach_mm_ = std::max(geometry::bounding_box(cloud_mm_).diagonal_mm(), std::numeric_limits<double>::min());
-  from_cloud_.emplace(cloud_mm_);
-  from_registered_.emplace(registered_mm_);
-}
-
-Vector3d FrameMotion::mean_displacement(const geometry::NearestPoint& tree, const Vector3d& place_mm,
-                                        double sign) const {
-  constexpr int neighbours = 4;
-  constexpr double smallest_mm2 = 1e-6;  // nearer than this is there
-  Vector3d sum = Vector3d::Zero();
-  double total = 0;
-  for (const auto& [point, squared_mm2] : tree.nearest(place_mm, neighbours)) {
-    const double weight = 1 / std::max(squared_mm2, smallest_mm2);
-    const auto i = static_cast<std::size_t>(point);
-    sum += weight * sign * (registered_mm_[i] - cloud_mm_[i]);
-    total += weight;
-  }
-  return sum / total;
 }
 
 Landmarks place_landmarks(const RegisteredSequence& sequence, const std::vector<FrameMotion>& frames,

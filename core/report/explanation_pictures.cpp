@@ -92,6 +92,7 @@ std::vector<Vector> vectors_at(const Moment& moment, const Eigen::VectorXd& pred
   for (Eigen::Index row = 0; row < observations.rows(); ++row) {
     const auto i = static_cast<std::size_t>(row);
     if (observations.trial[i] != moment.trial || observations.sample[i] != moment.sample) continue;
+    if (observations.direction[i] > 2) continue;  // a distance from a surface has no direction of its own
     Vector& vector = vectors[observations.point[i]];
     vector.place_mm = observations.place_mm.row(row).transpose();
     vector.residual_mm[observations.direction[i]] = observations.measured[row] - predicted[row];

@@ -221,6 +221,18 @@ class RegisterPageTest : public QObject {
     QCOMPARE(*page_->chosen()[0], std::size_t{0});
     QTest::mouseClick(video, Qt::LeftButton, {}, video->on_widget({2, 2}).toPoint());
     QVERIFY(!page_->chosen()[0].has_value());
+    // Then the plots are of the whole registration, frame by frame: TRE and RMSE.
+    QCOMPARE(history->lines(), 2);
+    const auto drawn = history->drawn_mm();
+    QCOMPARE(drawn.size(), std::size_t{4});
+    for (const int side : {0, 1}) {
+      const auto& quality = page_->judged(side)->quality;
+      const auto first = static_cast<std::size_t>(2 * side);
+      QCOMPARE(drawn[first].size(), std::size_t{20});
+      QVERIFY(drawn[first] == quality.tre_mm);
+      QVERIFY(drawn[first + 1] == quality.rmse_mm);
+    }
+    keep_picture("register_frames");
   }
 
   void can_be_cancelled_and_goes_on_afterwards() {

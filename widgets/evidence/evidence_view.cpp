@@ -247,6 +247,7 @@ void EvidenceView::word_state() {
   opened_->setText(record_ ? tr("%1, learnt from %2")
                                  .arg(record_->experiment_kind == "palpation"  ? tr("A palpation")
                                       : record_->experiment_kind == "material" ? tr("A material test")
+                                      : record_->experiment_kind == "guidance" ? tr("A guided sequence")
                                                                                : tr("A wearable computer"),
                                       QString::fromStdString(record_->learnt_from))
                            : tr("Nothing is open."));

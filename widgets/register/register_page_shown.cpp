@@ -80,6 +80,13 @@ void RegisterPage::show_history() {
     lines[static_cast<std::size_t>(side)] = {side_name(side), judged(side)->quality.courses[*triangle]};
   }
   history_->show_courses(lines, tolerance_mm());
+  std::array<std::optional<TriangleHistory::Frames>, 2> frames;
+  for (const int side : {0, 1}) {
+    if (judged(side) == nullptr) continue;
+    const registration_quality::Quality& quality = judged(side)->quality;
+    frames[static_cast<std::size_t>(side)] = {side_name(side), quality.tre_mm, quality.rmse_mm};
+  }
+  history_->show_frames(frames);
   say_of_place();
 }
 

@@ -140,20 +140,36 @@ void TriangleHistory::show_courses(const std::array<std::optional<Line>, 2>& lin
   word();
 }
 
+void TriangleHistory::show_frames(const std::array<std::optional<Frames>, 2>& frames) {
+  frames_ = frames;
+  word();
+}
+
 void TriangleHistory::word() {
-  errors_->axis(QCPAxis::atLeft)->setLabel(tr("Error (mm)"));
-  motions_->axis(QCPAxis::atLeft)->setLabel(tr("Motion (mm)"));
-  for (QCPAxisRect* rect : {errors_, motions_}) rect->axis(QCPAxis::atBottom)->setLabel(tr("Frame"));
   setAccessibleName(tr("The chosen triangle over the frames"));
-  plot_->setToolTip(
-      tr("Left: how far the registered corners are from where they are on the model, mm, with the tolerance "
-         "as a dash-dotted line. Right: what SIRGn's correlation compares, the motion of the landmarks "
-         "and of the registration's warp, mm"));
+  for (QCPAxisRect* rect : {errors_, motions_}) rect->axis(QCPAxis::atBottom)->setLabel(tr("Frame"));
   plot_->clearGraphs();
   for (QCPAxisRect* rect : {errors_, motions_}) {
     for (int i = rect->insetLayout()->elementCount() - 1; i >= 0; --i) rect->insetLayout()->removeAt(i);
   }
   drawn_ = 0;
+  tolerance_->point1->setCoords(0, tolerance_mm_);
+  tolerance_->point2->setCoords(1, tolerance_mm_);
+  if (shown_[0] || shown_[1]) {
+    draw_triangle();
+  } else {
+    draw_frames();
+  }
+  plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void TriangleHistory::draw_triangle() {
+  errors_->axis(QCPAxis::atLeft)->setLabel(tr("Error (mm)"));
+  motions_->axis(QCPAxis::atLeft)->setLabel(tr("Motion (mm)"));
+  plot_->setToolTip(
+      tr("Left: how far the registered corners are from where they are on the model, mm, with the tolerance "
+         "as a dash-dotted line. Right: what SIRGn's correlation compares, the motion of the landmarks "
+         "and of the registration's warp, mm"));
   QCPLegend* of_errors = add_legend(plot_, errors_);
   QCPLegend* of_motions = add_legend(plot_, motions_);
   double error_mm = 1.3 * tolerance_mm_, motion_mm = 1, frames = 2;
@@ -174,12 +190,36 @@ void TriangleHistory::word() {
                QPen(palette().color(QPalette::Text), 1.5, Qt::DotLine));
     motion_mm = largest(course.warp_mm, largest(course.landmarks_mm, motion_mm));
   }
-  tolerance_->point1->setCoords(0, tolerance_mm_);
-  tolerance_->point2->setCoords(1, tolerance_mm_);
+  set_ranges(frames, 1.15 * error_mm, 1.3 * motion_mm);
+}
+
+void TriangleHistory::draw_frames() {
+  errors_->axis(QCPAxis::atLeft)->setLabel(tr("TRE (mm)"));
+  motions_->axis(QCPAxis::atLeft)->setLabel(tr("RMSE (mm)"));
+  plot_->setToolTip(
+      tr("Each frame of the whole registration. Left: how far registered landmarks are from where they are on the "
+         "model, mm, with the tolerance as a dash-dotted line. Right: how far the registered cloud is from the model "
+         "(root mean square), mm"));
+  QCPLegend* of_tre = add_legend(plot_, errors_);
+  QCPLegend* of_rmse = add_legend(plot_, motions_);
+  double tre_mm = 1.3 * tolerance_mm_, rmse_mm = 1, frames = 2;
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (!frames_[i]) continue;
+    const QPen pen = curve_pen(static_cast<int>(i));
+    add_course(plot_, errors_, of_tre, frames_[i]->tre_mm, frames_[i]->algorithm, pen);
+    add_course(plot_, motions_, of_rmse, frames_[i]->rmse_mm, frames_[i]->algorithm, pen);
+    ++drawn_;
+    tre_mm = largest(frames_[i]->tre_mm, tre_mm);
+    rmse_mm = largest(frames_[i]->rmse_mm, rmse_mm);
+    frames = std::max(frames, static_cast<double>(frames_[i]->tre_mm.size()));
+  }
+  set_ranges(frames, 1.15 * tre_mm, 1.3 * rmse_mm);
+}
+
+void TriangleHistory::set_ranges(double frames, double left_mm, double right_mm) {
   for (QCPAxisRect* rect : {errors_, motions_}) rect->axis(QCPAxis::atBottom)->setRange(1, frames);
-  errors_->axis(QCPAxis::atLeft)->setRange(0, 1.15 * error_mm);
-  motions_->axis(QCPAxis::atLeft)->setRange(0, 1.3 * motion_mm);
-  plot_->replot(QCustomPlot::rpQueuedReplot);
+  errors_->axis(QCPAxis::atLeft)->setRange(0, left_mm);
+  motions_->axis(QCPAxis::atLeft)->setRange(0, right_mm);
 }
 
 void TriangleHistory::show_frame(int frame) {
@@ -188,6 +228,15 @@ void TriangleHistory::show_frame(int frame) {
     line->point2->setCoords(frame + 1, 1);
   }
   plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+std::vector<std::vector<double>> TriangleHistory::drawn_mm() const {
+  std::vector<std::vector<double>> curves;
+  for (int i = 0; i < plot_->graphCount(); ++i) {
+    auto& mm = curves.emplace_back();
+    for (const QCPGraphData& point : *plot_->graph(i)->data()) mm.push_back(point.value);
+  }
+  return curves;
 }
 
 double TriangleHistory::frame() const { return now_[0]->point1->key() - 1; }

@@ -1,6 +1,6 @@
 #pragma once
 // A chosen place over the frames: how far each algorithm's registration is off there, and the two motions that SIRGn's
-// correlation compares for one of them.
+// correlation compares for one of them. With no place chosen, the whole registration over the frames: TRE and RMSE.
 
 #include <array>
 #include <optional>
@@ -26,6 +26,13 @@ class TriangleHistory : public QWidget {
     QString algorithm;
     registration_quality::TriangleCourse course;
   };
+  // Of all of a registration, one value a frame; no RMSE without a model.
+  struct Frames {
+    QString algorithm;
+    std::vector<double> tre_mm, rmse_mm;
+  };
+  // Drawn while no course is.
+  void show_frames(const std::array<std::optional<Frames>, 2>& frames);
   // The first algorithm solid, the second dashed; the motions are those of the first that is there.
   void show_courses(const std::array<std::optional<Line>, 2>& lines, double tolerance_mm);
   void show_frame(int frame);
@@ -35,6 +42,7 @@ class TriangleHistory : public QWidget {
   void say(const QString& words) { said_->setText(words); }
 
   [[nodiscard]] int lines() const { return static_cast<int>(drawn_); }
+  [[nodiscard]] std::vector<std::vector<double>> drawn_mm() const;  // a curve each, left and right in turn
   [[nodiscard]] double frame() const;
 
  Q_SIGNALS:
@@ -43,6 +51,9 @@ class TriangleHistory : public QWidget {
  private:
   QWidget* make_head();
   void word();
+  void draw_triangle();
+  void draw_frames();
+  void set_ranges(double frames, double left_mm, double right_mm);
 
   NumberBox* triangle_;
   QLabel* said_;
@@ -54,6 +65,7 @@ class TriangleHistory : public QWidget {
   std::size_t drawn_ = 0;
   double tolerance_mm_ = 5;
   std::array<std::optional<Line>, 2> shown_;
+  std::array<std::optional<Frames>, 2> frames_;
 };
 
 }  // namespace glisson::widgets

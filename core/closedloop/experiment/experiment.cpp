@@ -44,9 +44,11 @@ Experiment experiment_from(const Json& json, const Source& source, Needs needs) 
     experiment.setup = material_from(json, source, needs);
   } else if (kind == "platform") {
     experiment.setup = platform_from(json, source, needs);
+  } else if (kind == "guidance") {
+    experiment.setup = guidance_from(json, source);
   } else {
     refuse("experiment-invalid", GLISSON_TEXT("There is no kind of experiment called \"{0}\"."), {kind},
-           GLISSON_TEXT("The kinds are palpation, material and platform."));
+           GLISSON_TEXT("The kinds are palpation, material, platform and guidance."));
   }
   return experiment;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// What was done to a specimen and what was measured: the three sorts of experiment, as plain values in the units of
+// What was done to a specimen and what was measured: the four sorts of experiment, as plain values in the units of
 // base/units.h (mm, mN, kPa, kg, s) and, for platforms, V, A, W, Wh, degrees Celsius. Read from JSON of the format
 // "glisson-experiment/1", which speaks N and kg/m3, and from the tables that it names.
 
@@ -108,10 +108,28 @@ struct Platform {
   std::vector<PlatformTrial> trials;
 };
 
+// --- guidance: an organ seen by a camera, frame after frame
+
+// Frames that belong together, as of one breath or one pull: they are left out together.
+struct GuidanceTrial {
+  std::string id;
+  std::vector<std::size_t> frames;
+};
+
+// What was seen stands in the scan's frame, to which the declared pose of the camera brings it.
+struct Guidance {
+  // A trial a frame, of two samples: at rest, and as it is seen, with the force of its tool and the landmarks.
+  Palpation organ;
+  std::vector<std::vector<Eigen::Vector3d>> points_mm;  // of the surface, a frame each, without names
+  std::vector<double> time_s;                           // of each frame
+  double landmark_noise_mm = 0;                         // standard deviation of each coordinate; points: organ.noise_mm
+  std::vector<GuidanceTrial> trials;                    // each frame in one
+};
+
 struct Experiment {
   std::filesystem::path file;
   std::string title;
-  std::variant<Palpation, Material, Platform> setup;
+  std::variant<Palpation, Material, Platform, Guidance> setup;
 };
 
 // To explain an experiment its trials must be measured; to predict one they need only say what was done.

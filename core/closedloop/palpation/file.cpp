@@ -22,8 +22,6 @@ namespace {
 namespace fs = std::filesystem;
 using Eigen::Vector3d;
 
-void read_specimen(const Json& json, const Source& source, Palpation& palpation);
-std::vector<mechanics::Support> supports_from(const Json& json);
 PalpationTrial trial_from(const Json& json, const std::string& id, const Source& source, const Palpation& palpation,
                           Needs needs);
 
@@ -51,6 +49,8 @@ double diagonal_mm(const geometry::TetMesh& mesh) {
   for (const Vector3d& point : mesh.points_mm) box.extend(point);
   return box.diagonal().norm();
 }
+
+}  // namespace
 
 void read_specimen(const Json& json, const Source& source, Palpation& palpation) {
   only_keys(json, {"mesh", "youngs_modulus_kPa", "poisson_ratio", "density_kg_m3"}, "The specimen");
@@ -104,6 +104,8 @@ std::vector<mechanics::Support> supports_from(const Json& json) {
   }
   return std::move(scenario->supports);
 }
+
+namespace {
 
 // --- markers
 
@@ -185,6 +187,18 @@ void refuse_misplaced(const MarkerTable& table, const geometry::TetMesh& mesh, c
   }
 }
 
+}  // namespace
+
+std::vector<Marker> markers_from(const fs::path& file, const Eigen::Isometry3d& to_rest,
+                                 const geometry::TetMesh& mesh) {
+  MarkerTable table = read_markers(file);
+  for (Marker& marker : table.markers) marker.position_mm = to_rest * marker.position_mm;
+  refuse_misplaced(table, mesh, file);
+  return std::move(table.markers);
+}
+
+namespace {
+
 // --- trials
 
 PalpationSample sample_from(const Json& json, const std::string& where, const Source& source,
@@ -199,9 +213,7 @@ PalpationSample sample_from(const Json& json, const std::string& where, const So
   sample.force_mN = units::mN_from_N(force_N);
   if (json.contains("markers")) {
     const fs::path file = source.named_file(text_in(json["markers"], where + ", markers"));
-    MarkerTable table = read_markers(file);
-    refuse_misplaced(table, palpation.mesh, file);
-    sample.markers = std::move(table.markers);
+    sample.markers = markers_from(file, Eigen::Isometry3d::Identity(), palpation.mesh);
   }
   return sample;
 }

@@ -153,7 +153,8 @@ def matches(truth, result, alike):
 def noise_units(folder, report):
     """What one standard deviation of the noise is in the report's unit: 1 where it is divided by it already."""
     experiment = json.loads((folder / "experiment.json").read_text())
-    return {"palpation": experiment.get("noise_mm"), "material": experiment.get("noise_kPa")}.get(experiment["kind"], 1.0)
+    key = {"palpation": "noise_mm", "guidance": "noise_mm", "material": "noise_kPa"}.get(experiment["kind"])
+    return experiment.get(key, 1.0)
 
 
 if __name__ == "__main__":

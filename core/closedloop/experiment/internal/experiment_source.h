@@ -1,6 +1,7 @@
 #pragma once
-// What the three readers of experiments share. Their refusals (base/json_reading.h) end in read_experiment.
+// What the readers of experiments share. Their refusals (base/json_reading.h) end in read_experiment.
 
+#include <Eigen/Geometry>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -38,5 +39,13 @@ void refuse_unlikely_modulus(double young_kPa, const std::string& where);
 Palpation palpation_from(const Json& json, const Source& source, Needs needs);
 Material material_from(const Json& json, const Source& source, Needs needs);
 Platform platform_from(const Json& json, const Source& source, Needs needs);
+Guidance guidance_from(const Json& json, const Source& source);
+
+// Of a palpation and of guidance alike: the body (mesh, moduli, Poisson's ratio, density), what holds it, and a table
+// of markers, whose seen positions `to_rest` brings into the body's frame.
+void read_specimen(const Json& json, const Source& source, Palpation& palpation);
+std::vector<mechanics::Support> supports_from(const Json& json);
+std::vector<Marker> markers_from(const std::filesystem::path& file, const Eigen::Isometry3d& to_rest,
+                                 const geometry::TetMesh& mesh);
 
 }  // namespace glisson::closedloop

@@ -1,0 +1,28 @@
+#pragma once
+// The forward model of guidance: where the camera sees landmarks, and how far seen points lie from the surface, for the
+// declared organ and with effects switched on. The organ answers its tools as a palpated specimen does
+// (palpation/model.h: linear elasticity on quadratic tetrahedra), by unit responses of a kept factor; a frame is then a
+// sum of them, and one search for the nearest places of its points.
+//
+// Observations (mm, in the scan's frame, to which the declared pose brings what was seen): three rows a landmark, its
+// position less that at rest; one row a point of the surface, along the normal, from the rest place of what the
+// declared model puts there. A prediction of such a row is what was measured less the signed distance of the point from
+// the surface as predicted, so that the residual is that distance, with new nearest places for every set of effects.
+//
+// Effects, as a palpation has them: stiffness-scale, support-compliance, frame-misalignment (the camera's pose, alike
+// in all frames) and, where tools act, force-bias. The systematic uncertainty is the discretisation error
+// (palpation/internal/refinement.h).
+
+#include <memory>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "closedloop/experiment/experiment.h"
+#include "closedloop/experiment/forward_model.h"
+
+namespace glisson::closedloop {
+
+// Failures: those of palpation_model() but "no-measurement".
+Result<std::unique_ptr<ForwardModel>> guidance_model(Guidance experiment, const Progress& progress = {});
+
+}  // namespace glisson::closedloop

@@ -1,0 +1,117 @@
+#!/usr/bin/python3
+"""Makes guidance experiments with an undeclared effect: make_guidance.py OUT [--kinds a,b] [--sizes 8] [--seed N]
+[--specimens tiny]. CalculiX moves the organ with other elements on another mesh; a camera sees clouds of the surface it
+faces, without names, and a few landmarks. A case is named by its specimen, effect, size and seed; experiment.json,
+heldout.json (pulls that explain never sees) and truth.json are what judge.py takes."""
+
+import json
+import os
+import sys
+
+sys.dont_write_bytecode = True
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+import numpy as np
+
+import calculix
+from asked_cases import asked_cases
+from make_palpation import SPECIMENS, inclusion, one_of, unit_vector
+from palpation import Effects, read_force, setting, size_mm, truth
+from shape_functions import Locator
+from specimens import boundary_triangles, write_vtu
+
+MINIMUM_NOISE_MM = 0.1  # a cloud from stereo is seldom better
+REACH_MM = 6.0
+SEEN, CLOUD, LANDMARKS = 400, 120, 10
+TOWARDS_CAMERA = np.array([0.5, 0.4, 0.77])
+FRAMES = (2, 4, 7)  # which samples of a pull are frames: half, all, and some of its force
+
+INSIDE = {
+    "stiffness-scale": lambda s, r: Effects(stiffness_factor=one_of(r, (0.5, 0.85), (1.2, 2))),
+    "support-compliance": lambda s, r: Effects(foundation_kPa_per_mm=s.youngs_kPa * one_of(r, (0.02, 0.15))),
+    "frame-misalignment": lambda s, r: Effects(rotation_deg=tuple(r.uniform(0.3, 1.5) * unit_vector(r)),
+                                               translation_mm=tuple(r.uniform(0.2, 1) * unit_vector(r))),
+    "force-bias": lambda s, r: Effects(gain=one_of(r, (0.7, 0.85), (1.15, 1.4))),
+}
+# Not in the catalogue of guidance: to be called unexplained.
+OUTSIDE = {"stiff-inclusion": inclusion,
+           "cut": lambda s, r: Effects(cut=(int(r.integers(0, 2)), 0.5, 0.7))}
+
+SCENES = {}
+
+
+def scene_of(specimen):
+    if specimen not in SCENES:
+        maker, grid, _ = SPECIMENS[specimen]
+        scene = setting(maker(), seed=len(specimen), truth_cells=grid, reach_mm=REACH_MM)
+        rng = np.random.default_rng(len(specimen) + 100)
+        triangles, centroids, areas, normals = boundary_triangles(scene.experiment)
+        free = np.flatnonzero(~scene.experiment.held_faces & (normals @ TOWARDS_CAMERA > 0.2))
+        chosen = rng.choice(free, SEEN, p=areas[free] / areas[free].sum())
+        scene.markers_mm = np.einsum("nk,nkd->nd", rng.dirichlet([1, 1, 1], SEEN), triangles[chosen])
+        scene.elements, scene.weights = Locator(scene.truth)(scene.markers_mm)
+        SCENES[specimen] = scene
+    return SCENES[specimen]
+
+
+def make(folder, specimen, kinds, size, seed):
+    if (folder / "truth.json").exists():
+        return
+    scene = scene_of(specimen)
+    rng = np.random.default_rng([seed, 77, *map(ord, "".join(kinds))])
+    effects = (INSIDE | OUTSIDE)[kinds[0]](scene, rng) if kinds else Effects()
+    noise = round(float(rng.choice([0.15, 0.3])) if not kinds else max(size_mm(scene, effects) / size, MINIMUM_NOISE_MM), 4)
+    folder.mkdir(parents=True, exist_ok=True)
+    fixed = np.zeros(len(scene.experiment.points))
+    fixed[scene.experiment.held_nodes()] = 1
+    write_vtu(folder / "organ.vtu", scene.experiment, fixed)
+    turn, _ = np.linalg.qr(rng.normal(size=(3, 3)))
+    turn *= np.linalg.det(turn)
+    pose = np.eye(4)
+    pose[:3, :3], pose[:3, 3] = turn, [12.0, -30.0, 140.0]
+    paths = truth(scene, effects)
+    for file, held_out in (("experiment.json", False), ("heldout.json", True)):
+        frames, trials = [], []
+        for site, path in zip(scene.sites, paths):
+            if site.held_out != held_out:
+                continue
+            trials.append({"id": site.name, "frames": []})
+            for k in FRAMES:
+                frames.append(write_frame(folder, scene, effects, site, k, path[k], noise, pose, rng))
+                trials[-1]["frames"].append(frames[-1]["id"])
+        (folder / file).write_text(json.dumps({
+            "format": "glisson-experiment/1", "kind": "guidance", "title": folder.name,
+            "model": {"mesh": "organ.vtu", "youngs_modulus_kPa": scene.youngs_kPa, "poisson_ratio": scene.poisson_ratio},
+            "supports": [{"point_array": "fixed"}], "noise_mm": noise, "frames": frames, "trials": trials}, indent=1) + "\n")
+    shown = {k: v for k, v in vars(effects).items() if v != getattr(Effects(), k)}
+    (folder / "truth.json").write_text(json.dumps({
+        "kinds": kinds, "outside": bool(kinds) and kinds[0] in OUTSIDE, "parameters": shown, "noise_mm": noise,
+        "size": round(size_mm(scene, effects) / noise, 2) if kinds else 0.0}, indent=1) + "\n")
+    print(f"{folder.name}: a noise of {noise} mm", flush=True)
+
+
+def write_frame(folder, scene, effects, site, k, moved, noise, pose, rng):
+    name = f"{site.name}-{k}"
+    in_camera = lambda points: points @ pose[:3, :3].T + pose[:3, 3]
+    seen = in_camera(scene.markers_mm + moved) + rng.normal(0, noise, moved.shape)
+    cloud = seen[LANDMARKS + rng.choice(SEEN - LANDMARKS, CLOUD, replace=False)]
+    header = f"ply\nformat ascii 1.0\nelement vertex {CLOUD}\nproperty double x\nproperty double y\nproperty double z\n"
+    (folder / f"{name}.ply").write_text(header + "end_header\n" + "".join("%.5f %.5f %.5f\n" % tuple(p) for p in cloud))
+    rows = [",".join([f"m{m}", *("%.5f" % x for x in (*rest, *now))])
+            for m, (rest, now) in enumerate(zip(scene.markers_mm[:LANDMARKS], seen[:LANDMARKS]), 1)]
+    (folder / f"{name}.csv").write_text("id,rest_x_mm,rest_y_mm,rest_z_mm,x_mm,y_mm,z_mm\n" + "\n".join(rows) + "\n")
+    force = read_force(effects, site)[k] * pose[:3, :3] @ site.direction
+    return {"id": name, "time_s": site.times_s[k], "points": f"{name}.ply", "landmarks": f"{name}.csv",
+            "pose_guess": pose.ravel().round(12).tolist(),
+            "tools": [{"id": "retractor", "at_rest_mm": list(site.center_mm), "radius_mm": site.radius_mm,
+                       "force_N": force.round(9).tolist()}]}
+
+
+def main():
+    if not calculix.available():
+        sys.exit("CalculiX (ccx) is not installed: apt-get install calculix-ccx")
+    for case in asked_cases(__doc__, [*INSIDE, *OUTSIDE], (), "specimens", "tiny"):
+        make(*case)
+
+
+if __name__ == "__main__":
+    main()
