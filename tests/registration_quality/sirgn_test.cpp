@@ -196,7 +196,7 @@ TEST(Sirgn, RefusesWhatCannotBeJudgedAndSaysWhy) {
     for (auto& position : track.positions_mm) position->z() += 1000;  // another camera's
   }
   EXPECT_EQ(sirgn(sequence).error().code, "sirgn-landmarks-off");
-  EXPECT_EQ(sirgn(sequence).error().message(), "5 of 5 landmarks lie far from the points of their frames.");
+  EXPECT_EQ(sirgn(sequence).error().message(), "Landmarks that lie far from the points of their frames: 5 of 5.");
 
   EXPECT_EQ(sirgn(small_sequence(), {.tolerances_mm = {-1}}).error().code, "sirgn-tolerance");
 }
@@ -207,7 +207,7 @@ TEST(Sirgn, LeavesOutALandmarkThatLiesNowhereNearTheTissueAndSaysSo) {
   const Quality quality = sirgn(sequence).value();
   EXPECT_EQ(quality.mesh.points_mm.size(), 4u);
   ASSERT_FALSE(quality.notes.empty());
-  EXPECT_NE(quality.notes.front().message().find("1 landmarks far"), std::string::npos);
+  EXPECT_NE(quality.notes.front().message().find("far from the points of their frames: 1"), std::string::npos);
 }
 
 TEST(Sirgn, LeavesOutLandmarksThatWereHardlySeenAndPointsThatAreNotFinite) {
@@ -217,7 +217,7 @@ TEST(Sirgn, LeavesOutLandmarksThatWereHardlySeenAndPointsThatAreNotFinite) {
   const Quality quality = sirgn(sequence).value();
   EXPECT_EQ(quality.mesh.points_mm.size(), 4u);
   ASSERT_FALSE(quality.notes.empty());
-  EXPECT_NE(quality.notes.front().message().find("1 landmarks"), std::string::npos);
+  EXPECT_NE(quality.notes.front().message().find("fewer than three frames: 1"), std::string::npos);
 }
 
 }  // namespace
