@@ -168,7 +168,9 @@ void MainWindow::show_moved_entries(const QStringList& ids) {
       std::all_of(ids.begin(), ids.end(), [](const QString& id) { return id.startsWith("labels/"); });
   if (outlines_alone && workspace() == "segment") return;
   // Nothing of the patient that is shown rests on them; Resect reads its list anew.
-  if (std::all_of(ids.begin(), ids.end(), [](const QString& id) { return id.startsWith("plans/"); })) return;
+  const bool plans_alone = std::all_of(
+      ids.begin(), ids.end(), [](const QString& id) { return id.startsWith("plans/") || id.startsWith("results/"); });
+  if (plans_alone) return;
   const bool landmarks_alone =
       std::all_of(ids.begin(), ids.end(), [](const QString& id) { return id.startsWith("landmarks/"); });
   load(tr("Opening %1").arg(text_of(patient_.folder.filename())), [patient = patient_, shown = landmarks_,

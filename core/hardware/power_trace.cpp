@@ -80,7 +80,7 @@ Result<PowerTrace> read_power_trace(const std::filesystem::path& file, const Tra
   }
   if (trace.time_s.size() < fewest_samples || trace.dropped_rows > table->rows() / 10) {
     return failure(Error{"trace-too-poor",
-                         GLISSON_TEXT("{0} has {1} samples and {2} rows without a reading."),
+                         GLISSON_TEXT("{0}: samples {1}, rows without a reading {2}."),
                          {file.string(), std::to_string(trace.time_s.size()), std::to_string(trace.dropped_rows)},
                          GLISSON_TEXT("Check the columns; at most every tenth row may be empty."),
                          file});
@@ -140,7 +140,7 @@ Result<TraceRuns> find_runs(const PowerTrace& trace, const RunOptions& options) 
 Result<std::vector<MeasuredProduct>> products_from_runs(const TraceRuns& runs, const std::vector<RunLog>& log) {
   if (runs.runs.size() != log.size()) {
     return failure(Error{"runs-do-not-match",
-                         GLISSON_TEXT("The trace holds {0} runs, the log {1}."),
+                         GLISSON_TEXT("Runs in the trace: {0}, in the log: {1}."),
                          {std::to_string(runs.runs.size()), std::to_string(log.size())},
                          GLISSON_TEXT("Change the shortest run and pause, or cut the trace to the logged runs."),
                          {}});
@@ -310,17 +310,17 @@ std::optional<double> pause_power_W(const PowerTrace& trace, const Stretch& paus
 std::vector<Sentence> warnings_on(const PowerTrace& trace, const TraceRuns& runs, std::size_t gaps) {
   std::vector<Sentence> warnings;
   if (gaps > 0) {
-    warnings.push_back({GLISSON_TEXT("The recording has {0} gaps; runs end there and nothing is made up for them."),
+    warnings.push_back({GLISSON_TEXT("Gaps in the recording: {0}; runs end there and nothing is made up for them."),
                         {std::to_string(gaps)}});
   }
   if (trace.dropped_rows > 0)
-    warnings.push_back({GLISSON_TEXT("{0} rows held no reading."), {std::to_string(trace.dropped_rows)}});
+    warnings.push_back({GLISSON_TEXT("Rows without a reading: {0}."), {std::to_string(trace.dropped_rows)}});
   const auto clipped =
       std::count_if(runs.runs.begin(), runs.runs.end(), [](auto& run) { return run.clipped_fraction > 0; });
   if (clipped > 0) {
     warnings.push_back(
-        {GLISSON_TEXT("{0} runs reach the end of a channel's range: their power is a lower bound. Record "
-                      "again with a larger range."),
+        {GLISSON_TEXT("Runs that reach the end of a channel's range, so that their power is a lower bound: {0}. "
+                      "Record again with a larger range."),
          {std::to_string(clipped)}});
   }
   if (runs.runs.size() >= 2 && runs.idle_W > 0) {

@@ -76,7 +76,7 @@ Result<void> read_format(DcmItem& data_set, DicomImage& image) {
                          format.samples >= 1 && format.samples <= 4 && image.frames >= 1 &&
                          image.frames <= maximum_frames;
   if (!sizes_fit) {
-    return unfit(image, "dicom-size", GLISSON_TEXT("{0} declares an impossible size: {1} x {2} pixels in {3} frames."),
+    return unfit(image, "dicom-size", GLISSON_TEXT("{0} declares an impossible size: {1} x {2} pixels, frames: {3}."),
                  {std::to_string(format.columns), std::to_string(format.rows), std::to_string(image.frames)});
   }
   const int bits = format.bits_allocated;

@@ -98,9 +98,8 @@ Result<LiverMesh> mesh_labels(const imaging::LabelMap& labels, const MeshOptions
          {std::to_string(local.cells.size()), std::to_string(options.target_cells)}});
   }
   if (removed > 0) {
-    liver.notes.push_back(
-        {GLISSON_TEXT("{0} cells were taken away where the body touched itself in a point or an edge."),
-         {std::to_string(removed)}});
+    liver.notes.push_back({GLISSON_TEXT("Cells taken away where the body touched itself in a point or an edge: {0}."),
+                           {std::to_string(removed)}});
   }
   liver.body = in_patient_coordinates(std::move(local), map);
   liver.surface = boundary_surface(liver.body);

@@ -164,7 +164,7 @@ Result<GlobalAlignment> align_globally(const Sightings& sightings, const GlobalA
   if (frames < 2) return failure("alignment-too-few-frames", GLISSON_TEXT("Two frames or more can be aligned."));
   for (const auto& landmark : sightings) {
     if (landmark.size() == frames) continue;
-    return failure("alignment-sizes", GLISSON_TEXT("A landmark was followed through {0} frames of {1}."),
+    return failure("alignment-sizes", GLISSON_TEXT("A landmark was followed through {0} of {1} frames."),
                    {std::to_string(landmark.size()), std::to_string(frames)});
   }
   Alternation state(sightings, frames, options);

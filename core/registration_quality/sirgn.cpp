@@ -68,14 +68,14 @@ Result<Quality> sirgn(const RegisteredSequence& sequence, const SirgnOptions& op
   if (landmarks.on_model_mm.size() < 4 || quality.mesh.triangles.empty()) {
     if (landmarks.off_the_clouds > 0) {
       return failure(Error{"sirgn-landmarks-off",
-                           GLISSON_TEXT("{0} of {1} landmarks lie far from the points of their frames."),
+                           GLISSON_TEXT("Landmarks that lie far from the points of their frames: {0} of {1}."),
                            {std::to_string(landmarks.off_the_clouds), std::to_string(sequence.landmarks.size())},
                            GLISSON_TEXT("Check that tracks and clouds are both in mm of the left camera."),
                            {}});
     }
     return failure(Error{"sirgn-too-few-landmarks",
-                         GLISSON_TEXT("{0} landmarks were seen in three frames or more; four that do not lie on one "
-                                      "line are needed."),
+                         GLISSON_TEXT("Landmarks seen in three frames or more: {0}; four that do not lie on one line "
+                                      "are needed."),
                          {std::to_string(landmarks.on_model_mm.size())},
                          GLISSON_TEXT("Track more features, or mark them by hand."),
                          {}});
@@ -101,7 +101,7 @@ namespace {
 
 Result<void> check(const RegisteredSequence& sequence, const SirgnOptions& options) {
   if (sequence.frames.size() < fewest_frames) {
-    return failure("sirgn-too-few-frames", GLISSON_TEXT("{0} frames are too few to correlate; {1} are needed."),
+    return failure("sirgn-too-few-frames", GLISSON_TEXT("Too few frames to correlate: {0}; {1} are needed."),
                    {std::to_string(sequence.frames.size()), std::to_string(fewest_frames)});
   }
   for (std::size_t t = 0; t < sequence.frames.size(); ++t) {
@@ -114,7 +114,7 @@ Result<void> check(const RegisteredSequence& sequence, const SirgnOptions& optio
   }
   for (const LandmarkTrack& track : sequence.landmarks) {
     if (track.positions_mm.size() != sequence.frames.size()) {
-      return failure("sirgn-tracks", GLISSON_TEXT("Landmark {0} was followed through {1} frames of {2}."),
+      return failure("sirgn-tracks", GLISSON_TEXT("Landmark {0} was followed through {1} of {2} frames."),
                      {track.id, std::to_string(track.positions_mm.size()), std::to_string(sequence.frames.size())});
     }
   }
@@ -183,11 +183,11 @@ Landmarks place_landmarks(const RegisteredSequence& sequence, const std::vector<
     landmarks.on_model_mm.push_back(*on_model);
   }
   if (too_short > 0) {
-    quality.notes.push_back(
-        {GLISSON_TEXT("{0} landmarks seen in fewer than three frames were left out"), {std::to_string(too_short)}});
+    quality.notes.push_back({GLISSON_TEXT("Landmarks left out, which were seen in fewer than three frames: {0}"),
+                             {std::to_string(too_short)}});
   }
   if (landmarks.off_the_clouds > 0) {
-    quality.notes.push_back({GLISSON_TEXT("{0} landmarks far from the points of their frames were left out"),
+    quality.notes.push_back({GLISSON_TEXT("Landmarks left out, which lie far from the points of their frames: {0}"),
                              {std::to_string(landmarks.off_the_clouds)}});
   }
   if (without_place > 0) {
@@ -370,7 +370,7 @@ void rate_triangles(const Landmarks& landmarks, const SharedCentreWarps& warps,
                                     [](int seen) { return seen < fewest_frames; });
   if (unseen > 0) {
     quality.notes.push_back(
-        {GLISSON_TEXT("{0} triangles have all corners in fewer than three frames: their correlation is 0"),
+        {GLISSON_TEXT("Triangles with all corners in fewer than three frames, whose correlation is 0: {0}"),
          {std::to_string(unseen)}});
   }
 }

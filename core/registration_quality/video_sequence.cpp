@@ -73,7 +73,7 @@ Result<VideoSequence> record(vision::FrameSource& left, vision::FrameSource& rig
     const auto from_right = right.next();
     if (!from_right) return failure(from_right.error());
     if (from_left->has_value() != from_right->has_value()) {
-      return failure("sequence-lengths", GLISSON_TEXT("The {0} video ends after {1} frames, before the other."),
+      return failure("sequence-lengths", GLISSON_TEXT("The {0} video ends before the other, at frame {1}."),
                      {from_left->has_value() ? "right" : "left", std::to_string(number)});
     }
     if (!*from_left) break;
@@ -119,7 +119,7 @@ Result<void> Recording::add(const vision::Frame& left, const vision::Frame& righ
 
 Result<VideoSequence> Recording::finish(const Progress& progress) {
   if (sequence_.frames = static_cast<int>(frames_.size()); sequence_.frames < fewest_frames) {
-    return failure("sequence-too-few-frames", GLISSON_TEXT("{0} frames show something; {1} are needed."),
+    return failure("sequence-too-few-frames", GLISSON_TEXT("Frames that show something: {0}; {1} are needed."),
                    {std::to_string(sequence_.frames), std::to_string(fewest_frames)});
   }
   const auto frames = static_cast<double>(frames_.size());

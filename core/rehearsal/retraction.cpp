@@ -42,7 +42,7 @@ Result<LyingLiver> displaced(const geometry::TetMesh& rest, const std::vector<Ve
   const auto inverted = std::count_if(now_mm3.begin(), now_mm3.end(), [](double mm3) { return !(mm3 > 0); });
   if (inverted > 0) {
     return failure(Error{"retraction-inverted",
-                         GLISSON_TEXT("Held like this, {0} cells of the liver are turned inside out: nothing can be "
+                         GLISSON_TEXT("Held like this, cells of the liver are turned inside out ({0}): nothing can be "
                                       "measured there."),
                          {std::to_string(inverted)},
                          GLISSON_TEXT("Pull or push with less force."),

@@ -102,7 +102,7 @@ TEST(PowerTraceRuns, GapEndsARunAndIsSaid) {
     EXPECT_NEAR(found->runs[half].mean_W, 60, 2.8);  // nothing of the lost second is made up
   }
   ASSERT_EQ(found->warnings.size(), 1u);
-  EXPECT_THAT(found->warnings[0].message(), testing::HasSubstr("1 gaps"));
+  EXPECT_THAT(found->warnings[0].message(), testing::HasSubstr("Gaps in the recording: 1;"));
 }
 
 TEST(PowerTraceRuns, ClippedChannelIsRecognisedAndMakesALowerBound) {

@@ -321,7 +321,7 @@ TEST(Sirgn, RefusesWhatCannotBeJudgedAndSaysWhy) {
     for (auto& position : track.positions_mm) position->z() += 1000;  // another camera's
   }
   EXPECT_EQ(sirgn(sequence).error().code, "sirgn-landmarks-off");
-  EXPECT_EQ(sirgn(sequence).error().message(), "5 of 5 landmarks lie far from the points of their frames.");
+  EXPECT_EQ(sirgn(sequence).error().message(), "Landmarks that lie far from the points of their frames: 5 of 5.");
 
   sequence = small_sequence();
   sequence.benchmark = Benchmark{{std::nullopt}, {{}}};
@@ -336,7 +336,7 @@ TEST(Sirgn, LeavesOutALandmarkThatLiesNowhereNearTheTissueAndSaysSo) {
   const Quality quality = sirgn(sequence).value();
   EXPECT_EQ(quality.mesh.points_mm.size(), 4u);
   ASSERT_FALSE(quality.notes.empty());
-  EXPECT_NE(quality.notes.front().message().find("1 landmarks far"), std::string::npos);
+  EXPECT_NE(quality.notes.front().message().find("far from the points of their frames: 1"), std::string::npos);
 }
 
 TEST(Sirgn, LeavesOutLandmarksThatWereHardlySeenAndPointsThatAreNotFinite) {
@@ -346,7 +346,7 @@ TEST(Sirgn, LeavesOutLandmarksThatWereHardlySeenAndPointsThatAreNotFinite) {
   const Quality quality = sirgn(sequence).value();
   EXPECT_EQ(quality.mesh.points_mm.size(), 4u);
   ASSERT_FALSE(quality.notes.empty());
-  EXPECT_NE(quality.notes.front().message().find("1 landmarks"), std::string::npos);
+  EXPECT_NE(quality.notes.front().message().find("fewer than three frames: 1"), std::string::npos);
 }
 
 }  // namespace

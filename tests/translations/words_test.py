@@ -88,6 +88,19 @@ class Words(unittest.TestCase):
         self.write("core/room/file.cpp", CORE + 'Failure g() { return failure("full", "It is full."); }\n')
         self.assert_found("core/room/file.cpp:2", "not in GLISSON_TEXT()", "It is full.")
 
+    def test_finds_a_sentence_that_is_wrong_of_one_thing(self):
+        counted = 'GLISSON_TEXT("{0} triangles are flat.")'
+        self.write("core/room/file.cpp", CORE + f"const char* g() {{ return {counted}; }}\n")
+        known = "</context>\n<context><name>glisson"
+        of_many = "<message><source>{0} triangles are flat.</source><translation>{0} sind flach.</translation></message>"
+        of_one = "<message><source>{0} triangle is flat.</source><translation>{0} ist flach.</translation></message>"
+        self.write("translations/glisson_de.ts", TRANSLATIONS.replace(known, of_many + known))
+        self.assert_found("wrong of one", "{0} triangles")
+        beside = f'const char* h(int n) {{ return n == 1 ? GLISSON_TEXT("{{0}} triangle is flat.") : {counted}; }}\n'
+        self.write("core/room/file.cpp", CORE + beside)
+        self.write("translations/glisson_de.ts", TRANSLATIONS.replace(known, of_one + of_many + known))
+        self.assertEqual(self.words("--check")[0], 0, self.words("--check")[1])
+
     def test_takes_new_texts_in_and_keeps_what_is_translated(self):
         self.write("core/room/file.cpp", CORE + 'Failure g() { return failure("f", GLISSON_TEXT("It is full.")); }\n')
         self.assertEqual(self.words()[0], 1)  # there is something to translate now

@@ -2,6 +2,7 @@
 // true remnant told while a plane is dragged, plans kept, compared, undone.
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -10,6 +11,7 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include "base/files.h"
 #include "kept_pictures.h"
 #include "run_test.h"
 #include "shown.h"
@@ -80,9 +82,11 @@ class PlanByAnatomyTest : public QObject {
                              patience_ms);
     QTRY_VERIFY_WITH_TIMEOUT(panel_->live().result() != nullptr, patience_ms);
     // Voxels and mesh agree on how much stays.
-    const double by_mesh = panel_->live().result()->plan.remnant_percent();
-    const auto& now = live().result()->answer;
-    QVERIFY2(std::abs(100 * now.remnant_ml / now.liver_ml - by_mesh) < 3, qPrintable(QString::number(by_mesh)));
+    const auto apart_percent = [&] {
+      const auto& now = live().result()->answer;
+      return std::abs(100 * now.remnant_ml / now.liver_ml - panel_->live().result()->plan.remnant_percent());
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(apart_percent() < 3, patience_ms);  // each answers at its own pace
     QTest::qWait(500);
     QVERIFY(window_->grab().save(glisson::test::kept_picture("plan-plane.png")));
     QVERIFY(!planned_course(patient_).course);
@@ -149,6 +153,53 @@ class PlanByAnatomyTest : public QObject {
     QTRY_COMPARE_WITH_TIMEOUT(live().kept().size(), std::size_t{1}, patience_ms);
     QVERIFY(!planned_course(patient_).course);  // a plan that was dropped is followed by nobody
     QVERIFY(!std::filesystem::exists(folder_ / "results" / "resection"));
+  }
+
+  // What is followed goes back and forth with the step that kept it: bold in the list, led by Rehearse, drawn by Guide.
+  void what_is_followed_is_undone_and_redone_with_the_plan() {
+    const std::filesystem::path followed = folder_ / "results" / "resection" / "resection.json";
+    const std::size_t before = live().kept().size();
+    auto* no_cut = child<QPushButton>("no_cut");
+    const auto keep_plane = [&](const char* name, int across) {
+      if (no_cut->isEnabled()) no_cut->click();
+      child<QComboBox>("cut_across")->setCurrentIndex(across);
+      child<QPushButton>("cut_through_crosshair")->click();
+      QTRY_VERIFY_WITH_TIMEOUT(panel_->live().result() != nullptr, patience_ms);
+      keep(name);
+      QTRY_VERIFY_WITH_TIMEOUT(!window_->undo().busy(), patience_ms);
+    };
+    const auto go = [&](Qt::KeyboardModifiers keys) {
+      press_key(*window_, Qt::Key_Z, keys);
+      QTRY_VERIFY_WITH_TIMEOUT(!window_->undo().busy(), patience_ms);
+      QTest::qWait(50);
+    };
+    const auto normal = [&] { return planned_course(patient_).course->surface.normal(); };
+    keep_plane("First plane", 0);
+    const std::string first = read_text_file(followed).value();
+    const Eigen::Vector3d first_normal = normal();
+    keep_plane("Second plane", 1);
+    const std::string second = read_text_file(followed).value();
+    QVERIFY(second != first && std::abs(normal().dot(first_normal)) < 0.9);
+    go(Qt::ControlModifier);
+    QCOMPARE(read_text_file(followed).value(), first);
+    QVERIFY(std::abs(normal().dot(first_normal)) > 1 - 1e-9);
+    QTRY_VERIFY_WITH_TIMEOUT(live().kept().back().followed, patience_ms);
+    go(Qt::ControlModifier);
+    QVERIFY(!planned_course(patient_).course && !std::filesystem::exists(followed.parent_path()));
+    go(Qt::ControlModifier | Qt::ShiftModifier);
+    QCOMPARE(read_text_file(followed).value(), first);
+    go(Qt::ControlModifier | Qt::ShiftModifier);
+    QCOMPARE(read_text_file(followed).value(), second);
+    // A plan that is dropped is followed again once that is undone.
+    auto* plans = child<QTableWidget>("plans");
+    QTRY_COMPARE_WITH_TIMEOUT(live().kept().size(), before + 2, patience_ms);  // the list follows at its own pace
+    QTRY_COMPARE_WITH_TIMEOUT(plans->rowCount(), int(before + 2), patience_ms);
+    QVERIFY(live().kept().back().followed);
+    plans->selectRow(plans->rowCount() - 1);
+    child<QPushButton>("drop_plan")->click();
+    QTRY_VERIFY_WITH_TIMEOUT(!window_->undo().busy() && !planned_course(patient_).course, patience_ms);
+    go(Qt::ControlModifier);
+    QCOMPARE(read_text_file(followed).value(), second);
   }
 
   void names_branches_in_words() {

@@ -81,12 +81,19 @@ void connect_status(RehearsePanel& panel, const WorkspaceContext& context) {
                      views.space().setCursor(placing ? Qt::CrossCursor : Qt::ArrowCursor);
                      tell(placing ? RehearsePanel::tr("Click on the liver where the tool is to touch it.") : QString());
                    });
-  QObject::connect(&panel, &RehearsePanel::at_work, &panel, [&panel, patient = context.patient](bool here) {
-    if (!here) return;
+  const auto show_plan = [&panel, patient = context.patient] {
     std::vector<std::string> names;
     for (const PatientStructure& structure : patient().structures) names.push_back(structure.name);
     const PlannedCourse plan = planned_course(patient());
     panel.show_plan(plan.course, plan.why_not, std::move(names));
+  };
+  QObject::connect(&panel, &RehearsePanel::at_work, &panel, [show_plan](bool here) {
+    if (here) show_plan();
+  });
+  QObject::connect(&context.undo, &Undo::entries_moved, &panel, [&panel, show_plan](const QStringList& ids) {
+    const bool followed =
+        std::any_of(ids.begin(), ids.end(), [](const QString& id) { return id.startsWith("results/"); });
+    if (followed && panel.isVisible()) show_plan();
   });
   QObject::connect(&panel, &RehearsePanel::failed, &panel, context.tell_error);
   QObject::connect(&panel, &RehearsePanel::said, &panel, context.tell_status);

@@ -46,7 +46,9 @@ PlanByAnatomy::PlanByAnatomy(WorkspaceContext context, QWidget* parent)
   connect(live_, &LivePlan::changed, this, &PlanByAnatomy::show_answer);
   connect(live_, &LivePlan::kept_changed, this, &PlanByAnatomy::show_plans);
   connect(&context_.undo, &Undo::entries_moved, this, [this](const QStringList& ids) {
-    const bool plans = std::any_of(ids.begin(), ids.end(), [](const QString& id) { return id.startsWith("plans/"); });
+    const bool plans = std::any_of(ids.begin(), ids.end(), [](const QString& id) {
+      return id.startsWith("plans/") || id.startsWith("results/");  // the list, and which of them is followed
+    });
     if (plans) live_->read_kept();
   });
   keep_translated(this, [this] {

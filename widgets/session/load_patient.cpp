@@ -36,8 +36,8 @@ void leave_out_lost_landmarks(rehearsal::RehearsalSetup& setup, Patient& patient
   if (mechanics::locate_landmarks(setup.mesh, setup.landmarks, setup.landmark_tolerance_mm)) return;
   const auto lost = std::erase_if(setup.landmarks, is_lost);
   patient.remarks.push_back(
-      {GLISSON_TEXT("The structures have changed since the model was built, and {0} landmarks now "
-                    "lie outside of it: they are left out. Build the model anew."),
+      {GLISSON_TEXT("The structures have changed since the model was built. Landmarks that now lie outside "
+                    "of it are left out ({0}). Build the model anew."),
        {std::to_string(lost)}});
 }
 

@@ -52,7 +52,7 @@ Result<LiveState> LiveStep::run(const LiveState& from, Until until) {
     go(direction(levels, again_mN, settling ? options_.settling_gradients : options_.gradients, settling), again_mN);
     if (now_.inverted_points > 0 && !settling) {
       return failure("not-converged",
-                     GLISSON_TEXT("The step would turn {0} cells inside out: a tool goes too far into the body."),
+                     GLISSON_TEXT("The step would turn cells inside out ({0}): a tool goes too far into the body."),
                      {std::to_string(now_.inverted_points)});
     }
   }
