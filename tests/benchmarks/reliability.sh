@@ -4,7 +4,7 @@
 #
 #   tests/benchmarks/reliability.sh [FOLDER [SEEDS]]    # build/reliability "1"
 #
-# Priors were chosen on seeds 1 and 2: ask for others to judge them. It may be stopped and taken up again (judge.py). A seed is
+# Priors were chosen on seed 1, judged on 301 and 302: ask for others to judge them. It may be stopped and taken up again (judge.py). A seed is
 # 87 cases, one to three seconds of one core each. Needs python3-numpy.
 set -e
 cd "$(dirname "$0")/../.."
