@@ -1304,10 +1304,6 @@
         <translation>{0} enthält kein Bild oder ist beschädigt.</translation>
     </message>
     <message>
-        <source>{0} declares an impossible size: {1} x {2} pixels in {3} frames.</source>
-        <translation>{0} gibt eine unmögliche Größe an: {1} x {2} Pixel in {3} Bildern.</translation>
-    </message>
-    <message>
         <source>{0} declares impossible pixels: {1} of {2} bits, the highest {3}.</source>
         <translation>{0} gibt unmögliche Pixel an: {1} von {2} Bit, das höchste {3}.</translation>
     </message>
@@ -2272,16 +2268,8 @@
         <translation>Nennen Sie die Spalte mit der Zeit, oder schneiden Sie die Datei dort ab.</translation>
     </message>
     <message>
-        <source>{0} has {1} samples and {2} rows without a reading.</source>
-        <translation>{0} hat {1} Messpunkte und {2} Zeilen ohne Ablesung.</translation>
-    </message>
-    <message>
         <source>Check the columns; at most every tenth row may be empty.</source>
         <translation>Prüfen Sie die Spalten; höchstens jede zehnte Zeile darf leer sein.</translation>
-    </message>
-    <message>
-        <source>The trace holds {0} runs, the log {1}.</source>
-        <translation>Die Aufzeichnung enthält {0} Läufe, das Protokoll {1}.</translation>
     </message>
     <message>
         <source>Change the shortest run and pause, or cut the trace to the logged runs.</source>
@@ -2302,18 +2290,6 @@
     <message>
         <source>Record pauses between the runs; check that the right column was read.</source>
         <translation>Zeichnen Sie Pausen zwischen den Läufen auf; prüfen Sie, ob die richtige Spalte gelesen wurde.</translation>
-    </message>
-    <message>
-        <source>The recording has {0} gaps; runs end there and nothing is made up for them.</source>
-        <translation>Die Aufzeichnung hat {0} Lücken; Läufe enden dort, und für die Lücken wird nichts erfunden.</translation>
-    </message>
-    <message>
-        <source>{0} rows held no reading.</source>
-        <translation>{0} Zeilen enthielten keine Ablesung.</translation>
-    </message>
-    <message>
-        <source>{0} runs reach the end of a channel&apos;s range: their power is a lower bound. Record again with a larger range.</source>
-        <translation>{0} Läufe erreichen das Ende des Bereichs eines Kanals: Ihre Leistung ist eine untere Schranke. Zeichnen Sie erneut mit größerem Bereich auf.</translation>
     </message>
     <message>
         <source>Idle power moves by {0} W over the recording; each run is compared with the pauses beside it.</source>
@@ -2400,10 +2376,6 @@
         <translation>Bilder</translation>
     </message>
     <message>
-        <source>{0} landmarks were seen in three frames or more; four that do not lie on one line are needed.</source>
-        <translation>{0} Landmarken wurden in drei oder mehr Bildern gesehen; vier, die nicht auf einer Geraden liegen, sind nötig.</translation>
-    </message>
-    <message>
         <source>Track more features, or mark them by hand.</source>
         <translation>Verfolgen Sie mehr Merkmale, oder markieren Sie sie von Hand.</translation>
     </message>
@@ -2416,16 +2388,8 @@
         <translation>Dreiecke</translation>
     </message>
     <message>
-        <source>{0} frames are too few to correlate; {1} are needed.</source>
-        <translation>{0} Bilder sind zu wenige für eine Korrelation; {1} sind nötig.</translation>
-    </message>
-    <message>
         <source>Frame {0} has {1} points, and {2} after registration: they must match one by one.</source>
         <translation>Bild {0} hat {1} Punkte und nach der Registrierung {2}: Sie müssen einzeln übereinstimmen.</translation>
-    </message>
-    <message>
-        <source>Landmark {0} was followed through {1} frames of {2}.</source>
-        <translation>Landmarke {0} wurde durch {1} von {2} Bildern verfolgt.</translation>
     </message>
     <message>
         <source>A tolerance must be a positive number of mm.</source>
@@ -2438,14 +2402,6 @@
     <message>
         <source>Name a new folder for the sequence.</source>
         <translation>Nennen Sie einen neuen Ordner für die Sequenz.</translation>
-    </message>
-    <message>
-        <source>The {0} video ends after {1} frames, before the other.</source>
-        <translation>Das Video {0} endet nach {1} Bildern, vor dem anderen.</translation>
-    </message>
-    <message>
-        <source>{0} frames show something; {1} are needed.</source>
-        <translation>{0} Bilder zeigen etwas; {1} sind nötig.</translation>
     </message>
     <message>
         <source>No feature could be followed through {0} frames.</source>
@@ -2470,10 +2426,6 @@
     <message>
         <source>Two frames or more can be aligned.</source>
         <translation>Ausrichten lassen sich zwei Bilder oder mehr.</translation>
-    </message>
-    <message>
-        <source>A landmark was followed through {0} frames of {1}.</source>
-        <translation>Eine Landmarke wurde durch {0} von {1} Bildern verfolgt.</translation>
     </message>
     <message>
         <source>aligning frames</source>
@@ -3472,14 +3424,6 @@
         <translation>Experiment wird gelesen</translation>
     </message>
     <message>
-        <source>{0} landmarks seen in fewer than three frames were left out</source>
-        <translation>{0} Landmarken, die in weniger als drei Bildern zu sehen waren, wurden weggelassen</translation>
-    </message>
-    <message>
-        <source>{0} triangles have all corners in fewer than three frames: their correlation is 0</source>
-        <translation>Bei {0} Dreiecken sind alle Ecken in weniger als drei Bildern zu sehen: ihre Korrelation ist 0</translation>
-    </message>
-    <message>
         <source>no model was given, so there is no distance from it (RMSE)</source>
         <translation>kein Modell angegeben, daher auch kein Abstand davon (RMSE)</translation>
     </message>
@@ -3624,10 +3568,6 @@
         <translation>{0} entfernen</translation>
     </message>
     <message>
-        <source>The structures have changed since the model was built, and {0} landmarks now lie outside of it: they are left out. Build the model anew.</source>
-        <translation>Die Strukturen haben sich geändert, seit das Modell erstellt wurde, und {0} Landmarken liegen nun außerhalb: Sie werden ausgelassen. Erstellen Sie das Modell neu.</translation>
-    </message>
-    <message>
         <source>The model cannot be used. Build it anew.</source>
         <translation>Das Modell kann nicht verwendet werden. Erstellen Sie es neu.</translation>
     </message>
@@ -3672,16 +3612,8 @@
         <translation>Benennen Sie die Spalten so, in dieser Reihenfolge, durch Kommas getrennt.</translation>
     </message>
     <message>
-        <source>{0} of {1} landmarks lie far from the points of their frames.</source>
-        <translation>{0} von {1} Landmarken liegen weit von den Punkten ihrer Bilder entfernt.</translation>
-    </message>
-    <message>
         <source>Check that tracks and clouds are both in mm of the left camera.</source>
         <translation>Prüfen Sie, ob Spuren und Punktwolken beide in mm der linken Kamera angegeben sind.</translation>
-    </message>
-    <message>
-        <source>{0} landmarks far from the points of their frames were left out</source>
-        <translation>{0} Landmarken, die weit von den Punkten ihrer Bilder entfernt liegen, wurden weggelassen</translation>
     </message>
     <message>
         <source>In line {0} no number stands in the column &quot;{1}&quot;.</source>
@@ -3732,10 +3664,6 @@
         <translation>Das Netz hat {0} Zellen statt {1}; Form und innere Strukturen verlangen sie.</translation>
     </message>
     <message>
-        <source>{0} cells were taken away where the body touched itself in a point or an edge.</source>
-        <translation>{0} Zellen wurden entfernt, wo der Körper sich selbst in einem Punkt oder einer Kante berührte.</translation>
-    </message>
-    <message>
         <source>{0}: {1} piece ({2} ml) too thin for {3} cells got no cells of its own; about {4} cells would show it.</source>
         <translation>{0}: {1} Stück ({2} ml) ist für {3} Zellen zu dünn und bekam keine eigenen; mit etwa {4} Zellen wäre es zu sehen.</translation>
     </message>
@@ -3762,10 +3690,6 @@
     <message>
         <source>Simulate it again with the model as it is now.</source>
         <translation>Simulieren Sie erneut mit dem jetzigen Modell.</translation>
-    </message>
-    <message>
-        <source>Held like this, {0} cells of the liver are turned inside out: nothing can be measured there.</source>
-        <translation>So gehalten sind {0} Zellen der Leber umgestülpt: Dort lässt sich nichts messen.</translation>
     </message>
     <message>
         <source>Pull or push with less force.</source>
@@ -4848,10 +4772,6 @@
         <translation>Der Körper kommt unter seinen ständigen Lasten nicht zur Ruhe.</translation>
     </message>
     <message>
-        <source>The step would turn {0} cells inside out: a tool goes too far into the body.</source>
-        <translation>Der Schritt würde {0} Zellen umstülpen: Ein Werkzeug dringt zu weit in den Körper ein.</translation>
-    </message>
-    <message>
         <source>A session does not know &quot;{0}&quot; of a scenario.</source>
         <translation>Eine Sitzung kennt „{0}“ aus einem Szenario nicht.</translation>
     </message>
@@ -5228,14 +5148,6 @@
         <translation>anhand der eigenen Landmarken beurteilt, ohne einen Vergleichsmaßstab in der Sequenz: ein Fehler, der sich nie ändert, ist kaum zu sehen</translation>
     </message>
     <message>
-        <source>The benchmark does not hold {0} landmarks in {1} frames, as the sequence does.</source>
-        <translation>Der Vergleichsmaßstab enthält nicht {0} Landmarken in {1} Bildern wie die Sequenz.</translation>
-    </message>
-    <message>
-        <source>{0} landmarks that the benchmark has no place for were left out</source>
-        <translation>{0} Landmarken, für die der Vergleichsmaßstab keinen Ort hat, wurden weggelassen</translation>
-    </message>
-    <message>
         <source>The kinds are palpation, material, platform and guidance.</source>
         <translation>Die Arten sind palpation, material, platform und guidance.</translation>
     </message>
@@ -5286,10 +5198,6 @@
     <message>
         <source>The frame &quot;{0}&quot; belongs to two trials.</source>
         <translation>Das Bild &quot;{0}&quot; gehört zu zwei Versuchen.</translation>
-    </message>
-    <message>
-        <source>{0} frames belong to no trial.</source>
-        <translation>{0} Bilder gehören zu keinem Versuch.</translation>
     </message>
     <message>
         <source>Name each frame in one trial, or leave &quot;trials&quot; out: each frame is one then.</source>
@@ -5458,6 +5366,98 @@
     <message>
         <source>The mask of the pictures is black everywhere.</source>
         <translation>Die Maske der Bilder ist überall schwarz.</translation>
+    </message>
+    <message>
+        <source>{0}: samples {1}, rows without a reading {2}.</source>
+        <translation>{0}: Messwerte {1}, Zeilen ohne Messwert {2}.</translation>
+    </message>
+    <message>
+        <source>Runs in the trace: {0}, in the log: {1}.</source>
+        <translation>Läufe in der Aufzeichnung: {0}, im Protokoll: {1}.</translation>
+    </message>
+    <message>
+        <source>Gaps in the recording: {0}; runs end there and nothing is made up for them.</source>
+        <translation>Lücken in der Aufzeichnung: {0}; Läufe enden dort, und nichts wird dafür erfunden.</translation>
+    </message>
+    <message>
+        <source>Rows without a reading: {0}.</source>
+        <translation>Zeilen ohne Messwert: {0}.</translation>
+    </message>
+    <message>
+        <source>Runs that reach the end of a channel&apos;s range, so that their power is a lower bound: {0}. Record again with a larger range.</source>
+        <translation>Läufe, die an das Ende des Messbereichs eines Kanals stoßen, so dass ihre Leistung eine untere Schranke ist: {0}. Mit größerem Messbereich neu aufzeichnen.</translation>
+    </message>
+    <message>
+        <source>{0} declares an impossible size: {1} x {2} pixels, frames: {3}.</source>
+        <translation>{0} gibt eine unmögliche Größe an: {1} x {2} Pixel, Einzelbilder: {3}.</translation>
+    </message>
+    <message>
+        <source>The step would turn cells inside out ({0}): a tool goes too far into the body.</source>
+        <translation>Der Schritt würde Zellen umstülpen ({0}): Ein Instrument dringt zu weit in den Körper ein.</translation>
+    </message>
+    <message>
+        <source>Cells taken away where the body touched itself in a point or an edge: {0}.</source>
+        <translation>Entfernte Zellen, wo der Körper sich selbst in einem Punkt oder einer Kante berührte: {0}.</translation>
+    </message>
+    <message>
+        <source>A landmark was followed through {0} of {1} frames.</source>
+        <translation>Eine Landmarke wurde durch {0} von {1} Einzelbildern verfolgt.</translation>
+    </message>
+    <message>
+        <source>Landmarks that lie far from the points of their frames: {0} of {1}.</source>
+        <translation>Landmarken, die weit von den Punkten ihrer Einzelbilder liegen: {0} von {1}.</translation>
+    </message>
+    <message>
+        <source>Landmarks seen in three frames or more: {0}; four that do not lie on one line are needed.</source>
+        <translation>In drei oder mehr Einzelbildern gesehene Landmarken: {0}; gebraucht werden vier, die nicht auf einer Geraden liegen.</translation>
+    </message>
+    <message>
+        <source>Too few frames to correlate: {0}; {1} are needed.</source>
+        <translation>Zu wenige Einzelbilder zum Korrelieren: {0}; gebraucht werden {1}.</translation>
+    </message>
+    <message>
+        <source>Landmark {0} was followed through {1} of {2} frames.</source>
+        <translation>Landmarke {0} wurde durch {1} von {2} Einzelbildern verfolgt.</translation>
+    </message>
+    <message>
+        <source>Landmarks left out, which were seen in fewer than three frames: {0}</source>
+        <translation>Weggelassene Landmarken, die in weniger als drei Einzelbildern zu sehen waren: {0}</translation>
+    </message>
+    <message>
+        <source>Landmarks left out, which lie far from the points of their frames: {0}</source>
+        <translation>Weggelassene Landmarken, die weit von den Punkten ihrer Einzelbilder liegen: {0}</translation>
+    </message>
+    <message>
+        <source>Triangles with all corners in fewer than three frames, whose correlation is 0: {0}</source>
+        <translation>Dreiecke mit allen Ecken in weniger als drei Einzelbildern, deren Korrelation 0 ist: {0}</translation>
+    </message>
+    <message>
+        <source>The {0} video ends before the other, at frame {1}.</source>
+        <translation>Das Video ({0}) endet vor dem anderen, bei Einzelbild {1}.</translation>
+    </message>
+    <message>
+        <source>Frames that show something: {0}; {1} are needed.</source>
+        <translation>Einzelbilder, auf denen etwas zu sehen ist: {0}; gebraucht werden {1}.</translation>
+    </message>
+    <message>
+        <source>Held like this, cells of the liver are turned inside out ({0}): nothing can be measured there.</source>
+        <translation>So gehalten sind Zellen der Leber umgestülpt ({0}): Dort lässt sich nichts messen.</translation>
+    </message>
+    <message>
+        <source>The structures have changed since the model was built. Landmarks that now lie outside of it are left out ({0}). Build the model anew.</source>
+        <translation>Die Strukturen haben sich geändert, seit das Modell gebaut wurde. Landmarken, die jetzt außerhalb liegen, sind weggelassen ({0}). Das Modell neu bauen.</translation>
+    </message>
+    <message>
+        <source>Frames that belong to no trial: {0}.</source>
+        <translation>Bilder, die zu keinem Versuch gehören: {0}.</translation>
+    </message>
+    <message>
+        <source>The benchmark is not of this sequence, with its landmarks ({0}) and frames ({1}).</source>
+        <translation>Der Vergleichsmaßstab gehört nicht zu dieser Sequenz mit ihren Landmarken ({0}) und Bildern ({1}).</translation>
+    </message>
+    <message>
+        <source>landmarks that the benchmark has no place for were left out: {0}</source>
+        <translation>weggelassene Landmarken, für die der Vergleichsmaßstab keinen Ort hat: {0}</translation>
     </message>
 </context>
 <context>

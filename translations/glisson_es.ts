@@ -1304,10 +1304,6 @@
         <translation>{0} no contiene ninguna imagen o está dañado.</translation>
     </message>
     <message>
-        <source>{0} declares an impossible size: {1} x {2} pixels in {3} frames.</source>
-        <translation>{0} declara un tamaño imposible: {1} x {2} píxeles en {3} fotogramas.</translation>
-    </message>
-    <message>
         <source>{0} declares impossible pixels: {1} of {2} bits, the highest {3}.</source>
         <translation>{0} declara píxeles imposibles: {1} de {2} bits, el más alto {3}.</translation>
     </message>
@@ -2272,16 +2268,8 @@
         <translation>Indique la columna que contiene el tiempo o corte ahí el archivo.</translation>
     </message>
     <message>
-        <source>{0} has {1} samples and {2} rows without a reading.</source>
-        <translation>{0} tiene {1} mediciones y {2} filas sin lectura.</translation>
-    </message>
-    <message>
         <source>Check the columns; at most every tenth row may be empty.</source>
         <translation>Compruebe las columnas; como máximo una de cada diez filas puede estar vacía.</translation>
-    </message>
-    <message>
-        <source>The trace holds {0} runs, the log {1}.</source>
-        <translation>El registro contiene {0} ejecuciones, el diario {1}.</translation>
     </message>
     <message>
         <source>Change the shortest run and pause, or cut the trace to the logged runs.</source>
@@ -2302,18 +2290,6 @@
     <message>
         <source>Record pauses between the runs; check that the right column was read.</source>
         <translation>Registre pausas entre las ejecuciones; compruebe que se leyó la columna correcta.</translation>
-    </message>
-    <message>
-        <source>The recording has {0} gaps; runs end there and nothing is made up for them.</source>
-        <translation>El registro tiene {0} huecos; las ejecuciones terminan ahí y no se inventa nada para ellos.</translation>
-    </message>
-    <message>
-        <source>{0} rows held no reading.</source>
-        <translation>{0} filas no contenían ninguna lectura.</translation>
-    </message>
-    <message>
-        <source>{0} runs reach the end of a channel&apos;s range: their power is a lower bound. Record again with a larger range.</source>
-        <translation>{0} ejecuciones alcanzan el final del intervalo de un canal: su potencia es una cota inferior. Registre de nuevo con un intervalo mayor.</translation>
     </message>
     <message>
         <source>Idle power moves by {0} W over the recording; each run is compared with the pauses beside it.</source>
@@ -2400,10 +2376,6 @@
         <translation>fotogramas</translation>
     </message>
     <message>
-        <source>{0} landmarks were seen in three frames or more; four that do not lie on one line are needed.</source>
-        <translation>{0} puntos de referencia se vieron en tres o más fotogramas; hacen falta cuatro no alineados.</translation>
-    </message>
-    <message>
         <source>Track more features, or mark them by hand.</source>
         <translation>Siga más rasgos o márquelos a mano.</translation>
     </message>
@@ -2416,16 +2388,8 @@
         <translation>triángulos</translation>
     </message>
     <message>
-        <source>{0} frames are too few to correlate; {1} are needed.</source>
-        <translation>{0} fotogramas son demasiado pocos para correlacionar; hacen falta {1}.</translation>
-    </message>
-    <message>
         <source>Frame {0} has {1} points, and {2} after registration: they must match one by one.</source>
         <translation>El fotograma {0} tiene {1} puntos, y {2} tras el registro: deben corresponderse uno a uno.</translation>
-    </message>
-    <message>
-        <source>Landmark {0} was followed through {1} frames of {2}.</source>
-        <translation>El punto de referencia {0} se siguió en {1} fotogramas de {2}.</translation>
     </message>
     <message>
         <source>A tolerance must be a positive number of mm.</source>
@@ -2438,14 +2402,6 @@
     <message>
         <source>Name a new folder for the sequence.</source>
         <translation>Indique una carpeta nueva para la secuencia.</translation>
-    </message>
-    <message>
-        <source>The {0} video ends after {1} frames, before the other.</source>
-        <translation>El vídeo {0} termina tras {1} fotogramas, antes que el otro.</translation>
-    </message>
-    <message>
-        <source>{0} frames show something; {1} are needed.</source>
-        <translation>{0} fotogramas muestran algo; hacen falta {1}.</translation>
     </message>
     <message>
         <source>No feature could be followed through {0} frames.</source>
@@ -2470,10 +2426,6 @@
     <message>
         <source>Two frames or more can be aligned.</source>
         <translation>Se pueden alinear dos fotogramas o más.</translation>
-    </message>
-    <message>
-        <source>A landmark was followed through {0} frames of {1}.</source>
-        <translation>Un punto de referencia se siguió en {0} fotogramas de {1}.</translation>
     </message>
     <message>
         <source>aligning frames</source>
@@ -3472,14 +3424,6 @@
         <translation>Leyendo el experimento</translation>
     </message>
     <message>
-        <source>{0} landmarks seen in fewer than three frames were left out</source>
-        <translation>Se omitieron {0} puntos de referencia vistos en menos de tres fotogramas</translation>
-    </message>
-    <message>
-        <source>{0} triangles have all corners in fewer than three frames: their correlation is 0</source>
-        <translation>{0} triángulos tienen todos sus vértices en menos de tres fotogramas: su correlación es 0</translation>
-    </message>
-    <message>
         <source>no model was given, so there is no distance from it (RMSE)</source>
         <translation>no se dio ningún modelo, así que no hay distancia a él (RMSE)</translation>
     </message>
@@ -3624,10 +3568,6 @@
         <translation>Quitar {0}</translation>
     </message>
     <message>
-        <source>The structures have changed since the model was built, and {0} landmarks now lie outside of it: they are left out. Build the model anew.</source>
-        <translation>Las estructuras han cambiado desde que se construyó el modelo y {0} puntos de referencia quedan fuera de él: se omiten. Vuelva a construir el modelo.</translation>
-    </message>
-    <message>
         <source>The model cannot be used. Build it anew.</source>
         <translation>El modelo no se puede usar. Vuelva a construirlo.</translation>
     </message>
@@ -3672,16 +3612,8 @@
         <translation>Nombre así las columnas, en este orden, separadas por comas.</translation>
     </message>
     <message>
-        <source>{0} of {1} landmarks lie far from the points of their frames.</source>
-        <translation>{0} de {1} puntos de referencia están lejos de los puntos de sus imágenes.</translation>
-    </message>
-    <message>
         <source>Check that tracks and clouds are both in mm of the left camera.</source>
         <translation>Compruebe que las trayectorias y las nubes estén ambas en mm de la cámara izquierda.</translation>
-    </message>
-    <message>
-        <source>{0} landmarks far from the points of their frames were left out</source>
-        <translation>se omitieron {0} puntos de referencia lejos de los puntos de sus imágenes</translation>
     </message>
     <message>
         <source>In line {0} no number stands in the column &quot;{1}&quot;.</source>
@@ -3732,10 +3664,6 @@
         <translation>La malla tiene {0} celdas en vez de {1}; su forma y sus estructuras internas las requieren.</translation>
     </message>
     <message>
-        <source>{0} cells were taken away where the body touched itself in a point or an edge.</source>
-        <translation>Se quitaron {0} celdas donde el cuerpo se tocaba a sí mismo en un punto o una arista.</translation>
-    </message>
-    <message>
         <source>{0}: {1} piece ({2} ml) too thin for {3} cells got no cells of its own; about {4} cells would show it.</source>
         <translation>{0}: {1} trozo ({2} ml), demasiado fino para {3} celdas, no tiene celdas propias; con unas {4} celdas se vería.</translation>
     </message>
@@ -3762,10 +3690,6 @@
     <message>
         <source>Simulate it again with the model as it is now.</source>
         <translation>Simúlelo de nuevo con el modelo tal como es ahora.</translation>
-    </message>
-    <message>
-        <source>Held like this, {0} cells of the liver are turned inside out: nothing can be measured there.</source>
-        <translation>Sujeto así, {0} celdas del hígado están vueltas del revés: allí no se puede medir nada.</translation>
     </message>
     <message>
         <source>Pull or push with less force.</source>
@@ -4848,10 +4772,6 @@
         <translation>El cuerpo no encuentra reposo bajo sus cargas permanentes.</translation>
     </message>
     <message>
-        <source>The step would turn {0} cells inside out: a tool goes too far into the body.</source>
-        <translation>El paso volvería del revés {0} celdas: una herramienta entra demasiado en el cuerpo.</translation>
-    </message>
-    <message>
         <source>A session does not know &quot;{0}&quot; of a scenario.</source>
         <translation>Una sesión no conoce «{0}» de un escenario.</translation>
     </message>
@@ -5228,14 +5148,6 @@
         <translation>juzgado por sus propios puntos de referencia, sin una referencia guardada con la secuencia: un fallo que nunca cambia apenas se ve</translation>
     </message>
     <message>
-        <source>The benchmark does not hold {0} landmarks in {1} frames, as the sequence does.</source>
-        <translation>La referencia no contiene {0} puntos de referencia en {1} fotogramas, como la secuencia.</translation>
-    </message>
-    <message>
-        <source>{0} landmarks that the benchmark has no place for were left out</source>
-        <translation>se omitieron {0} puntos de referencia para los que la referencia no tiene lugar</translation>
-    </message>
-    <message>
         <source>The kinds are palpation, material, platform and guidance.</source>
         <translation>Los tipos son palpation, material, platform y guidance.</translation>
     </message>
@@ -5286,10 +5198,6 @@
     <message>
         <source>The frame &quot;{0}&quot; belongs to two trials.</source>
         <translation>El fotograma &quot;{0}&quot; pertenece a dos ensayos.</translation>
-    </message>
-    <message>
-        <source>{0} frames belong to no trial.</source>
-        <translation>{0} fotogramas no pertenecen a ningún ensayo.</translation>
     </message>
     <message>
         <source>Name each frame in one trial, or leave &quot;trials&quot; out: each frame is one then.</source>
@@ -5458,6 +5366,98 @@
     <message>
         <source>The mask of the pictures is black everywhere.</source>
         <translation>La máscara de las imágenes es negra en todas partes.</translation>
+    </message>
+    <message>
+        <source>{0}: samples {1}, rows without a reading {2}.</source>
+        <translation>{0}: muestras {1}, filas sin lectura {2}.</translation>
+    </message>
+    <message>
+        <source>Runs in the trace: {0}, in the log: {1}.</source>
+        <translation>Ejecuciones en la traza: {0}, en el registro: {1}.</translation>
+    </message>
+    <message>
+        <source>Gaps in the recording: {0}; runs end there and nothing is made up for them.</source>
+        <translation>Huecos en la grabación: {0}; las ejecuciones terminan ahí y no se inventa nada en su lugar.</translation>
+    </message>
+    <message>
+        <source>Rows without a reading: {0}.</source>
+        <translation>Filas sin lectura: {0}.</translation>
+    </message>
+    <message>
+        <source>Runs that reach the end of a channel&apos;s range, so that their power is a lower bound: {0}. Record again with a larger range.</source>
+        <translation>Ejecuciones que llegan al final del rango de un canal, de modo que su potencia es una cota inferior: {0}. Grabe de nuevo con un rango mayor.</translation>
+    </message>
+    <message>
+        <source>{0} declares an impossible size: {1} x {2} pixels, frames: {3}.</source>
+        <translation>{0} declara un tamaño imposible: {1} x {2} píxeles, fotogramas: {3}.</translation>
+    </message>
+    <message>
+        <source>The step would turn cells inside out ({0}): a tool goes too far into the body.</source>
+        <translation>El paso volvería celdas del revés ({0}): un instrumento entra demasiado en el cuerpo.</translation>
+    </message>
+    <message>
+        <source>Cells taken away where the body touched itself in a point or an edge: {0}.</source>
+        <translation>Celdas quitadas donde el cuerpo se tocaba a sí mismo en un punto o una arista: {0}.</translation>
+    </message>
+    <message>
+        <source>A landmark was followed through {0} of {1} frames.</source>
+        <translation>Un punto de referencia se siguió por {0} de {1} fotogramas.</translation>
+    </message>
+    <message>
+        <source>Landmarks that lie far from the points of their frames: {0} of {1}.</source>
+        <translation>Puntos de referencia lejos de los puntos de sus fotogramas: {0} de {1}.</translation>
+    </message>
+    <message>
+        <source>Landmarks seen in three frames or more: {0}; four that do not lie on one line are needed.</source>
+        <translation>Puntos de referencia vistos en tres fotogramas o más: {0}; se necesitan cuatro que no estén en una recta.</translation>
+    </message>
+    <message>
+        <source>Too few frames to correlate: {0}; {1} are needed.</source>
+        <translation>Demasiado pocos fotogramas para correlacionar: {0}; se necesitan {1}.</translation>
+    </message>
+    <message>
+        <source>Landmark {0} was followed through {1} of {2} frames.</source>
+        <translation>El punto de referencia {0} se siguió por {1} de {2} fotogramas.</translation>
+    </message>
+    <message>
+        <source>Landmarks left out, which were seen in fewer than three frames: {0}</source>
+        <translation>Puntos de referencia omitidos, vistos en menos de tres fotogramas: {0}</translation>
+    </message>
+    <message>
+        <source>Landmarks left out, which lie far from the points of their frames: {0}</source>
+        <translation>Puntos de referencia omitidos, lejos de los puntos de sus fotogramas: {0}</translation>
+    </message>
+    <message>
+        <source>Triangles with all corners in fewer than three frames, whose correlation is 0: {0}</source>
+        <translation>Triángulos con todos los vértices en menos de tres fotogramas, cuya correlación es 0: {0}</translation>
+    </message>
+    <message>
+        <source>The {0} video ends before the other, at frame {1}.</source>
+        <translation>El vídeo ({0}) termina antes que el otro, en el fotograma {1}.</translation>
+    </message>
+    <message>
+        <source>Frames that show something: {0}; {1} are needed.</source>
+        <translation>Fotogramas que muestran algo: {0}; se necesitan {1}.</translation>
+    </message>
+    <message>
+        <source>Held like this, cells of the liver are turned inside out ({0}): nothing can be measured there.</source>
+        <translation>Sujeto así, hay celdas del hígado vueltas del revés ({0}): ahí no se puede medir nada.</translation>
+    </message>
+    <message>
+        <source>The structures have changed since the model was built. Landmarks that now lie outside of it are left out ({0}). Build the model anew.</source>
+        <translation>Las estructuras han cambiado desde que se construyó el modelo. Los puntos de referencia que ahora quedan fuera se omiten ({0}). Construya el modelo de nuevo.</translation>
+    </message>
+    <message>
+        <source>Frames that belong to no trial: {0}.</source>
+        <translation>Fotogramas que no pertenecen a ningún ensayo: {0}.</translation>
+    </message>
+    <message>
+        <source>The benchmark is not of this sequence, with its landmarks ({0}) and frames ({1}).</source>
+        <translation>La referencia no es de esta secuencia, con sus puntos de referencia ({0}) y fotogramas ({1}).</translation>
+    </message>
+    <message>
+        <source>landmarks that the benchmark has no place for were left out: {0}</source>
+        <translation>puntos de referencia omitidos, para los que la referencia no tiene lugar: {0}</translation>
     </message>
 </context>
 <context>

@@ -1304,10 +1304,6 @@
         <translation>{0} ne contient pas d’image, ou est endommagé.</translation>
     </message>
     <message>
-        <source>{0} declares an impossible size: {1} x {2} pixels in {3} frames.</source>
-        <translation>{0} déclare une taille impossible&#xa0;: {1} x {2} pixels en {3} images.</translation>
-    </message>
-    <message>
         <source>{0} declares impossible pixels: {1} of {2} bits, the highest {3}.</source>
         <translation>{0} déclare des pixels impossibles&#xa0;: {1} bits sur {2}, le plus haut {3}.</translation>
     </message>
@@ -2272,16 +2268,8 @@
         <translation>Indiquez la colonne qui contient le temps, ou coupez le fichier à cet endroit.</translation>
     </message>
     <message>
-        <source>{0} has {1} samples and {2} rows without a reading.</source>
-        <translation>{0} a {1} mesures et {2} lignes sans mesure.</translation>
-    </message>
-    <message>
         <source>Check the columns; at most every tenth row may be empty.</source>
         <translation>Vérifiez les colonnes&#xa0;; au plus une ligne sur dix peut être vide.</translation>
-    </message>
-    <message>
-        <source>The trace holds {0} runs, the log {1}.</source>
-        <translation>La trace contient {0} exécutions, le journal {1}.</translation>
     </message>
     <message>
         <source>Change the shortest run and pause, or cut the trace to the logged runs.</source>
@@ -2302,18 +2290,6 @@
     <message>
         <source>Record pauses between the runs; check that the right column was read.</source>
         <translation>Enregistrez des pauses entre les exécutions&#xa0;; vérifiez que la bonne colonne a été lue.</translation>
-    </message>
-    <message>
-        <source>The recording has {0} gaps; runs end there and nothing is made up for them.</source>
-        <translation>L’enregistrement a {0} lacunes&#xa0;; les exécutions s’y arrêtent et rien n’est inventé pour les combler.</translation>
-    </message>
-    <message>
-        <source>{0} rows held no reading.</source>
-        <translation>{0} lignes ne contenaient pas de mesure.</translation>
-    </message>
-    <message>
-        <source>{0} runs reach the end of a channel&apos;s range: their power is a lower bound. Record again with a larger range.</source>
-        <translation>{0} exécutions atteignent la limite de la plage d’un canal&#xa0;: leur puissance est une borne inférieure. Recommencez avec une plage plus grande.</translation>
     </message>
     <message>
         <source>Idle power moves by {0} W over the recording; each run is compared with the pauses beside it.</source>
@@ -2400,10 +2376,6 @@
         <translation>images</translation>
     </message>
     <message>
-        <source>{0} landmarks were seen in three frames or more; four that do not lie on one line are needed.</source>
-        <translation>{0} repères ont été vus dans trois images ou plus&#xa0;; il en faut quatre non alignés.</translation>
-    </message>
-    <message>
         <source>Track more features, or mark them by hand.</source>
         <translation>Suivez plus de points caractéristiques, ou marquez-les à la main.</translation>
     </message>
@@ -2416,16 +2388,8 @@
         <translation>triangles</translation>
     </message>
     <message>
-        <source>{0} frames are too few to correlate; {1} are needed.</source>
-        <translation>{0} images sont trop peu pour une corrélation&#xa0;; il en faut {1}.</translation>
-    </message>
-    <message>
         <source>Frame {0} has {1} points, and {2} after registration: they must match one by one.</source>
         <translation>L’image {0} a {1} points, et {2} après recalage&#xa0;: ils doivent correspondre un à un.</translation>
-    </message>
-    <message>
-        <source>Landmark {0} was followed through {1} frames of {2}.</source>
-        <translation>Le repère {0} a été suivi sur {1} images sur {2}.</translation>
     </message>
     <message>
         <source>A tolerance must be a positive number of mm.</source>
@@ -2438,14 +2402,6 @@
     <message>
         <source>Name a new folder for the sequence.</source>
         <translation>Indiquez un nouveau dossier pour la séquence.</translation>
-    </message>
-    <message>
-        <source>The {0} video ends after {1} frames, before the other.</source>
-        <translation>La vidéo {0} se termine après {1} images, avant l’autre.</translation>
-    </message>
-    <message>
-        <source>{0} frames show something; {1} are needed.</source>
-        <translation>{0} images montrent quelque chose&#xa0;; il en faut {1}.</translation>
     </message>
     <message>
         <source>No feature could be followed through {0} frames.</source>
@@ -2470,10 +2426,6 @@
     <message>
         <source>Two frames or more can be aligned.</source>
         <translation>On peut aligner deux images ou plus.</translation>
-    </message>
-    <message>
-        <source>A landmark was followed through {0} frames of {1}.</source>
-        <translation>Un repère a été suivi sur {0} images sur {1}.</translation>
     </message>
     <message>
         <source>aligning frames</source>
@@ -3472,14 +3424,6 @@
         <translation>Lecture de l’expérience</translation>
     </message>
     <message>
-        <source>{0} landmarks seen in fewer than three frames were left out</source>
-        <translation>{0} repères vus dans moins de trois images ont été écartés</translation>
-    </message>
-    <message>
-        <source>{0} triangles have all corners in fewer than three frames: their correlation is 0</source>
-        <translation>{0} triangles n’ont tous leurs sommets que dans moins de trois images&#xa0;: leur corrélation est 0</translation>
-    </message>
-    <message>
         <source>no model was given, so there is no distance from it (RMSE)</source>
         <translation>aucun modèle n’a été donné, donc aucune distance à celui-ci (RMSE)</translation>
     </message>
@@ -3624,10 +3568,6 @@
         <translation>Supprimer {0}</translation>
     </message>
     <message>
-        <source>The structures have changed since the model was built, and {0} landmarks now lie outside of it: they are left out. Build the model anew.</source>
-        <translation>Les structures ont changé depuis la construction du modèle, et {0} repères se trouvent maintenant en dehors&#xa0;: ils sont écartés. Refaites le modèle.</translation>
-    </message>
-    <message>
         <source>The model cannot be used. Build it anew.</source>
         <translation>Le modèle ne peut pas être utilisé. Refaites-le.</translation>
     </message>
@@ -3672,16 +3612,8 @@
         <translation>Nommez ainsi les colonnes, dans cet ordre, séparées par des virgules.</translation>
     </message>
     <message>
-        <source>{0} of {1} landmarks lie far from the points of their frames.</source>
-        <translation>{0} repères sur {1} sont loin des points de leurs images.</translation>
-    </message>
-    <message>
         <source>Check that tracks and clouds are both in mm of the left camera.</source>
         <translation>Vérifiez que les trajectoires et les nuages sont tous deux en mm de la caméra gauche.</translation>
-    </message>
-    <message>
-        <source>{0} landmarks far from the points of their frames were left out</source>
-        <translation>{0} repères loin des points de leurs images ont été écartés</translation>
     </message>
     <message>
         <source>In line {0} no number stands in the column &quot;{1}&quot;.</source>
@@ -3732,10 +3664,6 @@
         <translation>Le maillage a {0} cellules au lieu de {1}&#xa0;; sa forme et ses structures internes les demandent.</translation>
     </message>
     <message>
-        <source>{0} cells were taken away where the body touched itself in a point or an edge.</source>
-        <translation>{0} cellules ont été retirées là où le corps se touchait lui-même en un point ou une arête.</translation>
-    </message>
-    <message>
         <source>{0}: {1} piece ({2} ml) too thin for {3} cells got no cells of its own; about {4} cells would show it.</source>
         <translation>{0}&#xa0;: {1} morceau ({2} ml) trop mince pour {3} cellules n’a pas de cellules propres&#xa0;; environ {4} cellules le montreraient.</translation>
     </message>
@@ -3762,10 +3690,6 @@
     <message>
         <source>Simulate it again with the model as it is now.</source>
         <translation>Simulez de nouveau avec le modèle actuel.</translation>
-    </message>
-    <message>
-        <source>Held like this, {0} cells of the liver are turned inside out: nothing can be measured there.</source>
-        <translation>Tenu ainsi, {0} cellules du foie sont retournées : rien ne peut y être mesuré.</translation>
     </message>
     <message>
         <source>Pull or push with less force.</source>
@@ -4848,10 +4772,6 @@
         <translation>Le corps ne trouve pas de repos sous ses charges permanentes.</translation>
     </message>
     <message>
-        <source>The step would turn {0} cells inside out: a tool goes too far into the body.</source>
-        <translation>Ce pas retournerait {0} cellules : un outil s’enfonce trop dans le corps.</translation>
-    </message>
-    <message>
         <source>A session does not know &quot;{0}&quot; of a scenario.</source>
         <translation>Une séance ne connaît pas « {0} » d’un scénario.</translation>
     </message>
@@ -5228,14 +5148,6 @@
         <translation>jugé par ses propres repères, sans référence gardée avec la séquence&#xa0;: une erreur qui ne change jamais ne se voit guère</translation>
     </message>
     <message>
-        <source>The benchmark does not hold {0} landmarks in {1} frames, as the sequence does.</source>
-        <translation>La référence ne contient pas {0} repères dans {1} images, comme la séquence.</translation>
-    </message>
-    <message>
-        <source>{0} landmarks that the benchmark has no place for were left out</source>
-        <translation>{0} repères pour lesquels la référence n’a pas de place ont été laissés de côté</translation>
-    </message>
-    <message>
         <source>The kinds are palpation, material, platform and guidance.</source>
         <translation>Les sortes sont palpation, material, platform et guidance.</translation>
     </message>
@@ -5286,10 +5198,6 @@
     <message>
         <source>The frame &quot;{0}&quot; belongs to two trials.</source>
         <translation>L’image &quot;{0}&quot; appartient à deux essais.</translation>
-    </message>
-    <message>
-        <source>{0} frames belong to no trial.</source>
-        <translation>{0} images n’appartiennent à aucun essai.</translation>
     </message>
     <message>
         <source>Name each frame in one trial, or leave &quot;trials&quot; out: each frame is one then.</source>
@@ -5458,6 +5366,98 @@
     <message>
         <source>The mask of the pictures is black everywhere.</source>
         <translation>Le masque des images est noir partout.</translation>
+    </message>
+    <message>
+        <source>{0}: samples {1}, rows without a reading {2}.</source>
+        <translation>{0} : échantillons {1}, lignes sans mesure {2}.</translation>
+    </message>
+    <message>
+        <source>Runs in the trace: {0}, in the log: {1}.</source>
+        <translation>Exécutions dans la trace : {0}, dans le journal : {1}.</translation>
+    </message>
+    <message>
+        <source>Gaps in the recording: {0}; runs end there and nothing is made up for them.</source>
+        <translation>Trous dans l’enregistrement : {0} ; les exécutions s’y arrêtent et rien n’est inventé à leur place.</translation>
+    </message>
+    <message>
+        <source>Rows without a reading: {0}.</source>
+        <translation>Lignes sans mesure : {0}.</translation>
+    </message>
+    <message>
+        <source>Runs that reach the end of a channel&apos;s range, so that their power is a lower bound: {0}. Record again with a larger range.</source>
+        <translation>Exécutions qui atteignent la fin de la plage d’un canal, de sorte que leur puissance est une borne inférieure : {0}. Enregistrez de nouveau avec une plage plus grande.</translation>
+    </message>
+    <message>
+        <source>{0} declares an impossible size: {1} x {2} pixels, frames: {3}.</source>
+        <translation>{0} déclare une taille impossible : {1} x {2} pixels, images : {3}.</translation>
+    </message>
+    <message>
+        <source>The step would turn cells inside out ({0}): a tool goes too far into the body.</source>
+        <translation>Le pas retournerait des cellules ({0}) : un instrument entre trop loin dans le corps.</translation>
+    </message>
+    <message>
+        <source>Cells taken away where the body touched itself in a point or an edge: {0}.</source>
+        <translation>Cellules retirées là où le corps se touchait lui-même en un point ou une arête : {0}.</translation>
+    </message>
+    <message>
+        <source>A landmark was followed through {0} of {1} frames.</source>
+        <translation>Un repère a été suivi sur {0} des {1} images.</translation>
+    </message>
+    <message>
+        <source>Landmarks that lie far from the points of their frames: {0} of {1}.</source>
+        <translation>Repères éloignés des points de leurs images : {0} sur {1}.</translation>
+    </message>
+    <message>
+        <source>Landmarks seen in three frames or more: {0}; four that do not lie on one line are needed.</source>
+        <translation>Repères vus dans trois images ou plus : {0} ; il en faut quatre qui ne soient pas alignés.</translation>
+    </message>
+    <message>
+        <source>Too few frames to correlate: {0}; {1} are needed.</source>
+        <translation>Trop peu d’images à corréler : {0} ; il en faut {1}.</translation>
+    </message>
+    <message>
+        <source>Landmark {0} was followed through {1} of {2} frames.</source>
+        <translation>Le repère {0} a été suivi sur {1} des {2} images.</translation>
+    </message>
+    <message>
+        <source>Landmarks left out, which were seen in fewer than three frames: {0}</source>
+        <translation>Repères écartés, vus dans moins de trois images : {0}</translation>
+    </message>
+    <message>
+        <source>Landmarks left out, which lie far from the points of their frames: {0}</source>
+        <translation>Repères écartés, éloignés des points de leurs images : {0}</translation>
+    </message>
+    <message>
+        <source>Triangles with all corners in fewer than three frames, whose correlation is 0: {0}</source>
+        <translation>Triangles dont tous les sommets sont dans moins de trois images et dont la corrélation est 0 : {0}</translation>
+    </message>
+    <message>
+        <source>The {0} video ends before the other, at frame {1}.</source>
+        <translation>La vidéo ({0}) se termine avant l’autre, à l’image {1}.</translation>
+    </message>
+    <message>
+        <source>Frames that show something: {0}; {1} are needed.</source>
+        <translation>Images qui montrent quelque chose : {0} ; il en faut {1}.</translation>
+    </message>
+    <message>
+        <source>Held like this, cells of the liver are turned inside out ({0}): nothing can be measured there.</source>
+        <translation>Tenu ainsi, des cellules du foie sont retournées ({0}) : rien ne peut y être mesuré.</translation>
+    </message>
+    <message>
+        <source>The structures have changed since the model was built. Landmarks that now lie outside of it are left out ({0}). Build the model anew.</source>
+        <translation>Les structures ont changé depuis la construction du modèle. Les repères qui se trouvent maintenant en dehors sont écartés ({0}). Reconstruisez le modèle.</translation>
+    </message>
+    <message>
+        <source>Frames that belong to no trial: {0}.</source>
+        <translation>Images qui n’appartiennent à aucun essai : {0}.</translation>
+    </message>
+    <message>
+        <source>The benchmark is not of this sequence, with its landmarks ({0}) and frames ({1}).</source>
+        <translation>La référence n’est pas celle de cette séquence, avec ses repères ({0}) et ses images ({1}).</translation>
+    </message>
+    <message>
+        <source>landmarks that the benchmark has no place for were left out: {0}</source>
+        <translation>repères laissés de côté, pour lesquels la référence n’a pas de place : {0}</translation>
     </message>
 </context>
 <context>

@@ -125,7 +125,7 @@ Result<void> check(const RegisteredSequence& sequence, const SirgnOptions& optio
                                    [&](const auto& in_frames) { return in_frames.size() == frames; });
     if (!whole) {
       return failure("sirgn-tracks",
-                     GLISSON_TEXT("The benchmark does not hold {0} landmarks in {1} frames, as the sequence does."),
+                     GLISSON_TEXT("The benchmark is not of this sequence, with its landmarks ({0}) and frames ({1})."),
                      {std::to_string(tracks), std::to_string(frames)});
     }
   }
@@ -191,7 +191,7 @@ Landmarks place_landmarks(const RegisteredSequence& sequence, const std::vector<
                              {std::to_string(landmarks.off_the_clouds)}});
   }
   if (without_place > 0) {
-    quality.notes.push_back({GLISSON_TEXT("{0} landmarks that the benchmark has no place for were left out"),
+    quality.notes.push_back({GLISSON_TEXT("landmarks that the benchmark has no place for were left out: {0}"),
                              {std::to_string(without_place)}});
   }
   return landmarks;

@@ -168,7 +168,7 @@ std::vector<GuidanceTrial> trials_from(const Json& json, const Guidance& guidanc
     trials.push_back(std::move(trial));
   }
   if (taken_frames.size() != guidance.organ.trials.size())
-    refuse("experiment-invalid", GLISSON_TEXT("{0} frames belong to no trial."),
+    refuse("experiment-invalid", GLISSON_TEXT("Frames that belong to no trial: {0}."),
            {std::to_string(guidance.organ.trials.size() - taken_frames.size())},
            GLISSON_TEXT("Name each frame in one trial, or leave \"trials\" out: each frame is one then."));
   return trials;

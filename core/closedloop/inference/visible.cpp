@@ -130,7 +130,8 @@ std::optional<SmallestVisible> Visibility::of(const Switch& which) const {
   double too_short = 0, long_enough = longest;
   double way = longest > 0 ? std::min(longest, options.first_way) : std::max(longest, -options.first_way);
   bool acts_somewhere = false;
-  for (int i = 0; i < tries; ++i) {
+  // Few tries are for the last few percent: whether there is such a size at all is always looked into.
+  for (int i = 0; i < tries || (!visible.value && i < options.tries_where_quick); ++i) {
     const auto there = seen(which, way);
     if (!there) {  // has no solution there: less far
       long_enough = way;
@@ -170,11 +171,11 @@ std::optional<Visibility::Seen> Visibility::seen(const Switch& which, double way
   return seen;
 }
 
-// Of the residual's tests the one that is likeliest to see it, which is a little less than all of them together; and
-// chi-squared must fall by enough for BIC.
+// Of the residual's tests the one that is likeliest to see it, which is a little less than all of them together;
+// chi-squared must fall by enough for BIC, and exceed the noise at all.
 double Visibility::probability(const Seen& seen, double times, Eigen::Index parameters) const {
   using boost::math::cdf, boost::math::complement, boost::math::quantile;
-  if (seen.tests.empty() || times * seen.plain <= systematic_.indistinct) return 0;
+  if (seen.tests.empty()) return 0;
   const auto rows = static_cast<double>(seen.white.size());
   const double square = times * times * seen.white.squaredNorm();
   const auto beyond = [](double degrees, double noncentrality, double limit) {
@@ -198,7 +199,10 @@ double Visibility::probability(const Seen& seen, double times, Eigen::Index para
     found =
         std::max(found, cdf(boost::math::normal(), expected - quantile(complement(boost::math::normal(), improbable))));
   }
-  return std::min(entry, found);
+  // A residual whose square is no larger than the noise's and the prediction's own error together is left alone.
+  const double excess = beyond(rows, rows * times * times * seen.plain * seen.plain,
+                               rows * (1 + systematic_.indistinct * systematic_.indistinct));
+  return std::min({entry, found, excess});
 }
 
 // Fisher's information of one parameter is the square of the change over its way: as long as the change is in

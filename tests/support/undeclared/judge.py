@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Runs experiments with a known answer through `glisson-cli explain`, then `predict` on trials it never saw, and counts.
 
-    judge.py CASES... --cli build/release/bin/glisson-cli --out DIR [--threads N]
+    judge.py CASES... --cli build/release/bin/glisson-cli --out DIR [--threads N] [--explain-only]
 
 A case is a folder with experiment.json, heldout.json and truth.json (what make_palpation.py, make_material.py and
 make_platform.py leave), or a folder of such folders. Prints the table; DIR keeps each case's report and judged.json.
@@ -10,7 +10,8 @@ again, only what was not asked of this program yet is run, so that a long judgin
 
 Right means: the kinds named are those switched on, where each may instead stand in the `alike` of the one named. A wrong
 confident name is verdict `explained` with a cause in it that was not switched on and is not alike; a smooth correction
-claims no cause.
+claims no cause. At the end it says how far the probabilities can be relied on (reliability.py); for that alone
+--explain-only spares the predictions.
 """
 
 import argparse
@@ -25,6 +26,7 @@ import time
 
 sys.dont_write_bytecode = True
 from judged_table import line, summary
+from reliability import reliability
 
 
 def main():
@@ -33,6 +35,7 @@ def main():
     ask.add_argument("--cli", type=pathlib.Path, required=True)
     ask.add_argument("--out", type=pathlib.Path, required=True)
     ask.add_argument("--threads", default=None)
+    ask.add_argument("--explain-only", action="store_true")
     asked = ask.parse_args()
     folders = sorted({f.parent for c in asked.cases for f in [*c.glob("truth.json"), *c.glob("*/truth.json")]})
     if not folders:
@@ -44,6 +47,7 @@ def main():
         print(line(result), flush=True)
     (asked.out / "judged.json").write_text(json.dumps(results, indent=1) + "\n")
     print(summary(results))
+    print("\n".join(reliability(results)))
 
 
 # What the program says.
@@ -56,13 +60,13 @@ def answers(folder, asked):
     of = {"program": sha256([asked.cli]), "case": sha256(sorted(f for f in folder.iterdir() if f.is_file()))}
     if kept.exists():
         said = json.loads(kept.read_text())
-        if said["of"] == of:
+        if said["of"] == of and (asked.explain_only or "unseen_after" in said or "problem" in said):
             return said
     said = {"of": of}
     started, worked = time.monotonic(), processor_seconds()
     said["report"], problem = cli(asked, ["explain", folder / "experiment.json", "--out", out])
     said["seconds"], said["processor_seconds"] = time.monotonic() - started, processor_seconds() - worked
-    if not problem:
+    if not problem and not asked.explain_only:
         for name, extra in (("unseen_before", []), ("unseen_after", ["--with", out / "model.json"])):
             prediction, trouble = cli(asked, ["predict", folder / "heldout.json", *extra])
             said[name] = None if trouble else rms(prediction)
@@ -121,6 +125,8 @@ def judge(folder, said):
     alike = {r["kind"]: set(r.get("alike", [])) for r in report["ranking"]}
     for e in causes:
         alike[e["kind"]] = alike.get(e["kind"], set()) | set(e.get("alike", []))
+    result["posterior"] = report.get("posterior", {}).get("explanations", [])
+    result["agrees"] = report.get("posterior", {}).get("agrees_with_verdict")
     result["exact"] = sorted(set(result["named"])) == sorted(truth["kinds"])
     result["right"] = matches(truth, result, alike)
     result["wrong_confident"] = result["verdict"] == "explained" and not result["right"]

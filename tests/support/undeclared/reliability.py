@@ -1,0 +1,56 @@
+"""Are probabilities what they say? Of judged cases (judge.py) each explanation's probability beside whether it was the
+truth: a table, and the expected calibration error (Naeini, Cooper, Hauskrecht 2015, AAAI 29:2901; ten bins of equal
+width). An explanation is right when its kinds are those that were switched on, none more and none less, without the help
+of `alike`; "nothing is missing" for a null; "something else" for an effect outside of the catalogue."""
+
+import math
+
+BINS = 10
+WORTH_COUNTING = 0.01
+
+
+def is_truth(explanation, case):
+    if explanation["kinds"] is None:
+        return case["outside"]
+    return not case["outside"] and sorted(explanation["kinds"]) == sorted(case["truth"])
+
+
+def reliability(results):
+    """Lines for a person; nothing where no case has probabilities."""
+    cases = [r for r in results if r.get("posterior")]
+    if not cases:
+        return []
+    leading = [(r["posterior"][0]["probability"], is_truth(r["posterior"][0], r)) for r in cases]
+    all_of_them = [(e["probability"], is_truth(e, r)) for r in cases for e in r["posterior"]
+                   if e["probability"] >= WORTH_COUNTING]
+    of_truth = [next((e["probability"] for e in r["posterior"] if is_truth(e, r)), 0.0) for r in cases]
+    ways = sum(r["agrees"] for r in cases)
+    return ["", f"probabilities, {len(cases)} cases: expected calibration error of the likeliest explanation"
+                f" {error(leading):.3f}, of all that were given 1 % and more {error(all_of_them):.3f};"
+                f" the likeliest is right in {sum(right for _, right in leading)} of {len(cases)};"
+                f" mean of -ln (probability of the truth) {sum(-math.log(max(p, 1e-3)) for p in of_truth) / len(cases):.2f};"
+                f" agrees with the verdict in {ways}",
+            "", "| probability given | likeliest: right | mean given | all: right | mean given |", "|---|---|---|---|---|",
+            *rows(leading, all_of_them)]
+
+
+def bins(pairs):
+    sorted_in = [[] for _ in range(BINS)]
+    for probability, right in pairs:
+        sorted_in[min(BINS - 1, int(probability * BINS))].append((probability, right))
+    return sorted_in
+
+
+def error(pairs):
+    return sum(abs(sum(right for _, right in inside) - sum(p for p, _ in inside)) for inside in bins(pairs)) / len(pairs)
+
+
+def rows(leading, all_of_them):
+    return [f"| {100 * i // BINS} to {100 * (i + 1) // BINS} % | {told(of_leading)} | {told(of_all)} |"
+            for i, (of_leading, of_all) in enumerate(zip(bins(leading), bins(all_of_them))) if of_leading or of_all]
+
+
+def told(inside):
+    if not inside:
+        return " | "
+    return f"{sum(right for _, right in inside)} of {len(inside)} | {100 * sum(p for p, _ in inside) / len(inside):.0f} %"
