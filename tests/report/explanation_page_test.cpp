@@ -34,7 +34,7 @@ TEST(ExplanationPage, SaysTheVerdictTheCandidatesAndWhatToMeasureNext) {
   e.predicted_after = two_markers().measured;
   e.effects.push_back({"support-compliance", "", "The bed gives way.", {}, -800, 0.1, 1.0, 0.9, {"preload"}});
   e.ranking.push_back({"capsule", "", {}, 1, {}, -3, {}, "the solve failed"});
-  e.next = closedloop::NextMeasurement{"Press at the rim.", {"preload"}, 12};
+  e.next = closedloop::NextMeasurement{{"Press at the rim.", {}}, {"preload"}, 12};
   e.posterior = {{{"support-compliance"}, false, 0.72}, {{}, true, 0.28}};
   e.smallest_visible = {{"capsule", "", "stiffness_N_per_mm", 0, 0, 0.125},
                         {"preload", "gravity", "gravity_m_s2", 2, 0, {}}};
