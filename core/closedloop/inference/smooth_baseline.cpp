@@ -8,6 +8,7 @@
 #include <limits>
 #include <vector>
 
+#include "closedloop/inference/internal/stop_when_cancelled.h"
 #include "closedloop/inference/smooth_correction.h"
 
 namespace glisson::closedloop {
@@ -63,17 +64,6 @@ class Evidence : public ceres::FirstOrderFunction {
   const std::vector<Block>& blocks_;
   double variance_;
   std::size_t lengths_;
-};
-
-class StopWhenCancelled : public ceres::IterationCallback {
- public:
-  explicit StopWhenCancelled(const Progress& progress) : progress_(progress) {}
-  ceres::CallbackReturnType operator()(const ceres::IterationSummary&) override {
-    return progress_.cancelled() ? ceres::SOLVER_ABORT : ceres::SOLVER_CONTINUE;
-  }
-
- private:
-  const Progress& progress_;
 };
 
 // From lengths of two spreads for all features, and from short ones: the evidence has several maxima.

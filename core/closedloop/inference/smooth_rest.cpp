@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "closedloop/inference/internal/stop_when_cancelled.h"
 #include "closedloop/inference/laplace.h"
 #include "closedloop/inference/smooth_baseline.h"
 
@@ -104,17 +105,6 @@ class MinusLogPosterior : public ceres::FirstOrderFunction {
   bool smooth_;
   const PosteriorOptions& options_;
   std::size_t lengths_;
-};
-
-class StopWhenCancelled : public ceres::IterationCallback {
- public:
-  explicit StopWhenCancelled(const Progress& progress) : progress_(progress) {}
-  ceres::CallbackReturnType operator()(const ceres::IterationSummary&) override {
-    return progress_.cancelled() ? ceres::SOLVER_ABORT : ceres::SOLVER_CONTINUE;
-  }
-
- private:
-  const Progress& progress_;
 };
 
 // At the maximum of the posterior from x, by Laplace's method; -infinity where there is none.
