@@ -43,8 +43,8 @@ Drawing probability_bars(const closedloop::Posterior& posterior) {
   const std::size_t count =
       std::min<std::size_t>(8, posterior.size());  // what comes after is below a percent, or noise
   std::string svg = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:.0f} {:.0f}\" font-size=\"13\" "
-      "fill=\"currentColor\" role=\"img\">",
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"probabilities\" viewBox=\"0 0 {:.0f} {:.0f}\" "
+      "font-size=\"13\" fill=\"currentColor\" role=\"img\">",
       width_px, line_px * static_cast<double>(count) + 4);
   for (std::size_t i = 0; i < count; ++i) {
     const double top = line_px * static_cast<double>(i) + 4;

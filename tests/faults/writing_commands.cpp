@@ -151,7 +151,6 @@ void prepare_room(const fs::path& room) {
   run({"export", "@small.glisson", "--format", "vtu", "--out", "@liver.vtu"});
   run({"resect", "@small.glisson", "--plane=-20,0,0,1,0,0", "--out", "@resection"});
   run({"plan", "@small.glisson", "--add", "@wedge.json"});
-  run({"territories", "@small.glisson", "--from", "prior"});
   fs::create_directories(room / "video");
   write_sequence(room / "video");
   run({"sirgn", "@video/sequence.json", "--method", "given", "--out", "@quality"});
@@ -167,7 +166,7 @@ std::vector<WritingCommand> writing_commands() {
       {"segment", {"segment", "@small.glisson", "--structure", "kidney-right", "--seed", "0,0,0"}},
       {"segment-again", {"segment", "@small.glisson", "--structure", "liver", "--labels", "@tumour.nrrd"}},
       {"vessels", {"vessels", "@small.glisson", "--seed", "0,5,-12"}},
-      {"territories", {"territories", "@small.glisson"}},
+      {"territories", {"territories", "@small.glisson", "--from", "prior"}},
       {"mesh", {"mesh", "@small.glisson", "--target-cells", "400"}},
       {"stiffness", {"stiffness", "@small.glisson", "--uniform-kPa", "9"}},
       {"simulate", {"simulate", "@small.glisson", "--scenario", "@pull.json", "--out", "@pulled"}},

@@ -147,13 +147,15 @@ EvidenceRecord record_in(const Json& said, const Json& model) {
   return record;
 }
 
-// The page's drawings, each with the caption below it.
+// The page's drawings, each with the caption below it. Probabilities stay on the page: until they are calibrated
+// (docs/closed-loop.md) a surgeon's screen does not show them.
 std::vector<EvidenceDrawing> drawings_in(const QString& html) {
   static const QRegularExpression drawing("<figure[^>]*>(<svg.*?</svg>)\\s*<figcaption>(.*?)</figcaption>",
                                           QRegularExpression::DotMatchesEverythingOption);
   std::vector<EvidenceDrawing> drawings;
   for (auto found = drawing.globalMatch(html); found.hasNext();) {
     const auto match = found.next();
+    if (match.captured(1).contains("class=\"probabilities\"")) continue;
     drawings.push_back({match.captured(1).toStdString(), match.captured(2)});
   }
   return drawings;
