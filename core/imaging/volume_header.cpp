@@ -11,6 +11,12 @@ namespace glisson::imaging {
 namespace fs = std::filesystem;
 namespace {
 
+// The sentence of whoever tried, by this reader's code.
+Failure not_opened(Error why, const fs::path& file) {
+  why.code = "volume-file-unreadable";
+  return failure(std::move(why).in_file(file));
+}
+
 enum class Format { nifti, compressed_nifti, nrrd, metaimage };
 
 std::optional<Format> format_of(const fs::path& file) {
@@ -66,7 +72,7 @@ Result<VolumeHeader> read_volume_header(const fs::path& file) {
                          file});
   }
   const auto opened = OpenFile::open(file);
-  if (!opened) return volume_file_unreadable(file, opened.error().message());
+  if (!opened) return not_opened(opened.error(), file);
   if (opened->bytes() == 0) return volume_file_unreadable(file, GLISSON_TEXT("it is empty"));
   auto found = found_header(file, *format);
   if (!found) return failure(std::move(found.error()));
@@ -135,7 +141,7 @@ Result<void> check_grid(const Grid& grid, const fs::path& file) {
 // Whether the file can hold what its header declares: in floating point, which no product overflows.
 Result<void> check_room(const VolumeHeader& header, const fs::path& file) {
   const auto data = OpenFile::open(header.data);
-  if (!data) return volume_file_unreadable(file, data.error().message());
+  if (!data) return not_opened(data.error(), file);
   const double there = static_cast<double>(data->bytes() - std::min(header.begin, data->bytes()));
   double declared = static_cast<double>(bytes_of(header.type));
   for (const int size : header.grid.size) declared *= size;

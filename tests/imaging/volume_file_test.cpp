@@ -116,7 +116,9 @@ TEST(VolumeFile, RefusesWhatItCannotTrust) {
                             "ElementDataFile = LOCAL\nx"),
             "volume-file-truncated");
   EXPECT_EQ(code_of_reading("a.jpg", "x"), "volume-file-unknown-type");
-  EXPECT_EQ(read_volume_file("/nowhere/at/all.nrrd").error().code, "volume-file-unreadable");
+  const Error nowhere = read_volume_file("/nowhere/at/all.nrrd").error();
+  EXPECT_EQ(nowhere.code, "volume-file-unreadable");
+  EXPECT_EQ(nowhere.message(), "/nowhere/at/all.nrrd cannot be opened: it has gone, or is no ordinary file.");
 }
 
 TEST(VolumeFile, RefusesATruncatedNifti) {
