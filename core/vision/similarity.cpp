@@ -48,7 +48,7 @@ cv::Mat structural_similarity(const cv::Mat& x, const cv::Mat& y) {
   return similarity;
 }
 
-// The least of the means over 16 x 16 tiles.
+// The minimum of the means over 16 x 16 tiles.
 double worst_tile(const cv::Mat& similarity, const cv::Mat& weight) {
   constexpr int tiles = 16;
   double worst = 1;

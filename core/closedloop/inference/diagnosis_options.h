@@ -12,8 +12,8 @@ struct SearchOptions {
   // A solve can take seconds: every candidate gets so many steps, and only those near the best go on to the end.
   int first_iterations = 5;
   int first_iterations_where_quick = 15;  // where a prediction takes so little that more steps cost nothing
-  double near_the_best = 1.5;             // within this factor of the least chi-squared the order may still change
-  std::size_t searches_per_effect = 2;    // from the starts of least error: each further one costs a whole fit
+  double near_the_best = 1.5;             // within this factor of the smallest chi-squared the order may still change
+  std::size_t searches_per_effect = 2;    // from the starts of smallest error: each further one costs a whole fit
   double hopeless_start = 0.1;            // one that is ten times as far off as another has ended is not fitted
 
   // Shares of what the best candidate takes of the error, to first order.

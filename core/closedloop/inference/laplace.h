@@ -24,7 +24,7 @@ struct LocalFit {
   Eigen::MatrixXd information;  // J^T C^-1 J
 };
 
-// Of a search that was stopped before its end nothing is foretold: it counts as if it had ended there.
+// Of a search that was stopped before its end nothing is predicted: it counts as if it had ended there.
 [[nodiscard]] LocalFit local_fit(const Fit& fit, const Whitening& whitening);
 
 // The parameters' prior: independent normals within bounds, over logarithms of logarithmic parameters.
