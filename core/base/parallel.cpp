@@ -6,26 +6,13 @@
 #include <algorithm>
 #include <atomic>
 #include <thread>
-#if defined(__SANITIZE_THREAD__)
-#include <sanitizer/tsan_interface.h>
-#endif
+
+#include "base/handover.h"
 
 namespace glisson {
 namespace {
 
 std::atomic<int> requested_threads{0};
-
-// The thread sanitizer does not see how TBB hands work to threads and back: it is told. Nothing in other builds.
-void hand_over([[maybe_unused]] void* loop) {
-#if defined(__SANITIZE_THREAD__)
-  __tsan_release(loop);
-#endif
-}
-void take_over([[maybe_unused]] void* loop) {
-#if defined(__SANITIZE_THREAD__)
-  __tsan_acquire(loop);
-#endif
-}
 
 }  // namespace
 
@@ -43,16 +30,16 @@ void parallel_for(std::size_t count, std::size_t grain,
     body(0, count);
     return;
   }
-  char loop = 0;  // its address stands for this loop
+  Handover loop;
   const auto in_parallel = [&] {
-    hand_over(&loop);
+    loop.give();
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, std::max<std::size_t>(grain, 1)),
                       [&](const tbb::blocked_range<std::size_t>& range) {
-                        take_over(&loop);
+                        loop.take();
                         body(range.begin(), range.end());
-                        hand_over(&loop);
+                        loop.give();
                       });
-    take_over(&loop);
+    loop.take();
   };
   if (requested_threads > 0) {
     tbb::task_arena(thread_count()).execute(in_parallel);

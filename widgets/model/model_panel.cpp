@@ -1,9 +1,7 @@
 #include "widgets/model/model_panel.h"
 
 #include <QFormLayout>
-#include <QFutureWatcher>
 #include <QHBoxLayout>
-#include <QtConcurrentRun>
 #include <QVBoxLayout>
 
 #include "widgets/panels/parts.h"
@@ -11,6 +9,7 @@
 #include "widgets/views/wave_view.h"
 #include "widgets/words/keep_translated.h"
 #include "widgets/words/paths.h"
+#include "widgets/work/run_in_background.h"
 
 namespace glisson::widgets {
 namespace {
@@ -222,23 +221,20 @@ void ModelPanel::show_patient(const Patient& patient) {
 void ModelPanel::read() {
   const int asked = ++asked_;
   if (patient_.folder.empty()) return;
-  auto* watcher = new QFutureWatcher<std::shared_ptr<Reading>>(this);
-  connect(watcher, &QFutureWatcherBase::finished, this, [this, watcher, asked] {
-    watcher->deleteLater();
+  const auto show = [this, asked](const Reading& reading) {
     if (asked != asked_) return;
-    const std::shared_ptr<Reading> reading = watcher->result();
-    if (reading->problem) context_.tell_error(*reading->problem);
-    facts_ = reading->facts;
-    state_ = reading->state;
-    has_map_ = reading->has_map;
-    has_liver_ = reading->has_liver;
-    take_choice(reading->choice);
+    if (reading.problem) context_.tell_error(*reading.problem);
+    facts_ = reading.facts;
+    state_ = reading.state;
+    has_map_ = reading.has_map;
+    has_liver_ = reading.has_liver;
+    take_choice(reading.choice);
     if (facts_) target_->setValue(facts_->target_cells);
     word_state();
     show_scene();
-  });
-  watcher->setFuture(
-      QtConcurrent::run([folder = patient_.folder] { return std::make_shared<Reading>(read_case(folder)); }));
+  };
+  run_in_background(
+      this, [folder = patient_.folder] { return read_case(folder); }, show);
 }
 
 void ModelPanel::take_choice(const StiffnessChoice& choice) {

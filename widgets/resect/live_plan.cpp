@@ -2,26 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <QFutureWatcher>
-#include <QtConcurrentRun>
 
 #include "casefile/vascular.h"
 #include "meshing/mask_surface.h"
+#include "widgets/work/run_in_background.h"
 
 namespace glisson::widgets {
 namespace {
-
-// Runs `work` on another thread and `then`, with what it gave, on that of `owner`.
-template <typename Work, typename Then>
-void apart(QObject* owner, Work work, Then then) {
-  using Given = std::invoke_result_t<Work>;
-  auto* watcher = new QFutureWatcher<std::shared_ptr<Given>>(owner);
-  QObject::connect(watcher, &QFutureWatcherBase::finished, owner, [watcher, then = std::move(then)] {
-    watcher->deleteLater();
-    then(*watcher->result());
-  });
-  watcher->setFuture(QtConcurrent::run([work = std::move(work)] { return std::make_shared<Given>(work()); }));
-}
 
 // A smooth surface around what is wanted of an image, seen on about two millimetres: enough for a picture.
 template <typename Value, typename Wanted>
@@ -108,7 +95,7 @@ void LivePlan::open(const std::filesystem::path& case_folder) {
   Q_EMIT changed();
   Q_EMIT kept_changed();
   if (!opening_) return;
-  apart(
+  run_in_background(
       this, [folder = folder_] { return opened_anatomy(folder); },
       [this, opening](const Result<std::shared_ptr<const OpenedAnatomy>>& anatomy) {
         if (opening != openings_) return;
@@ -136,7 +123,7 @@ void LivePlan::set_cuts(const std::vector<planning::Cut>& cuts) {
 void LivePlan::compute() {
   if (computing_ || wanted_.empty() || !anatomy_) return;
   computing_ = true;
-  apart(
+  run_in_background(
       this, [anatomy = anatomy_, cuts = wanted_] { return answered(*anatomy, cuts); },
       [this, asked = asked_, opening = openings_](const Result<std::shared_ptr<const LivePlanResult>>& result) {
         computing_ = false;
@@ -151,7 +138,7 @@ void LivePlan::compute() {
 
 void LivePlan::read_kept() {
   if (folder_.empty() || !anatomy_) return;
-  apart(
+  run_in_background(
       this,
       [folder = folder_, anatomy = anatomy_] {
         std::vector<KeptPlanAnswer> answers;

@@ -1,9 +1,7 @@
 #include "widgets/resect/live_resection.h"
 
-#include <QFutureWatcher>
-#include <QtConcurrentRun>
-
 #include "geometry/clip_surface.h"
+#include "widgets/work/run_in_background.h"
 
 namespace glisson::widgets {
 
@@ -141,26 +139,25 @@ void LiveResection::set_cut(const std::optional<casefile::PlannedCut>& cut) {
 void LiveResection::compute() {
   if (computing_ || !wanted_ || !body_) return;
   computing_ = true;
-  auto* watcher = new QFutureWatcher<std::shared_ptr<Outcome>>(this);
-  connect(watcher, &QFutureWatcherBase::finished, this, [this, watcher, asked = asked_, holding = holding_] {
-    watcher->deleteLater();
+  const auto show = [this, asked = asked_, holding = holding_](const Outcome& outcome) {
     computing_ = false;
     if (asked != asked_ && wanted_) pause_.start();
     // An answer to a cut that has moved on is shown all the same, unless there is none any more: it keeps pace.
     if (!wanted_ || !body_) return;
-    const std::shared_ptr<Outcome> outcome = watcher->result();
     if (holding != holding_) return;  // a new answer is on its way
-    result_ = *outcome ? (*outcome)->result : nullptr;
-    if (*outcome) lying_ = (*outcome)->lying;
-    problem_ = *outcome ? std::nullopt : std::optional(outcome->error());
+    result_ = outcome ? outcome->result : nullptr;
+    if (outcome) lying_ = outcome->lying;
+    problem_ = outcome ? std::nullopt : std::optional(outcome.error());
     Q_EMIT changed();
-  });
-  watcher->setFuture(
-      QtConcurrent::run([body = body_, structures = structures_, cut = *wanted_, holding = holding_, lying = lying_] {
-        if (lying) return std::make_shared<Outcome>(planned(lying, cut));
+  };
+  run_in_background(
+      this,
+      [body = body_, structures = structures_, cut = *wanted_, holding = holding_, lying = lying_]() -> Outcome {
+        if (lying) return planned(lying, cut);
         auto made = lying_under(*body, structures, holding);
-        return std::make_shared<Outcome>(made ? planned(*std::move(made), cut) : Outcome(failure(made.error())));
-      }));
+        return made ? planned(*std::move(made), cut) : Outcome(failure(made.error()));
+      },
+      show);
 }
 
 }  // namespace glisson::widgets

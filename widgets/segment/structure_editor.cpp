@@ -1,10 +1,8 @@
 #include "widgets/segment/structure_editor.h"
 
-#include <QFutureWatcher>
-#include <QtConcurrentRun>
-
 #include "casefile/model.h"
 #include "casefile/structures.h"
+#include "widgets/work/run_in_background.h"
 
 namespace glisson::widgets {
 namespace {
@@ -12,18 +10,6 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string id_of(const std::string& name) { return "labels/" + name; }
-
-// Runs `work` on a pool and `then` with its outcome here, as long as `owner` lives.
-template <typename Work, typename Then>
-void run_on(QThreadPool& pool, QObject* owner, Work work, Then then) {
-  using Outcome = std::invoke_result_t<Work>;
-  auto* watcher = new QFutureWatcher<std::shared_ptr<Outcome>>(owner);
-  QObject::connect(watcher, &QFutureWatcherBase::finished, owner, [watcher, then] {
-    watcher->deleteLater();
-    then(*watcher->result());
-  });
-  watcher->setFuture(QtConcurrent::run(&pool, [work] { return std::make_shared<Outcome>(work()); }));
-}
 
 Result<std::vector<EditedStructure>> read_all(const fs::path& folder, const std::vector<PatientStructure>& known) {
   const auto opened = casefile::Case::open(folder);
@@ -83,8 +69,8 @@ void StructureEditor::open(const Patient& patient) {
   Q_EMIT opened();
   if (folder_.empty()) return;
   set_working(1);
-  run_on(
-      readers_, this, [folder = folder_, known = patient.structures] { return read_all(folder, known); },
+  run_in_background(
+      this, &readers_, [folder = folder_, known = patient.structures] { return read_all(folder, known); },
       [this, opening, kept](const Result<std::vector<EditedStructure>>& read) {
         set_working(-1);
         if (opening != opening_) return;
@@ -257,8 +243,8 @@ void StructureEditor::reread(const QStringList& ids) {
     if (!ids.contains(QString::fromStdString(id_of(structure.name))))
       known.push_back({structure.name, structure.surface, 0});
   }
-  run_on(
-      readers_, this, [folder = folder_, known] { return read_all(folder, known); },
+  run_in_background(
+      this, &readers_, [folder = folder_, known] { return read_all(folder, known); },
       [this, opening = opening_](const Result<std::vector<EditedStructure>>& read) {
         set_working(-1);
         if (opening != opening_) return;
@@ -287,8 +273,8 @@ void StructureEditor::follow(int structure) {
   auto& turn = surface_turn_[edited.name];
   if (!turn) turn = std::make_shared<std::atomic<int>>(0);
   const int mine = ++*turn;
-  run_on(
-      surfaces_, this,
+  run_in_background(
+      this, &surfaces_,
       [turn, mine,
        drawn = segmentation::make_structure(edited.name, *edited.mask)]() -> std::shared_ptr<geometry::Surface> {
         if (*turn != mine || segmentation::voxel_count(drawn.mask) == 0) return nullptr;

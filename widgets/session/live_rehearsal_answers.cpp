@@ -2,11 +2,10 @@
 // tools, the states of their session.
 
 #include "widgets/session/live_rehearsal.h"
+#include "widgets/work/run_in_background.h"
 
 #include <algorithm>
 #include <cmath>
-#include <QFutureWatcher>
-#include <QtConcurrentRun>
 
 namespace glisson::widgets {
 namespace {
@@ -64,13 +63,10 @@ const rehearsal::PlacedTool* LiveRehearsal::remembered(const PlacedTool& tool) c
 void LiveRehearsal::solve_for(const PlacedTool& tool) {
   is_placing_ = true;
   using Outcome = Result<rehearsal::PlacedTool>;
-  auto* watcher = new QFutureWatcher<std::shared_ptr<Outcome>>(this);
-  connect(watcher, &QFutureWatcherBase::finished, this, [this, watcher, tool, body_count = body_count_] {
-    watcher->deleteLater();
+  const auto take = [this, tool, body_count = body_count_](const Outcome& outcome) {
     is_placing_ = false;
-    const std::shared_ptr<Outcome> outcome = watcher->result();
-    if (body_count == body_count_ && *outcome) {
-      placed_.push_back(**outcome);
+    if (body_count == body_count_ && outcome) {
+      placed_.push_back(*outcome);
       if (placed_.size() > maximum_remembered) placed_.pop_front();
     }
     if (!to_place_) return;
@@ -83,16 +79,16 @@ void LiveRehearsal::solve_for(const PlacedTool& tool) {
       Q_EMIT placed(placed_.back().solve_ms());
     } else if (body_count == body_count_ && wanted.center_mm == tool.center_mm && wanted.radius_mm == tool.radius_mm) {
       to_place_.reset();
-      refuse(outcome->error());
+      refuse(outcome.error());
     } else {
       // On the way there: better an answer to where it was a moment ago than none.
-      if (body_count == body_count_ && *outcome && !shown_moment_) show_answer(placed_.back(), wanted);
+      if (body_count == body_count_ && outcome && !shown_moment_) show_answer(placed_.back(), wanted);
       set_solving(Solving::solving);
       solve_for(wanted);
     }
-  });
-  watcher->setFuture(QtConcurrent::run(
-      [body = body_, tool] { return std::make_shared<Outcome>(body->place_tool(tool.center_mm, tool.radius_mm)); }));
+  };
+  run_in_background(
+      this, [body = body_, tool] { return body->place_tool(tool.center_mm, tool.radius_mm); }, take);
 }
 
 void LiveRehearsal::show_answer(const rehearsal::PlacedTool& placed, const PlacedTool& tool) {

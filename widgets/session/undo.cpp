@@ -1,11 +1,10 @@
 #include "widgets/session/undo.h"
 
-#include <QFutureWatcher>
 #include <QJsonArray>
 #include <QJsonDocument>
-#include <QtConcurrentRun>
 
 #include "widgets/words/translated.h"
+#include "widgets/work/run_in_background.h"
 
 namespace glisson::widgets {
 namespace {
@@ -123,15 +122,12 @@ void Undo::go(Way way) {
 
 void Undo::queue(std::function<std::function<void()>()> work) {
   ++waiting_;
-  auto* watcher = new QFutureWatcher<std::function<void()>>(this);
-  connect(watcher, &QFutureWatcherBase::finished, this, [this, watcher] {
-    watcher->deleteLater();
+  run_in_background(this, &thread_, std::move(work), [this](const std::function<void()>& then) {
     --waiting_;
-    if (const std::function<void()> then = watcher->result()) then();
+    if (then) then();
     name_actions();
     if (waiting_ == 0) Q_EMIT settled();
   });
-  watcher->setFuture(QtConcurrent::run(&thread_, std::move(work)));
 }
 
 void Undo::set_held_up(bool held_up) {

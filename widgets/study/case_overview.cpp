@@ -1,15 +1,14 @@
 #include "widgets/study/case_overview.h"
 
 #include <algorithm>
-#include <QFutureWatcher>
 #include <QHeaderView>
-#include <QtConcurrentRun>
 
 #include "casefile/model_upkeep.h"
 #include "widgets/panels/parts.h"
 #include "widgets/session/load_patient.h"
 #include "widgets/words/keep_translated.h"
 #include "widgets/words/translated.h"
+#include "widgets/work/run_in_background.h"
 
 namespace glisson::widgets {
 namespace {
@@ -72,14 +71,13 @@ void CaseOverview::show_case(const std::filesystem::path& folder) {
     list();
     return;
   }
-  auto* watcher = new QFutureWatcher<std::vector<EntryState>>(this);
-  connect(watcher, &QFutureWatcherBase::finished, this, [this, watcher, turn] {
-    watcher->deleteLater();
-    if (turn != turn_) return;
-    entries_ = watcher->result();
-    list();
-  });
-  watcher->setFuture(QtConcurrent::run(&readers_, [folder] { return read_states(folder); }));
+  run_in_background(
+      this, &readers_, [folder] { return read_states(folder); },
+      [this, turn](std::vector<EntryState>& states) {
+        if (turn != turn_) return;
+        entries_ = std::move(states);
+        list();
+      });
 }
 
 void CaseOverview::list() {

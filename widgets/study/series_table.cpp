@@ -1,10 +1,8 @@
 #include "widgets/study/series_table.h"
 
 #include <algorithm>
-#include <QFutureWatcher>
 #include <QHeaderView>
 #include <QPainter>
-#include <QtConcurrentRun>
 #include <QVBoxLayout>
 
 #include "imaging/dicom_seg.h"
@@ -14,6 +12,7 @@
 #include "widgets/words/grid_words.h"
 #include "widgets/words/keep_translated.h"
 #include "widgets/words/translated.h"
+#include "widgets/work/run_in_background.h"
 
 namespace glisson::widgets {
 namespace {
@@ -241,14 +240,11 @@ void SeriesTable::word() {
 // One after the other, on a worker.
 void SeriesTable::make_pictures() {
   for (int k = 0; k < static_cast<int>(study_->series.size()); ++k) {
-    auto* watcher = new QFutureWatcher<QImage>(this);
-    connect(watcher, &QFutureWatcherBase::finished, this, [this, watcher, k, study = study_] {
-      watcher->deleteLater();
-      const QImage picture = watcher->result();
+    const auto show = [this, k, study = study_](const QImage& picture) {
       if (study != study_ || picture.isNull()) return;
       topLevelItem(k)->setIcon(what_column, QIcon(on_square(picture)));
-    });
-    watcher->setFuture(QtConcurrent::run(&painters_, [study = study_, k, stop = stop_]() -> QImage {
+    };
+    const auto paint = [study = study_, k, stop = stop_]() -> QImage {
       const imaging::Series& series = study->series[static_cast<std::size_t>(k)];
       if (stop->stop_requested()) return {};
       if (series.role == Role::segmentation && casefile::is_label_map(series)) {
@@ -258,7 +254,8 @@ void SeriesTable::make_pictures() {
       if (series.role == Role::segmentation) return segment_slice(series.files.front(), picture_side);
       const auto volume = imaging::read_series(series, 0, Progress({}, stop->get_token()));
       return volume ? middle_slice(*volume, picture_side) : QImage();
-    }));
+    };
+    run_in_background(this, &painters_, paint, show);
   }
 }
 

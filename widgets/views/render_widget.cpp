@@ -3,16 +3,15 @@
 #include <algorithm>
 #include <chrono>
 #include <QCoreApplication>
-#include <QFutureWatcher>
 #include <QPainter>
 #include <QSemaphore>
-#include <QtConcurrentRun>
 #include <QThreadPool>
 #include <QTimer>
 #include <utility>
 
 #include "scene/painter.h"
 #include "widgets/words/translated.h"
+#include "widgets/work/run_in_background.h"
 
 namespace glisson::widgets {
 namespace {
@@ -124,17 +123,15 @@ std::shared_ptr<scene::ViewChanges> RenderWidget::take_changes(int oversampling)
 
 void RenderWidget::begin_frame() {
   under_way_ = true;
-  auto* watcher = new QFutureWatcher<Drawn>(this);
-  connect(watcher, &QFutureWatcherBase::finished, this, [this, watcher] {
-    watcher->deleteLater();
-    under_way_ = false;
-    show_frame(watcher->result());
-    if (out_of_date_) redraw();
-  });
   const auto changes = take_changes();
-  watcher->setFuture(QtConcurrent::run(&drawing_thread(), [drawer = drawer_, changes, number = frames_begun_] {
-    return drawer->draw(number, *changes);
-  }));
+  run_in_background(
+      this, &drawing_thread(),
+      [drawer = drawer_, changes, number = frames_begun_] { return drawer->draw(number, *changes); },
+      [this](const Drawn& drawn) {
+        under_way_ = false;
+        show_frame(drawn);
+        if (out_of_date_) redraw();
+      });
 }
 
 RenderWidget::Drawn RenderWidget::draw_now(const scene::ViewChanges& changes) {

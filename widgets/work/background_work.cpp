@@ -1,9 +1,7 @@
 #include "widgets/work/background_work.h"
 
-#include <QFutureWatcher>
-#include <QtConcurrentRun>
-
 #include "widgets/work/give_back_memory.h"
+#include "widgets/work/run_in_background.h"
 
 namespace glisson::widgets {
 namespace {
@@ -31,15 +29,7 @@ bool BackgroundWork::start(const QString& title, Work work) {
         Q_EMIT progressed(fraction, QString::fromUtf8(stage.data(), static_cast<qsizetype>(stage.size())));
       },
       stop_.get_token());
-  auto* watcher = new QFutureWatcher<Then>(this);
-  connect(watcher, &QFutureWatcherBase::finished, this, [this, watcher] {
-    watcher->deleteLater();
-    busy_ = false;
-    Q_EMIT finished();
-    watcher->result()();
-  });
-  Q_EMIT started(title);
-  watcher->setFuture(QtConcurrent::run(&thread_, [this, work = std::move(work), progress]() -> Then {
+  auto guarded = [this, work = std::move(work), progress]() -> Then {
     try {
       Then then = work(progress);
       give_back_memory();
@@ -47,7 +37,13 @@ bool BackgroundWork::start(const QString& title, Work work) {
     } catch (const std::exception& problem) {
       return [this, what = QString::fromUtf8(problem.what())] { Q_EMIT broke(what); };
     }
-  }));
+  };
+  Q_EMIT started(title);
+  run_in_background(this, &thread_, std::move(guarded), [this](const Then& then) {
+    busy_ = false;
+    Q_EMIT finished();
+    then();
+  });
   return true;
 }
 
