@@ -143,18 +143,7 @@ Result<Linearisation> PalpationModel::linearise(const Settings& settings) const 
 SystematicUncertainty PalpationModel::systematic_uncertainty() const {
   constexpr double at_each_marker = 1.0 / 3, of_the_response = 0.5;
   std::call_once(uncertainty_once_, [&] {
-    const mechanics::Body& body = solver_.specimen().body;
-    std::vector<FaceLoad> tools;
-    for (std::size_t t = 0; t < histories_.size(); ++t) {
-      if (histories_[t].load != static_cast<Eigen::Index>(tools.size())) continue;  // a tool that is known already
-      const PalpationTool& tool = experiment_.trials[t].tool;
-      FaceLoad load{
-          histories_[t].load, mechanics::faces_within(body.boundary, tool.center_mm, tool.radius_mm).value(), {}};
-      double area_mm2 = 0;
-      for (const std::size_t face : load.faces) area_mm2 += body.boundary[face].area_mm2;
-      load.traction_kPa = tool.direction / area_mm2;
-      tools.push_back(std::move(load));
-    }
+    const std::vector<FaceLoad> tools = tool_loads(experiment_, histories_, solver_.specimen().body);
     const Eigen::MatrixXd error_mm = discretisation_error_mm(solver_, markers_.places_mm, tools);
     const auto response_mm = solver_.at_markers({});
     const Eigen::Index loads = error_mm.cols();

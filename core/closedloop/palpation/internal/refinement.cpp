@@ -51,6 +51,22 @@ Eigen::MatrixXd restricted(const FineBody& fine, const mechanics::NodeLayout& co
 
 }  // namespace
 
+std::vector<FaceLoad> tool_loads(const Palpation& experiment, const std::vector<History>& histories,
+                                 const mechanics::Body& body) {
+  std::vector<FaceLoad> tools;
+  for (std::size_t t = 0; t < histories.size(); ++t) {
+    if (histories[t].load != static_cast<Eigen::Index>(tools.size())) continue;  // a tool that is known already
+    const PalpationTool& tool = experiment.trials[t].tool;
+    FaceLoad load{
+        histories[t].load, mechanics::faces_within(body.boundary, tool.center_mm, tool.radius_mm).value(), {}};
+    double area_mm2 = 0;
+    for (const std::size_t face : load.faces) area_mm2 += body.boundary[face].area_mm2;
+    load.traction_kPa = tool.direction / area_mm2;
+    tools.push_back(std::move(load));
+  }
+  return tools;
+}
+
 Eigen::MatrixXd discretisation_error_mm(const PalpationSolver& solver,
                                         const std::vector<Eigen::Vector3d>& marker_places_mm,
                                         const std::vector<FaceLoad>& loads) {

@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "closedloop/palpation/internal/loading.h"
 #include "closedloop/palpation/internal/solver.h"
 
 namespace glisson::closedloop {
@@ -19,6 +20,10 @@ struct FaceLoad {
   std::vector<std::size_t> faces;  // of the declared body's boundary
   Eigen::Vector3d traction_kPa{0, 0, 0};
 };
+
+// A millinewton of each tool, each tool once, in the order of the solver's columns.
+[[nodiscard]] std::vector<FaceLoad> tool_loads(const Palpation& experiment, const std::vector<History>& histories,
+                                               const mechanics::Body& body);
 
 // The change at the markers (mm, 3 rows a marker, a column a load), times what is still missing then: errors that fall
 // with the cells' size to the power of 1.4, as they do by the edges of tools and of clamps, are 1.6 times the first
