@@ -5,9 +5,8 @@
 #include <limits>
 #include <set>
 
+#include "studies/gate/internal/compared_pictures.h"
 #include "studies/gate/paired_test.h"
-#include "vision/frame.h"
-#include "vision/similarity.h"
 
 namespace glisson::studies {
 namespace {
@@ -39,19 +38,18 @@ MetricTolerance tolerance_of(const std::string& metric, const GateOptions& optio
   return found == options.metrics.end() ? usual_tolerance(metric) : found->second;
 }
 
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  std::sort(values.begin(), values.end());
-  const std::size_t n = values.size();
-  return n % 2 == 1 ? values[n / 2] : (values[n / 2 - 1] + values[n / 2]) / 2;
-}
-
 // By how many tolerances a case got worse.
 double tolerances_worse(double base, double now, const MetricTolerance& tolerance) {
   const double worse = tolerance.higher_is_better ? base - now : now - base;
   const double allowed = tolerance.absolute.value_or(tolerance.percent / 100 * std::abs(base));
   if (worse <= 0) return 0;
   return allowed > 0 ? worse / allowed : std::numeric_limits<double>::infinity();
+}
+
+// By how many it got better.
+double tolerances_better(double base, double now, MetricTolerance tolerance) {
+  tolerance.higher_is_better = !tolerance.higher_is_better;
+  return tolerances_worse(base, now, tolerance);
 }
 
 }  // namespace
@@ -242,12 +240,10 @@ PairedChange judge(const Pairs& pairs, const MetricTolerance& tolerance, MetricC
 }
 
 void judge_each(const Pairs& pairs, const MetricTolerance& tolerance, MetricChange& change) {
-  MetricTolerance turned = tolerance;
-  turned.higher_is_better = !tolerance.higher_is_better;
   bool worse = false, better = false;
   for (std::size_t k = 0; k < pairs.cases.size(); ++k) {
     worse = worse || tolerances_worse(pairs.base[k], pairs.now[k], tolerance) > 1;
-    better = better || tolerances_worse(pairs.base[k], pairs.now[k], turned) > 1;
+    better = better || tolerances_better(pairs.base[k], pairs.now[k], tolerance) > 1;
   }
   change.verdict = worse                 ? GateVerdict::worse
                    : better              ? GateVerdict::better
@@ -259,9 +255,7 @@ void decide(const PairedChange& paired, const MetricTolerance& tolerance, double
             double false_alarms, MetricChange& change) {
   change.p = p_worse;
   const double worse = tolerances_worse(change.base, change.base + change.difference, tolerance);
-  MetricTolerance turned = tolerance;
-  turned.higher_is_better = !tolerance.higher_is_better;
-  const double better = tolerances_worse(change.base, change.base + change.difference, turned);
+  const double better = tolerances_better(change.base, change.base + change.difference, tolerance);
   if (paired.pairs == 0) {
     change.verdict = GateVerdict::undecided;
   } else if (p_worse <= false_alarms && worse > 1) {
@@ -282,21 +276,29 @@ PictureChange compare_pictures(const std::string& name, const Results& base, con
     return change;
   };
   if (!now.pictures.contains(name)) return refuse("it is missing");
-  const auto one = vision::read_frame(base.pictures.at(name)), other = vision::read_frame(now.pictures.at(name));
-  if (!one) return refuse(one.error().message());
-  if (!other) return refuse(other.error().message());
-  std::optional<vision::Frame> mask;
-  if (const auto found = options.masks.find(name.substr(name.find('/') + 1)); found != options.masks.end()) {
-    auto read = vision::read_frame(found->second);
-    if (!read) return refuse(read.error().message());
-    mask = *std::move(read);
-  }
-  const auto alike = vision::similarity_of(*one, *other, mask);
-  if (!alike) return refuse(alike.error().message());
-  change.similarity = alike->worst;
+  const auto compared = compared_pictures(name, base, now, options);
+  if (!compared) return refuse(compared.error().message());
+  change.similarity = compared->similarity.worst;
   if (change.similarity < options.similarity) change.verdict = GateVerdict::worse;
   return change;
 }
 
 }  // namespace
+
+Result<ComparedPictures> compared_pictures(const std::string& name, const Results& base, const Results& now,
+                                           const GateOptions& options) {
+  auto one = vision::read_frame(base.pictures.at(name)), other = vision::read_frame(now.pictures.at(name));
+  if (!one) return failure(std::move(one.error()));
+  if (!other) return failure(std::move(other.error()));
+  std::optional<vision::Frame> mask;
+  if (const auto found = options.masks.find(name.substr(name.find('/') + 1)); found != options.masks.end()) {
+    auto read = vision::read_frame(found->second);
+    if (!read) return failure(std::move(read.error()));
+    mask = *std::move(read);
+  }
+  auto alike = vision::similarity_of(*one, *other, mask);
+  if (!alike) return failure(std::move(alike.error()));
+  return ComparedPictures{*std::move(one), *std::move(other), *std::move(alike)};
+}
+
 }  // namespace glisson::studies

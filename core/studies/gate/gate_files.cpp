@@ -8,8 +8,7 @@
 #include "base/write_file.h"
 #include "report/html.h"
 #include "studies/gate/gate.h"
-#include "vision/frame.h"
-#include "vision/similarity.h"
+#include "studies/gate/internal/compared_pictures.h"
 
 namespace glisson::studies {
 namespace {
@@ -23,7 +22,8 @@ struct Shown {
   vision::Frame beside;  // base, new, difference
 };
 
-std::vector<Shown> worst_pictures(const Gate& gate, const Results& base, const Results& now);
+std::vector<Shown> worst_pictures(const Gate& gate, const Results& base, const Results& now,
+                                  const GateOptions& options);
 report::Page page_of(const Gate& gate, const Results& base, const Results& now, const GateOptions& options);
 std::string junit_of(const Gate& gate);
 
@@ -34,7 +34,7 @@ Result<void> write_gate(const Gate& gate, const Results& base, const Results& no
   auto drawn = TemporaryFolder::make();
   if (!drawn) return failure(drawn.error());
   report::Page page = page_of(gate, base, now, options);
-  const std::vector<Shown> pictures = worst_pictures(gate, base, now);
+  const std::vector<Shown> pictures = worst_pictures(gate, base, now, options);
   for (std::size_t k = 0; k < pictures.size(); ++k) {
     const fs::path file = drawn->path() / fmt::format("{}.png", k);
     if (auto written = vision::write_frame(pictures[k].beside, file); !written) return written;
@@ -91,7 +91,8 @@ std::string sentence_of(const MetricChange& change) {
 namespace {
 
 // The most unlike first; those that cannot be compared are in the table alone.
-std::vector<Shown> worst_pictures(const Gate& gate, const Results& base, const Results& now) {
+std::vector<Shown> worst_pictures(const Gate& gate, const Results& base, const Results& now,
+                                  const GateOptions& options) {
   std::vector<const PictureChange*> order;
   for (const PictureChange& change : gate.pictures) {
     if (change.problem.empty() && change.verdict == GateVerdict::worse) order.push_back(&change);
@@ -100,14 +101,11 @@ std::vector<Shown> worst_pictures(const Gate& gate, const Results& base, const R
   std::vector<Shown> shown;
   for (const PictureChange* change : order) {
     if (shown.size() == pictures_shown) break;
-    const auto one = vision::read_frame(base.pictures.at(change->name));
-    const auto other = vision::read_frame(now.pictures.at(change->name));
-    if (!one || !other) continue;
-    const auto alike = vision::similarity_of(*one, *other);
-    if (!alike) continue;
-    vision::Frame beside{3 * one->width, one->height, {}};
-    for (int y = 0; y < one->height; ++y) {
-      for (const vision::Frame* frame : {&*one, &*other, &alike->difference})
+    const auto compared = compared_pictures(change->name, base, now, options);
+    if (!compared) continue;
+    vision::Frame beside{3 * compared->base.width, compared->base.height, {}};
+    for (int y = 0; y < compared->base.height; ++y) {
+      for (const vision::Frame* frame : {&compared->base, &compared->now, &compared->similarity.difference})
         beside.rgb.insert(beside.rgb.end(), frame->at(0, y), frame->at(0, y) + std::ptrdiff_t{3} * frame->width);
     }
     shown.push_back({change->name, std::move(beside)});

@@ -67,11 +67,6 @@ std::vector<double> walsh_averages(std::vector<double> differences) {
   return means;
 }
 
-double median_of_sorted(const std::vector<double>& values) {
-  const std::size_t n = values.size();
-  return n % 2 == 1 ? values[n / 2] : (values[n / 2 - 1] + values[n / 2]) / 2;
-}
-
 // How many Walsh averages lie outside at each end of the 95 % interval, by the statistic's normal approximation.
 std::size_t outside(std::size_t n, std::size_t averages) {
   const double size = static_cast<double>(n);
@@ -101,9 +96,16 @@ PairedChange paired_change(std::vector<double> differences) {
   }
   const std::vector<double> means = walsh_averages(differences);
   const std::size_t beyond = outside(std::min(differences.size(), exact_up_to), means.size());
-  outcome.change = median_of_sorted(means);
+  outcome.change = median(means);
   outcome.interval = {means[beyond], means[means.size() - 1 - beyond]};
   return outcome;
+}
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  std::sort(values.begin(), values.end());
+  const std::size_t n = values.size();
+  return n % 2 == 1 ? values[n / 2] : (values[n / 2 - 1] + values[n / 2]) / 2;
 }
 
 double smallest_p(int pairs) { return std::pow(0.5, pairs); }

@@ -21,6 +21,9 @@ struct PairedChange {
 // 200 that are evenly spread over their order.
 PairedChange paired_change(std::vector<double> differences);
 
+// 0 of none.
+double median(std::vector<double> values);
+
 // The smallest p that so many pairs can give.
 double smallest_p(int pairs);
 
