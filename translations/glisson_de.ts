@@ -5459,6 +5459,30 @@
         <source>landmarks that the benchmark has no place for were left out: {0}</source>
         <translation>weggelassene Landmarken, für die der Vergleichsmaßstab keinen Ort hat: {0}</translation>
     </message>
+    <message>
+        <source>A support that moves by a displacement is there for equilibrium by finite elements, without tools, motion, walls kept apart and data in place of a law.</source>
+        <translation>Eine Auflage, die sich um eine Verschiebung bewegt, gibt es beim Gleichgewicht mit finiten Elementen, ohne Werkzeuge, Bewegung, getrennt gehaltene Wände und Daten anstelle eines Gesetzes.</translation>
+    </message>
+    <message>
+        <source>The displacement of support {0} is not a finite vector.</source>
+        <translation>Die Verschiebung der Auflage {0} ist kein endlicher Vektor.</translation>
+    </message>
+    <message>
+        <source>Support {0} moves points that another support holds or moves elsewhere.</source>
+        <translation>Auflage {0} bewegt Punkte, die eine andere Auflage festhält oder anderswohin bewegt.</translation>
+    </message>
+    <message>
+        <source>Let each point be held by one support, or in other directions.</source>
+        <translation>Jeder Punkt sollte von einer Auflage gehalten werden, oder in anderen Richtungen.</translation>
+    </message>
+    <message>
+        <source>{0} moves by a displacement: it is neither a foundation nor a ligament.</source>
+        <translation>{0} bewegt sich um eine Verschiebung: das ist weder eine Bettung noch ein Band.</translation>
+    </message>
+    <message>
+        <source>{0} is moved in a direction that its &quot;directions&quot; leave free.</source>
+        <translation>{0} wird in einer Richtung bewegt, die seine &quot;directions&quot; frei lassen.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AdvanceControls</name>
@@ -6057,6 +6081,10 @@
     <message>
         <source>Noise of the measurement</source>
         <translation>Rauschen der Messung</translation>
+    </message>
+    <message>
+        <source>Hidden targets, mean</source>
+        <translation>Verborgene Ziele, Mittel</translation>
     </message>
 </context>
 <context>

@@ -5459,6 +5459,30 @@
         <source>landmarks that the benchmark has no place for were left out: {0}</source>
         <translation>puntos de referencia omitidos, para los que la referencia no tiene lugar: {0}</translation>
     </message>
+    <message>
+        <source>A support that moves by a displacement is there for equilibrium by finite elements, without tools, motion, walls kept apart and data in place of a law.</source>
+        <translation>Un apoyo que se mueve con un desplazamiento existe para el equilibrio por elementos finitos, sin instrumentos, movimiento, paredes separadas ni datos en lugar de una ley.</translation>
+    </message>
+    <message>
+        <source>The displacement of support {0} is not a finite vector.</source>
+        <translation>El desplazamiento del apoyo {0} no es un vector finito.</translation>
+    </message>
+    <message>
+        <source>Support {0} moves points that another support holds or moves elsewhere.</source>
+        <translation>El apoyo {0} mueve puntos que otro apoyo sujeta o mueve a otro lugar.</translation>
+    </message>
+    <message>
+        <source>Let each point be held by one support, or in other directions.</source>
+        <translation>Que cada punto esté sujeto por un solo apoyo, o en otras direcciones.</translation>
+    </message>
+    <message>
+        <source>{0} moves by a displacement: it is neither a foundation nor a ligament.</source>
+        <translation>{0} se mueve con un desplazamiento: no es ni una base elástica ni un ligamento.</translation>
+    </message>
+    <message>
+        <source>{0} is moved in a direction that its &quot;directions&quot; leave free.</source>
+        <translation>{0} se mueve en una dirección que sus &quot;directions&quot; dejan libre.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AdvanceControls</name>
@@ -6057,6 +6081,10 @@
     <message>
         <source>Noise of the measurement</source>
         <translation>Ruido de la medición</translation>
+    </message>
+    <message>
+        <source>Hidden targets, mean</source>
+        <translation>Objetivos ocultos, media</translation>
     </message>
 </context>
 <context>

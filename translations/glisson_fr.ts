@@ -5459,6 +5459,30 @@
         <source>landmarks that the benchmark has no place for were left out: {0}</source>
         <translation>repères laissés de côté, pour lesquels la référence n’a pas de place : {0}</translation>
     </message>
+    <message>
+        <source>A support that moves by a displacement is there for equilibrium by finite elements, without tools, motion, walls kept apart and data in place of a law.</source>
+        <translation>Un appui qui se déplace d&apos;une valeur imposée existe pour l&apos;équilibre par éléments finis, sans instruments, mouvement, parois tenues séparées ni données à la place d&apos;une loi.</translation>
+    </message>
+    <message>
+        <source>The displacement of support {0} is not a finite vector.</source>
+        <translation>Le déplacement de l&apos;appui {0} n&apos;est pas un vecteur fini.</translation>
+    </message>
+    <message>
+        <source>Support {0} moves points that another support holds or moves elsewhere.</source>
+        <translation>L&apos;appui {0} déplace des points qu&apos;un autre appui maintient ou déplace ailleurs.</translation>
+    </message>
+    <message>
+        <source>Let each point be held by one support, or in other directions.</source>
+        <translation>Que chaque point soit maintenu par un seul appui, ou dans d&apos;autres directions.</translation>
+    </message>
+    <message>
+        <source>{0} moves by a displacement: it is neither a foundation nor a ligament.</source>
+        <translation>{0} se déplace d&apos;une valeur imposée : ce n&apos;est ni une fondation ni un ligament.</translation>
+    </message>
+    <message>
+        <source>{0} is moved in a direction that its &quot;directions&quot; leave free.</source>
+        <translation>{0} est déplacé dans une direction que ses &quot;directions&quot; laissent libre.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AdvanceControls</name>
@@ -6057,6 +6081,10 @@
     <message>
         <source>Noise of the measurement</source>
         <translation>Bruit de la mesure</translation>
+    </message>
+    <message>
+        <source>Hidden targets, mean</source>
+        <translation>Cibles cachées, moyenne</translation>
     </message>
 </context>
 <context>

@@ -51,6 +51,7 @@ Json result_json(const mechanics::Simulation& simulation) {
                 {"inverted_cells", validity.inverted_cells},
                 {"applied_force_N", json_of(result.applied_force_mN * 1e-3)},
                 {"held_reaction_N", json_of(result.fixed_reaction_mN * 1e-3)},
+                {"support_reaction_N", Json::array()},
                 {"foundation_reaction_N", json_of(result.foundation_reaction_mN * 1e-3)},
                 {"ligament_reaction_N", json_of(result.ligament_reaction_mN * 1e-3)},
                 {"timing", {{"setup_s", result.setup_s}, {"step_ms", result.step_ms}}},
@@ -58,6 +59,9 @@ Json result_json(const mechanics::Simulation& simulation) {
                 {"landmarks", Json::array()}};
   if (validity.state() != mechanics::AnswerState::within) document["reason"] = validity.sentence().message();
   if (validity.usable()) document["max_displacement_mm"] = result.max_displacement_mm;
+  for (const Eigen::Vector3d& reaction_mN : result.support_reaction_mN) {
+    document["support_reaction_N"].push_back(json_of(reaction_mN * 1e-3));
+  }
   for (const mechanics::DisplacedLandmark& landmark : simulation.landmarks) {
     Json& told = document["landmarks"].emplace_back(Json{{"id", landmark.id}, {"rest_mm", json_of(landmark.rest_mm)}});
     if (!validity.usable()) continue;

@@ -167,6 +167,8 @@ StaticOptions options_of(const Scenario& scenario) {
   options.density_kg_mm3 = scenario.density_kg_mm3;
   options.capsule = scenario.capsule;
   options.anisotropy = scenario.anisotropy;
+  options.prescribed_displacements = scenario.engine == Engine::fem && !scenario.motion && scenario.tools.empty() &&
+                                     scenario.cut_walls == Scenario::Walls::free;
   options.parts = scenario.cuts.empty() ? StaticOptions::Parts::one : StaticOptions::Parts::several;
   return options;
 }

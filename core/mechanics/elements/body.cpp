@@ -40,6 +40,12 @@ Result<Body> prepare_body(geometry::TetMesh mesh, std::vector<double> youngs_kPa
   auto resolved = resolve_supports(body.mesh, body.layout, body.boundary, body.supports);
   if (!resolved) return failure(std::move(resolved.error()));
   body.resolved = std::move(*resolved);
+  if (body.resolved.prescribed_mm.size() > 0 && !options.prescribed_displacements) {
+    return failure(
+        "not-available",
+        GLISSON_TEXT("A support that moves by a displacement is there for equilibrium by finite elements, without "
+                     "tools, motion, walls kept apart and data in place of a law."));
+  }
   const std::string free = holding == Holding::required ? free_motion_of_any_part(body) : std::string();
   if (!free.empty()) {
     return failure(Error{"body-free",
@@ -68,6 +74,15 @@ Eigen::VectorXd foundation_force_mN(const Body& body, const Eigen::VectorXd& u_m
     }
   }
   return force_mN;
+}
+
+std::vector<Eigen::Vector3d> sum_of_each_support(const Body& body, const Eigen::VectorXd& force_mN) {
+  std::vector<Eigen::Vector3d> sums(body.supports.size(), Eigen::Vector3d::Zero());
+  for (Eigen::Index unknown = 0; unknown < force_mN.size(); ++unknown) {
+    const int support = body.resolved.support_of_fixed[static_cast<std::size_t>(unknown)];
+    if (support >= 0) sums[static_cast<std::size_t>(support)][unknown % 3] += force_mN[unknown];
+  }
+  return sums;
 }
 
 Eigen::Vector3d sum_of(const Eigen::VectorXd& values) {

@@ -31,12 +31,16 @@ struct Body {
 enum class Holding { required, optional };
 
 // Failures: those of check_tetrahedra; "too-large"; "modulus-invalid" (the first cell is named), "poisson-invalid",
-// "density-invalid"; those of resolve_supports; "body-free" where holding is required (the free motion is named).
+// "density-invalid"; those of resolve_supports; "not-available" (a prescribed displacement where the options know
+// none); "body-free" where holding is required (the free motion is named).
 Result<Body> prepare_body(geometry::TetMesh mesh, std::vector<double> youngs_kPa, std::vector<Support> supports,
                           const StaticOptions& options, Holding holding);
 
 // What the foundations push with (mN, 3 a node) where the nodes have moved by u (mm, 3 a node).
 [[nodiscard]] Eigen::VectorXd foundation_force_mN(const Body& body, const Eigen::VectorXd& u_mm);
+
+// Of forces on the nodes (mN, 3 a node), those on what each support fixes, summed: one a support.
+[[nodiscard]] std::vector<Eigen::Vector3d> sum_of_each_support(const Body& body, const Eigen::VectorXd& force_mN);
 
 // Of 3 values a node.
 [[nodiscard]] Eigen::Vector3d sum_of(const Eigen::VectorXd& values);

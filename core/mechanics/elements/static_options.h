@@ -24,6 +24,8 @@ struct StaticOptions {
   // May parts hang apart, as they do behind a cut? For equilibrium each must then be held by itself.
   enum class Parts { one, several } parts = Parts::one;
   std::uint64_t memory_limit_bytes = std::uint64_t{12} << 30;  // the factor is refused before it asks for more
+  // May supports prescribe displacements? Where no one looks at them, such a support is refused.
+  bool prescribed_displacements = false;
   // Single: half the memory between the solves, for models that live long; what is solved is refined to the same
   // tolerance. Not together with mutual points.
   enum class FactorPrecision { full, single } factor_precision = FactorPrecision::full;

@@ -9,8 +9,8 @@ namespace {
 using Named = std::vector<std::uint8_t>;  // one a mesh point: 1 where the support names it
 
 Result<Named> named_points(const geometry::TetMesh& mesh, const Region& region, const std::string& which);
-void hold(const geometry::TetMesh& mesh, const NodeLayout& layout, const Named& named, const Fixed& how,
-          std::vector<std::uint8_t>& fixed);
+Result<void> hold(const geometry::TetMesh& mesh, const NodeLayout& layout, const Named& named, const Fixed& how,
+                  std::size_t support, ResolvedSupports& resolved);
 Result<std::vector<LigamentSpring>> springs_of(const NodeLayout& layout, const std::vector<BoundaryFace>& boundary,
                                                const Named& named, const Ligament& ligament, const std::string& which);
 std::string names_of(const geometry::Fields& fields);
@@ -22,6 +22,7 @@ Result<ResolvedSupports> resolve_supports(const geometry::TetMesh& mesh, const N
                                           const std::vector<Support>& supports) {
   ResolvedSupports resolved;
   resolved.fixed.assign(3 * static_cast<std::size_t>(layout.nodes()), 0);
+  resolved.support_of_fixed.assign(resolved.fixed.size(), -1);
   for (std::size_t s = 0; s < supports.size(); ++s) {
     const std::string which = std::to_string(s + 1);
     auto named = named_points(mesh, supports[s].where, which);
@@ -38,7 +39,7 @@ Result<ResolvedSupports> resolve_supports(const geometry::TetMesh& mesh, const N
     }
 
     if (const auto* fixed = std::get_if<Fixed>(&supports[s].how)) {
-      hold(mesh, layout, *named, *fixed, resolved.fixed);
+      if (auto held = hold(mesh, layout, *named, *fixed, s, resolved); !held) return failure(std::move(held.error()));
       continue;
     }
     if (const auto* ligament = std::get_if<Ligament>(&supports[s].how)) {
@@ -115,23 +116,49 @@ Result<Named> named_points(const geometry::TetMesh& mesh, const Region& region, 
   return named;
 }
 
-void hold(const geometry::TetMesh& mesh, const NodeLayout& layout, const Named& named, const Fixed& how,
-          std::vector<std::uint8_t>& fixed) {
+Result<void> hold(const geometry::TetMesh& mesh, const NodeLayout& layout, const Named& named, const Fixed& how,
+                  std::size_t support, ResolvedSupports& resolved) {
+  const std::string which = std::to_string(support + 1);
+  if (!how.displacement_mm.allFinite()) {
+    return failure("support-invalid", GLISSON_TEXT("The displacement of support {0} is not a finite vector."), {which});
+  }
+  std::vector<std::uint8_t>& fixed = resolved.fixed;
+  Eigen::VectorXd& prescribed_mm = resolved.prescribed_mm;
+  const auto at = [&](std::size_t unknown) {
+    return prescribed_mm.size() > 0 ? prescribed_mm[static_cast<Eigen::Index>(unknown)] : 0.0;
+  };
+  bool contradicts = false;
+  // A node that earlier supports hold keeps what they prescribe; a node of this one may come up several times.
   const auto hold_node = [&](int node) {
-    for (int d = 0; d < 3; ++d) fixed[3 * static_cast<std::size_t>(node) + d] |= how.directions[d];
+    for (int d = 0; d < 3; ++d) {
+      if (!how.directions[d]) continue;
+      const std::size_t unknown = 3 * static_cast<std::size_t>(node) + static_cast<std::size_t>(d);
+      contradicts |= fixed[unknown] && at(unknown) != how.displacement_mm[d];
+      if (!fixed[unknown]) resolved.support_of_fixed[unknown] = static_cast<int>(support);
+      fixed[unknown] = 1;
+      if (how.displacement_mm[d] == 0) continue;
+      if (prescribed_mm.size() == 0) prescribed_mm = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(fixed.size()));
+      prescribed_mm[static_cast<Eigen::Index>(unknown)] = how.displacement_mm[d];
+    }
   };
   for (std::size_t p = 0; p < named.size(); ++p) {
     if (named[p] && layout.node_of_point[p] >= 0) hold_node(layout.node_of_point[p]);
   }
-  if (layout.order == ElementOrder::linear) return;
   constexpr int faces_of_cell[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
   for (const auto& cell : mesh.cells) {
+    if (layout.order == ElementOrder::linear) break;
     for (const auto& face : faces_of_cell) {
       const int corners[3] = {cell[face[0]], cell[face[1]], cell[face[2]]};
       if (!named[corners[0]] || !named[corners[1]] || !named[corners[2]]) continue;
       for (int i = 0; i < 3; ++i) hold_node(layout.node_of_edge(corners[i], corners[(i + 1) % 3]));
     }
   }
+  if (!contradicts) return {};
+  return failure(Error{"support-contradicts",
+                       GLISSON_TEXT("Support {0} moves points that another support holds or moves elsewhere."),
+                       {which},
+                       GLISSON_TEXT("Let each point be held by one support, or in other directions."),
+                       {}});
 }
 
 Result<std::vector<LigamentSpring>> springs_of(const NodeLayout& layout, const std::vector<BoundaryFace>& boundary,

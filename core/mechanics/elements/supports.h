@@ -2,6 +2,7 @@
 // Supports as values -> which unknowns are held, which faces stand on springs, which points hang on ligaments.
 
 #include <cstdint>
+#include <Eigen/Core>
 #include <string>
 #include <vector>
 
@@ -27,14 +28,16 @@ struct LigamentSpring {
 };
 
 struct ResolvedSupports {
-  std::vector<std::uint8_t> fixed;  // 3 a node (x, y, z): 1 where that displacement is held
+  std::vector<std::uint8_t> fixed;    // 3 a node (x, y, z): 1 where that displacement is held
+  std::vector<int> support_of_fixed;  // one each of `fixed`: the first support that holds it, or -1
+  Eigen::VectorXd prescribed_mm;      // 3 a node, zero where nothing is prescribed; empty where nothing is anywhere
   std::vector<FoundationFace> foundations;
   std::vector<LigamentSpring> ligaments;
 };
 
 // Failures: "support-empty" (a support that names no point, or a foundation that covers no face, or a ligament
 // that names no point of the surface), "array-unknown", "support-invalid" (a number that is not finite or not
-// positive).
+// positive), "support-contradicts" (two supports prescribe different displacements of one node).
 Result<ResolvedSupports> resolve_supports(const geometry::TetMesh& mesh, const NodeLayout& layout,
                                           const std::vector<BoundaryFace>& boundary,
                                           const std::vector<Support>& supports);

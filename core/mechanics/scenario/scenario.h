@@ -43,10 +43,12 @@ struct Ball {
 };
 using Region = std::variant<NamedPoints, Ball, geometry::Box>;
 
-// The named points do not move, in the directions (x, y, z) that are held. A mid-side node is held with them when
-// it belongs to a face all three of whose points are named.
+// A Dirichlet condition: the named points move by the displacement, in the directions (x, y, z) that are held; by
+// nothing where none is prescribed. A mid-side node moves with them when it belongs to a face all three of whose points
+// are named. A displacement other than zero is known in equilibrium by finite elements without tools.
 struct Fixed {
   std::array<bool, 3> directions{true, true, true};
+  Eigen::Vector3d displacement_mm{0, 0, 0};
 };
 
 // A spring per unit area under the boundary faces all three of whose points are named; it pushes back equally in

@@ -16,6 +16,7 @@ using Eigen::Vector3d;
 
 Scenario scenario_from(const Json& json);
 Support support_from(const Json& json, const std::string& where);
+Fixed fixed_from(const Json& json, const std::string& where);
 Load load_from(const Json& json, const std::string& where);
 Vector3d gravity_of_patient_from(const Json& json, const std::string& where);
 Capsule capsule_from(const Json& json, const std::string& where);
@@ -168,8 +169,12 @@ Scenario scenario_from(const Json& json) {
 }
 
 Support support_from(const Json& json, const std::string& where) {
-  only_keys(json, {"point_array", "sphere", "box", "foundation_kPa_per_mm", "directions", "ligament"}, where);
+  only_keys(json,
+            {"point_array", "sphere", "box", "foundation_kPa_per_mm", "directions", "displacement_mm", "ligament"},
+            where);
   Support support{region_from(json, where), Fixed{}};
+  if (json.contains("displacement_mm") && (json.contains("ligament") || json.contains("foundation_kPa_per_mm")))
+    refuse_at(where, GLISSON_TEXT("{0} moves by a displacement: it is neither a foundation nor a ligament."));
   if (json.contains("ligament")) {
     if (json.contains("directions") || json.contains("foundation_kPa_per_mm"))
       refuse_at(where,
@@ -188,17 +193,31 @@ Support support_from(const Json& json, const std::string& where) {
                 GLISSON_TEXT(
                     "{0} has both \"foundation_kPa_per_mm\" and \"directions\": a foundation acts in all directions."));
     support.how = Foundation{positive_in(json["foundation_kPa_per_mm"], where + ", foundation_kPa_per_mm")};
-  } else if (json.contains("directions")) {
+  } else {
+    support.how = fixed_from(json, where);
+  }
+  return support;
+}
+
+Fixed fixed_from(const Json& json, const std::string& where) {
+  Fixed fixed;
+  if (json.contains("directions")) {
     const Json& directions = json["directions"];
-    Fixed fixed{{false, false, false}};
     if (!directions.is_array() || directions.empty())
       refuse_at(where, GLISSON_TEXT("The directions of {0} must be a list such as [\"x\", \"z\"]."));
+    fixed.directions = {false, false, false};
     for (const Json& direction : directions) {
       fixed.directions[one_of<std::size_t>(direction, where + ", directions", {{"x", 0}, {"y", 1}, {"z", 2}})] = true;
     }
-    support.how = fixed;
   }
-  return support;
+  if (json.contains("displacement_mm")) {
+    fixed.displacement_mm = vector_in(json["displacement_mm"], where + ", displacement_mm");
+    for (int d = 0; d < 3; ++d) {
+      if (!fixed.directions[static_cast<std::size_t>(d)] && fixed.displacement_mm[d] != 0)
+        refuse_at(where, GLISSON_TEXT("{0} is moved in a direction that its \"directions\" leave free."));
+    }
+  }
+  return fixed;
 }
 
 Load load_from(const Json& json, const std::string& where) {
@@ -308,11 +327,12 @@ Json support_json(const Support& support) {
                         {"slack_mm", ligament->slack_mm}};
   } else if (const auto* foundation = std::get_if<Foundation>(&support.how)) {
     json["foundation_kPa_per_mm"] = foundation->stiffness_kPa_per_mm;
-  } else if (const auto& fixed = std::get<Fixed>(support.how).directions; fixed != std::array{true, true, true}) {
-    json["directions"] = Json::array();
-    for (std::size_t d = 0; d < 3; ++d) {
-      if (fixed[d]) json["directions"].push_back(std::string(1, "xyz"[d]));
+  } else {
+    const Fixed& fixed = std::get<Fixed>(support.how);
+    for (std::size_t d = 0; d < 3 && fixed.directions != std::array{true, true, true}; ++d) {
+      if (fixed.directions[d]) json["directions"].push_back(std::string(1, "xyz"[d]));
     }
+    if (fixed.displacement_mm != Vector3d::Zero()) json["displacement_mm"] = json_of(fixed.displacement_mm);
   }
   return json;
 }

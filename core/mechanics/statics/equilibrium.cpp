@@ -9,6 +9,7 @@
 #include "mechanics/elements/strain.h"
 #include "mechanics/potentials/follower_pressure.h"
 #include "mechanics/potentials/ligament.h"
+#include "mechanics/solvers/constrained_system.h"
 #include "mechanics/statics/displacements.h"
 #include "mechanics/statics/internal/unknowns.h"
 #include "mechanics/statics/validity.h"
@@ -17,6 +18,10 @@ namespace glisson::mechanics {
 namespace {
 
 constexpr double times_its_size = 1000, unlimited = std::numeric_limits<double>::infinity();
+
+Result<Eigen::VectorXd> supports_moved(const Body& body, const TotalPotential& potential, const Eigen::VectorXd& u_mm,
+                                       double share, const Progress& progress);
+double moving_force_mN(const Body& body, const TotalPotential& potential, const Eigen::VectorXd& rest_mm, double share);
 
 }  // namespace
 
@@ -74,13 +79,20 @@ Result<CarriedLoad> carry_load(const Unknowns& unknowns, const Body& body, const
     const double next = std::min(1.0, carried.share + part);
     const AppliedLoads now = share_of(loads, next);
     // At rest ligaments and capsule pull at nothing: what is left is the load.
-    const double scale_mN = unknowns.size_mN(force_mN(boundary_and_loads(body, now), rest_mm));
+    double scale_mN = unknowns.size_mN(force_mN(boundary_and_loads(body, now), rest_mm));
     const TotalPotential potential(body, static_potentials(body, materials, now));
+    Eigen::VectorXd start_mm = carried.x_mm;
+    if (body.resolved.prescribed_mm.size() > 0) {
+      scale_mN += moving_force_mN(body, potential, rest_mm, next);
+      auto moved = supports_moved(body, potential, carried.x_mm, next - carried.share, progress);
+      if (!moved) return failure(std::move(moved.error()));
+      start_mm = std::move(*moved);
+    }
     // At rest the first direction is the answer of small strain.
     newton.longest_mm = carried.steps == 0
                             ? times_its_size * geometry::bounding_box(body.layout.positions_mm).diagonal_mm()
                             : unlimited;
-    auto found = unknowns.minimum_of(potential, scale_mN, carried.x_mm, newton, progress);
+    auto found = unknowns.minimum_of(potential, scale_mN, start_mm, newton, progress);
     if (!found) return failure(std::move(found.error()));
     carried.hopeless = found->hopeless;
     carried.steps += found->steps;
@@ -117,7 +129,9 @@ StaticResult state_of(const Body& body, const std::vector<Material>& materials, 
   const Eigen::VectorXd unbalanced_mN =
       loads.dead_mN + damping_mN + around_mN - internal_force_mN(body, materials, u_mm);
   result.applied_force_mN = sum_of(loads.dead_mN) + sum_of(gas_mN);
-  result.fixed_reaction_mN = -sum_of(unbalanced_mN - free_values(body.resolved.fixed, unbalanced_mN));
+  const Eigen::VectorXd reaction_mN = free_values(body.resolved.fixed, unbalanced_mN) - unbalanced_mN;
+  result.fixed_reaction_mN = sum_of(reaction_mN);
+  result.support_reaction_mN = sum_of_each_support(body, reaction_mN);
   result.foundation_reaction_mN = sum_of(foundation_force_mN(body, u_mm));
   result.ligament_reaction_mN = sum_of(ligaments_mN);
   result.strain_energy_uJ = strain_energy_uJ(body, materials, u_mm);
@@ -139,4 +153,28 @@ StaticResult state_of(const Body& body, const std::vector<Material>& materials, 
   return result;
 }
 
+namespace {
+
+// Where the body stands when its supports move on by a share of what is prescribed, by the tangent at u: a start for
+// Newton's method in which the interior has come along.
+Result<Eigen::VectorXd> supports_moved(const Body& body, const TotalPotential& potential, const Eigen::VectorXd& u_mm,
+                                       double share, const Progress& progress) {
+  if (progress.cancelled()) return cancelled();
+  const auto system = ConstrainedSystem::create(potential.tangent(u_mm, Tangent::positive), body.resolved.fixed,
+                                                body.options.memory_limit_bytes);
+  if (!system) return failure(system.error());
+  const Eigen::VectorXd move_mm = share * body.resolved.prescribed_mm;
+  const Eigen::VectorXd still_mN = Eigen::VectorXd::Zero(u_mm.size());
+  return Eigen::VectorXd(u_mm + system->solve(still_mN, move_mm, {.target = 1e-8, .max_refinements = 1}).front().u);
+}
+
+// How large the forces are, at rest, with which moving supports push what is free: what a residual is measured by.
+double moving_force_mN(const Body& body, const TotalPotential& potential, const Eigen::VectorXd& rest_mm,
+                       double share) {
+  const Eigen::SparseMatrix<double> lower = potential.tangent(rest_mm, Tangent::positive);
+  const Eigen::VectorXd move_mm = share * body.resolved.prescribed_mm;
+  return free_values(body.resolved.fixed, lower.selfadjointView<Eigen::Lower>() * move_mm).norm();
+}
+
+}  // namespace
 }  // namespace glisson::mechanics

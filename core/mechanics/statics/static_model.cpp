@@ -72,7 +72,9 @@ Result<std::vector<StaticResult>> StaticModel::solve_each(const std::vector<Load
     if (!column) return failure(std::move(column.error()));
     force_mN.col(static_cast<Eigen::Index>(i)) = *column;
   }
-  return impl_->solve(force_mN, {});
+  const Eigen::VectorXd& prescribed_mm = impl_->resolved.prescribed_mm;
+  if (prescribed_mm.size() == 0) return impl_->solve(force_mN, {});
+  return impl_->solve(force_mN, prescribed_mm.replicate(1, force_mN.cols()));
 }
 
 Result<StaticResult> StaticModel::solve_nodal(const NodalLoad& load) const {
@@ -135,6 +137,7 @@ StaticResult StaticModel::Impl::result_of(const ConstrainedSolution& solution, c
   const Eigen::VectorXd spring_force_mN = foundation_force_mN(*this, u);
   result.applied_force_mN = sum_of(force_mN);
   result.fixed_reaction_mN = sum_of(solution.reaction);
+  result.support_reaction_mN = sum_of_each_support(*this, solution.reaction);
   result.foundation_reaction_mN = sum_of(spring_force_mN);
   result.foundation_energy_uJ = -0.5 * u.dot(spring_force_mN);
   result.external_work_uJ = 0.5 * u.dot(force_mN);

@@ -49,7 +49,7 @@ class StaticModel {
                                     std::vector<Support> supports, StaticOptions options = {},
                                     const Progress& progress = {}, const std::vector<int>& mutual_points = {});
 
-  // Equilibrium under all the loads together. Failures: "tool-touches-nothing" (how far the nearest face is),
+  // Equilibrium under all the loads together and the supports' prescribed displacements. Failures: "tool-touches-nothing" (how far the nearest face is),
   // "load-invalid" (a number that is not finite). A solve that misses the tolerance is a result that may not be
   // used, and says so.
   [[nodiscard]] Result<StaticResult> solve(const Loads& loads) const;

@@ -22,6 +22,9 @@ struct StaticResult {
 
   Eigen::Vector3d applied_force_mN{0, 0, 0};        // sum of all loads
   Eigen::Vector3d fixed_reaction_mN{0, 0, 0};       // what the held points push back with, summed
+  // What the points of each fixed support push back with; zero for the other supports, empty where it was not asked for.
+  // A point that several supports hold counts for the first of them.
+  std::vector<Eigen::Vector3d> support_reaction_mN;
   Eigen::Vector3d foundation_reaction_mN{0, 0, 0};  // what the foundations push back with, summed
   Eigen::Vector3d ligament_reaction_mN{0, 0, 0};    // what the ligaments pull with, summed
   double relative_residual = 0;                     // |K u - f| / |f| over what is free to move (Euclidean)
