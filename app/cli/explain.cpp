@@ -41,6 +41,9 @@ std::string in_words(const closedloop::Explanation& explanation, const closedloo
     text +=
         fmt::format("  on trials left out: {:.3g} {} before, {:.3g} after\n", explanation.held_out_before->rms, unit,
                     explanation.held_out_corrected ? explanation.held_out_corrected->rms : explanation.held_out->rms);
+  if (explanation.hidden_targets)
+    text += fmt::format("  hidden targets, which nothing was fitted to: {:.3g} mm before, {:.3g} after (mean)\n",
+                        explanation.hidden_targets->before.mean, explanation.hidden_targets->after.mean);
   if (const std::string sure = closedloop::posterior_sentence(explanation); !sure.empty()) text += "  " + sure + "\n";
   if (const std::string seen = closedloop::visible_sentence(explanation); !seen.empty()) text += "  " + seen + "\n";
   for (const auto& effect : explanation.effects) {

@@ -47,6 +47,11 @@ Outcome describe(const closedloop::Prediction& prediction) {
     outcome.document["rms"] = prediction.error->rms;
     outcome.text += fmt::format("all: rms {:.4g}\n", prediction.error->rms);
   }
+  if (prediction.hidden_targets) {
+    const closedloop::ErrorFigures& targets = *prediction.hidden_targets;
+    outcome.document["hidden_targets"] = {{"mean_mm", targets.mean}, {"p95_mm", targets.p95}, {"max_mm", targets.max}};
+    outcome.text += fmt::format("hidden targets: {:.3g} mm on average, at most {:.3g}\n", targets.mean, targets.max);
+  }
   return outcome;
 }
 

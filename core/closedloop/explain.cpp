@@ -2,6 +2,7 @@
 
 #include "closedloop/guidance/model.h"
 #include "closedloop/hardware/model.h"
+#include "closedloop/hidden_targets.h"
 #include "closedloop/inference/diagnosis.h"
 #include "closedloop/material/model.h"
 #include "closedloop/palpation/model.h"
@@ -16,6 +17,11 @@ Result<Explained> explain(const std::filesystem::path& file, const Progress& pro
   if (!model) return failure(std::move(model.error()));
   auto explanation = diagnose(**model, {}, progress.part(0.1, 1));
   if (!explanation) return failure(std::move(explanation.error()));
+  if (const auto* guidance = std::get_if<Guidance>(&experiment->setup)) {
+    const auto errors = target_errors(*guidance, {BetterModel{}, better_model(*explanation)});
+    if (!errors) return failure(errors.error());
+    if (!errors->empty()) explanation->hidden_targets = HiddenTargets{errors->front(), errors->back()};
+  }
   return Explained{*std::move(experiment), *std::move(model), *std::move(explanation)};
 }
 

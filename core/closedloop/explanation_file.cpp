@@ -36,6 +36,10 @@ Json numbers(const Eigen::VectorXd& values);
 
 }  // namespace
 
+BetterModel better_model(const Explanation& explanation) {
+  return {explanation.settings, explanation.smooth_correction, explanation.mesh_error_share};
+}
+
 std::string name_of(Verdict verdict) {
   switch (verdict) {
     case Verdict::nothing_missing: return "nothing-missing";
@@ -66,6 +70,13 @@ Json report_json(const Explanation& explanation, const Observations& observation
     json["after"][named("held_out_interval")] = {held_out->low, held_out->high};
   } else {
     json["after"]["held_out"] = "one trial cannot be left out";
+  }
+  if (explanation.hidden_targets) {
+    const auto figures = [](const ErrorFigures& errors) {
+      return Json{{"mean_mm", errors.mean}, {"p95_mm", errors.p95}, {"max_mm", errors.max}};
+    };
+    json["hidden_targets"] = {{"before", figures(explanation.hidden_targets->before)},
+                              {"after", figures(explanation.hidden_targets->after)}};
   }
   if (explanation.evidence_over_smooth) json["evidence_over_smooth_bic"] = *explanation.evidence_over_smooth;
   json["effects"] = Json::array();

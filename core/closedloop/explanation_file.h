@@ -20,6 +20,8 @@ struct BetterModel {
   double mesh_error_share = 0;  // Explanation::mesh_error_share
 };
 
+[[nodiscard]] BetterModel better_model(const Explanation& explanation);
+
 [[nodiscard]] std::string name_of(Verdict verdict);  // "nothing-missing", "explained", "unexplained"
 
 // The contract's report; figures carry "_mm" for palpation and stand without it elsewhere.

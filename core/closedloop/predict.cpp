@@ -5,6 +5,7 @@
 
 #include "closedloop/explain.h"
 #include "closedloop/explanation_file.h"
+#include "closedloop/hidden_targets.h"
 
 namespace glisson::closedloop {
 namespace {
@@ -50,7 +51,7 @@ Result<Prediction> predict(const std::filesystem::path& file, const std::optiona
   if (!predicted) return failure(predicted.error());
 
   const Observations& observations = (*model)->observations();
-  Prediction prediction{observations.unit, observations.directions, {}, {}, observations, *predicted};
+  Prediction prediction{observations.unit, observations.directions, {}, {}, {}, observations, *predicted};
   for (int trial = 0; trial < observations.trial_count(); ++trial) {
     const auto rows = rows_of(observations, trial);
     const Observations one = only_trial(observations, trial, rows);
@@ -59,6 +60,11 @@ Result<Prediction> predict(const std::filesystem::path& file, const std::optiona
     prediction.trials.push_back(std::move(made));
   }
   if (observations.measured.array().isFinite().any()) prediction.error = error_figures(observations, *predicted);
+  if (const auto* guidance = std::get_if<Guidance>(&experiment->setup)) {
+    const auto errors = target_errors(*guidance, {better});
+    if (!errors) return failure(errors.error());
+    if (!errors->empty()) prediction.hidden_targets = errors->front();
+  }
   return prediction;
 }
 

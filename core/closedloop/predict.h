@@ -23,9 +23,10 @@ struct Prediction {
   std::string unit;
   std::vector<std::string> directions;  // of ErrorFigures::rms_of_direction
   std::vector<PredictedTrial> trials;
-  std::optional<ErrorFigures> error;  // of all that was measured
-  Observations observations;          // what all of it is compared with
-  Eigen::VectorXd predicted;          // a number a row of those
+  std::optional<ErrorFigures> error;           // of all that was measured
+  std::optional<ErrorFigures> hidden_targets;  // of guidance whose frames have them
+  Observations observations;                   // what all of it is compared with
+  Eigen::VectorXd predicted;                   // a number a row of those
 };
 
 // `better` is the model.json of explain; without it, the declared model. Failures: those of read_experiment,

@@ -141,6 +141,12 @@ Table errors_table(const Explanation& explanation, const Observations& observati
                                        explanation.held_out_before->low, explanation.held_out_before->high)},
                           {fmt::format("{:.3g} ({:.3g} to {:.3g})", after.rms, after.low, after.high)}});
   }
+  if (explanation.hidden_targets) {
+    row("hidden targets, which nothing was fitted to: mean (mm)", explanation.hidden_targets->before.mean,
+        explanation.hidden_targets->after.mean);
+    row("hidden targets: the farthest (mm)", explanation.hidden_targets->before.max,
+        explanation.hidden_targets->after.max);
+  }
   table.rows.push_back(
       {{"noise of the measurement"}, {figure(explanation.before.noise)}, {figure(explanation.after.noise)}});
   return table;

@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""Does `explain` find in a guided sequence what CalculiX did to the organ or to the camera? A null, three effects of the
+"""Does `explain` find in a guided sequence what CalculiX did to the organ or to the camera, and are hidden targets then
+nearer to where they are, on pulls that it never saw? A null, three effects of the
 catalogue, and one outside of it, which must not be called one of them: undeclared_guidance.py GLISSON_CLI. Exit code 77
 where CalculiX is not installed. Nothing was tuned on this seed."""
 
@@ -34,11 +35,23 @@ def main():
                         "--seed", SEED], env=env, check=True)
         judged = subprocess.run([sys.executable, UNDECLARED / "judge.py", folder + "/cases", "--cli", sys.argv[1], "--out",
                                  folder + "/judged"], env=env, check=True, capture_output=True, text=True).stdout
+        targets_come_nearer(json.loads((pathlib.Path(folder) / "judged" / "judged.json").read_text()))
         refuses(sys.argv[1], pathlib.Path(folder) / "cases" / f"tiny-null-s{SEED}")
     print(judged)
     lines = [line for line in judged.splitlines() if line.startswith(("ok ", "WRONG"))]
     wrong = [line for line in lines if line.startswith("WRONG")]
     sys.exit(len(lines) != len(KINDS.split(",")) or bool(wrong))
+
+
+def targets_come_nearer(results):
+    """Where an effect was explained; where nothing was, they stay where they are."""
+    for result in results:
+        before, after = result["hidden_before"], result["hidden_after"]
+        print(f"{result['case']}: hidden targets of unseen pulls {before:.3f} mm before, {after:.3f} after")
+        if result["truth"] and not result["outside"]:
+            assert after < 0.5 * before, f"{result['case']}: the targets are no nearer"
+        else:
+            assert after <= 1.05 * before, f"{result['case']}: the targets are farther off"
 
 
 def refuses(cli, case):

@@ -41,6 +41,7 @@ class Reader {
                           number(json, "reduced_chi2").value_or(0),
                           {},
                           {},
+                          {},
                           {}};
     errors.held_out_rms = number(json, "held_out_rms");
     const std::string interval = "held_out_interval" + suffix_;
@@ -107,6 +108,10 @@ EvidenceRecord record_in(const Json& said, const Json& model) {
   record.title = model.value("title", record.learnt_from);
   record.before = reader.errors(said.at("before"));
   record.after = reader.errors(said.at("after"));
+  if (said.contains("hidden_targets")) {
+    record.before.hidden_target_mm = said["hidden_targets"].at("before").at("mean_mm").get<double>();
+    record.after.hidden_target_mm = said["hidden_targets"].at("after").at("mean_mm").get<double>();
+  }
   if (said.contains("residual")) {
     record.shape_before = strings(said["residual"].at("before"), "shape");
     record.shape_after = strings(said["residual"].at("after"), "shape");

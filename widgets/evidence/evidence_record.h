@@ -16,6 +16,7 @@ namespace glisson::widgets {
 struct EvidenceErrors {
   double rms = 0, mean = 0, p95 = 0, noise = 0, reduced_chi2 = 0;
   std::optional<double> held_out_rms, held_out_low, held_out_high;
+  std::optional<double> hidden_target_mm;  // mean, of guidance whose hidden targets are known
 };
 
 struct EvidenceParameter {

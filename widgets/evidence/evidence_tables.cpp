@@ -81,6 +81,9 @@ void ErrorsTable::show_record(const EvidenceRecord& record) {
   add(tr("Root mean square"), figure(record.before.rms), figure(record.after.rms));
   add(tr("Mean"), figure(record.before.mean), figure(record.after.mean));
   add(tr("95 of 100 are below"), figure(record.before.p95), figure(record.after.p95));
+  if (record.after.hidden_target_mm) {
+    add(tr("Hidden targets, mean"), figure(record.before.hidden_target_mm), figure(record.after.hidden_target_mm));
+  }
   add(tr("Noise of the measurement"), figure(record.before.noise), figure(record.after.noise));
   fit_height(*this);
 }

@@ -122,6 +122,7 @@ struct Guidance {
   Palpation organ;
   std::vector<std::vector<Eigen::Vector3d>> points_mm;  // of the surface, a frame each, without names
   std::vector<double> time_s;                           // of each frame
+  std::vector<std::vector<Marker>> targets;             // of each frame: hidden places, judged by and never fitted
   double landmark_noise_mm = 0;                         // standard deviation of each coordinate; points: organ.noise_mm
   std::vector<GuidanceTrial> trials;                    // each frame in one
 };

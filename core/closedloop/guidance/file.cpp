@@ -93,7 +93,8 @@ void add_frame(const Json& json, const Source& source, Guidance& guidance) {
   const std::string id =
       text_in(required(json, "id", "frames"), fmt::format("frame {}, id", guidance.organ.trials.size() + 1));
   const std::string where = "frame " + id;
-  only_keys(json, {"id", "time_s", "points", "noise_mm", "pose_guess", "features", "landmarks", "tools"}, where);
+  only_keys(json, {"id", "time_s", "points", "noise_mm", "pose_guess", "features", "landmarks", "targets", "tools"},
+            where);
   const Eigen::Isometry3d to_scan = pose_from(required(json, "pose_guess", where), where + ", pose_guess").inverse();
   PalpationTrial frame;
   frame.id = id;
@@ -104,9 +105,11 @@ void add_frame(const Json& json, const Source& source, Guidance& guidance) {
   guidance.points_mm.push_back(
       points_from(source.named_file(text_in(required(json, "points", where), where + ", points")), where, to_scan,
                   guidance.organ.mesh));
-  if (json.contains("landmarks"))
-    seen.markers = markers_from(source.named_file(text_in(json["landmarks"], where + ", landmarks")), to_scan,
-                                guidance.organ.mesh);
+  const auto table = [&](const char* key) {
+    return markers_from(source.named_file(text_in(json[key], where + ", " + key)), to_scan, guidance.organ.mesh);
+  };
+  if (json.contains("landmarks")) seen.markers = table("landmarks");
+  guidance.targets.push_back(json.contains("targets") ? table("targets") : std::vector<Marker>());
   const Json* tools = json.contains("tools") ? &json["tools"] : nullptr;
   if (tools != nullptr && tools->size() > 1)
     refuse("experiment-invalid", GLISSON_TEXT("In {0} more than one tool touches the organ."), {where},

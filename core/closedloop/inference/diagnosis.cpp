@@ -127,6 +127,7 @@ Result<Explanation> Diagnosis::run() {
       .held_out_corrected =
           smooth ? std::optional(held_out_error(all_, named.left_out.predicted + smooth->held_out, options_.evidence))
                  : std::nullopt,
+      .hidden_targets = {},  // whoever knows them judges by them (explain.cpp)
       .next = std::move(next),
       .posterior = *std::move(probabilities),
       .smallest_visible = std::move(visible),

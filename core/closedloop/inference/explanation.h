@@ -91,6 +91,12 @@ struct SmallestVisible {
   std::optional<double> value;  // absent: at no size within the parameter's bounds
 };
 
+// Places in the organ that nothing was fitted to (hidden_targets.h): how far the declared and the better model are off.
+struct HiddenTargets {
+  ErrorFigures before;
+  ErrorFigures after;
+};
+
 struct Explanation {
   Verdict verdict = Verdict::nothing_missing;
   ErrorFigures before;
@@ -106,7 +112,8 @@ struct Explanation {
   // nothing would have been called explained.
   std::optional<double> evidence_over_smooth;
   std::optional<SmoothCorrection> smooth_correction;
-  std::optional<HeldOut> held_out_corrected;  // with it
+  std::optional<HeldOut> held_out_corrected;    // with it
+  std::optional<HiddenTargets> hidden_targets;  // of guidance, where they were given
   std::optional<NextMeasurement> next;
   Posterior posterior;
   std::vector<SmallestVisible> smallest_visible;  // with "nothing missing"

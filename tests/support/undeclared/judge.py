@@ -70,6 +70,7 @@ def answers(folder, asked):
         for name, extra in (("unseen_before", []), ("unseen_after", ["--with", out / "model.json"])):
             prediction, trouble = cli(asked, ["predict", folder / "heldout.json", *extra])
             said[name] = None if trouble else rms(prediction)
+            said[name.replace("unseen", "hidden")] = (prediction or {}).get("hidden_targets", {}).get("mean_mm")
             problem = problem or trouble
     if problem:
         said["problem"] = problem
@@ -137,6 +138,8 @@ def judge(folder, said):
     result["fitted_before"], result["fitted_after"] = (rms(report[k]) / noises for k in ("before", "after"))
     for name in ("unseen_before", "unseen_after"):
         result[name] = None if said.get(name) is None else said[name] / noises
+    for name in ("hidden_before", "hidden_after"):  # mm, on the unseen trials; guidance alone
+        result[name] = said.get(name)
     return result
 
 

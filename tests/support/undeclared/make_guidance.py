@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Makes guidance experiments with an undeclared effect: make_guidance.py OUT [--kinds a,b] [--sizes 8] [--seed N]
 [--specimens tiny]. CalculiX moves the organ with other elements on another mesh; a camera sees clouds of the surface it
-faces, without names, and a few landmarks. A case is named by its specimen, effect, size and seed; experiment.json,
+faces, without names, a few landmarks, and where hidden targets inside truly are, for judging. A case is named by its specimen, effect, size and seed; experiment.json,
 heldout.json (pulls that explain never sees) and truth.json are what judge.py takes."""
 
 import json
@@ -21,7 +21,7 @@ from specimens import boundary_triangles, write_vtu
 
 MINIMUM_NOISE_MM = 0.1  # a cloud from stereo is seldom better
 REACH_MM = 6.0
-SEEN, CLOUD, LANDMARKS = 400, 120, 10
+SEEN, CLOUD, LANDMARKS, TARGETS = 400, 120, 10, 12
 TOWARDS_CAMERA = np.array([0.5, 0.4, 0.77])
 FRAMES = (2, 4, 7)  # which samples of a pull are frames: half, all, and some of its force
 
@@ -47,10 +47,19 @@ def scene_of(specimen):
         triangles, centroids, areas, normals = boundary_triangles(scene.experiment)
         free = np.flatnonzero(~scene.experiment.held_faces & (normals @ TOWARDS_CAMERA > 0.2))
         chosen = rng.choice(free, SEEN, p=areas[free] / areas[free].sum())
-        scene.markers_mm = np.einsum("nk,nkd->nd", rng.dirichlet([1, 1, 1], SEEN), triangles[chosen])
+        seen_mm = np.einsum("nk,nkd->nd", rng.dirichlet([1, 1, 1], SEEN), triangles[chosen])
+        scene.markers_mm = np.vstack([seen_mm, hidden_places(scene.experiment, rng)])
         scene.elements, scene.weights = Locator(scene.truth)(scene.markers_mm)
         SCENES[specimen] = scene
     return SCENES[specimen]
+
+
+def hidden_places(mesh, rng):
+    """Evenly over the volume."""
+    corners = mesh.points[mesh.elements[:, :4]]
+    volume = np.abs(np.linalg.det(corners[:, 1:] - corners[:, :1]))
+    chosen = rng.choice(len(corners), TARGETS, p=volume / volume.sum())
+    return np.einsum("nk,nkd->nd", rng.dirichlet([1, 1, 1, 1], TARGETS), corners[chosen])
 
 
 def make(folder, specimen, kinds, size, seed):
@@ -92,18 +101,24 @@ def make(folder, specimen, kinds, size, seed):
 def write_frame(folder, scene, effects, site, k, moved, noise, pose, rng):
     name = f"{site.name}-{k}"
     in_camera = lambda points: points @ pose[:3, :3].T + pose[:3, 3]
-    seen = in_camera(scene.markers_mm + moved) + rng.normal(0, noise, moved.shape)
+    true = in_camera(scene.markers_mm + moved)
+    seen = true[:SEEN] + rng.normal(0, noise, (SEEN, 3))
     cloud = seen[LANDMARKS + rng.choice(SEEN - LANDMARKS, CLOUD, replace=False)]
     header = f"ply\nformat ascii 1.0\nelement vertex {CLOUD}\nproperty double x\nproperty double y\nproperty double z\n"
     (folder / f"{name}.ply").write_text(header + "end_header\n" + "".join("%.5f %.5f %.5f\n" % tuple(p) for p in cloud))
-    rows = [",".join([f"m{m}", *("%.5f" % x for x in (*rest, *now))])
-            for m, (rest, now) in enumerate(zip(scene.markers_mm[:LANDMARKS], seen[:LANDMARKS]), 1)]
-    (folder / f"{name}.csv").write_text("id,rest_x_mm,rest_y_mm,rest_z_mm,x_mm,y_mm,z_mm\n" + "\n".join(rows) + "\n")
+    write_places(folder / f"{name}.csv", "m", scene.markers_mm[:LANDMARKS], seen)
+    write_places(folder / f"{name}-targets.csv", "t", scene.markers_mm[SEEN:], true[SEEN:])
     force = read_force(effects, site)[k] * pose[:3, :3] @ site.direction
-    return {"id": name, "time_s": site.times_s[k], "points": f"{name}.ply", "landmarks": f"{name}.csv",
+    return {"id": name, "time_s": site.times_s[k], "points": f"{name}.ply", "landmarks": f"{name}.csv", "targets": f"{name}-targets.csv",
             "pose_guess": pose.ravel().round(12).tolist(),
             "tools": [{"id": "retractor", "at_rest_mm": list(site.center_mm), "radius_mm": site.radius_mm,
                        "force_N": force.round(9).tolist()}]}
+
+
+def write_places(file, prefix, rest_mm, now_mm):
+    rows = [",".join([f"{prefix}{m}", *("%.5f" % x for x in (*rest, *now))])
+            for m, (rest, now) in enumerate(zip(rest_mm, now_mm), 1)]
+    file.write_text("id,rest_x_mm,rest_y_mm,rest_z_mm,x_mm,y_mm,z_mm\n" + "\n".join(rows) + "\n")
 
 
 def main():
