@@ -1,18 +1,17 @@
 // glisson-cli session (CASE | --mesh FILE.vtu --scenario S.json) --commands FILE.json [--material M] [--out DIR]: a
-// rehearsal with tools in contact, command by command; what was recorded before is compared bit for bit.
+// rehearsal with tools in contact, command by command; what was recorded before is compared bit for bit. Of several
+// recordings, what each asks of the liver, side by side.
 
 #include <fmt/format.h>
 
 #include "base/files.h"
-#include "casefile/model.h"
-#include "casefile/used_entries.h"
 #include "command.h"
-#include "elastography/cell_stiffness.h"
 #include "evidence_answer.h"
-#include "geometry/mesh_file.h"
-#include "mechanics/scenario/scenario_file.h"
 #include "one_of.h"
-#include "rehearsal/session.h"
+#include "rehearsal/orders.h"
+#include "report/html.h"
+#include "report/orders_page.h"
+#include "session_question.h"
 #include "shared_options.h"
 
 namespace glisson::cli {
@@ -24,62 +23,16 @@ using mechanics::MaterialLaw;
 enum class Settling { each, last, none };
 
 struct Options {
-  std::optional<std::string> case_folder, mesh_file, scenario_file;
-  std::string commands_file;
-  mechanics::Engine engine = mechanics::Engine::fem;
-  std::optional<MaterialLaw> material;
-  std::optional<double> strain_stiffening;
+  SessionSource source;
+  std::vector<std::string> commands_files;
   Settling settle = Settling::each;
   std::optional<std::string> out;
 };
 
-// What is rehearsed, and what is to be said of it.
-struct Question {
-  rehearsal::RehearsalSetup setup;
-  casefile::Evidence evidence;
-  std::vector<std::string> remarks;
-};
-
-Result<Question> question_of_case(const std::string& folder) {
-  const auto patient = casefile::Case::open(folder);
-  if (!patient) return failure(patient.error());
-  auto model = casefile::read_model(*patient);
-  if (!model) return failure(model.error());
-  Question question{{}, model->evidence, messages(casefile::model_remarks(*patient))};
-  if (model->assumed) question.remarks.push_back(model->assumed->message());
-  question.setup = casefile::rehearsal_setup(std::move(*model));
-  return question;
-}
-
-// Beside a mesh lies the same reference body as beside a case.
-Result<Question> question_of_mesh(const std::string& mesh_file, const std::string& scenario_file) {
-  const auto scenario = mechanics::read_scenario(scenario_file);
-  if (!scenario) return failure(scenario.error());
-  auto mesh = geometry::read_tetrahedra(mesh_file);
-  if (!mesh) return failure(std::move(mesh.error()));
-  auto setup = rehearsal::rehearsal_setup(std::move(*mesh), *scenario);
-  if (!setup) return failure(std::move(setup.error()).in_file(scenario_file));
-  setup->atlas_youngs_kPa =
-      elastography::atlas_youngs_kPa(elastography::Atlas::dissertation_cohort, setup->options.poisson_ratio);
-  return Question{std::move(*setup), {}, {}};
-}
-
-Result<Question> question_of(const Options& options) {
-  if (options.engine == mechanics::Engine::meshfree) {
-    return failure("not-available", GLISSON_TEXT("A session knows the engine fem alone; meshfree is for simulate."));
-  }
-  auto question = options.case_folder ? question_of_case(*options.case_folder)
-                                      : question_of_mesh(*options.mesh_file, *options.scenario_file);
-  if (!question) return question;
-  mechanics::ChosenLaw& law = question->setup.law;
-  if (options.material) law.law = *options.material;
-  if (options.strain_stiffening) law.strain_stiffening = *options.strain_stiffening;
-  if (law.law == MaterialLaw::veronda_westmann && law.strain_stiffening == 0) {
-    law.strain_stiffening = 3;
-    question->remarks.emplace_back(
-        "Nobody said how soon the liver stiffens with strain: strain_stiffening 3 is assumed.");
-  }
-  return question;
+Result<rehearsal::Recording> recording_in(const std::string& file) {
+  return read_text_file(file, std::uint64_t{64} << 20).and_then([&](const std::string& text) {
+    return rehearsal::parse_recording(text, file);
+  });
 }
 
 Json json_of(const rehearsal::SessionStep& step) {
@@ -180,12 +133,11 @@ Result<void> write_out(const std::string& out, const rehearsal::Recording& recor
 }
 
 Result<Outcome> run(const Options& options, const Progress& progress) {
-  const auto text = read_text_file(options.commands_file, std::uint64_t{64} << 20);
-  if (!text) return failure(text.error());
-  auto commands = rehearsal::parse_recording(*text, options.commands_file);
-  if (!commands) return failure(std::move(commands.error()));
+  const std::string& file = options.commands_files.front();
+  const auto commands = recording_in(file);
+  if (!commands) return failure(commands.error());
   progress.report(0.0, GLISSON_TEXT("Reading the model"));
-  auto question = question_of(options);
+  auto question = question_of(options.source);
   if (!question) return failure(std::move(question.error()));
   auto engine = rehearsal::SessionEngine::create(std::move(question->setup), progress.part(0.0, 0.5));
   if (!engine) return failure(std::move(engine.error()));
@@ -227,7 +179,7 @@ Result<Outcome> run(const Options& options, const Progress& progress) {
                          GLISSON_TEXT("Command {0} led to another state than was recorded."),
                          {std::to_string(*first_other + 1)},
                          GLISSON_TEXT("Replay with the case and the version that it was recorded with."),
-                         options.commands_file});
+                         file});
   }
   if (options.out) {
     outcome.document["out"] = *options.out;
@@ -238,28 +190,70 @@ Result<Outcome> run(const Options& options, const Progress& progress) {
   return outcome;
 }
 
+// Several recordings: what each asks of the liver. Of one file name the folder tells them apart.
+Result<Outcome> compare_orders(const Options& options, const Progress& progress) {
+  std::vector<rehearsal::Recording> recordings;
+  for (const std::string& file : options.commands_files) {
+    auto recording = recording_in(file);
+    if (!recording) return failure(std::move(recording.error()));
+    recordings.push_back(*std::move(recording));
+  }
+  progress.report(0.0, GLISSON_TEXT("Reading the model"));
+  auto question = question_of(options.source, true);
+  if (!question) return failure(std::move(question.error()));
+  auto models = rehearsal::rehearsal_models(question->setup, progress.part(0.0, 0.3));
+  if (!models) return failure(std::move(models.error()));
+  question->setup.models = *std::move(models);
+
+  Outcome outcome{{{"orders", Json::array()}}, bullet_list(question->remarks)};
+  if (!question->remarks.empty()) outcome.document["notes"] = question->remarks;
+  std::vector<rehearsal::OrderOfSteps> orders;
+  for (std::size_t r = 0; r < recordings.size(); ++r) {
+    const double begin = 0.3 + 0.7 * double(r) / double(recordings.size());
+    const std::filesystem::path file(options.commands_files[r]);
+    auto order = rehearsal::run_order(question->setup, question->vessels, file.stem().string(), recordings[r],
+                                      progress.part(begin, begin + 0.7 / double(recordings.size())));
+    if (!order) return failure(std::move(order.error()));
+    outcome.document["orders"].push_back(report::json_of(*order));
+    outcome.text += fmt::format("{}: {:.2f} N at most, strain {:.0f} % at most{}\n", order->name,
+                                order->largest_force_N.value, 100 * order->largest_strain.value,
+                                order->unusable.empty() ? "" : ", with steps that may not be used");
+    for (const rehearsal::LandmarkMove& landmark : order->landmarks)
+      outcome.text += fmt::format("  {} moves by {:.1f} mm at most\n", landmark.id, landmark.largest_mm.value);
+    orders.push_back(*std::move(order));
+  }
+  if (!options.out) return outcome;
+  const std::filesystem::path out(*options.out);
+  outcome.document["files"] = {(out / "orders.json").string(), (out / "orders.html").string()};
+  auto written = write_text_file(out / "orders.json", outcome.document.dump(1) + "\n").and_then([&] {
+    return report::write_html(out / "orders.html", report::orders_page(orders, question->origin, question->remarks));
+  });
+  if (!written) return failure(std::move(written.error()));
+  return outcome;
+}
+
 }  // namespace
 
 void add_session(CLI::App& app, Action& chosen) {
   CLI::App* command = app.add_subcommand(
       "session", "Rehearse with tools in contact, command by command; replay a recording to the bit");
   auto options = std::make_shared<Options>();
-  CLI::Option* case_folder = command->add_option("case", options->case_folder, "The case");
-  CLI::Option* mesh = command->add_option("--mesh", options->mesh_file, "Tetrahedra (.vtu), instead of a case");
-  CLI::Option* scenario = command->add_option("--scenario", options->scenario_file,
+  CLI::Option* case_folder = command->add_option("case", options->source.case_folder, "The case");
+  CLI::Option* mesh = command->add_option("--mesh", options->source.mesh_file, "Tetrahedra (.vtu), instead of a case");
+  CLI::Option* scenario = command->add_option("--scenario", options->source.scenario_file,
                                               "Of the mesh: supports, loads, moduli, landmarks (JSON)");
   mesh->needs(scenario)->excludes(case_folder);
   scenario->needs(mesh);
   command
-      ->add_option("--commands", options->commands_file,
+      ->add_option("--commands", options->commands_files,
                    "\"glisson-session/1\" (JSON): hold, release, cut, undo and settle; a digest that stands there must "
-                   "come out again")
+                   "come out again. Several files are orders of steps, which are compared")
       ->required();
-  command->add_option("--engine", options->engine, "How it is computed")
+  command->add_option("--engine", options->source.engine, "How it is computed")
       ->transform(
           one_of<mechanics::Engine>({{"fem", mechanics::Engine::fem}, {"meshfree", mechanics::Engine::meshfree}}));
   command
-      ->add_option("--material", options->material,
+      ->add_option("--material", options->source.material,
                    "linear is small strain, the others large strain with a bound of each first picture; default: what "
                    "the scenario says, of a case linear")
       ->transform(one_of<MaterialLaw>({{"linear", MaterialLaw::linear},
@@ -267,7 +261,7 @@ void add_session(CLI::App& app, Action& chosen) {
                                        {"neo-hookean", MaterialLaw::neo_hookean},
                                        {"veronda-westmann", MaterialLaw::veronda_westmann}}));
   command
-      ->add_option("--strain-stiffening", options->strain_stiffening,
+      ->add_option("--strain-stiffening", options->source.strain_stiffening,
                    "Of veronda-westmann: how soon it stiffens (its c2)")
       ->check(CLI::PositiveNumber);
   command
@@ -277,10 +271,12 @@ void add_session(CLI::App& app, Action& chosen) {
   command->add_option(
       "--out", options->out,
       "Folder for the commands with each frame's digest (session.json) and the frames (frames.json); or "
-      "a file.json for the commands alone");
+      "a file.json for the commands alone; of several orders, for orders.json and orders.html");
   command->callback([&chosen, options] {
-    if (!options->case_folder && !options->mesh_file) throw CLI::RequiredError("a case or --mesh");
-    chosen = [options](const Progress& progress) { return run(*options, progress); };
+    if (!options->source.case_folder && !options->source.mesh_file) throw CLI::RequiredError("a case or --mesh");
+    chosen = [options](const Progress& progress) {
+      return options->commands_files.size() == 1 ? run(*options, progress) : compare_orders(*options, progress);
+    };
   });
 }
 

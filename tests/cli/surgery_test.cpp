@@ -234,6 +234,38 @@ TEST_F(SmallLiver, ASessionWithTwoToolsIsRecordedAndReplaysToTheBit) {
   EXPECT_THAT(other.json().at("error").at("message").get<std::string>(), HasSubstr("Command 2"));
 }
 
+TEST_F(SmallLiver, TwoOrdersOfStepsAreComparedInFiguresAndAsAPage) {
+  const auto order = [&](const char* name, double first_mN) {
+    const std::string commands = R"({"format": "glisson-session/1", "commands": [
+      {"hold": {"id": "hook", "shape": "nathanson-retractor", "position_mm": [0, 0, -70], "direction": [0, 0, 1],
+                "push_mN": )" + std::to_string(first_mN) +
+                                 R"(}},
+      {"hold": {"id": "hook", "shape": "nathanson-retractor", "position_mm": [0, 0, -70], "direction": [0, 0, 1],
+                "push_mN": 100}}]})";
+    EXPECT_TRUE(write_text_file(folder_->path() / name, commands));
+    return file(name);
+  };
+  const Json compared = answer({"session", patient(), "--commands", order("gently.json", 150),
+                                order("hard <first>.json", 300), "--out", file("orders")});
+  const Json& orders = compared.at("orders");
+  ASSERT_EQ(orders.size(), 2u);
+  EXPECT_EQ(orders[0].at("name"), "gently");
+  EXPECT_NEAR(orders[0].at("largest_force_N").get<double>(), 0.15, 1e-3);
+  EXPECT_NEAR(orders[1].at("largest_force_N").get<double>(), 0.3, 1e-3);
+  EXPECT_EQ(orders[1].at("largest_force_N_at_step"), 1);
+  ASSERT_FALSE(orders[0].at("landmarks").empty());
+  for (std::size_t l = 0; l < orders[0].at("landmarks").size(); ++l) {
+    const Json &gently = orders[0].at("landmarks")[l], &hard = orders[1].at("landmarks")[l];
+    EXPECT_LT(gently.at("largest_mm"), hard.at("largest_mm"));
+    EXPECT_NEAR(gently.at("end_mm").get<double>(), hard.at("end_mm").get<double>(), 0.2);
+  }
+  const std::string page = read_text_file(folder_->path() / "orders" / "orders.html", 1 << 22).value();
+  EXPECT_THAT(page, HasSubstr("Orders of steps compared"));
+  EXPECT_THAT(page, HasSubstr("hard &lt;first&gt;"));
+  EXPECT_EQ(Json::parse(read_text_file(folder_->path() / "orders" / "orders.json", 1 << 22).value()).at("orders"),
+            orders);
+}
+
 TEST_F(SmallLiver, IsCutAndTouchedByAScenario) {
   ASSERT_TRUE(write_text_file(folder_->path() / "cut.json", R"({"material": "linear",
       "supports": [{"point_array": "bare_area"}, {"point_array": "diaphragm", "foundation_kPa_per_mm": 1.1}],

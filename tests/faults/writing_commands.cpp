@@ -176,6 +176,8 @@ std::vector<WritingCommand> writing_commands() {
       {"plan-add", {"plan", "@small.glisson", "--add", "@right.json"}},
       {"plan-drop", {"plan", "@small.glisson", "--drop", "wedge"}},
       {"plan-compare", {"plan", "@small.glisson", "--compare", "--out", "@plans"}},
+      {"session-orders",
+       {"session", "@small.glisson", "--commands", "@hook.json", "@hook.json", "--out", "@orders"}},
       {"session", {"session", "@small.glisson", "--commands", "@hook.json", "--out", "@recorded.json"}},
       {"accept", {"accept", "@small.glisson", "@model.json", "--of-this-patient"}},
       {"register", {"register", "@stl/liver.stl", "@stl/tumour-1.stl", "--method", "icp", "--out", "@moved.ply"}},

@@ -1,0 +1,65 @@
+#include "session_question.h"
+
+#include "casefile/model.h"
+#include "casefile/resection_folder.h"
+#include "casefile/used_entries.h"
+#include "elastography/cell_stiffness.h"
+#include "geometry/mesh_file.h"
+#include "mechanics/scenario/scenario_file.h"
+
+namespace glisson::cli {
+namespace {
+
+Result<SessionQuestion> question_of_case(const std::string& folder, bool with_structures) {
+  const auto patient = casefile::Case::open(folder);
+  if (!patient) return failure(patient.error());
+  auto model = casefile::read_model(*patient);
+  if (!model) return failure(model.error());
+  SessionQuestion question{{}, {}, model->evidence, messages(casefile::model_remarks(*patient)), patient->origin()};
+  if (model->assumed) question.remarks.push_back(model->assumed->message());
+  std::vector<geometry::Surface> structures;
+  for (const casefile::StructureSurface& structure : model->structures) {
+    if (!with_structures) break;
+    if (casefile::resection_kind(structure.name) == rehearsal::StructureKind::vessel)
+      question.vessels.push_back(structures.size());
+    structures.push_back(structure.surface);
+  }
+  question.setup = casefile::rehearsal_setup(std::move(*model));
+  question.setup.structures = std::move(structures);
+  return question;
+}
+
+// Beside a mesh lies the same reference body as beside a case.
+Result<SessionQuestion> question_of_mesh(const std::string& mesh_file, const std::string& scenario_file) {
+  const auto scenario = mechanics::read_scenario(scenario_file);
+  if (!scenario) return failure(scenario.error());
+  auto mesh = geometry::read_tetrahedra(mesh_file);
+  if (!mesh) return failure(std::move(mesh.error()));
+  auto setup = rehearsal::rehearsal_setup(std::move(*mesh), *scenario);
+  if (!setup) return failure(std::move(setup.error()).in_file(scenario_file));
+  setup->atlas_youngs_kPa =
+      elastography::atlas_youngs_kPa(elastography::Atlas::dissertation_cohort, setup->options.poisson_ratio);
+  return SessionQuestion{std::move(*setup), {}, {}, {}, {}};
+}
+
+}  // namespace
+
+Result<SessionQuestion> question_of(const SessionSource& source, bool with_structures) {
+  if (source.engine == mechanics::Engine::meshfree) {
+    return failure("not-available", GLISSON_TEXT("A session knows the engine fem alone; meshfree is for simulate."));
+  }
+  auto question = source.case_folder ? question_of_case(*source.case_folder, with_structures)
+                                     : question_of_mesh(*source.mesh_file, *source.scenario_file);
+  if (!question) return question;
+  mechanics::ChosenLaw& law = question->setup.law;
+  if (source.material) law.law = *source.material;
+  if (source.strain_stiffening) law.strain_stiffening = *source.strain_stiffening;
+  if (law.law == mechanics::MaterialLaw::veronda_westmann && law.strain_stiffening == 0) {
+    law.strain_stiffening = 3;
+    question->remarks.emplace_back(
+        "Nobody said how soon the liver stiffens with strain: strain_stiffening 3 is assumed.");
+  }
+  return question;
+}
+
+}  // namespace glisson::cli

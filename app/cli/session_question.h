@@ -1,0 +1,33 @@
+#pragma once
+// What a session is asked of: a case, or a mesh with a scenario, and what is to be said of it.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "casefile/evidence.h"
+#include "rehearsal/session.h"
+
+namespace glisson::cli {
+
+struct SessionQuestion {
+  rehearsal::RehearsalSetup setup;
+  std::vector<std::size_t> vessels;  // of the setup's structures
+  casefile::Evidence evidence;
+  std::vector<std::string> remarks;
+  std::string origin;  // "SIMULATED ...", or empty
+};
+
+struct SessionSource {
+  std::optional<std::string> case_folder, mesh_file, scenario_file;
+  mechanics::Engine engine = mechanics::Engine::fem;
+  std::optional<mechanics::MaterialLaw> material;
+  std::optional<double> strain_stiffening;
+};
+
+// `with_structures`: the setup's structures are those of the case, which cost time at each step. Failures: those of
+// reading; "not-available" (the meshfree engine).
+Result<SessionQuestion> question_of(const SessionSource& source, bool with_structures = false);
+
+}  // namespace glisson::cli
