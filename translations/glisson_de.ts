@@ -3216,10 +3216,6 @@
         <translation>Ein Balken fand kein Gleichgewicht: {0}</translation>
     </message>
     <message>
-        <source>Resolutions must grow from 0.5 mm3 or more to 600 mm3 or less, in 2 to 100 steps.</source>
-        <translation>Auflösungen müssen von 0.5 mm3 oder mehr bis 600 mm3 oder weniger ansteigen, in 2 bis 100 Schritten.</translation>
-    </message>
-    <message>
         <source>With {0} nodes the beam did not converge: {1}</source>
         <translation>Mit {0} Knoten ist der Balken nicht konvergiert: {1}</translation>
     </message>
@@ -5458,6 +5454,42 @@
     <message>
         <source>landmarks that the benchmark has no place for were left out: {0}</source>
         <translation>weggelassene Landmarken, für die der Vergleichsmaßstab keinen Ort hat: {0}</translation>
+    </message>
+    <message>
+        <source>A frame is this program&apos;s own: {0}. Carried over from another machine in proportion to memory and arithmetic; nobody has run it on these platforms.</source>
+        <translation>Ein Bild ist dieses Programms eigenes: {0}. Im Verhältnis von Speicher und Rechenleistung von einem anderen Rechner übertragen; auf diesen Plattformen hat es niemand laufen lassen.</translation>
+    </message>
+    <message>
+        <source>The task {0} moves no bytes and takes no operations.</source>
+        <translation>Die Aufgabe {0} bewegt keine Bytes und braucht keine Operationen.</translation>
+    </message>
+    <message>
+        <source>{0} has no list &quot;tasks&quot; of 1 to {1} tasks.</source>
+        <translation>{0} hat keine Liste &quot;tasks&quot; mit 1 bis {1} Aufgaben.</translation>
+    </message>
+    <message>
+        <source>Two tasks have the id &quot;{0}&quot;.</source>
+        <translation>Zwei Aufgaben haben die Kennung &quot;{0}&quot;.</translation>
+    </message>
+    <message>
+        <source>Resolutions must grow from 0.5 mm3 or more to 1700 mm3 or less, in 2 to 100 steps.</source>
+        <translation>Auflösungen müssen von mindestens 0.5 mm3 bis höchstens 1700 mm3 wachsen, in 2 bis 100 Schritten.</translation>
+    </message>
+    <message>
+        <source>Sampling</source>
+        <translation>Abtasten</translation>
+    </message>
+    <message>
+        <source>The matching study takes ascending numbers of points from 8 to 1024, starts of 0 or more, 1 to 1000 passes and livers, and two or more poses of each shape.</source>
+        <translation>Die Studie der Zuordnung nimmt aufsteigende Punktzahlen von 8 bis 1024, Anfänge ab 0, 1 bis 1000 Durchgänge und Lebern sowie zwei oder mehr Stellungen jeder Form.</translation>
+    </message>
+    <message>
+        <source>There is no task &quot;{0}&quot;.</source>
+        <translation>Es gibt keine Aufgabe &quot;{0}&quot;.</translation>
+    </message>
+    <message>
+        <source>Use product or one of: {1}.</source>
+        <translation>Verwenden Sie product oder eine von: {1}.</translation>
     </message>
     <message>
         <source>A support that moves by a displacement is there for equilibrium by finite elements, without tools, motion, walls kept apart and data in place of a law.</source>

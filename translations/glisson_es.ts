@@ -3216,10 +3216,6 @@
         <translation>Una viga no encontró el equilibrio: {0}</translation>
     </message>
     <message>
-        <source>Resolutions must grow from 0.5 mm3 or more to 600 mm3 or less, in 2 to 100 steps.</source>
-        <translation>Las resoluciones deben crecer desde 0.5 mm3 o más hasta 600 mm3 o menos, en 2 a 100 pasos.</translation>
-    </message>
-    <message>
         <source>With {0} nodes the beam did not converge: {1}</source>
         <translation>Con {0} nodos la viga no ha convergido: {1}</translation>
     </message>
@@ -5458,6 +5454,42 @@
     <message>
         <source>landmarks that the benchmark has no place for were left out: {0}</source>
         <translation>puntos de referencia omitidos, para los que la referencia no tiene lugar: {0}</translation>
+    </message>
+    <message>
+        <source>A frame is this program&apos;s own: {0}. Carried over from another machine in proportion to memory and arithmetic; nobody has run it on these platforms.</source>
+        <translation>Un fotograma es el propio de este programa: {0}. Trasladado desde otra máquina en proporción a la memoria y al cálculo; nadie lo ha ejecutado en estas plataformas.</translation>
+    </message>
+    <message>
+        <source>The task {0} moves no bytes and takes no operations.</source>
+        <translation>La tarea {0} no mueve bytes ni requiere operaciones.</translation>
+    </message>
+    <message>
+        <source>{0} has no list &quot;tasks&quot; of 1 to {1} tasks.</source>
+        <translation>{0} no tiene una lista &quot;tasks&quot; de 1 a {1} tareas.</translation>
+    </message>
+    <message>
+        <source>Two tasks have the id &quot;{0}&quot;.</source>
+        <translation>Dos tareas tienen el identificador &quot;{0}&quot;.</translation>
+    </message>
+    <message>
+        <source>Resolutions must grow from 0.5 mm3 or more to 1700 mm3 or less, in 2 to 100 steps.</source>
+        <translation>Las resoluciones deben crecer desde 0.5 mm3 o más hasta 1700 mm3 o menos, en 2 a 100 pasos.</translation>
+    </message>
+    <message>
+        <source>Sampling</source>
+        <translation>Muestreo</translation>
+    </message>
+    <message>
+        <source>The matching study takes ascending numbers of points from 8 to 1024, starts of 0 or more, 1 to 1000 passes and livers, and two or more poses of each shape.</source>
+        <translation>El estudio de emparejamiento admite números de puntos ascendentes de 8 a 1024, inicios desde 0, de 1 a 1000 pasadas e hígados, y dos o más posturas de cada forma.</translation>
+    </message>
+    <message>
+        <source>There is no task &quot;{0}&quot;.</source>
+        <translation>No hay ninguna tarea &quot;{0}&quot;.</translation>
+    </message>
+    <message>
+        <source>Use product or one of: {1}.</source>
+        <translation>Use product o una de: {1}.</translation>
     </message>
     <message>
         <source>A support that moves by a displacement is there for equilibrium by finite elements, without tools, motion, walls kept apart and data in place of a law.</source>

@@ -3216,10 +3216,6 @@
         <translation>Une poutre n’a pas trouvé d’équilibre&#xa0;: {0}</translation>
     </message>
     <message>
-        <source>Resolutions must grow from 0.5 mm3 or more to 600 mm3 or less, in 2 to 100 steps.</source>
-        <translation>Les résolutions doivent croître de 0.5 mm3 ou plus à 600 mm3 ou moins, en 2 à 100 pas.</translation>
-    </message>
-    <message>
         <source>With {0} nodes the beam did not converge: {1}</source>
         <translation>Avec {0} nœuds, la poutre n’a pas convergé&#xa0;: {1}</translation>
     </message>
@@ -5458,6 +5454,42 @@
     <message>
         <source>landmarks that the benchmark has no place for were left out: {0}</source>
         <translation>repères laissés de côté, pour lesquels la référence n’a pas de place : {0}</translation>
+    </message>
+    <message>
+        <source>A frame is this program&apos;s own: {0}. Carried over from another machine in proportion to memory and arithmetic; nobody has run it on these platforms.</source>
+        <translation>Une image est celle de ce programme : {0}. Reportée d’une autre machine en proportion de la mémoire et du calcul ; personne ne l’a exécutée sur ces plateformes.</translation>
+    </message>
+    <message>
+        <source>The task {0} moves no bytes and takes no operations.</source>
+        <translation>La tâche {0} ne déplace aucun octet et ne demande aucune opération.</translation>
+    </message>
+    <message>
+        <source>{0} has no list &quot;tasks&quot; of 1 to {1} tasks.</source>
+        <translation>{0} n’a pas de liste &quot;tasks&quot; de 1 à {1} tâches.</translation>
+    </message>
+    <message>
+        <source>Two tasks have the id &quot;{0}&quot;.</source>
+        <translation>Deux tâches ont l’identifiant &quot;{0}&quot;.</translation>
+    </message>
+    <message>
+        <source>Resolutions must grow from 0.5 mm3 or more to 1700 mm3 or less, in 2 to 100 steps.</source>
+        <translation>Les résolutions doivent croître de 0.5 mm3 ou plus à 1700 mm3 ou moins, en 2 à 100 pas.</translation>
+    </message>
+    <message>
+        <source>Sampling</source>
+        <translation>Échantillonnage</translation>
+    </message>
+    <message>
+        <source>The matching study takes ascending numbers of points from 8 to 1024, starts of 0 or more, 1 to 1000 passes and livers, and two or more poses of each shape.</source>
+        <translation>L’étude d’appariement prend des nombres de points croissants de 8 à 1024, des départs à partir de 0, de 1 à 1000 passes et foies, et deux poses ou plus de chaque forme.</translation>
+    </message>
+    <message>
+        <source>There is no task &quot;{0}&quot;.</source>
+        <translation>Il n’y a pas de tâche &quot;{0}&quot;.</translation>
+    </message>
+    <message>
+        <source>Use product or one of: {1}.</source>
+        <translation>Utilisez product ou l’une de : {1}.</translation>
     </message>
     <message>
         <source>A support that moves by a displacement is there for equilibrium by finite elements, without tools, motion, walls kept apart and data in place of a law.</source>

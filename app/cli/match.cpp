@@ -101,6 +101,11 @@ void add_match(CLI::App& app, Action& chosen) {
   command->add_option("--solver", match->options.solver, "trwls, or trws: the slow one in double precision")
       ->transform(one_of(
           Words<registration::Solver>{{"trwls", registration::Solver::trwls}, {"trws", registration::Solver::trws}}));
+  command->add_option("--bits", match->options.width, "Of the words that trwls computes in; 64: floating point")
+      ->transform(one_of(Words<registration::WordWidth>{{"8", registration::WordWidth::bits_8},
+                                                        {"16", registration::WordWidth::bits_16},
+                                                        {"32", registration::WordWidth::bits_32},
+                                                        {"64", registration::WordWidth::double_precision}}));
   command
       ->add_option("--prior", match->options.prior,
                    "none: any pose; positions: the surfaces are roughly aligned; auto: positions for a part of a whole")

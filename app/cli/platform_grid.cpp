@@ -2,9 +2,12 @@
 // and 6.9 of the dissertation draw.
 
 #include <fmt/format.h>
+#include <algorithm>
 
 #include "hardware/grid.h"
 #include "platform_commands.h"
+#include "report/grid_page.h"
+#include "report/html.h"
 
 namespace glisson::cli {
 
@@ -15,9 +18,11 @@ namespace {
 struct Options {
   DeviceTables tables;
   PlanRequest request;
-  std::string device;
+  std::string device, out;
   std::vector<double> frame_rates{10, 15, 20, 25};
 };
+
+constexpr double smallest_rise_C = 0.001;  // of a hot spot: what a sum of rounding errors cannot make
 
 Json rows_of(const GridSurface& surface) {
   Json rows = Json::array();
@@ -59,13 +64,16 @@ Result<Outcome> run(const Options& options) {
                    {"resolutions_mm3", grid.resolutions_mm3},
                    {"at", Json::array()}},
                   {}};
+  std::vector<report::GridAtRate> at;
   for (const double frames_per_s : options.frame_rates) {
     PlanRequest request = options.request;
     request.frames_per_s = frames_per_s;
     const auto surfaces = surfaces_over(grid, *device, request);
     if (!surfaces) return failure(surfaces.error());
     Json spots = Json::array();
-    for (const HotSpot& spot : hot_spots(surfaces->temperature_C, 0.01)) {
+    double rise_C = 0;
+    for (const HotSpot& spot : hot_spots(surfaces->temperature_C, smallest_rise_C)) {
+      rise_C = std::max(rise_C, spot.rise);
       spots.push_back({{"volume_cm3", grid.volumes_cm3[spot.volume]},
                        {"resolution_mm3", grid.resolutions_mm3[spot.resolution]},
                        {"temperature_C", spot.value},
@@ -82,11 +90,22 @@ Result<Outcome> run(const Options& options) {
                                       {"contour_energy", segments_of(surfaces->fps_by_energy, frames_per_s)},
                                       {"contour_temperature", segments_of(surfaces->temperature_C, request.limit_C)},
                                       {"contour_all", segments_of(surfaces->fps, frames_per_s)},
-                                      {"hot_spots", spots}});
+                                      {"hot_spots", spots},
+                                      {"hottest_spot_C", rise_C}});
     outcome.text += table_of(surfaces->temperature_C, fmt::format("Surface (C) at {:g} frames a second", frames_per_s));
+    outcome.text +=
+        spots.empty() ? "No hot spots.\n"
+                      : fmt::format("{} hot spots, the largest {:.3g} C above all beside it.\n", spots.size(), rise_C);
+    at.push_back({frames_per_s, *surfaces});
     if (frames_per_s == options.frame_rates.back())
       outcome.text += table_of(surfaces->fps, "Frames a second that meet every constraint");
   }
+  if (options.out.empty()) return outcome;
+  if (auto written = report::write_html(options.out, report::grid_page(*device, at, *devices, options.request));
+      !written) {
+    return failure(written.error());
+  }
+  outcome.document["out"] = options.out;
   return outcome;
 }
 
@@ -98,6 +117,7 @@ void add_platform_grid(CLI::App& platform, Action& chosen) {
   auto options = std::make_shared<Options>();
   command->add_option("--device", options->device, "Its id")->required();
   command->add_option("--fps", options->frame_rates, "Frame rates")->delimiter(',')->capture_default_str();
+  command->add_option("--out", options->out, "Page with the figures 6.7 to 6.9 (HTML)");
   add_request_options(*command, options->request);
   command->add_option("--devices", options->tables.files, "Further device tables (JSON)");
   command->callback([&chosen, options] { chosen = [options](const Progress&) { return run(*options); }; });

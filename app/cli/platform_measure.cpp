@@ -8,6 +8,7 @@
 #include "hardware/measure.h"
 #include "hardware/opencl_product.h"
 #include "platform_commands.h"
+#include "studies/dissertation/product_tasks.h"
 
 namespace glisson::cli {
 
@@ -18,6 +19,8 @@ namespace {
 struct Options {
   MeasureOptions measure;
   std::string out;
+  std::string product_case, tasks_out;
+  studies::ProductTaskOptions product;
   std::string worn = "back";
   std::string opencl_device;
   bool opencl = false;
@@ -200,7 +203,30 @@ Result<Outcome> run(Options options, const Progress& progress) {
   if (!measured) return failure(measured.error());
   if (const auto checked = check(measured->device); !checked) return failure(checked.error());
   if (const auto written = write_devices(options.out, {measured->device}); !written) return failure(written.error());
-  return describe(*measured, runs, options.out);
+  Outcome outcome = describe(*measured, runs, options.out);
+  if (options.product_case.empty()) return outcome;
+  const auto model = casefile::Case::open(options.product_case).and_then([](const casefile::Case& patient) {
+    return casefile::read_model(patient);
+  });
+  if (!model) return failure(model.error());
+  const auto times = studies::time_product_tasks(*model, options.product, progress.part(0.5, 1));
+  if (!times) return failure(times.error());
+  if (auto written = write_tasks(options.tasks_out, times->tasks); !written) return failure(written.error());
+  outcome.document["tasks"] = Json::array();
+  for (const Task& task : times->tasks) {
+    outcome.document["tasks"].push_back({{"id", task.id},
+                                         {"what", task.what},
+                                         {"seconds", task.seconds},
+                                         {"bytes", task.bytes},
+                                         {"operations", task.operations}});
+    outcome.text += fmt::format("{:22} {:9.2f} ms  {}\n", task.id, 1e3 * task.seconds, task.what);
+  }
+  for (const std::string& remark : times->remarks) {
+    outcome.document["remarks"].push_back(remark);
+    outcome.text += "Note: " + remark + "\n";
+  }
+  outcome.document["tasks_out"] = options.tasks_out;
+  return outcome;
 }
 
 }  // namespace
@@ -233,6 +259,16 @@ void add_platform_measure(CLI::App& platform, Action& chosen) {
       ->capture_default_str();
   command->add_option("--seconds-per-point", options->measure.seconds_per_point, "How long each problem runs")
       ->check(CLI::Range(0.001, 600.0))
+      ->capture_default_str();
+  CLI::Option* product = command->add_option("--product", options->product_case,
+                                             "A case with a model: what this program does in a frame is timed with it");
+  command
+      ->add_option("--tasks-out", options->tasks_out, "Where its times are written (JSON), for platform plan --tasks")
+      ->needs(product);
+  product->needs("--tasks-out");
+  command->add_option("--product-frames", options->product.frames, "How many frames of each task")
+      ->needs(product)
+      ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   command->add_flag("--opencl", options->opencl, "On an OpenCL device in place of the processors");
   command->add_option("--opencl-device", options->opencl_device, "Part of its name")->needs("--opencl");

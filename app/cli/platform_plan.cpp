@@ -62,6 +62,8 @@ void add_request_options(CLI::App& command, PlanRequest& request) {
 
 namespace {
 
+constexpr const char* dissertation_task = "product";
+
 double idle_hours(const Device& device) {
   return battery_of(device).energy_Wh() * device.supply_efficiency.value / device.idle_W.value;
 }
@@ -147,6 +149,8 @@ Json as_json(const PlatformAnswer& answer) {
             {"battery_h", answer.idle.idle_h},
             {"temperature_C", answer.idle.idle_C}}},
           {"feasible", answer.feasible},
+          {"holds_probability", answer.certainty.holds},
+          {"fps_interval", {answer.certainty.fps_low, answer.certainty.fps_high}},
           {"fps", answer.fps},
           {"fps_by_computing", answer.fps_by_computing},
           {"fps_by_energy", answer.fps_by_energy},
@@ -187,10 +191,19 @@ Outcome describe(const Plan& planned) {
                                   {"product_flops", work.product_flops},
                                   {"frame_bytes", work.frame_bytes},
                                   {"frame_flops", work.frame_flops}};
+  if (planned.request.task) {
+    outcome.document["workload"] = {{"task", planned.request.task->id},
+                                    {"what", planned.request.task->what},
+                                    {"frame_bytes", work.frame_bytes},
+                                    {"frame_flops", work.frame_flops}};
+  }
+  const std::string asked = planned.request.task
+                                ? planned.request.task->what
+                                : fmt::format("{:.0f} nodes of {:.3g} mm3", work.nodes, work.resolution_mm3);
   outcome.text = fmt::format(
-      "{:.0f} nodes of {:.3g} mm3; a frame moves {:.3g} MB and takes {:.3g} million operations.\n\n"
+      "{}; a frame moves {:.3g} MB and takes {:.3g} million operations.\n\n"
       "Idle first: what the battery allows over {:g} h, and what the device draws when it does nothing.\n",
-      work.nodes, work.resolution_mm3, work.frame_bytes * 1e-6, work.frame_flops * 1e-6, planned.request.duration_h);
+      asked, work.frame_bytes * 1e-6, work.frame_flops * 1e-6, planned.request.duration_h);
   for (const PlatformAnswer& answer : planned.platforms) {
     outcome.text +=
         fmt::format("  {:20} {:5} {:7.3g} W allowed, {:5.3g} W idle: {:+.2g} W\n", answer.id, to_string(answer.worn),
@@ -201,9 +214,10 @@ Outcome describe(const Plan& planned) {
   outcome.document["platforms"] = Json::array();
   for (const PlatformAnswer& answer : planned.platforms) {
     outcome.document["platforms"].push_back(as_json(answer));
-    outcome.text += fmt::format("  {:20} {:6} {:6.3g} W  {:6.3g} h  {:5.3g} C  up to {:.3g} frames/s\n", answer.id,
-                                answer.feasible ? "holds" : "fails", answer.power_W, answer.battery_h,
-                                answer.temperature_C, answer.fps);
+    outcome.text += fmt::format(
+        "  {:20} {:6} {:6.3g} W  {:6.3g} h  {:5.3g} C  up to {:.3g} frames/s ({:.3g} to {:.3g}); holds with {:.0f} %\n",
+        answer.id, answer.feasible ? "holds" : "fails", answer.power_W, answer.battery_h, answer.temperature_C,
+        answer.fps, answer.certainty.fps_low, answer.certainty.fps_high, 100 * answer.certainty.holds);
     outcome.text += sentences_on(answer);
   }
   outcome.document["recommended"] = planned.recommended ? Json(*planned.recommended) : Json(nullptr);
@@ -236,6 +250,24 @@ Result<void> take_over(const std::string& case_folder, bool volume_given, PlanRe
   return {};
 }
 
+// Of the shipped tasks or of a file's.
+Result<Task> task_with_id(const std::string& file, const std::string& id) {
+  auto tasks = !file.empty() ? read_tasks(file) : resource_folder().and_then([](const auto& resources) {
+    return read_tasks(resources / "devices" / "tasks.json");
+  });
+  if (!tasks) return failure(tasks.error());
+  std::string known;
+  for (Task& task : *tasks) {
+    if (task.id == id) return std::move(task);
+    known += (known.empty() ? "" : ", ") + task.id;
+  }
+  return failure(Error{"task-unknown",
+                       GLISSON_TEXT("There is no task \"{0}\"."),
+                       {id, known},
+                       GLISSON_TEXT("Use product or one of: {1}."),
+                       {}});
+}
+
 }  // namespace
 
 void add_platform_list(CLI::App& platform, Action& chosen) {
@@ -262,6 +294,8 @@ void add_platform_plan(CLI::App& platform, Action& chosen) {
     DeviceTables tables;
     PlanRequest request;
     std::optional<std::string> case_folder;
+    std::string task = dissertation_task;
+    std::string tasks_file;
   };
   CLI::App* command =
       platform.add_subcommand("plan", "The least obtrusive platform that holds for a case, and why others fail");
@@ -271,13 +305,22 @@ void add_platform_plan(CLI::App& platform, Action& chosen) {
       command->add_option("--volume-cm3", options->request.liver_volume_cm3, "Volume of the liver, or the case's");
   command->add_option("--stiffness-kPa", options->request.youngs_kPa,
                       "Mean Young's modulus of the liver; the convergence study's own where neither says");
-  command->add_option("--accuracy-mm", options->request.accuracy_mm, "Wanted accuracy")->required();
+  CLI::Option* accuracy = command->add_option("--accuracy-mm", options->request.accuracy_mm, "Wanted accuracy");
+  command
+      ->add_option(
+          "--for", options->task,
+          "What is computed: product (the dissertation's block products), or a task of this program: rehearse, "
+          "rehearse-large-strain, rehearse-meshfree, guide, match")
+      ->capture_default_str();
+  command->add_option("--tasks", options->tasks_file, "Tasks (JSON) in place of the shipped ones: platform measure");
   command->add_option("--fps", options->request.frames_per_s, "Wanted frames a second")->capture_default_str();
   add_request_options(*command, options->request);
   options->tables.add_options(*command);
-  command->callback([&chosen, options, volume] {
+  command->callback([&chosen, options, volume, accuracy] {
     const bool volume_given = volume->count() > 0;
-    if (!options->case_folder && !volume_given) throw CLI::RequiredError("a case or --volume-cm3");
+    const bool own_task = options->task != dissertation_task;
+    if (!own_task && !options->case_folder && !volume_given) throw CLI::RequiredError("a case or --volume-cm3");
+    if (!own_task && accuracy->count() == 0) throw CLI::RequiredError("--accuracy-mm");
     chosen = [options, volume_given](const Progress&) -> Result<Outcome> {
       PlanRequest request = options->request;
       if (options->case_folder) {
@@ -288,6 +331,11 @@ void add_platform_plan(CLI::App& platform, Action& chosen) {
       if (!devices) return failure(devices.error());
       const auto curve = options->tables.curve();
       if (!curve) return failure(curve.error());
+      if (options->task != dissertation_task) {
+        auto task = task_with_id(options->tasks_file, options->task);
+        if (!task) return failure(task.error());
+        request.task = std::move(*task);
+      }
       return plan(request, *devices, *curve).map([](const Plan& planned) { return describe(planned); });
     };
   });

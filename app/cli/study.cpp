@@ -14,6 +14,7 @@ void add_study(CLI::App& app, Action& chosen) {
   add_study_convergence(*study, chosen);
   add_study_example_sequence(*study, chosen);
   add_study_landmarks(*study, chosen);
+  add_study_matching(*study, chosen);
   add_study_palpation(*study, chosen);
   add_study_validate_stiffness(*study, chosen);
   // --json and the other common options stand after the subcommand as well.

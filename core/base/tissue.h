@@ -3,7 +3,7 @@
 
 namespace glisson {
 
-// What liver simulations commonly take for a nearly incompressible organ, the dissertation's among them (section 4.2).
+// What simulations commonly take for a nearly incompressible organ: our choice, since the dissertation states none.
 constexpr double usual_poisson_ratio = 0.45;
 
 }  // namespace glisson

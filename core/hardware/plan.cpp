@@ -17,6 +17,7 @@ Remedies remedies_for(const Device& device, const PlatformAnswer& answer, const 
                       const PlanRequest& request, const ConvergenceCurve& curve);
 std::optional<std::string> least_obtrusive(const std::vector<PlatformAnswer>& platforms);
 std::vector<Sentence> notes_on(const Plan& plan, const ConvergenceCurve& curve);
+std::vector<Sentence> notes_on_headroom(const Plan& plan, std::vector<Sentence> notes);
 double hours_on_battery(const Device& device, double device_W, double ambient_C);
 double rounded_W(double power_W) { return std::round(power_W * 100) / 100; }
 
@@ -25,7 +26,9 @@ double rounded_W(double power_W) { return std::round(power_W * 100) / 100; }
 Result<Plan> plan(const PlanRequest& request, const std::vector<Device>& devices, const ConvergenceCurve& curve) {
   if (const auto checked = check(request); !checked) return failure(checked.error());
   const ConvergenceCurve here = request.youngs_kPa ? in_tissue(curve, *request.youngs_kPa) : curve;
-  const auto workload = workload_for_accuracy(request.liver_volume_cm3, request.accuracy_mm, here, request.workload);
+  const auto workload =
+      request.task ? workload_of(*request.task)
+                   : workload_for_accuracy(request.liver_volume_cm3, request.accuracy_mm, here, request.workload);
   if (!workload) return failure(workload.error());
 
   Plan planned;
@@ -35,6 +38,7 @@ Result<Plan> plan(const PlanRequest& request, const std::vector<Device>& devices
     PlatformAnswer answer = answer_for(device, *workload, request);
     if (!answer.feasible) answer.remedies = remedies_for(device, answer, *workload, request, here);
     answer.assumed = assumed_figures(device);
+    answer.certainty = certainty_of(device, *workload, request);
     planned.platforms.push_back(std::move(answer));
   }
   planned.recommended = least_obtrusive(planned.platforms);
@@ -74,6 +78,19 @@ PlatformAnswer answer_for(const Device& device, const Workload& workload, const 
   answer.reasons = reasons_against(answer, device, workload, request);
   answer.feasible = answer.reasons.empty();
   return answer;
+}
+
+Certainty certainty_of(const Device& device, const Workload& workload, const PlanRequest& request) {
+  constexpr std::uint64_t draws = 200;
+  std::vector<double> fps;
+  double holding = 0;
+  for (std::uint64_t draw = 0; draw < draws; ++draw) {
+    const PlatformAnswer answer = answer_for(drawn(device, draw), workload, request);
+    holding += answer.feasible ? 1 : 0;
+    fps.push_back(answer.fps);
+  }
+  std::sort(fps.begin(), fps.end());
+  return {holding / draws, fps[draws / 10], fps[draws - 1 - draws / 10]};
 }
 
 Result<void> check(const PlanRequest& request) {
@@ -202,6 +219,7 @@ std::optional<double> coarser_accuracy_mm(const Device& device, const PlanReques
     return coarser && answer_for(device, *coarser, request).feasible;
   };
   const double coarsest_mm = curve.points.back().error_mm;
+  if (request.task) return {};
   if (coarsest_mm <= request.accuracy_mm || !holds(coarsest_mm)) return {};
   return last_that_holds(coarsest_mm, request.accuracy_mm, holds);
 }
@@ -272,6 +290,13 @@ std::optional<std::string> least_obtrusive(const std::vector<PlatformAnswer>& pl
 std::vector<Sentence> notes_on(const Plan& planned, const ConvergenceCurve& curve) {
   std::vector<Sentence> notes;
   const PlanRequest& request = planned.request;
+  if (request.task) {
+    notes.push_back(
+        {GLISSON_TEXT("A frame is this program's own: {0}. Carried over from another machine in proportion to "
+                      "memory and arithmetic; nobody has run it on these platforms."),
+         {request.task->what}});
+    return notes_on_headroom(planned, std::move(notes));
+  }
   notes.push_back({GLISSON_TEXT("The resolution for {0} mm in tissue of {1} kPa comes from this curve ({2}): {3}"),
                    {fmt::format("{:g}", request.accuracy_mm), fmt::format("{:.3g}", curve.youngs_kPa),
                     to_string(curve.source), curve.provenance}});
@@ -290,6 +315,11 @@ std::vector<Sentence> notes_on(const Plan& planned, const ConvergenceCurve& curv
                      {std::to_string(request.workload.products_per_frame),
                       fmt::format("{:.0f}", work->bytes_per_node / planned.workload.bytes_per_node)}});
   }
+  return notes_on_headroom(planned, std::move(notes));
+}
+
+std::vector<Sentence> notes_on_headroom(const Plan& planned, std::vector<Sentence> notes) {
+  const PlanRequest& request = planned.request;
   for (const PlatformAnswer& answer : planned.platforms) {
     if (!answer.feasible || answer.idle.headroom_W > 0.1 * answer.idle.allowed_W) continue;
     notes.push_back({GLISSON_TEXT("{0} holds with next to no headroom: its battery allows {1} W over {2} h, and idling "

@@ -14,6 +14,8 @@
 #include "hardware/convergence_curve.h"
 #include "hardware/device.h"
 #include "hardware/sentence.h"
+#include "hardware/task.h"
+#include "hardware/uncertainty.h"
 #include "hardware/workload.h"
 
 namespace glisson::hardware {
@@ -27,6 +29,8 @@ struct PlanRequest {
   double ambient_C = 18;             // the dissertation's operating room
   double limit_C = 45;               // what a person should touch (section 6.5)
   WorkloadOptions workload;
+  // What the product does in a frame (task.h), in place of the dissertation's block products for volume and accuracy.
+  std::optional<Task> task = {};
 };
 
 enum class Constraint { idle_energy, idle_temperature, computing, throttling, energy, temperature };
@@ -60,6 +64,7 @@ struct PlatformAnswer {
   std::string name;
   Worn worn = Worn::head;
   bool feasible = false;
+  Certainty certainty;  // how sure that is; by plan() alone
   Headroom idle;
   // The frame rates up to which each constraint holds, and the minimum of them: what the platform can hold.
   double fps = 0;
@@ -86,6 +91,9 @@ struct Plan {
 
 // Refused: frame rates, durations and temperatures that no operation has ("request-invalid").
 Result<void> check(const PlanRequest& request);
+
+// Of a platform's answer; the same question has the same certainty, to the bit.
+[[nodiscard]] Certainty certainty_of(const Device& device, const Workload& workload, const PlanRequest& request);
 
 // Refused: as by check(), and what workload.h and convergence_curve.h refuse.
 Result<Plan> plan(const PlanRequest& request, const std::vector<Device>& devices, const ConvergenceCurve& curve);

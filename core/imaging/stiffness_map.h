@@ -15,9 +15,9 @@ struct StiffnessMap {
 
 // Decides by the unit in `stored.unit` ("Pa", "kPa", or empty for none; `unit_evidence` says which header field it
 // came from) together with the size of the values: the median of the positive voxels must be a shear modulus that soft
-// tissue can have, 0.2 to 100 kPa. Healthy liver is near 2 kPa, cirrhosis up to 8 or 12 kPa, and E = 3 G = 80 kPa at
-// most has been reported (dissertation, sections 4.1 and 4.2). As the two readings are a factor 1000 apart, at most one
-// of them is plausible.
+// tissue can have, 0.2 to 100 kPa. Healthy liver is near 2 kPa (dissertation, section 4.3), cirrhosis up to 8 or 12 kPa
+// (ours), and livers of 2 to 80 kPa are reported (section 4.1, without saying of which modulus). As the two readings
+// are a factor 1000 apart, at most one of them is plausible.
 //
 // Refused when it is not to be decided: the unit contradicts the values ("stiffness-unit-contradicted"), neither
 // reading is plausible ("stiffness-unit-unknown"), the unit is none of a stiffness ("stiffness-unit-foreign"), or no

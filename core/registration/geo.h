@@ -10,6 +10,7 @@
 #include "geometry/surface.h"
 #include "registration/mrf.h"
 #include "registration/samples.h"
+#include "registration/trwls.h"
 
 namespace glisson::registration {
 
@@ -30,6 +31,7 @@ struct GeoOptions {
   double relative_sigma = 0.5;
   double relative_tau = 0.3;
   Solver solver = Solver::trwls;
+  WordWidth width = WordWidth::bits_16;  // of trwls
   SolverOptions solving;
   Prior prior = Prior::automatic;
   double prior_weight = 0.5;  // a match as far off as tau costs this much of what all its pairs can cost

@@ -47,6 +47,13 @@ const char* widest_instructions() { return simd_name(); }
 
 namespace {
 
+// Without a division for 32 bits, which has no vectors. A reciprocal that is rounded down gives at most one too few.
+std::uint64_t quotient_of(std::uint64_t whole, std::uint64_t divisor) { return whole / divisor; }
+std::uint32_t quotient_of(std::uint32_t whole, std::uint32_t divisor) {
+  const auto quotient = static_cast<std::uint32_t>((whole * ((std::uint64_t{1} << 32) / divisor)) >> 32);
+  return quotient + (whole - quotient * divisor >= divisor ? 1 : 0);
+}
+
 constexpr int words_in_widest_vector = 64;  // of 8 bits; arrays are padded to it
 
 enum class Direction { forth, back };
@@ -88,9 +95,10 @@ class Trwls {
         energy_(problem),
         nodes_(problem.nodes()),
         stride_(static_cast<std::size_t>(field_.slices.stride)),
-        schedule_(nodes_, 2 * options.passes, patience(problem)),
+        schedule_(nodes_, 2 * options.passes, patience(problem), options.order),
         messages_(count() * messages_to_one_node()),
-        scaled_beliefs_(count() * stride_),
+        shares_(count() * stride_),
+        one_more_from_(count() * stride_, never_one_more),
         totals_(count() * stride_) {
     for (auto& bounds : node_bounds_) bounds.resize(count());
     for (auto& bounds : chunk_bounds_) bounds.resize(schedule_.chunks());
@@ -116,7 +124,7 @@ class Trwls {
   void add_cost_of_neighbour(int s, int t, int label_of_t, Total* costs) const;
   bool send(const Schedule::Claim& claim, AlignedVector<Word>& scratch);
   void gather(int sweep, int position);
-  void scale_belief(const Total* belief, Total minimum, int node, Word* scaled) const;
+  void share_belief(const Total* belief, Total minimum, int node, Word* share, std::uint16_t* one_more_from) const;
   [[nodiscard]] double lower_bound(int sweep) const;
   [[nodiscard]] Labelling labelling() const;
   void polish(Labelling& labels) const;
@@ -132,8 +140,9 @@ class Trwls {
   std::size_t stride_;
   Schedule schedule_;
   AlignedVector<Word> messages_;
-  AlignedVector<Word> scaled_beliefs_;  // by position
-  AlignedVector<Total> totals_;         // by position: each gathering has its own
+  AlignedVector<Word> shares_;  // of beliefs; by position, as the next two
+  AlignedVector<std::uint16_t> one_more_from_;
+  AlignedVector<Total> totals_;  // each gathering has its own
   // What was taken off beliefs and messages, in sweeps forth and in sweeps back.
   std::vector<Bound> node_bounds_[2];
   std::vector<Bound> chunk_bounds_[2];
@@ -209,9 +218,11 @@ bool Trwls<Word>::send(const Schedule::Claim& claim, AlignedVector<Word>& scratc
   for (int target = chunk.first_target; target < chunk.first_target + chunk.targets; ++target) {
     const int t = node_at(target, direction);
     const std::size_t pair = field_.slices.pair_of_nodes(s, t);
-    messages.push_back({message(t, s), message(s, t), field_.slices.x[pair], field_.slices.x_weight[pair]});
+    messages.push_back({message(t, s), message(s, t), field_.slices.x[pair], field_.slices.x_weight[pair],
+                        target - chunk.position - 1});
   }
-  const Word* belief = scaled_beliefs_.data() + static_cast<std::size_t>(chunk.position) * stride_;
+  const std::size_t place = static_cast<std::size_t>(chunk.position) * stride_;
+  const SharedBelief<Word> belief{shares_.data() + place, one_more_from_.data() + place};
   chunk_bounds_[claim.sweep % 2][claim.chunk] =
       kernels_.send(field_.slices, belief, messages.data(), chunk.targets, scratch.data());
   schedule_.finished(claim);
@@ -222,35 +233,38 @@ bool Trwls<Word>::send(const Schedule::Claim& claim, AlignedVector<Word>& scratc
 template <typename Word>
 void Trwls<Word>::gather(int sweep, int position) {
   const int s = node_at(position, direction_of(sweep));
-  Total* belief = totals_.data() + static_cast<std::size_t>(position) * stride_;
+  const std::size_t place = static_cast<std::size_t>(position) * stride_;
+  Total* belief = totals_.data() + place;
   const Total* seed = field_.seed.data() + static_cast<std::size_t>(s) * stride_;
   std::copy(seed, seed + stride_, belief);
   kernels_.add_messages(field_.slices, message(0, s), nodes_, belief);  // the node's message to itself stays 0
 
   const Total minimum = *std::min_element(belief, belief + field_.slices.labels);
-  scale_belief(belief, minimum, s, scaled_beliefs_.data() + static_cast<std::size_t>(position) * stride_);
+  share_belief(belief, minimum, s, shares_.data() + place, one_more_from_.data() + place);
   node_bounds_[sweep % 2][static_cast<std::size_t>(position)] = static_cast<Bound>(minimum);
 }
 
-// gamma (belief - least), rounded down so that all chains through the node together take no more than there is: then
-// the bound stays one. Cut at twice the largest cost; so is the padding.
+// gamma (belief - least), so that all chains through the node together get what there is: what a division in whole
+// numbers leaves over goes in ones to the last of them. Cut at twice the largest cost; so is the padding.
 template <typename Word>
-void Trwls<Word>::scale_belief(const Total* belief, Total minimum, int node, Word* scaled) const {
+void Trwls<Word>::share_belief(const Total* belief, Total minimum, int node, Word* share,
+                               std::uint16_t* one_more_from) const {
   const auto maximum = static_cast<Word>(2 * field_.slices.largest_cost);
   const int labels = field_.slices.labels;
   const int chains = std::max(node, nodes_ - 1 - node);
-  if constexpr (sizeof(Word) < 4) {
-    const std::uint64_t reciprocal = (std::uint64_t{1} << 32) / static_cast<std::uint64_t>(chains);
+  if constexpr (std::is_integral_v<Word>) {
+    const auto divisor = static_cast<Total>(chains);
     for (int k = 0; k < labels; ++k) {
-      const std::uint64_t share = ((belief[k] - minimum) * reciprocal) >> 32;
-      scaled[k] = static_cast<Word>(std::min<std::uint64_t>(share, maximum));
+      const Total whole = belief[k] - minimum;
+      const Total quotient = quotient_of(whole, divisor);
+      const bool is_cut = quotient >= maximum;
+      share[k] = is_cut ? maximum : static_cast<Word>(quotient);
+      one_more_from[k] = is_cut ? never_one_more : static_cast<std::uint16_t>(divisor - (whole - quotient * divisor));
     }
   } else {
-    for (int k = 0; k < labels; ++k) {
-      scaled[k] = static_cast<Word>(std::min((belief[k] - minimum) / static_cast<Total>(chains), Total{maximum}));
-    }
+    for (int k = 0; k < labels; ++k) share[k] = std::min((belief[k] - minimum) / static_cast<Total>(chains), maximum);
   }
-  std::fill(scaled + labels, scaled + stride_, maximum);
+  std::fill(share + labels, share + stride_, maximum);
 }
 
 template <typename Word>
@@ -347,12 +361,12 @@ Quantised<Word> quantise(const MatchingProblem& problem) {
   slices.labels = labels;
   slices.stride = (labels + words_in_widest_vector - 1) / words_in_widest_vector * words_in_widest_vector;
 
-  // The finest step at which the largest distance and the largest cost both fit.
+  // The finest step at which the largest cost fits, and tau beside the largest distance.
   double steps_per_mm = 1;
   if constexpr (fixed_point) {
     const double largest_mm = std::max(problem.source_mm.maxCoeff(), problem.target_mm.maxCoeff());
-    steps_per_mm = Number::largest_cost / problem.tau_mm;
-    if (largest_mm > 0) steps_per_mm = std::min(steps_per_mm, Number::largest_distance / largest_mm);
+    steps_per_mm =
+        std::min(Number::largest_cost / problem.tau_mm, (Number::largest_word - 1.0) / (largest_mm + problem.tau_mm));
   }
   const auto in_steps = [&](double distance_mm) {
     const double steps = distance_mm * steps_per_mm;

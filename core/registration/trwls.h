@@ -4,8 +4,9 @@
 // the moment when a message needs it, with the maximum of precomputed exponentials (eq. 3.2), in 16-bit fixed point,
 // with the widest vectors that the machine has, on all threads.
 //
-// What differs from `trws` is rounding alone: costs are quantised to about tau / 10000, or more coarsely where the
-// largest distance exceeds three times tau. Answers do not depend on the number of threads nor on the instructions.
+// What differs from `trws` is rounding alone: costs are quantised to about tau / 16000, or more coarsely where the
+// largest distance exceeds three times tau; a belief is divided among messages in whole steps, what is left over goes
+// to the last of them. Answers do not depend on the number of threads nor on the instructions.
 
 #include "base/progress.h"
 #include "registration/mrf.h"
@@ -19,6 +20,12 @@ enum class WordWidth { bits_8, bits_16, bits_32, double_precision };
 enum class Instructions {
   widest,  // of those that the machine has: AVX-512, AVX2, SSE4, SSSE3, SSE2; NEON
   plain    // portable C++, which says what the vectors must answer
+};
+
+// When the next node's belief is gathered (section 3.2.2). The answer is the same.
+enum class Order {
+  head_first,  // once the one message to it is there, while the rest of this node's are on their way
+  naive        // once all messages of this node are there
 };
 
 // What becomes of the labelling that is read from the messages after each pass.
@@ -38,6 +45,7 @@ struct TrwlsOptions : SolverOptions {
   Starts starts = Starts::several;       // what one or two passes take; only with dynamic stopping and polish
   WordWidth width = WordWidth::bits_16;
   Instructions instructions = Instructions::widest;
+  Order order = Order::head_first;
 };
 
 // Energies are evaluated in double precision by eq. 3.2 for each pass's labelling. The lower bound is the fixed-point

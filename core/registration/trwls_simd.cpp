@@ -37,17 +37,21 @@ HWY_INLINE hn::Vec<D> cost(D tag, hn::Vec<D> y, hn::Vec<D> y_weight, hn::Vec<D> 
   return hn::MulHigh(hn::Max(y_weight, x_weight), hn::Min(hn::BitCast(tag, hn::Abs(difference)), tau));
 }
 
-// offset[k] = scaled_belief[k] - reverse[k], less its minimum, which is returned. Padding never is the minimum: its
-// belief is the largest there is and its message 0.
-HWY_INLINE int take_offset(const Slices<Word>& slices, const Word* scaled_belief, const Word* reverse, Word* offset) {
+// offset[k] = share[k], or one more, - reverse[k], less its minimum, which is returned. Padding never is the minimum:
+// its share is the largest there is and its message 0.
+HWY_INLINE int take_offset(const Slices<Word>& slices, const SharedBelief<Word>& belief, const Message<Word>& message,
+                           Word* offset) {
   const Tag tag;
   const SignedTag signed_tag;
   const auto lanes = hn::Lanes(tag);
   const auto stride = static_cast<std::size_t>(slices.stride);
+  const auto next_turn = hn::Set(signed_tag, static_cast<std::int16_t>(message.turn + 1));
   auto minimum = hn::Set(signed_tag, hwy::LimitsMax<std::int16_t>());
   for (std::size_t k = 0; k < stride; k += lanes) {
-    const auto difference = hn::Sub(hn::BitCast(signed_tag, hn::Load(tag, scaled_belief + k)),
-                                    hn::BitCast(signed_tag, hn::Load(tag, reverse + k)));
+    const auto from = hn::BitCast(signed_tag, hn::Load(tag, belief.one_more_from + k));
+    const auto minus_one = hn::VecFromMask(signed_tag, hn::Gt(next_turn, from));  // where one more is due
+    const auto share = hn::Sub(hn::BitCast(signed_tag, hn::Load(tag, belief.share + k)), minus_one);
+    const auto difference = hn::Sub(share, hn::BitCast(signed_tag, hn::Load(tag, message.reverse + k)));
     hn::Store(hn::BitCast(tag, difference), tag, offset + k);
     minimum = hn::Min(minimum, difference);
   }
@@ -136,7 +140,7 @@ HWY_INLINE int take_minimum(const Slices<Word>& slices, Word* message) {
   return hn::GetLane(minimum);
 }
 
-std::int64_t send(const Slices<Word>& slices, const Word* scaled_belief, const Message<Word>* message, int count,
+std::int64_t send(const Slices<Word>& slices, const SharedBelief<Word>& belief, const Message<Word>* message, int count,
                   Word* scratch) {
   std::int64_t taken = 0;
   for (const Message<Word>* end = message + count; message != end;) {
@@ -149,7 +153,7 @@ std::int64_t send(const Slices<Word>& slices, const Word* scaled_belief, const M
       }
     }
     for (int m = 0; m < together; ++m) {
-      taken += take_offset(slices, scaled_belief, message[m].reverse, scratch + m * slices.stride);
+      taken += take_offset(slices, belief, message[m], scratch + m * slices.stride);
     }
     together == 1   ? minimise<1>(slices, message, scratch)
     : together == 2 ? minimise<2>(slices, message, scratch)

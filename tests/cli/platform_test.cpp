@@ -112,6 +112,32 @@ TEST(PlatformGrid, HasTenByTenProblemsAndContours) {
   EXPECT_EQ(glisson_cli({"platform", "grid", "--device", "abacus"}).exit_code, 1);
 }
 
+TEST(PlatformGrid, DrawsTheFiguresOnAPageAndSaysHowHotHotSpotsAre) {
+  const TemporaryFolder folder;
+  const std::string page = (folder.path() / "grid.html").string();
+  const Json grid = answer({"grid", "--device", "tx2-gpu", "--fps", "25,240", "--out", page});
+  const auto text = read_text_file(page);
+  ASSERT_TRUE(text);
+  for (const char* figure : {"Figure 6.7", "Figure 6.8", "Figure 6.9"}) EXPECT_THAT(*text, testing::HasSubstr(figure));
+  // They are there where the device runs without pause, and hardly where it waits between frames.
+  EXPECT_GT(grid.at("at")[1].at("hottest_spot_C").get<double>(), 0.1);
+  EXPECT_LT(grid.at("at")[0].at("hottest_spot_C").get<double>(), 0.1);
+}
+
+TEST(PlatformPlan, OfThisProgramsOwnTasksSaysHowSureItIs) {
+  for (const char* task : {"rehearse", "rehearse-large-strain", "rehearse-meshfree", "guide", "match"}) {
+    const Json plan = answer({"plan", "--for", task, "--hours", "3", "--fps", "10"});
+    EXPECT_EQ(plan.at("workload").at("task"), task);
+    for (const Json& platform : plan.at("platforms")) {
+      const double holds = platform.at("holds_probability").get<double>();
+      EXPECT_GE(holds, 0);
+      EXPECT_LE(holds, 1);
+      EXPECT_LE(platform.at("fps_interval")[0], platform.at("fps_interval")[1]);
+    }
+  }
+  EXPECT_EQ(glisson_cli({"platform", "plan", "--for", "juggle"}).exit_code, 1);
+}
+
 // Two runs of a made-up device, at 8 and 10 W over idling at 3 W, as a clamp of 10 A/V on 5 V would show them.
 void write_recording(const std::filesystem::path& folder) {
   std::ofstream trace(folder / "scope.csv");

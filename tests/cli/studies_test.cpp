@@ -121,6 +121,18 @@ TEST(Study, ConvergenceMakesACurveThatThePlatformPlanReads) {
   EXPECT_EQ(glisson_cli({"study", "convergence", "--finest-mm3", "0.1", "--out", out}).exit_code, 1);
 }
 
+TEST(Study, MatchingJudgesBitsOnSimulatedLiversAndRefusesALonelyPose) {
+  const TemporaryFolder folder;
+  const std::string out = folder.path().string();
+  const Json study = answer({"study", "matching", "--livers", "1", "--starts", "0", "--points", "16,24", "--passes",
+                             "3", "--seconds-a-timing", "0", "--out", out});
+  EXPECT_TRUE(study.at("simulated").get<bool>());
+  EXPECT_EQ(study.at("problems"), 2);
+  EXPECT_EQ(study.at("quality").size(), 6u);
+  EXPECT_TRUE(fs::exists(study.at("report").get<std::string>()));
+  EXPECT_EQ(glisson_cli({"study", "matching", "one.ply", "--out", out}).exit_code, 1);
+}
+
 TEST(Study, NamesItsSubcommands) { EXPECT_EQ(glisson_cli({"study", "--quiet"}).exit_code, 2); }
 
 }  // namespace

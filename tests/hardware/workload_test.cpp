@@ -20,7 +20,7 @@ TEST(Convergence, ShippedCurveSaysWhichStudyMadeIt) {
   EXPECT_THAT(curve.provenance, testing::HasSubstr("glisson-cli study convergence"));
   EXPECT_EQ(curve.youngs_kPa, 12);  // table 6.1
   EXPECT_NEAR(curve.points.front().resolution_mm3, 1.65, 0.01);
-  EXPECT_NEAR(curve.points.back().resolution_mm3, 165, 5);  // whole nodes: 31 of them
+  EXPECT_GE(curve.points.back().resolution_mm3, 1000);  // beyond figure 6.5: few nodes in the whole beam
 }
 
 TEST(Convergence, SofterTissueMissesMoreOfALargerMotion) {

@@ -192,6 +192,19 @@ TEST(Trwls, AnswersTheSameToTheLastBitWithAnyInstructions) {
   }
 }
 
+// Section 3.2.2: the schedule changes when beliefs are gathered, not what of.
+TEST(Trwls, AnswersTheSameToTheLastBitInEitherOrder) {
+  const MatchingProblem problem = shuffled_points(70, 6, 4).problem;
+  for (const int threads : {1, 3}) {
+    set_thread_count(threads);
+    TrwlsOptions options = trwls_options(WordWidth::bits_16, Instructions::widest, 5);
+    const MatchingSolution head_first = trwls(problem, options).value();
+    options.order = Order::naive;
+    expect_equal(trwls(problem, options).value(), head_first, std::to_string(threads) + " threads");
+  }
+  set_thread_count(0);
+}
+
 TEST(Trwls, AnswersTheSameToTheLastBitOnAnyNumberOfThreads) {
   const MatchingProblem problem = shuffled_points(70, 6, 4).problem;
   set_thread_count(1);
@@ -220,7 +233,9 @@ TEST(Trwls, BracketsTheLeastEnergyAtEveryWidth) {
   }
 }
 
-// Table 3.1 of the dissertation: mean energies within 1.9 % of the baseline's; polished ones are lower.
+// What sixteen bits lose is the energy that they end above the baseline, at most table 3.1's 1.9 % on average; polished
+// they end below. How far they are off either way is what `study matching` measures: where passes settle differently,
+// sixteen bits may end lower.
 TEST(Trwls, LosesLittleEnergyToSixteenBits) {
   double rough = 0, polished = 0, baseline = 0;
   for (unsigned seed = 0; seed < 10; ++seed) {
@@ -229,7 +244,7 @@ TEST(Trwls, LosesLittleEnergyToSixteenBits) {
     rough += trwls(problem, trwls_options(WordWidth::bits_16, Instructions::widest, 20)).value().energy;
     polished += trwls(problem).value().energy;
   }
-  EXPECT_NEAR(rough / baseline, 1.0, 0.019);
+  EXPECT_LE(rough / baseline, 1.019);
   EXPECT_LE(polished / baseline, 1.0);
 }
 

@@ -32,13 +32,18 @@ TEST(ConvergenceStudy, ErrorsFallAsNodesGetSmallerAndTheCurveThatShipsSaysSo) {
   ASSERT_EQ(curve->points.size(), 4u);
   const auto ships = hardware::read_convergence_curve(*resource_folder() / "devices" / "convergence.json");
   ASSERT_TRUE(ships) << ships.error().message();
-  ASSERT_EQ(ships->points.size(), static_cast<std::size_t>(whole.resolutions));
-  for (std::size_t i = 0; i < 4; ++i) {
-    const hardware::ConvergencePoint &made = curve->points[i], &shipped = ships->points[ships->points.size() - 4 + i];
-    EXPECT_DOUBLE_EQ(made.resolution_mm3, shipped.resolution_mm3);
-    // Other processors add up in another order.
-    EXPECT_NEAR(made.error_mm, shipped.error_mm, 0.005 * shipped.error_mm) << shipped.resolution_mm3 << " mm3";
+  EXPECT_GE(ships->points.size(), 10u);
+  EXPECT_GT(ships->points.back().error_mm, 8);  // the coarsest of figure 6.5
+  int shipped = 0;                              // a resolution whose error is below that of a finer one is in no curve
+  for (const hardware::ConvergencePoint& made : curve->points) {
+    for (const hardware::ConvergencePoint& point : ships->points) {
+      if (point.resolution_mm3 != made.resolution_mm3) continue;
+      // Other processors add up in another order.
+      EXPECT_NEAR(made.error_mm, point.error_mm, 0.005 * point.error_mm) << point.resolution_mm3 << " mm3";
+      ++shipped;
+    }
   }
+  EXPECT_GE(shipped, 3);
   for (const char* file : {"convergence.csv", "summary.json", "report.html"}) {
     EXPECT_TRUE(std::filesystem::exists(out.path() / file)) << file;
   }

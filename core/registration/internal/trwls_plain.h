@@ -20,26 +20,24 @@ struct PlainKernels {
                                   std::min(static_cast<Word>(difference < 0 ? -difference : difference), slices.tau));
   }
 
-  static Bound send(const Slices<Word>& slices, const Word* scaled_belief, const Message<Word>* messages, int count,
-                    Word* scratch) {
+  static Bound send(const Slices<Word>& slices, const SharedBelief<Word>& belief, const Message<Word>* messages,
+                    int count, Word* scratch) {
     Bound taken = 0;
     for (const Message<Word>* message = messages; message != messages + count; ++message) {
-      taken += send_one(slices, scaled_belief, *message, scratch);
+      taken += send_one(slices, belief, *message, scratch);
     }
     return taken;
   }
 
-  static Bound send_one(const Slices<Word>& slices, const Word* scaled_belief, const Message<Word>& message,
+  static Bound send_one(const Slices<Word>& slices, const SharedBelief<Word>& belief, const Message<Word>& message,
                         Word* offset) {
+    const auto difference = [&](int k) {
+      const Difference one_more = message.turn >= belief.one_more_from[k] ? 1 : 0;
+      return static_cast<Difference>(belief.share[k]) + one_more - static_cast<Difference>(message.reverse[k]);
+    };
     Difference minimum_offset = std::numeric_limits<Difference>::max();
-    for (int k = 0; k < slices.labels; ++k) {
-      minimum_offset = std::min(
-          minimum_offset, static_cast<Difference>(scaled_belief[k]) - static_cast<Difference>(message.reverse[k]));
-    }
-    for (int k = 0; k < slices.labels; ++k) {
-      offset[k] = static_cast<Word>(static_cast<Difference>(scaled_belief[k]) -
-                                    static_cast<Difference>(message.reverse[k]) - minimum_offset);
-    }
+    for (int k = 0; k < slices.labels; ++k) minimum_offset = std::min(minimum_offset, difference(k));
+    for (int k = 0; k < slices.labels; ++k) offset[k] = static_cast<Word>(difference(k) - minimum_offset);
 
     Word* updated = message.updated;
     std::fill(updated, updated + slices.labels, Arithmetic<Word>::largest_word);

@@ -19,6 +19,8 @@
 #include <thread>
 #include <vector>
 
+#include "registration/trwls.h"
+
 namespace glisson::registration {
 
 struct Chunk {
@@ -30,8 +32,14 @@ struct Chunk {
 class Schedule {
  public:
   // patience: longer than any wait lasts while all threads run.
-  Schedule(int nodes, int sweeps, std::chrono::microseconds patience)
-      : nodes_(nodes), sweeps_(sweeps), patience_(patience), done_(count()), head_done_(count()), gathered_(count()) {
+  Schedule(int nodes, int sweeps, std::chrono::microseconds patience, Order order = Order::head_first)
+      : nodes_(nodes),
+        sweeps_(sweeps),
+        patience_(patience),
+        order_(order),
+        done_(count()),
+        head_done_(count()),
+        gathered_(count()) {
     for (int p = 0; p < nodes; ++p) {
       first_chunk_.push_back(chunks_.size());
       int size = head_size;
@@ -119,6 +127,7 @@ class Schedule {
       // next sweep ends, and both write in the same place.
       return all_done(sweep - 1, nodes_ - 2) && gathered_[count() - 1].load(std::memory_order_acquire) >= sweep;
     }
+    if (order_ == Order::naive) return all_done(sweep, position - 1);
     if (head_done_[static_cast<std::size_t>(position - 1)].load(std::memory_order_acquire) <= sweep) return false;
     return position < 2 || all_done(sweep, position - 2);
   }
@@ -126,6 +135,7 @@ class Schedule {
   int nodes_;
   int sweeps_;
   std::chrono::microseconds patience_;
+  Order order_;
   std::vector<Chunk> chunks_;
   std::vector<std::size_t> first_chunk_;
   alignas(64) std::atomic<std::uint64_t> next_chunk_{0};

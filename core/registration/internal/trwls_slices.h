@@ -3,11 +3,15 @@
 //
 // Ranges, which is why nothing saturates. Let C be the largest cost. Costs lie in 0..C by construction, so a message,
 // which is a minimum over one index of something plus a cost, varies by at most C, and less its minimum lies in 0..C.
-// A belief (the sum of messages) less its minimum is scaled by gamma and cut at 2 C. The offset of a message is
-// scaled belief - reverse message, in -C..2C. Its least value is at most 0 (at the label whose belief is 0), hence a
-// label with offset >= C never wins, and cutting the belief, which lets its offset stay >= 2C - C, changes nothing.
-// Less its minimum the offset lies in 0..3C, and with a cost added in 0..4C. So with distances and 3C below the signed
-// half of the word's range, and 4C below its whole range, every step is exact.
+// A belief (the sum of messages) less its minimum is divided among chains and cut at 2 C. The offset of a message is
+// its share of the belief - reverse message, in -C..2C. Its least value is at most 0 (at the label whose belief is 0),
+// hence a label with offset >= C never wins, and cutting the belief, which lets its offset stay >= 2C - C, changes
+// nothing. Less its minimum the offset lies in 0..3C, and with a cost added in 0..4C. So with 2C below the signed half
+// of the word's range and 4C below its whole range every step is exact. Distances may fill the word up to its range
+// less tau: a difference that leaves the signed half comes out wrong, but as tau or more, which is where it is cut
+// anyway. What is not exact is dividing a belief among the chains that run through the node. What is left over is dealt
+// out, one step a message, to the messages that are sent last (error feedback): all shares together are the belief, so
+// that the bound stays one.
 
 #include <algorithm>
 #include <cstdint>
@@ -43,15 +47,14 @@ struct Arithmetic {
   using Bound = std::int64_t;
   static constexpr int bits = 8 * sizeof(Word);
   static constexpr Word largest_word = std::numeric_limits<Word>::max();
-  static constexpr Word largest_distance = largest_word / 2;
-  static constexpr Word largest_cost = largest_distance / 3;
+  static constexpr Word largest_cost = largest_word / 4;
   static constexpr double weight_of_one = largest_word;
   static constexpr double cost_of_one = static_cast<double>(largest_word) / (static_cast<double>(largest_word) + 1.0);
 
   static Word cost(Word weight, Word difference) {
     return static_cast<Word>((std::uint64_t{weight} * difference) >> bits);
   }
-  static_assert(3 * std::uint64_t{largest_cost} <= largest_distance);
+  static_assert(2 * std::uint64_t{largest_cost} <= largest_word / 2);
   static_assert(4 * std::uint64_t{largest_cost} <= largest_word);
 };
 template <>
@@ -86,6 +89,15 @@ struct Slices {
   }
 };
 
+// What each of a node's messages gets of its belief: `share`, and one more from the turn on that `one_more_from` says.
+// Both are `stride` long.
+template <typename Word>
+struct SharedBelief {
+  const Word* share;
+  const std::uint16_t* one_more_from;
+};
+inline constexpr std::uint16_t never_one_more = 0x7fff;  // no node sends so many messages
+
 // A message on its way from node s to node t.
 template <typename Word>
 struct Message {
@@ -93,6 +105,7 @@ struct Message {
   Word* updated;        // where the message goes
   Word x;               // of the pair
   Word x_weight;
+  int turn;  // the how-manieth message of s in this sweep, from 0
 };
 
 // The three things done with slices, by whichever instructions. All arrays are `stride` words long.
@@ -101,9 +114,9 @@ struct SliceKernels {
   using Total = typename Arithmetic<Word>::Total;
   using Bound = typename Arithmetic<Word>::Bound;
 
-  // Sends `count` messages from a node whose scaled belief is given; `scratch` holds four arrays. Returns the sum of
+  // Sends `count` messages from a node whose belief is given in shares; `scratch` holds four arrays. Returns the sum of
   // the minima that were taken off the messages. Words beyond `labels` become 0.
-  Bound (*send)(const Slices<Word>& slices, const Word* scaled_belief, const Message<Word>* messages, int count,
+  Bound (*send)(const Slices<Word>& slices, const SharedBelief<Word>& belief, const Message<Word>* messages, int count,
                 Word* scratch);
 
   // totals[l] += the sum of `count` messages that lie one after the other.

@@ -14,7 +14,7 @@ namespace glisson::studies {
 struct DemoStiffness {
   // The liver's tissue between the patches: mildly fibrotic. Healthy means are 2.1 and 2.6 (dissertation, section 4.3).
   double liver_kPa = 2.7;
-  // Patches of advanced fibrosis; the published range of livers is 2 to 80 (section 4.1, there as Young's modulus).
+  // Patches of advanced fibrosis; livers reach from 2 to 80 (section 4.1, which does not say of which modulus).
   double fibrotic_kPa = 6.2;
   // Cancer is 5 to 28 times stiffer than what surrounds it (section 1.5, reference 64 there): the low end of that.
   double tumour_ratio = 5.0;

@@ -32,9 +32,9 @@ report::Plot plot_of(const ConvergenceStudy& study);
 }  // namespace
 
 Result<ConvergenceStudy> run_convergence(const ConvergenceOptions& options, const Progress& progress) {
-  if (!(options.finest_mm3 >= 0.5 && options.coarsest_mm3 > options.finest_mm3 && options.coarsest_mm3 <= 600) ||
+  if (!(options.finest_mm3 >= 0.5 && options.coarsest_mm3 > options.finest_mm3 && options.coarsest_mm3 <= 1700) ||
       options.resolutions < 2 || options.resolutions > 100) {
-    return failure("study-options", GLISSON_TEXT("Resolutions must grow from 0.5 mm3 or more to 600 mm3 or less, in 2 "
+    return failure("study-options", GLISSON_TEXT("Resolutions must grow from 0.5 mm3 or more to 1700 mm3 or less, in 2 "
                                                  "to 100 steps."));
   }
   ConvergenceStudy study;
