@@ -5459,6 +5459,66 @@
         <source>landmarks that the benchmark has no place for were left out: {0}</source>
         <translation>weggelassene Landmarken, für die der Vergleichsmaßstab keinen Ort hat: {0}</translation>
     </message>
+    <message>
+        <source>The history of {0} has no step {1}.</source>
+        <translation>Der Verlauf von {0} hat keinen Schritt {1}.</translation>
+    </message>
+    <message>
+        <source>See which there are: glisson-cli macro CASE.</source>
+        <translation>Sehen Sie nach, welche es gibt: glisson-cli macro CASE.</translation>
+    </message>
+    <message>
+        <source>Step {1} of {0} changed a view and nothing in the case.</source>
+        <translation>Schritt {1} von {0} hat eine Ansicht geändert und nichts im Fall.</translation>
+    </message>
+    <message>
+        <source>Step {0} of {1} began with another {2} than {3} holds.</source>
+        <translation>Schritt {0} von {1} begann mit einem anderen Stand von {2}, als {3} ihn hat.</translation>
+    </message>
+    <message>
+        <source>Begin with the case as it was, and do all steps in their order.</source>
+        <translation>Beginnen Sie mit dem Fall, wie er war, und tun Sie alle Schritte in ihrer Reihenfolge.</translation>
+    </message>
+    <message>
+        <source>{0} no longer holds what a step of its history led to: {1}.</source>
+        <translation>{0} enthält nicht mehr, wohin ein Schritt seines Verlaufs geführt hat: {1}.</translation>
+    </message>
+    <message>
+        <source>Another program has changed it; do this step in the window.</source>
+        <translation>Ein anderes Programm hat es geändert; tun Sie diesen Schritt im Fenster.</translation>
+    </message>
+    <message>
+        <source>No case fits in {0} minutes.</source>
+        <translation>In {0} Minuten passt kein Fall.</translation>
+    </message>
+    <message>
+        <source>Give more minutes, or a history with shorter cases.</source>
+        <translation>Geben Sie mehr Minuten oder einen Verlauf mit kürzeren Fällen.</translation>
+    </message>
+    <message>
+        <source>{0} must begin with a line case,seconds,METRIC, ... and hold a row a case a run.</source>
+        <translation>{0} muss mit einer Zeile case,seconds,MASS, ... beginnen und je Fall und Lauf eine Zeile haben.</translation>
+    </message>
+    <message>
+        <source>A column of {0} is there twice.</source>
+        <translation>Eine Spalte von {0} kommt zweimal vor.</translation>
+    </message>
+    <message>
+        <source>Line {0} of {1} names no case, or has more cells than the first.</source>
+        <translation>Zeile {0} von {1} nennt keinen Fall oder hat mehr Felder als die erste.</translation>
+    </message>
+    <message>
+        <source>{0} names no case.</source>
+        <translation>{0} nennt keinen Fall.</translation>
+    </message>
+    <message>
+        <source>Make it with glisson-cli gate-cases.</source>
+        <translation>Machen Sie sie mit glisson-cli gate-cases.</translation>
+    </message>
+    <message>
+        <source>Stiffness from the waves</source>
+        <translation>Steifigkeit aus den Wellen</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AdvanceControls</name>
@@ -5651,6 +5711,33 @@
     <message>
         <source>out of the running: %1</source>
         <translation>aus dem Rennen: %1</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::CaseDiary</name>
+    <message>
+        <source>Diary of %1 - Glisson</source>
+        <translation>Tagebuch von %1 - Glisson</translation>
+    </message>
+    <message>
+        <source>What was done to this case, as far as it can be undone. Copied, it is a program that does the same without a window, on the case as it was before.</source>
+        <translation>Was an diesem Fall getan wurde, soweit es rückgängig zu machen ist. Kopiert ist es ein Programm, das ohne Fenster dasselbe tut, am Fall, wie er vorher war.</translation>
+    </message>
+    <message>
+        <source>The steps</source>
+        <translation>Die Schritte</translation>
+    </message>
+    <message>
+        <source>Copy as Python</source>
+        <translation>Als Python kopieren</translation>
+    </message>
+    <message>
+        <source>Copy as command line</source>
+        <translation>Als Befehlszeilen kopieren</translation>
+    </message>
+    <message>
+        <source>Steps copied: %1</source>
+        <translation>Kopierte Schritte: %1</translation>
     </message>
 </context>
 <context>
@@ -7136,6 +7223,10 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Griffe am Fad
     <message>
         <source>Give it up and close</source>
         <translation>Aufgeben und schließen</translation>
+    </message>
+    <message>
+        <source>&amp;Diary of the case...</source>
+        <translation>&amp;Tagebuch des Falls...</translation>
     </message>
 </context>
 <context>
