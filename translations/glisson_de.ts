@@ -5456,6 +5456,66 @@
         <translation>weggelassene Landmarken, für die der Vergleichsmaßstab keinen Ort hat: {0}</translation>
     </message>
     <message>
+        <source>The history of {0} has no step {1}.</source>
+        <translation>Der Verlauf von {0} hat keinen Schritt {1}.</translation>
+    </message>
+    <message>
+        <source>See which there are: glisson-cli macro CASE.</source>
+        <translation>Sehen Sie nach, welche es gibt: glisson-cli macro CASE.</translation>
+    </message>
+    <message>
+        <source>Step {1} of {0} changed a view and nothing in the case.</source>
+        <translation>Schritt {1} von {0} hat eine Ansicht geändert und nichts im Fall.</translation>
+    </message>
+    <message>
+        <source>Step {0} of {1} began with another {2} than {3} holds.</source>
+        <translation>Schritt {0} von {1} begann mit einem anderen Stand von {2}, als {3} ihn hat.</translation>
+    </message>
+    <message>
+        <source>Begin with the case as it was, and do all steps in their order.</source>
+        <translation>Beginnen Sie mit dem Fall, wie er war, und tun Sie alle Schritte in ihrer Reihenfolge.</translation>
+    </message>
+    <message>
+        <source>{0} no longer holds what a step of its history led to: {1}.</source>
+        <translation>{0} enthält nicht mehr, wohin ein Schritt seines Verlaufs geführt hat: {1}.</translation>
+    </message>
+    <message>
+        <source>Another program has changed it; do this step in the window.</source>
+        <translation>Ein anderes Programm hat es geändert; tun Sie diesen Schritt im Fenster.</translation>
+    </message>
+    <message>
+        <source>No case fits in {0} minutes.</source>
+        <translation>In {0} Minuten passt kein Fall.</translation>
+    </message>
+    <message>
+        <source>Give more minutes, or a history with shorter cases.</source>
+        <translation>Geben Sie mehr Minuten oder einen Verlauf mit kürzeren Fällen.</translation>
+    </message>
+    <message>
+        <source>{0} must begin with a line case,seconds,METRIC, ... and hold a row a case a run.</source>
+        <translation>{0} muss mit einer Zeile case,seconds,MASS, ... beginnen und je Fall und Lauf eine Zeile haben.</translation>
+    </message>
+    <message>
+        <source>A column of {0} is there twice.</source>
+        <translation>Eine Spalte von {0} kommt zweimal vor.</translation>
+    </message>
+    <message>
+        <source>Line {0} of {1} names no case, or has more cells than the first.</source>
+        <translation>Zeile {0} von {1} nennt keinen Fall oder hat mehr Felder als die erste.</translation>
+    </message>
+    <message>
+        <source>{0} names no case.</source>
+        <translation>{0} nennt keinen Fall.</translation>
+    </message>
+    <message>
+        <source>Make it with glisson-cli gate-cases.</source>
+        <translation>Machen Sie sie mit glisson-cli gate-cases.</translation>
+    </message>
+    <message>
+        <source>Stiffness from the waves</source>
+        <translation>Steifigkeit aus den Wellen</translation>
+    </message>
+    <message>
         <source>A frame is this program&apos;s own: {0}. Carried over from another machine in proportion to memory and arithmetic; nobody has run it on these platforms.</source>
         <translation>Ein Bild ist dieses Programms eigenes: {0}. Im Verhältnis von Speicher und Rechenleistung von einem anderen Rechner übertragen; auf diesen Plattformen hat es niemand laufen lassen.</translation>
     </message>
@@ -5470,26 +5530,6 @@
     <message>
         <source>Two tasks have the id &quot;{0}&quot;.</source>
         <translation>Zwei Aufgaben haben die Kennung &quot;{0}&quot;.</translation>
-    </message>
-    <message>
-        <source>Resolutions must grow from 0.5 mm3 or more to 1700 mm3 or less, in 2 to 100 steps.</source>
-        <translation>Auflösungen müssen von mindestens 0.5 mm3 bis höchstens 1700 mm3 wachsen, in 2 bis 100 Schritten.</translation>
-    </message>
-    <message>
-        <source>Sampling</source>
-        <translation>Abtasten</translation>
-    </message>
-    <message>
-        <source>The matching study takes ascending numbers of points from 8 to 1024, starts of 0 or more, 1 to 1000 passes and livers, and two or more poses of each shape.</source>
-        <translation>Die Studie der Zuordnung nimmt aufsteigende Punktzahlen von 8 bis 1024, Anfänge ab 0, 1 bis 1000 Durchgänge und Lebern sowie zwei oder mehr Stellungen jeder Form.</translation>
-    </message>
-    <message>
-        <source>There is no task &quot;{0}&quot;.</source>
-        <translation>Es gibt keine Aufgabe &quot;{0}&quot;.</translation>
-    </message>
-    <message>
-        <source>Use product or one of: {1}.</source>
-        <translation>Verwenden Sie product oder eine von: {1}.</translation>
     </message>
     <message>
         <source>A support that moves by a displacement is there for equilibrium by finite elements, without tools, motion, walls kept apart and data in place of a law.</source>
@@ -5514,6 +5554,26 @@
     <message>
         <source>{0} is moved in a direction that its &quot;directions&quot; leave free.</source>
         <translation>{0} wird in einer Richtung bewegt, die seine &quot;directions&quot; frei lassen.</translation>
+    </message>
+    <message>
+        <source>Resolutions must grow from 0.5 mm3 or more to 1700 mm3 or less, in 2 to 100 steps.</source>
+        <translation>Auflösungen müssen von mindestens 0.5 mm3 bis höchstens 1700 mm3 wachsen, in 2 bis 100 Schritten.</translation>
+    </message>
+    <message>
+        <source>Sampling</source>
+        <translation>Abtasten</translation>
+    </message>
+    <message>
+        <source>The matching study takes ascending numbers of points from 8 to 1024, starts of 0 or more, 1 to 1000 passes and livers, and two or more poses of each shape.</source>
+        <translation>Die Studie der Zuordnung nimmt aufsteigende Punktzahlen von 8 bis 1024, Anfänge ab 0, 1 bis 1000 Durchgänge und Lebern sowie zwei oder mehr Stellungen jeder Form.</translation>
+    </message>
+    <message>
+        <source>There is no task &quot;{0}&quot;.</source>
+        <translation>Es gibt keine Aufgabe &quot;{0}&quot;.</translation>
+    </message>
+    <message>
+        <source>Use product or one of: {1}.</source>
+        <translation>Verwenden Sie product oder eine von: {1}.</translation>
     </message>
 </context>
 <context>
@@ -5707,6 +5767,33 @@
     <message>
         <source>out of the running: %1</source>
         <translation>aus dem Rennen: %1</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::CaseDiary</name>
+    <message>
+        <source>Diary of %1 - Glisson</source>
+        <translation>Tagebuch von %1 - Glisson</translation>
+    </message>
+    <message>
+        <source>What was done to this case, as far as it can be undone. Copied, it is a program that does the same without a window, on the case as it was before.</source>
+        <translation>Was an diesem Fall getan wurde, soweit es rückgängig zu machen ist. Kopiert ist es ein Programm, das ohne Fenster dasselbe tut, am Fall, wie er vorher war.</translation>
+    </message>
+    <message>
+        <source>The steps</source>
+        <translation>Die Schritte</translation>
+    </message>
+    <message>
+        <source>Copy as Python</source>
+        <translation>Als Python kopieren</translation>
+    </message>
+    <message>
+        <source>Copy as command line</source>
+        <translation>Als Befehlszeilen kopieren</translation>
+    </message>
+    <message>
+        <source>Steps copied: %1</source>
+        <translation>Kopierte Schritte: %1</translation>
     </message>
 </context>
 <context>
@@ -7196,6 +7283,10 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Griffe am Fad
     <message>
         <source>Give it up and close</source>
         <translation>Aufgeben und schließen</translation>
+    </message>
+    <message>
+        <source>&amp;Diary of the case...</source>
+        <translation>&amp;Tagebuch des Falls...</translation>
     </message>
 </context>
 <context>

@@ -5456,6 +5456,66 @@
         <translation>puntos de referencia omitidos, para los que la referencia no tiene lugar: {0}</translation>
     </message>
     <message>
+        <source>The history of {0} has no step {1}.</source>
+        <translation>El historial de {0} no tiene el paso {1}.</translation>
+    </message>
+    <message>
+        <source>See which there are: glisson-cli macro CASE.</source>
+        <translation>Vea cuáles hay: glisson-cli macro CASE.</translation>
+    </message>
+    <message>
+        <source>Step {1} of {0} changed a view and nothing in the case.</source>
+        <translation>El paso {1} de {0} cambió una vista y nada en el caso.</translation>
+    </message>
+    <message>
+        <source>Step {0} of {1} began with another {2} than {3} holds.</source>
+        <translation>El paso {0} de {1} empezó con otro {2} del que tiene {3}.</translation>
+    </message>
+    <message>
+        <source>Begin with the case as it was, and do all steps in their order.</source>
+        <translation>Empiece con el caso tal como era y haga todos los pasos en su orden.</translation>
+    </message>
+    <message>
+        <source>{0} no longer holds what a step of its history led to: {1}.</source>
+        <translation>{0} ya no contiene lo que dejó un paso de su historial: {1}.</translation>
+    </message>
+    <message>
+        <source>Another program has changed it; do this step in the window.</source>
+        <translation>Otro programa lo ha cambiado; haga este paso en la ventana.</translation>
+    </message>
+    <message>
+        <source>No case fits in {0} minutes.</source>
+        <translation>Ningún caso cabe en {0} minutos.</translation>
+    </message>
+    <message>
+        <source>Give more minutes, or a history with shorter cases.</source>
+        <translation>Dé más minutos, o un historial con casos más cortos.</translation>
+    </message>
+    <message>
+        <source>{0} must begin with a line case,seconds,METRIC, ... and hold a row a case a run.</source>
+        <translation>{0} debe empezar con una línea case,seconds,MEDIDA, ... y tener una fila por caso y ejecución.</translation>
+    </message>
+    <message>
+        <source>A column of {0} is there twice.</source>
+        <translation>Una columna de {0} está dos veces.</translation>
+    </message>
+    <message>
+        <source>Line {0} of {1} names no case, or has more cells than the first.</source>
+        <translation>La línea {0} de {1} no nombra ningún caso, o tiene más celdas que la primera.</translation>
+    </message>
+    <message>
+        <source>{0} names no case.</source>
+        <translation>{0} no nombra ningún caso.</translation>
+    </message>
+    <message>
+        <source>Make it with glisson-cli gate-cases.</source>
+        <translation>Hágalo con glisson-cli gate-cases.</translation>
+    </message>
+    <message>
+        <source>Stiffness from the waves</source>
+        <translation>Rigidez a partir de las ondas</translation>
+    </message>
+    <message>
         <source>A frame is this program&apos;s own: {0}. Carried over from another machine in proportion to memory and arithmetic; nobody has run it on these platforms.</source>
         <translation>Un fotograma es el propio de este programa: {0}. Trasladado desde otra máquina en proporción a la memoria y al cálculo; nadie lo ha ejecutado en estas plataformas.</translation>
     </message>
@@ -5470,26 +5530,6 @@
     <message>
         <source>Two tasks have the id &quot;{0}&quot;.</source>
         <translation>Dos tareas tienen el identificador &quot;{0}&quot;.</translation>
-    </message>
-    <message>
-        <source>Resolutions must grow from 0.5 mm3 or more to 1700 mm3 or less, in 2 to 100 steps.</source>
-        <translation>Las resoluciones deben crecer desde 0.5 mm3 o más hasta 1700 mm3 o menos, en 2 a 100 pasos.</translation>
-    </message>
-    <message>
-        <source>Sampling</source>
-        <translation>Muestreo</translation>
-    </message>
-    <message>
-        <source>The matching study takes ascending numbers of points from 8 to 1024, starts of 0 or more, 1 to 1000 passes and livers, and two or more poses of each shape.</source>
-        <translation>El estudio de emparejamiento admite números de puntos ascendentes de 8 a 1024, inicios desde 0, de 1 a 1000 pasadas e hígados, y dos o más posturas de cada forma.</translation>
-    </message>
-    <message>
-        <source>There is no task &quot;{0}&quot;.</source>
-        <translation>No hay ninguna tarea &quot;{0}&quot;.</translation>
-    </message>
-    <message>
-        <source>Use product or one of: {1}.</source>
-        <translation>Use product o una de: {1}.</translation>
     </message>
     <message>
         <source>A support that moves by a displacement is there for equilibrium by finite elements, without tools, motion, walls kept apart and data in place of a law.</source>
@@ -5514,6 +5554,26 @@
     <message>
         <source>{0} is moved in a direction that its &quot;directions&quot; leave free.</source>
         <translation>{0} se mueve en una dirección que sus &quot;directions&quot; dejan libre.</translation>
+    </message>
+    <message>
+        <source>Resolutions must grow from 0.5 mm3 or more to 1700 mm3 or less, in 2 to 100 steps.</source>
+        <translation>Las resoluciones deben crecer desde 0.5 mm3 o más hasta 1700 mm3 o menos, en 2 a 100 pasos.</translation>
+    </message>
+    <message>
+        <source>Sampling</source>
+        <translation>Muestreo</translation>
+    </message>
+    <message>
+        <source>The matching study takes ascending numbers of points from 8 to 1024, starts of 0 or more, 1 to 1000 passes and livers, and two or more poses of each shape.</source>
+        <translation>El estudio de emparejamiento admite números de puntos ascendentes de 8 a 1024, inicios desde 0, de 1 a 1000 pasadas e hígados, y dos o más posturas de cada forma.</translation>
+    </message>
+    <message>
+        <source>There is no task &quot;{0}&quot;.</source>
+        <translation>No hay ninguna tarea &quot;{0}&quot;.</translation>
+    </message>
+    <message>
+        <source>Use product or one of: {1}.</source>
+        <translation>Use product o una de: {1}.</translation>
     </message>
 </context>
 <context>
@@ -5707,6 +5767,33 @@
     <message>
         <source>out of the running: %1</source>
         <translation>fuera de concurso: %1</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::CaseDiary</name>
+    <message>
+        <source>Diary of %1 - Glisson</source>
+        <translation>Diario de %1 - Glisson</translation>
+    </message>
+    <message>
+        <source>What was done to this case, as far as it can be undone. Copied, it is a program that does the same without a window, on the case as it was before.</source>
+        <translation>Lo que se hizo en este caso, en cuanto se puede deshacer. Copiado, es un programa que hace lo mismo sin ventana, en el caso tal como era antes.</translation>
+    </message>
+    <message>
+        <source>The steps</source>
+        <translation>Los pasos</translation>
+    </message>
+    <message>
+        <source>Copy as Python</source>
+        <translation>Copiar como Python</translation>
+    </message>
+    <message>
+        <source>Copy as command line</source>
+        <translation>Copiar como línea de órdenes</translation>
+    </message>
+    <message>
+        <source>Steps copied: %1</source>
+        <translation>Pasos copiados: %1</translation>
     </message>
 </context>
 <context>
@@ -7198,6 +7285,10 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar. Ctrl+arrastrar: girar. Tiradores 
     <message>
         <source>Give it up and close</source>
         <translation>Abandonar y cerrar</translation>
+    </message>
+    <message>
+        <source>&amp;Diary of the case...</source>
+        <translation>&amp;Diario del caso...</translation>
     </message>
 </context>
 <context>

@@ -5456,6 +5456,66 @@
         <translation>repères laissés de côté, pour lesquels la référence n’a pas de place : {0}</translation>
     </message>
     <message>
+        <source>The history of {0} has no step {1}.</source>
+        <translation>L’historique de {0} n’a pas d’étape {1}.</translation>
+    </message>
+    <message>
+        <source>See which there are: glisson-cli macro CASE.</source>
+        <translation>Voyez lesquelles existent : glisson-cli macro CASE.</translation>
+    </message>
+    <message>
+        <source>Step {1} of {0} changed a view and nothing in the case.</source>
+        <translation>L’étape {1} de {0} a changé une vue et rien dans le cas.</translation>
+    </message>
+    <message>
+        <source>Step {0} of {1} began with another {2} than {3} holds.</source>
+        <translation>L’étape {0} de {1} est partie d’un autre {2} que celui de {3}.</translation>
+    </message>
+    <message>
+        <source>Begin with the case as it was, and do all steps in their order.</source>
+        <translation>Partez du cas tel qu’il était et refaites toutes les étapes dans leur ordre.</translation>
+    </message>
+    <message>
+        <source>{0} no longer holds what a step of its history led to: {1}.</source>
+        <translation>{0} ne contient plus ce à quoi une étape de son historique a conduit : {1}.</translation>
+    </message>
+    <message>
+        <source>Another program has changed it; do this step in the window.</source>
+        <translation>Un autre programme l’a changé ; faites cette étape dans la fenêtre.</translation>
+    </message>
+    <message>
+        <source>No case fits in {0} minutes.</source>
+        <translation>Aucun cas ne tient en {0} minutes.</translation>
+    </message>
+    <message>
+        <source>Give more minutes, or a history with shorter cases.</source>
+        <translation>Donnez plus de minutes, ou un historique aux cas plus courts.</translation>
+    </message>
+    <message>
+        <source>{0} must begin with a line case,seconds,METRIC, ... and hold a row a case a run.</source>
+        <translation>{0} doit commencer par une ligne case,seconds,MESURE, ... et avoir une ligne par cas et par exécution.</translation>
+    </message>
+    <message>
+        <source>A column of {0} is there twice.</source>
+        <translation>Une colonne de {0} y est deux fois.</translation>
+    </message>
+    <message>
+        <source>Line {0} of {1} names no case, or has more cells than the first.</source>
+        <translation>La ligne {0} de {1} ne nomme aucun cas, ou a plus de cellules que la première.</translation>
+    </message>
+    <message>
+        <source>{0} names no case.</source>
+        <translation>{0} ne nomme aucun cas.</translation>
+    </message>
+    <message>
+        <source>Make it with glisson-cli gate-cases.</source>
+        <translation>Faites-le avec glisson-cli gate-cases.</translation>
+    </message>
+    <message>
+        <source>Stiffness from the waves</source>
+        <translation>Rigidité à partir des ondes</translation>
+    </message>
+    <message>
         <source>A frame is this program&apos;s own: {0}. Carried over from another machine in proportion to memory and arithmetic; nobody has run it on these platforms.</source>
         <translation>Une image est celle de ce programme : {0}. Reportée d’une autre machine en proportion de la mémoire et du calcul ; personne ne l’a exécutée sur ces plateformes.</translation>
     </message>
@@ -5470,26 +5530,6 @@
     <message>
         <source>Two tasks have the id &quot;{0}&quot;.</source>
         <translation>Deux tâches ont l’identifiant &quot;{0}&quot;.</translation>
-    </message>
-    <message>
-        <source>Resolutions must grow from 0.5 mm3 or more to 1700 mm3 or less, in 2 to 100 steps.</source>
-        <translation>Les résolutions doivent croître de 0.5 mm3 ou plus à 1700 mm3 ou moins, en 2 à 100 pas.</translation>
-    </message>
-    <message>
-        <source>Sampling</source>
-        <translation>Échantillonnage</translation>
-    </message>
-    <message>
-        <source>The matching study takes ascending numbers of points from 8 to 1024, starts of 0 or more, 1 to 1000 passes and livers, and two or more poses of each shape.</source>
-        <translation>L’étude d’appariement prend des nombres de points croissants de 8 à 1024, des départs à partir de 0, de 1 à 1000 passes et foies, et deux poses ou plus de chaque forme.</translation>
-    </message>
-    <message>
-        <source>There is no task &quot;{0}&quot;.</source>
-        <translation>Il n’y a pas de tâche &quot;{0}&quot;.</translation>
-    </message>
-    <message>
-        <source>Use product or one of: {1}.</source>
-        <translation>Utilisez product ou l’une de : {1}.</translation>
     </message>
     <message>
         <source>A support that moves by a displacement is there for equilibrium by finite elements, without tools, motion, walls kept apart and data in place of a law.</source>
@@ -5514,6 +5554,26 @@
     <message>
         <source>{0} is moved in a direction that its &quot;directions&quot; leave free.</source>
         <translation>{0} est déplacé dans une direction que ses &quot;directions&quot; laissent libre.</translation>
+    </message>
+    <message>
+        <source>Resolutions must grow from 0.5 mm3 or more to 1700 mm3 or less, in 2 to 100 steps.</source>
+        <translation>Les résolutions doivent croître de 0.5 mm3 ou plus à 1700 mm3 ou moins, en 2 à 100 pas.</translation>
+    </message>
+    <message>
+        <source>Sampling</source>
+        <translation>Échantillonnage</translation>
+    </message>
+    <message>
+        <source>The matching study takes ascending numbers of points from 8 to 1024, starts of 0 or more, 1 to 1000 passes and livers, and two or more poses of each shape.</source>
+        <translation>L’étude d’appariement prend des nombres de points croissants de 8 à 1024, des départs à partir de 0, de 1 à 1000 passes et foies, et deux poses ou plus de chaque forme.</translation>
+    </message>
+    <message>
+        <source>There is no task &quot;{0}&quot;.</source>
+        <translation>Il n’y a pas de tâche &quot;{0}&quot;.</translation>
+    </message>
+    <message>
+        <source>Use product or one of: {1}.</source>
+        <translation>Utilisez product ou l’une de : {1}.</translation>
     </message>
 </context>
 <context>
@@ -5707,6 +5767,33 @@
     <message>
         <source>out of the running: %1</source>
         <translation>hors course&#xa0;: %1</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::CaseDiary</name>
+    <message>
+        <source>Diary of %1 - Glisson</source>
+        <translation>Journal de %1 - Glisson</translation>
+    </message>
+    <message>
+        <source>What was done to this case, as far as it can be undone. Copied, it is a program that does the same without a window, on the case as it was before.</source>
+        <translation>Ce qui a été fait à ce cas, pour autant qu’on puisse l’annuler. Copié, c’est un programme qui fait la même chose sans fenêtre, sur le cas tel qu’il était avant.</translation>
+    </message>
+    <message>
+        <source>The steps</source>
+        <translation>Les étapes</translation>
+    </message>
+    <message>
+        <source>Copy as Python</source>
+        <translation>Copier en Python</translation>
+    </message>
+    <message>
+        <source>Copy as command line</source>
+        <translation>Copier en ligne de commande</translation>
+    </message>
+    <message>
+        <source>Steps copied: %1</source>
+        <translation>Étapes copiées : %1</translation>
     </message>
 </context>
 <context>
@@ -7198,6 +7285,10 @@ Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: déplacer. Ctrl+glisser&#xa0;: tour
     <message>
         <source>Give it up and close</source>
         <translation>Abandonner et fermer</translation>
+    </message>
+    <message>
+        <source>&amp;Diary of the case...</source>
+        <translation>&amp;Journal du cas...</translation>
     </message>
 </context>
 <context>

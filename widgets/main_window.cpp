@@ -197,6 +197,7 @@ void MainWindow::show_waves() {
   view->setWindowFlag(Qt::Window);
   view->setAttribute(Qt::WA_DeleteOnClose);
   view->set_guard([this] { return may_change(); });
+  view->set_recorder([this](const auto& change) { return undo_.recorded(maps_of_waves, change); });
   connect(view, &WaveView::accepted, this, [this] { open_path(patient_.folder); });
   view->show();
   view->invert();

@@ -4,6 +4,7 @@
 #include <QMessageBox>
 
 #include "base/files.h"
+#include "widgets/diary/case_diary.h"
 #include "widgets/diary/diary_window.h"
 #include "widgets/help/manual_pages.h"
 #include "widgets/help/shortcuts_window.h"
@@ -48,6 +49,14 @@ void MainWindow::make_menus() {
   QAction* quit = file->addAction({}, QKeySequence::Quit, this, &QWidget::close);
   QMenu* edit = menuBar()->addMenu(QString());
   edit->addActions({undo_.undo_action(), undo_.redo_action()});
+  edit->addSeparator();
+  QAction* case_diary = edit->addAction({}, this, [this] {
+    auto* window = new CaseDiary(undo_, patient_.folder, this);
+    window->setAttribute(Qt::WA_DeleteOnClose);
+    window->show();
+  });
+  case_diary->setObjectName("show_case_diary");
+  connect(edit, &QMenu::aboutToShow, this, [this, case_diary] { case_diary->setEnabled(!patient_.folder.empty()); });
   QMenu* view_menu = menuBar()->addMenu(QString());
   view_bar_->fill(*view_menu);
   go_menu_ = menuBar()->addMenu(QString());
@@ -79,6 +88,7 @@ void MainWindow::make_menus() {
     show_waves_->setText(tr("Elastography &waves..."));
     quit->setText(tr("&Quit"));
     edit->setTitle(tr("&Edit"));
+    case_diary->setText(tr("&Diary of the case..."));
     view_menu->setTitle(tr("&View"));
     undo_.name_actions();
     go_menu_->setTitle(tr("&Go"));

@@ -1,6 +1,6 @@
 // The commands in the order in which --help lists them: the way the work goes.
 
-#include "command.h"
+#include "recording_commands.h"
 
 namespace glisson::cli {
 
@@ -31,11 +31,14 @@ void add_commands(CLI::App& app, Action& chosen) {
   add_sirgn(app, chosen);
   add_review(app, chosen);
   add_gate(app, chosen);
+  add_gate_cases(app, chosen);
   add_study(app, chosen);
   add_platform(app, chosen);
   add_explain(app, chosen);
   add_predict(app, chosen);
   add_accept(app, chosen);
+  add_macro(app, chosen);
+  add_redo(app, chosen);
   add_deidentify(app, chosen);
 }
 

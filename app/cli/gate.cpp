@@ -5,19 +5,26 @@
 #include <fmt/format.h>
 
 #include "command.h"
+#include "studies/gate/choose_cases.h"
 
 namespace glisson::cli {
 namespace {
 
 struct GateCommand {
-  std::string base, now, out, tolerances;
+  std::string base, now, out, tolerances, cases;
 };
 
 Result<Outcome> run(const GateCommand& command, const Progress& progress) {
-  const auto base = studies::read_results(command.base);
+  auto base = studies::read_results(command.base);
   if (!base) return failure(base.error());
-  const auto now = studies::read_results(command.now);
+  auto now = studies::read_results(command.now);
   if (!now) return failure(now.error());
+  if (!command.cases.empty()) {
+    const auto chosen = studies::read_chosen_cases(command.cases);
+    if (!chosen) return failure(chosen.error());
+    base = studies::only(*base, *chosen);
+    now = studies::only(*now, *chosen);
+  }
   studies::GateOptions options;
   if (!command.tolerances.empty()) {
     auto read = studies::read_tolerances(command.tolerances);
@@ -52,6 +59,7 @@ void add_gate(CLI::App& app, Action& chosen) {
   command->add_option("new", settings->now, "The same of the new version")->required();
   command->add_option("--tolerances", settings->tolerances,
                       "Which way each metric is better, and how much worse may pass (JSON)");
+  command->add_option("--cases", settings->cases, "Only these, as gate-cases chose them (a case a line)");
   command->add_option("--out", settings->out, "Folder for gate.html, gate.json, junit.xml and pictures")->required();
   command->callback(
       [&chosen, settings] { chosen = [settings](const Progress& progress) { return run(*settings, progress); }; });

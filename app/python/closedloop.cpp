@@ -14,6 +14,7 @@
 #include "rooms.h"
 
 namespace py = pybind11;
+using namespace py::literals;
 
 namespace glisson::python {
 namespace {
@@ -23,39 +24,25 @@ using std::filesystem::path;
 
 py::dict explanation(const path& experiment, const py::object& progress) {
   const Explained found = long_call(progress, [&](const Progress& told) { return explain(experiment, told); });
-  py::dict dict;
-  dict["report"] = python_of(report_json(found.explanation, found.model->observations()));
-  dict["model"] = python_of_text(model_text(found.explanation, *found.model, found.experiment));
-  return dict;
+  return py::dict("report"_a = python_of(report_json(found.explanation, found.model->observations())),
+                  "model"_a = python_of_text(model_text(found.explanation, *found.model, found.experiment)));
 }
 
 py::dict dict_of(const ErrorFigures& error) {
-  py::dict dict;
-  dict["rms"] = error.rms;
-  dict["mean"] = error.mean;
-  dict["p95"] = error.p95;
-  dict["max"] = error.max;
-  dict["noise"] = error.noise;
-  dict["reduced_chi2"] = error.reduced_chi2;
-  return dict;
+  return py::dict("rms"_a = error.rms, "mean"_a = error.mean, "p95"_a = error.p95, "max"_a = error.max,
+                  "noise"_a = error.noise, "reduced_chi2"_a = error.reduced_chi2);
 }
 
 py::dict prediction(const path& experiment, const std::optional<path>& better, const py::object& progress) {
   const Prediction found = long_call(progress, [&](const Progress& told) { return predict(experiment, better, told); });
   py::list trials;
   for (const PredictedTrial& trial : found.trials) {
-    py::dict dict;
-    dict["id"] = trial.id;
-    dict["predicted"] = trial.predicted;
-    dict["error"] = trial.error ? py::object(dict_of(*trial.error)) : py::object(py::none());
-    trials.append(dict);
+    trials.append(py::dict("id"_a = trial.id, "predicted"_a = trial.predicted,
+                           "error"_a = trial.error ? py::object(dict_of(*trial.error)) : py::object(py::none())));
   }
-  py::dict dict;
-  dict["unit"] = found.unit;
-  dict["trials"] = trials;
-  dict["error"] = found.error ? py::object(dict_of(*found.error)) : py::object(py::none());
-  dict["predicted"] = found.predicted;
-  return dict;
+  return py::dict("unit"_a = found.unit, "trials"_a = trials,
+                  "error"_a = found.error ? py::object(dict_of(*found.error)) : py::object(py::none()),
+                  "predicted"_a = found.predicted);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "rooms.h"
 
 namespace py = pybind11;
+using namespace py::literals;
 
 namespace glisson::python {
 namespace {
@@ -34,16 +35,11 @@ py::dict stiffness_of(const geometry::TetMesh& mesh, const Volume& shear_kPa, co
   });
   std::vector<std::uint8_t> measured;
   for (const StiffnessSource source : found.source) measured.push_back(source == StiffnessSource::measured);
-  py::dict dict;
-  dict["youngs_kPa"] = handed_over(std::move(found.youngs_kPa));
-  dict["measured"] = handed_over(std::move(measured)).attr("astype")(py::dtype::of<bool>());
-  dict["mean_kPa"] = found.mean_kPa;
-  dict["sd_kPa"] = found.sd_kPa;
-  dict["min_kPa"] = found.min_kPa;
-  dict["max_kPa"] = found.max_kPa;
-  dict["cells_without_data"] = found.cells_without_data;
-  dict["filled_fraction"] = found.filled_fraction;
-  return dict;
+  return py::dict("youngs_kPa"_a = handed_over(std::move(found.youngs_kPa)),
+                  "measured"_a = handed_over(std::move(measured)).attr("astype")(py::dtype::of<bool>()),
+                  "mean_kPa"_a = found.mean_kPa, "sd_kPa"_a = found.sd_kPa, "min_kPa"_a = found.min_kPa,
+                  "max_kPa"_a = found.max_kPa, "cells_without_data"_a = found.cells_without_data,
+                  "filled_fraction"_a = found.filled_fraction);
 }
 
 // phase_rad is (directions, instants, i, j, k).

@@ -13,6 +13,7 @@
 #include "rooms.h"
 
 namespace py = pybind11;
+using namespace py::literals;
 
 namespace glisson::python {
 namespace {
@@ -85,12 +86,8 @@ turned cell, a point that is not finite).)");
           "quality",
           [](const TetMesh& self) {
             const TetQuality q = quality(self);
-            py::dict figures;
-            figures["min_dihedral_deg"] = q.min_dihedral_deg;
-            figures["max_dihedral_deg"] = q.max_dihedral_deg;
-            figures["mean_aspect"] = q.mean_aspect;
-            figures["max_aspect"] = q.max_aspect;
-            return figures;
+            return py::dict("min_dihedral_deg"_a = q.min_dihedral_deg, "max_dihedral_deg"_a = q.max_dihedral_deg,
+                            "mean_aspect"_a = q.mean_aspect, "max_aspect"_a = q.max_aspect);
           },
           "Dihedral angles (degrees) and aspect (longest edge over shortest height, 1 for the regular tetrahedron).")
       .def("__repr__", [](const TetMesh& self) {

@@ -12,6 +12,7 @@
 #include "rooms.h"
 
 namespace py = pybind11;
+using namespace py::literals;
 
 namespace glisson::python {
 namespace {
@@ -88,14 +89,9 @@ py::dict planned(double liver_volume_cm3, double accuracy_mm, const std::optiona
   });
   py::list platforms;
   for (const PlatformAnswer& answer : found.platforms) platforms.append(dict_of(answer));
-  py::dict dict;
-  dict["platforms"] = platforms;
-  dict["recommended"] = found.recommended;
-  dict["nodes"] = found.workload.nodes;
-  dict["frame_flops"] = found.workload.frame_flops;
-  dict["frame_bytes"] = found.workload.frame_bytes;
-  dict["notes"] = messages(found.notes);
-  return dict;
+  return py::dict("platforms"_a = platforms, "recommended"_a = found.recommended, "nodes"_a = found.workload.nodes,
+                  "frame_flops"_a = found.workload.frame_flops, "frame_bytes"_a = found.workload.frame_bytes,
+                  "notes"_a = messages(found.notes));
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "rooms.h"
 
 namespace py = pybind11;
+using namespace py::literals;
 
 namespace glisson::python {
 namespace {
@@ -38,22 +39,17 @@ SharedAnswer answer(const geometry::TetMesh& mesh, const py::object& scenario, c
 Eigen::Vector3d in_N(const Eigen::Vector3d& force_mN) { return force_mN * 1e-3; }
 
 py::dict reactions_N(const Answer& self) {
-  py::dict forces;
-  forces["applied"] = in_N(self.rest.result.applied_force_mN);
-  forces["fixed"] = in_N(self.rest.result.fixed_reaction_mN);
-  forces["foundations"] = in_N(self.rest.result.foundation_reaction_mN);
-  forces["ligaments"] = in_N(self.rest.result.ligament_reaction_mN);
-  return forces;
+  return py::dict("applied"_a = in_N(self.rest.result.applied_force_mN),
+                  "fixed"_a = in_N(self.rest.result.fixed_reaction_mN),
+                  "foundations"_a = in_N(self.rest.result.foundation_reaction_mN),
+                  "ligaments"_a = in_N(self.rest.result.ligament_reaction_mN));
 }
 
 py::list steps_of(const Answer& self) {
   py::list steps;
   for (const MotionStep& step : self.rest.steps) {
-    py::dict dict;
-    dict["time_s"] = step.time_s;
-    dict["landmarks_mm"] = handed_over(step.landmarks_mm);
-    dict["largest_strain"] = step.largest_strain;
-    steps.append(dict);
+    steps.append(py::dict("time_s"_a = step.time_s, "landmarks_mm"_a = handed_over(step.landmarks_mm),
+                          "largest_strain"_a = step.largest_strain));
   }
   return steps;
 }
@@ -63,13 +59,8 @@ py::list steps_of(const Answer& self) {
 py::list landmark_dicts(const std::vector<DisplacedLandmark>& landmarks) {
   py::list list;
   for (const DisplacedLandmark& landmark : landmarks) {
-    py::dict dict;
-    dict["id"] = landmark.id;
-    dict["rest_mm"] = landmark.rest_mm;
-    dict["displaced_mm"] = landmark.displaced_mm;
-    dict["displacement_mm"] = landmark.displacement_mm;
-    dict["outside_by_mm"] = landmark.outside_by_mm;
-    list.append(dict);
+    list.append(py::dict("id"_a = landmark.id, "rest_mm"_a = landmark.rest_mm, "displaced_mm"_a = landmark.displaced_mm,
+                         "displacement_mm"_a = landmark.displacement_mm, "outside_by_mm"_a = landmark.outside_by_mm));
   }
   return list;
 }

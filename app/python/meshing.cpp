@@ -8,6 +8,7 @@
 #include "rooms.h"
 
 namespace py = pybind11;
+using namespace py::literals;
 
 namespace glisson::python {
 namespace {
@@ -40,11 +41,8 @@ LabelMap labels_of(const Mask& mask) { return {mask.grid, {mask.values.begin(), 
 py::list regions_of(const SharedLiverMesh& mesh) {
   py::list regions;
   for (const RegionVolume& region : mesh.rest.regions) {
-    py::dict dict;
-    dict["label"] = region.label;
-    dict["label_volume_ml"] = region.label_volume_ml;
-    dict["mesh_volume_ml"] = region.mesh_volume_ml;
-    regions.append(dict);
+    regions.append(py::dict("label"_a = region.label, "label_volume_ml"_a = region.label_volume_ml,
+                            "mesh_volume_ml"_a = region.mesh_volume_ml));
   }
   return regions;
 }

@@ -32,12 +32,16 @@ PYBIND11_MODULE(_core, module) {
   python::add_hardware(module);
   python::add_meshing(module);
   python::add_registration(module);
+  python::add_vision(module);
   python::add_registration_quality(module);
+  python::add_vasculature(module);
+  python::add_planning(module);
   python::add_rehearsal(module);
   python::add_guidance(module);
   python::add_closedloop(module);
   python::add_casefile(module);
   python::add_scene(module);
+  python::add_report(module);
 
   module.attr("__name__") = own_name;
 }

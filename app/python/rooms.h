@@ -17,9 +17,13 @@ void add_meshing(pybind11::module_& module);
 void add_registration(pybind11::module_& module);
 void add_registration_quality(pybind11::module_& module);
 void add_rehearsal(pybind11::module_& module);
+void add_vision(pybind11::module_& module);
+void add_vasculature(pybind11::module_& module);
+void add_planning(pybind11::module_& module);
 void add_guidance(pybind11::module_& module);
 void add_closedloop(pybind11::module_& module);
 void add_casefile(pybind11::module_& module);
 void add_scene(pybind11::module_& module);
+void add_report(pybind11::module_& module);
 
 }  // namespace glisson::python

@@ -59,6 +59,12 @@ Result<void> keep_followed(const fs::path& case_folder, const KeptFiles& kept, c
 
 Result<void> bring_followed(const fs::path& case_folder, const KeptFiles& kept, const std::vector<FileChange>& changes,
                             Towards side) {
+  return bring_followed(
+      case_folder, [&](const Entry& entry) { return kept.place_of(entry); }, changes, side);
+}
+
+Result<void> bring_followed(const fs::path& case_folder, const PlaceOf& place_of,
+                            const std::vector<FileChange>& changes, Towards side) {
   if (changes.empty() || leads_elsewhere(case_folder)) return {};
   const FollowedFiles now = followed_files(case_folder);
   std::error_code problem;
@@ -74,7 +80,7 @@ Result<void> bring_followed(const fs::path& case_folder, const KeptFiles& kept, 
       const auto there = now.find(change.file);
       if (change.file != *name || wanted.empty() || (there != now.end() && there->second == wanted)) continue;
       fs::create_directories(case_folder / folder, problem);  // what is wrong shows in the writing
-      const fs::path source = kept.place_of(entry_for(change.file, wanted));
+      const fs::path source = place_of(entry_for(change.file, wanted));
       if (auto written = write_copy(source, case_folder / change.file); !written) return written;
     }
   }

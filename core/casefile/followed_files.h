@@ -3,6 +3,7 @@
 // entries of the case, and yet go back and forth with the step of the history that wrote them. Inside the room.
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -34,6 +35,10 @@ Result<void> keep_followed(const std::filesystem::path& case_folder, const KeptF
 // comes back from what was kept.
 enum class Towards { before, after };
 Result<void> bring_followed(const std::filesystem::path& case_folder, const KeptFiles& kept,
+                            const std::vector<FileChange>& changes, Towards side);
+// The same with each content from where `place_of` says.
+using PlaceOf = std::function<std::filesystem::path(const Entry&)>;
+Result<void> bring_followed(const std::filesystem::path& case_folder, const PlaceOf& place_of,
                             const std::vector<FileChange>& changes, Towards side);
 
 }  // namespace glisson::casefile

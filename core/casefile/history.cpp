@@ -41,10 +41,9 @@ struct History::Impl {
   }
   [[nodiscard]] fs::path journal_file() const { return folder / "journal.json"; }
   [[nodiscard]] fs::path begun_file() const { return folder / "begun.json"; }
-  [[nodiscard]] fs::path step_file(int number) const { return folder / "steps" / (std::to_string(number) + ".json"); }
-  [[nodiscard]] fs::path runs_file(int number, std::string id) const {
-    std::replace(id.begin(), id.end(), '/', '~');
-    return folder / "steps" / (std::to_string(number) + "-" + id + ".runs");
+  [[nodiscard]] fs::path step_file(int number) const { return file_of_step(case_folder, number); }
+  [[nodiscard]] fs::path runs_file(int number, const std::string& id) const {
+    return file_of_runs(case_folder, number, id);
   }
 
   Result<void> take_up();
@@ -178,15 +177,9 @@ std::uintmax_t History::disk_bytes() const {
 // What a kill may have left: a change under way, an undo under way, files that no step names.
 Result<void> History::Impl::take_up() {
   std::error_code ignored;
-  if (fs::exists(journal_file(), ignored)) {
-    const auto document = read_json_file(journal_file());
-    if (!document) return history_damaged(journal_file());
-    try {
-      listing = listing_from(*document);
-    } catch (const Json::exception&) {
-      return history_damaged(journal_file());
-    }
-  }
+  auto read = read_listing(case_folder);
+  if (!read) return failure(std::move(read.error()));
+  listing = *std::move(read);
   if (auto finished = finish(); !finished) return finished;
   if (listing.moving) {
     const auto [number, to] = *listing.moving;
@@ -393,6 +386,7 @@ Result<void> History::Impl::forget_all() {
   Listing empty;
   empty.next = listing.next;
   empty.values = listing.values;
+  empty.forgotten = true;
   auto installed = install(std::move(empty));
   sweep();
   return installed;
@@ -421,6 +415,7 @@ void History::Impl::forget_beyond_caps(Listing& next) const {
   const std::size_t forgotten = next.steps.size() - fitting;
   next.steps.erase(next.steps.begin(), next.steps.begin() + static_cast<std::ptrdiff_t>(forgotten));
   next.done -= forgotten;
+  next.forgotten = next.forgotten || forgotten > 0;
 }
 
 // Files that no step needs go.

@@ -17,6 +17,7 @@ constexpr const char* name_of(Side side) { return side == Side::before ? "before
 Json json_of(const Listing& listing) {
   Json json{{"format", format_name}, {"done", listing.done}, {"next", listing.next}};
   if (listing.moving) json["moving"] = Json{{"step", listing.moving->first}, {"to", name_of(listing.moving->second)}};
+  if (listing.forgotten) json["forgotten"] = true;
   json["values"] = Json::object();
   for (const auto& [key, value] : listing.values) json["values"][key] = value;
   json["steps"] = Json::array();
@@ -38,6 +39,7 @@ Listing listing_from(const Json& json) {
   Listing listing;
   listing.done = json.at("done");
   listing.next = json.at("next");
+  listing.forgotten = json.value("forgotten", false);
   listing.values = json.at("values").get<std::map<std::string, std::string>>();
   for (const Json& one : json.at("steps")) {
     Step step{one.at("number"), sentence_from(one.at("name")), {}, one.value("kept", std::vector<std::string>{})};
@@ -55,6 +57,28 @@ Listing listing_from(const Json& json) {
   }
   listing.done = std::min(listing.done, listing.steps.size());
   return listing;
+}
+
+Result<Listing> read_listing(const std::filesystem::path& case_folder) {
+  const std::filesystem::path file = case_folder / "history" / "journal.json";
+  std::error_code ignored;
+  if (!std::filesystem::exists(file, ignored)) return Listing{};
+  const auto document = read_json_file(file);
+  if (!document) return history_damaged(file);
+  try {
+    return listing_from(*document);
+  } catch (const Json::exception&) {
+    return history_damaged(file);
+  }
+}
+
+std::filesystem::path file_of_step(const std::filesystem::path& case_folder, int number) {
+  return case_folder / "history" / "steps" / (std::to_string(number) + ".json");
+}
+
+std::filesystem::path file_of_runs(const std::filesystem::path& case_folder, int number, std::string id) {
+  std::replace(id.begin(), id.end(), '/', '~');
+  return case_folder / "history" / "steps" / (std::to_string(number) + "-" + id + ".runs");
 }
 
 Json json_of(const std::vector<EntryChange>& changes) {

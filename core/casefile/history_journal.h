@@ -34,11 +34,17 @@ struct Listing {
   std::vector<Step> steps;
   std::size_t done = 0;
   int next = 1;
+  bool forgotten = false;  // whether there were earlier steps that are no longer known
   std::map<std::string, std::string> values;
   std::optional<std::pair<int, Side>> moving;  // an undo or redo under way: the step, and where to
 };
 Json json_of(const Listing& listing);
 Listing listing_from(const Json& json);
+// None where the case has no history yet. Fails with "history-damaged".
+Result<Listing> read_listing(const std::filesystem::path& case_folder);
+
+[[nodiscard]] std::filesystem::path file_of_step(const std::filesystem::path& case_folder, int number);
+[[nodiscard]] std::filesystem::path file_of_runs(const std::filesystem::path& case_folder, int number, std::string id);
 
 // One entry of a step about entries; steps/N.json holds a list of them.
 struct EntryChange {

@@ -112,7 +112,8 @@ Result<elastography::CellStiffness> assign_stiffness(Case& patient, const Stiffn
                      {fmt::format("{}", youngs_kPa)});
     }
     stiffness = elastography::uniform_stiffness(mesh->cells.size(), youngs_kPa);
-    made.options[uniform ? "uniform_kPa" : "atlas_kPa"] = fmt::format("{:g}", youngs_kPa);
+    made.options[uniform ? "uniform_kPa" : "atlas_kPa"] =
+        uniform ? fmt::format("{}", youngs_kPa) : fmt::format("{:g}", youngs_kPa);
   }
   if (!stiffness) return stiffness;
 

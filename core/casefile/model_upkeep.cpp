@@ -99,7 +99,11 @@ StiffnessChoice stiffness_choice_of(const Case& patient) {
   if (model == nullptr) {
     return patient.find("volumes/stiffness") != nullptr ? StiffnessChoice(FromMre{}) : StiffnessChoice(FromAtlas{});
   }
-  const auto& options = model->made.options;
+  return stiffness_choice_in(model->made);
+}
+
+StiffnessChoice stiffness_choice_in(const Provenance& made) {
+  const auto& options = made.options;
   const auto value_of = [&](const char* key) -> std::optional<double> {
     const auto found = options.find(key);
     if (found == options.end()) return {};

@@ -40,6 +40,8 @@ Result<ModelFacts> model_facts(const Case& patient, const Progress& progress = {
 
 // Whose stiffness the model has now; elastography's, where there is a map and no model yet, else the atlas's.
 [[nodiscard]] StiffnessChoice stiffness_choice_of(const Case& patient);
+// The choice that made an entry meshes/model.
+[[nodiscard]] StiffnessChoice stiffness_choice_in(const Provenance& made);
 // What stiffness the model assumes; nothing where it was measured, or where there is no model.
 [[nodiscard]] std::optional<Sentence> assumed_stiffness(const Case& patient);
 

@@ -57,7 +57,7 @@ Result<SavedStructure> grow_structure(Case& patient, const std::string& name,
   Provenance made{"segment", {{"method", "seeds"}}, {"volumes/anatomy"}, {}, {}};
   for (std::size_t i = 0; i < seeds_mm.size(); ++i) {
     const Eigen::Vector3d& seed = seeds_mm[i];
-    made.options[fmt::format("seed-{}_mm", i + 1)] = fmt::format("{:.2f},{:.2f},{:.2f}", seed.x(), seed.y(), seed.z());
+    made.options[fmt::format("seed-{}_mm", i + 1)] = fmt::format("{},{},{}", seed.x(), seed.y(), seed.z());
   }
   if (within) {
     made.options["within"] = *within;

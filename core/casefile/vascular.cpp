@@ -147,7 +147,7 @@ Result<VesselTrees> find_vessels(Case& patient, const std::optional<std::string>
     made.from.push_back("labels/" + label);
   }
   const auto told = [&](const char* option, const std::optional<Eigen::Vector3d>& click) {
-    if (click) made.options[option] = fmt::format("{:.2f},{:.2f},{:.2f}", click->x(), click->y(), click->z());
+    if (click) made.options[option] = fmt::format("{},{},{}", click->x(), click->y(), click->z());
   };
   told("portal-click_mm", clicks.portal_mm);
   told("hepatic-click_mm", clicks.hepatic_mm);

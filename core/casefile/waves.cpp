@@ -37,6 +37,15 @@ Result<std::vector<float>> mean_magnitude(const Case& patient, const imaging::Gr
   return mean;
 }
 
+const char* long_waves_name(elastography::LongWaves way) {
+  switch (way) {
+    case elastography::LongWaves::curl: return "curl";
+    case elastography::LongWaves::keep: return "keep";
+    case elastography::LongWaves::high_pass: break;
+  }
+  return "high-pass";
+}
+
 }  // namespace
 
 Result<void> accept_waves(Case& patient, const InvertedWaves& inverted) {
@@ -103,7 +112,15 @@ Result<InvertedWaves> inverted_waves(const Case& patient, const elastography::As
   progress.report(0, GLISSON_TEXT("Reading the waves"));
   const auto sorted = read_waves(patient, asked);
   if (!sorted) return failure(sorted.error());
-  Provenance made{"invert", {{"method", std::string(elastography::method_name(options.method))}}, {}, {}, {}};
+  Provenance made{"invert",
+                  {{"method", std::string(elastography::method_name(options.method))},
+                   {"long-waves", long_waves_name(options.long_waves)},
+                   {"directions", options.directions == elastography::Directions::apart ? "apart" : "together"}},
+                  {},
+                  {},
+                  {}};
+  if (asked.frequency_Hz) made.options["asked-frequency_Hz"] = fmt::format("{}", *asked.frequency_Hz);
+  if (asked.directions) made.options["asked-directions"] = std::to_string(*asked.directions);
   for (const char* kind : {"volumes/phase", "volumes/wave", "volumes/magnitude"}) {
     for (const Entry* entry : entries_of(patient, kind)) made.from.push_back(entry->id);
   }

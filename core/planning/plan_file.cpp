@@ -102,9 +102,11 @@ void add_stiffness(Json& json, const Tissue& tissue) {
 
 Result<Plan> read_plan(const std::filesystem::path& file) {
   const auto document = read_json_file(file);
-  if (!document) return failure(document.error());
+  return document ? plan_from(*document, file) : failure(document.error());
+}
+
+Result<Plan> plan_from(const Json& json, const std::filesystem::path& file) {
   return reading("plan-invalid", file, [&] {
-    const Json& json = *document;
     if (!json.is_object()) refuse_at("The plan", GLISSON_TEXT("{0} must be an object in braces."));
     if (json.contains("format") && json["format"] != "glisson-plan/1") {
       refuse_at("The plan", GLISSON_TEXT("{0} is not of the format glisson-plan/1."));

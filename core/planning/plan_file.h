@@ -11,6 +11,7 @@ namespace glisson::planning {
 
 // Fails with "plan-invalid", naming what is missing or wrong and where.
 Result<Plan> read_plan(const std::filesystem::path& file);
+Result<Plan> plan_from(const Json& document, const std::filesystem::path& file = {});
 
 [[nodiscard]] Json plan_json(const Plan& plan);
 

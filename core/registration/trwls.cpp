@@ -16,12 +16,16 @@ template <typename Word>
 MatchingSolution solve(const MatchingProblem& problem, const TrwlsOptions& options, const SliceKernels<Word>& kernels,
                        const Progress& progress);
 
+// Of work that was cancelled before its first pass.
+MatchingSolution unsolved(const MatchingProblem& problem, const MatchingEnergy& energy);
+
 }  // namespace
 
 Result<MatchingSolution> trwls(const MatchingProblem& problem, const TrwlsOptions& options, const Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
   if (auto good = check(problem); !good) return failure(good.error());
   GLISSON_ASSERT(options.passes >= 1);
+  if (progress.cancelled()) return unsolved(problem, MatchingEnergy(problem));
   const bool plain = options.instructions == Instructions::plain;
   MatchingSolution solution;
   switch (options.width) {
@@ -127,8 +131,8 @@ class Trwls {
   void share_belief(const Total* belief, Total minimum, int node, Word* share, std::uint16_t* one_more_from) const;
   [[nodiscard]] double lower_bound(int sweep) const;
   [[nodiscard]] Labelling labelling() const;
-  void polish(Labelling& labels) const;
-  void try_other_starts(MatchingSolution& solution) const;
+  void polish(Labelling& labels, const Progress& progress) const;
+  void try_other_starts(MatchingSolution& solution, const Progress& progress) const;
   [[nodiscard]] int cheapest(const AlignedVector<Total>& costs) const;
 
   const MatchingProblem& problem_;
@@ -147,6 +151,19 @@ class Trwls {
   std::vector<Bound> node_bounds_[2];
   std::vector<Bound> chunk_bounds_[2];
 };
+
+// Each node's cheapest seed, as if there were no pairs. No energy is less than what the seeds cost at least.
+MatchingSolution unsolved(const MatchingProblem& problem, const MatchingEnergy& energy) {
+  MatchingSolution solution;
+  solution.stopped = StopReason::cancelled;
+  for (int s = 0; s < problem.nodes(); ++s) {
+    Eigen::Index label = 0;
+    if (problem.seed.size() > 0) solution.lower_bound += problem.seed.row(s).minCoeff(&label);
+    solution.labels.push_back(static_cast<int>(label));
+  }
+  solution.energy = energy(solution.labels);
+  return solution;
+}
 
 template <typename Word>
 MatchingSolution solve(const MatchingProblem& problem, const TrwlsOptions& options, const SliceKernels<Word>& kernels,
@@ -170,11 +187,15 @@ MatchingSolution Trwls<Word>::run(const Progress& progress) {
   while (solution.stopped == StopReason::not_run) {
     const int pass = static_cast<int>(solution.passes.size());
     const int last_sweep = 2 * pass + 1;
-    for (; claim.sweep <= last_sweep; claim = schedule_.claim()) send(claim, scratch);
+    for (; claim.sweep <= last_sweep && !progress.cancelled(); claim = schedule_.claim()) send(claim, scratch);
+    if (claim.sweep <= last_sweep) {  // in the midst of a pass, of which nothing is kept
+      solution.stopped = StopReason::cancelled;
+      break;
+    }
     schedule_.wait_for_belief(last_sweep, nodes_ - 1, [this](int s, int p) { gather(s, p); });
 
     Labelling labels = labelling();
-    if (options_.polish == Polish::single_nodes) polish(labels);
+    if (options_.polish == Polish::single_nodes) polish(labels, progress);
     const SolverPass outcome{energy_(labels), lower_bound(last_sweep)};
     schedule_.labelling_was_read(pass + 1);
     solution.passes.push_back(outcome);
@@ -191,7 +212,8 @@ MatchingSolution Trwls<Word>::run(const Progress& progress) {
   const bool may_be_better = solution.stopped != StopReason::cancelled && solution.stopped != StopReason::bound_met;
   const bool wanted = options_.starts == Starts::several && options_.polish == Polish::single_nodes &&
                       options_.stopping == Stopping::dynamic;
-  if (wanted && may_be_better) try_other_starts(solution);
+  if (wanted && may_be_better) try_other_starts(solution, progress);
+  if (solution.labels.empty()) return unsolved(problem_, energy_);
   return solution;
 }
 
@@ -291,11 +313,11 @@ Labelling Trwls<Word>::labelling() const {
 }
 
 template <typename Word>
-void Trwls<Word>::polish(Labelling& labels) const {
+void Trwls<Word>::polish(Labelling& labels, const Progress& progress) const {
   constexpr int maximum_rounds = 20;
   AlignedVector<Total> costs(stride_);
   int settled = 0;  // nodes in a row that kept their labels
-  for (int visit = 0; visit < maximum_rounds * nodes_ && settled < nodes_; ++visit) {
+  for (int visit = 0; visit < maximum_rounds * nodes_ && settled < nodes_ && !progress.cancelled(); ++visit) {
     const int s = visit % nodes_;
     int& label = labels[static_cast<std::size_t>(s)];
     const Total* seed = field_.seed.data() + static_cast<std::size_t>(s) * stride_;
@@ -312,7 +334,7 @@ void Trwls<Word>::polish(Labelling& labels) const {
 
 // Each start gives the other nodes the labels that go best with it, and is polished.
 template <typename Word>
-void Trwls<Word>::try_other_starts(MatchingSolution& solution) const {
+void Trwls<Word>::try_other_starts(MatchingSolution& solution, const Progress& progress) const {
   const std::vector<RoughStart> starts = rough_starts(problem_);
   std::vector<Labelling> settled(starts.size());
   parallel_for(starts.size(), 1, [&](std::size_t begin, std::size_t end) {
@@ -320,17 +342,19 @@ void Trwls<Word>::try_other_starts(MatchingSolution& solution) const {
     for (std::size_t k = begin; k < end; ++k) {
       const RoughStart& start = starts[k];
       Labelling& labels = settled[k];
-      for (int s = 0; s < nodes_; ++s) {
+      for (int s = 0; s < nodes_ && !progress.cancelled(); ++s) {
         std::copy_n(field_.seed.data() + static_cast<std::size_t>(s) * stride_, stride_, costs.begin());
         for (std::size_t i = 0; i < start.nodes.size(); ++i) {
           if (start.nodes[i] != s) add_cost_of_neighbour(s, start.nodes[i], start.labels[i], costs.data());
         }
         labels.push_back(cheapest(costs));
       }
-      polish(labels);
+      polish(labels, progress);
     }
   });
+  if (progress.cancelled()) solution.stopped = StopReason::cancelled;
   for (Labelling& labels : settled) {
+    if (labels.size() != count()) continue;  // cancelled
     const double energy = energy_(labels);
     if (energy >= solution.energy) continue;
     solution.energy = energy;

@@ -50,7 +50,8 @@ struct TrwlsOptions : SolverOptions {
 
 // Energies are evaluated in double precision by eq. 3.2 for each pass's labelling. The lower bound is the fixed-point
 // one less all that rounding may have added to it, so that it is below the true least energy.
-// Fails as check() does. Cancelling returns the best labelling so far.
+// Fails as check() does. Cancelling ends it in the midst of a pass, with the best labelling of the passes that were
+// done; before the first, with each node's cheapest seed.
 Result<MatchingSolution> trwls(const MatchingProblem& problem, const TrwlsOptions& options = {},
                                const Progress& progress = {});
 

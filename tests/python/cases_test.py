@@ -47,6 +47,38 @@ class Cases(Case):
         entry = next(e for e in again.entries if e["id"] == "meshes/liver")
         self.assertIn("labels/liver", entry["from"])
 
+    def test_its_page_says_who_only_if_told(self):
+        case = glisson.Case.create(self.root / "mrs-smith.glisson")
+        glisson.write_volume_file(self.root / "anatomy.nrrd", image_of(ball(56, 60.0, 2.5)))
+        case.import_study(self.root / "anatomy.nrrd")
+        case.grow_structure("liver", [[0, 0, 0]])
+        for name in (None, "Mrs Smith"):
+            glisson.write_patient_page(case, self.root / "page.html", name=name)
+            page = (self.root / "page.html").read_text()
+            self.assertEqual("Smith" in page, name is not None)
+            self.assertNotIn("mrs-smith", page)
+            self.assertIn("iver", page)
+
+    def test_it_keeps_plans_by_its_segments(self):
+        case = glisson.Case.create(self.root / "patient.glisson")
+        glisson.write_volume_file(self.root / "anatomy.nrrd", image_of(ball(56, 60.0, 2.5)))
+        case.import_study(self.root / "anatomy.nrrd")
+        case.grow_structure("liver", [[0, 0, 0]])
+        plane = {"plane": {"point_mm": [20, 0, 0], "normal": [1, 0, 0]}}
+        kept = case.keep_plan("Left side", plane)
+        self.assertEqual([(plan["id"], plan["name"]) for plan in case.plans], [(kept, "Left side")])
+        again = case.planner().answer(case.plans[0]["cuts"])
+        self.assertEqual(again["removed_ml"], case.plans[0]["answer"]["removed_ml"])
+        self.assertRefused("plan-unknown", case.drop_plan, "right side")
+        case.drop_plan("Left side")
+        self.assertEqual(case.plans, [])
+        self.assertRefused("vessels-missing", case.find_vessels)
+        self.assertRefused("waves-none", case.invert_waves)
+        self.assertRefused("step-unknown", case.redo, case.folder, 1)
+        self.assertIn("import glisson", case.macro())
+        self.assertIn("CASE=", case.macro("command-line"))
+        self.assertRefused("choice-unknown", case.macro, "cobol")
+
     def test_what_is_no_case_is_refused(self):
         with self.assertRaises(glisson.Error):
             glisson.Case(self.root / "nothing.glisson")

@@ -1,5 +1,7 @@
 """docs/python.md tells what there is, no more and no less, and its programs run."""
 import inspect
+import json
+import os
 import pathlib
 import re
 import subprocess
@@ -7,9 +9,11 @@ import sys
 import tempfile
 import unittest
 
-from support import Case, ROOT, ball, glisson, np
+from support import Case, DATA, ROOT, ball, glisson, np
 
 PROGRAMS = ROOT / "docs" / "examples" / "python"
+LIVER = pathlib.Path(os.environ.get("GLISSON_LIVER", "/nowhere"))
+CLI = os.environ.get("GLISSON_CLI", "/nowhere")
 
 
 def shown():
@@ -56,6 +60,74 @@ class Docs(Case):
             mesh = glisson.read_tetrahedra(body)
         self.assertAlmostEqual(mesh.volume_mm3 / 1000, glisson.volume_ml(liver), delta=0.05 * glisson.volume_ml(liver))
         self.assertTrue((mesh.cell_fields["youngs_modulus_kPa"] == 6.1).all())
+
+    def said_by(self, program, *words):
+        done = subprocess.run([sys.executable, PROGRAMS / program, *map(str, words)], capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return done.stdout
+
+    def data(self, *parts):
+        path = DATA.joinpath(*parts)
+        if not path.exists():
+            self.skipTest(f"{path} is not there")
+        return path
+
+    def test_rows_of_the_table_of_guidance(self):
+        page = (ROOT / "docs" / "guidance.md").read_text()
+        for row in self.said_by("guidance_table.py", self.data("guidance_examples", "example-c")).splitlines():
+            case, frame, *figures = (cell.strip() for cell in row.strip("|").split("|"))
+            on_page = next(line for line in page.splitlines() if f"| `{case[-1]}` |" in line and f"| {frame} |" in line)
+            self.assertEqual([cell.strip() for cell in on_page.strip("|").split("|")][3:], figures)
+
+    def test_a_row_of_the_table_of_the_closed_loop(self):
+        self.data("silicone_phantom_compression")
+        figures = json.loads((ROOT / "docs" / "figures" / "silicone.json").read_text())["figures"]
+        with tempfile.TemporaryDirectory() as folder:
+            folder = pathlib.Path(folder)
+            maker = ROOT / "tests" / "support" / "measured" / "silicone.py"
+            subprocess.run([sys.executable, maker, folder, "--data", DATA / "silicone_phantom_compression"], check=True,
+                           capture_output=True)
+            said = self.said_by("explain_and_predict.py", folder / "experiment.json", folder / "heldout.json", folder / "out")
+            self.assertTrue((folder / "out" / "report.html").exists())
+        self.assertIn("strain-stiffening", said)
+        self.assertIn(f"{figures['declared']['text']} / {figures['better']['text']} kPa", said)
+
+    def test_a_video_is_judged(self):
+        if not pathlib.Path(CLI).exists():
+            self.skipTest("glisson-cli is not there")
+        with tempfile.TemporaryDirectory() as folder:
+            video = pathlib.Path(folder) / "video"
+            subprocess.run([CLI, "study", "example-sequence", "--frames", "6", "--out", video, "--quiet"], check=True,
+                           capture_output=True)
+            said = self.said_by("judge_video.py", video / "sequence.json", "given")
+        found = re.fullmatch(r"given: correlation (0\.\d+), ([\d.]+) % rejected at 5 mm, RMSE ([\d.]+) mm, "
+                             r"TRE ([\d.]+) mm\n", said)
+        self.assertIsNotNone(found, said)
+        self.assertGreater(float(found[1]), 0.5)
+
+    def test_a_resection_is_planned(self):
+        labels = LIVER / "labels"
+        if not labels.exists():
+            self.skipTest("the generated liver is not there")
+        portal, hepatic = (glisson.read_mask_file(labels / f"{name}-vein.nrrd").mask for name in ("portal", "hepatic"))
+        with tempfile.TemporaryDirectory() as folder:
+            both = pathlib.Path(folder) / "vessels.nrrd"
+            glisson.write_mask_file(both, glisson.Mask(np.maximum(portal.array, hepatic.array), spacing_mm=portal.spacing_mm,
+                                                       origin_mm=portal.origin_mm, direction=portal.direction), "vessels")
+            said = self.said_by("plan_resection.py", labels / "liver.nrrd", both, labels / "tumour-1.nrrd")
+        gone, stays = re.search(r"(\d+) ml go, ([\d.]+) % stay", said).groups()
+        self.assertTrue(100 < float(gone) < 900 and 40 < float(stays) < 95, said)
+        self.assertIn("cuts portal/", said)
+
+    def test_a_stereo_pair_gives_the_points_that_the_page_names(self):
+        heart = self.data("hamlyn_heart_stereo")
+        figures = json.loads((ROOT / "docs" / "figures" / "heart.json").read_text())["figures"]
+        with tempfile.TemporaryDirectory() as folder:
+            cloud = pathlib.Path(folder) / "cloud.ply"
+            pair = [heart / f"f7_dynamic_deint_{side}_0100.png" for side in "LR"]
+            said = self.said_by("stereo_cloud.py", heart, *pair, cloud)
+            self.assertEqual(len(glisson.read_surface(cloud).points_mm), int(figures["points"]["text"].replace(",", "")))
+        self.assertIn(f"{figures['points']['text']} points, {figures['seen']['text']} % seen", said)
 
 
 if __name__ == "__main__":

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <stop_token>
 #include <thread>
 
 #include "base/parallel.h"
@@ -301,6 +302,37 @@ TEST(Trwls, MatchesConstantsOfAnySize) {
     problem.tau_mm *= 100 * scale;  // so large that it never cuts: then costs, not distances, fill the words
     problem.q = 1 / scale;
     EXPECT_EQ(trwls(problem).value().labels, truth) << scale;
+  }
+}
+
+// A pass of so many points takes a second or more; who stops it waits for a chunk of one, not for the pass. On a
+// machine that does other things too, all of it takes longer, and is held to what a pass takes then.
+TEST(Trwls, StopsInTheMidstOfAPass) {
+  const MatchingProblem problem = shuffled_points(512, 4, 3).problem;
+  TrwlsOptions one_pass;
+  one_pass.passes = 1;
+  one_pass.stopping = Stopping::fixed_passes;
+  const double pass_ms = trwls(problem, one_pass)->solve_ms;
+  RecordProperty("pass_ms", std::to_string(pass_ms));
+  for (const double share : {0.0, 0.3, 0.6}) {
+    std::stop_source stop;
+    std::chrono::steady_clock::time_point asked;
+    std::jthread impatient([&] {
+      std::this_thread::sleep_for(std::chrono::duration<double, std::milli>(share * pass_ms));
+      asked = std::chrono::steady_clock::now();
+      stop.request_stop();
+    });
+    const auto solution = trwls(problem, {}, Progress({}, stop.get_token()));
+    const auto answered = std::chrono::steady_clock::now();
+    impatient.join();
+    ASSERT_TRUE(solution);
+    EXPECT_EQ(solution->stopped, StopReason::cancelled);
+    EXPECT_EQ(solution->labels.size(), 512u);
+    EXPECT_LE(solution->lower_bound, solution->energy);
+    EXPECT_NEAR(solution->energy, MatchingEnergy(problem)(solution->labels), 1e-9 * solution->energy);
+    const double late_ms = std::chrono::duration<double, std::milli>(answered - asked).count();
+    RecordProperty("late_ms_" + std::to_string(share), std::to_string(late_ms));
+    EXPECT_LT(late_ms, std::max(200.0, 0.4 * pass_ms));
   }
 }
 

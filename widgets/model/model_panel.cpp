@@ -276,6 +276,7 @@ void ModelPanel::show_waves() {
   view->setWindowFlag(Qt::Window);
   view->setAttribute(Qt::WA_DeleteOnClose);
   view->set_guard(context_.may_change);
+  view->set_recorder([undo = &context_.undo](const auto& change) { return undo->recorded(maps_of_waves, change); });
   connect(view, &WaveView::accepted, this, [this] {
     context_.change(tr("Opening %1").arg(text_of(patient_.folder.filename())),
                     [folder = patient_.folder](const Progress& progress) { return load_patient(folder, progress); });

@@ -123,8 +123,10 @@ void WaveView::invert() {
 void WaveView::accept() {
   if (!has_result() || !may_change_()) return;
   work_.start(tr("Saving the maps"), [this, folder = folder_, result = inverted_](const Progress&) {
-    auto saved = std::make_shared<Result<void>>(casefile::Case::open(folder).and_then(
-        [&](casefile::Case patient) { return casefile::accept_waves(patient, *result); }));
+    auto saved = std::make_shared<Result<void>>(recorded_([&] {
+      return casefile::Case::open(folder).and_then(
+          [&](casefile::Case patient) { return casefile::accept_waves(patient, *result); });
+    }));
     return BackgroundWork::Then([this, saved] {
       say([saved] {
         return *saved ? tr("The case now holds this stiffness. Build its model anew to use it.")

@@ -22,6 +22,9 @@ namespace glisson::widgets {
 
 class MapPicture;
 
+// The step of the history that takes them into the case.
+inline const Sentence maps_of_waves{GLISSON_TEXT("Stiffness from the waves"), {}};
+
 class WaveView : public QWidget {
   Q_OBJECT
 
@@ -36,6 +39,9 @@ class WaveView : public QWidget {
   void accept();
   // Asked before the case is changed; it says itself why not.
   void set_guard(std::function<bool()> may_change) { may_change_ = std::move(may_change); }
+  // Runs a change of the case as one step of its history, on any thread.
+  using Change = std::function<Result<void>()>;
+  void set_recorder(std::function<Result<void>(const Change&)> recorded) { recorded_ = std::move(recorded); }
   [[nodiscard]] bool has_result() const { return inverted_ != nullptr; }
   // How far the animation is through a period, 0 to 1.
   [[nodiscard]] double instant() const { return instant_; }
@@ -58,6 +64,7 @@ class WaveView : public QWidget {
   std::filesystem::path folder_;
   std::shared_ptr<const casefile::InvertedWaves> inverted_;
   std::function<bool()> may_change_ = [] { return true; };
+  std::function<Result<void>(const Change&)> recorded_ = [](const Change& change) { return change(); };
   std::function<QString()> said_;
   double instant_ = 0;
   double wave_range_rad_ = 1, modulus_range_kPa_ = 1;

@@ -34,14 +34,19 @@ class Case:
     def __init__(self, folder: str | os.PathLike[str]) -> None:
         ...
 
-    def assign_stiffness(self, *, uniform_kPa: Optional[float] = ..., progress: Optional[Callable[[float, str], Any]] = ...) -> numpy.typing.NDArray[Any]:
-        """Gives each cell its Young's modulus (kPa), from the case's stiffness map or one value, saves the model and returns them: float64, (cells,).
+    def assign_stiffness(self, *, uniform_kPa: Optional[float] = ..., atlas_kPa: Optional[float] = ..., progress: Optional[Callable[[float, str], Any]] = ...) -> numpy.typing.NDArray[Any]:
+        """Gives each cell its Young's modulus (kPa), from the case's stiffness map, one value, or the atlas's mean shear stiffness (2.1 or 2.6), saves the model and returns them: float64, (cells,).
 
         progress(fraction, stage) is told how far it is; KeyboardInterrupt cancels."""
 
     @staticmethod
     def create(folder: str | os.PathLike[str]) -> Case:
         """A new case; the folder must not exist or be empty, and should end in ".glisson"."""
+
+    def drop_plan(self, name: str) -> None:
+        """Takes a plan out of the case.
+
+        Raises glisson.Error: plan-unknown."""
 
     @property
     def entries(self) -> List[Any]:
@@ -51,6 +56,18 @@ class Case:
         """The full path of an entry's file.
 
         Raises glisson.Error: case-lacks-entry."""
+
+    def find_territories(self, *, by: str = ..., progress: Optional[Callable[[float, str], Any]] = ...) -> Dict[str, Any]:
+        """Which tissue belongs to which branch, and Couinaud's segments, saved in the case: what couinaud_segments answers, with "portal-vein" and "hepatic-vein" (LabelMaps of the number of the branch + 1, or None). by: "tree", or "prior" for the liver's shape alone.
+
+        progress(fraction, stage) is told how far it is; KeyboardInterrupt cancels.
+        Raises glisson.Error: vessels-missing, choice-unknown."""
+
+    def find_vessels(self, *, structure: Optional[str] = ..., portal_mm: Optional[numpy.typing.ArrayLike] = ..., hepatic_mm: Optional[numpy.typing.ArrayLike] = ..., progress: Optional[Callable[[float, str], Any]] = ...) -> VesselTrees:
+        """The VesselTrees of the case, saved in it: of the structures portal-vein and hepatic-vein, or of one that holds both. portal_mm, hepatic_mm: a place (LPS, mm) on each main stem, where the first guess is wrong.
+
+        progress(fraction, stage) is told how far it is; KeyboardInterrupt cancels.
+        Raises glisson.Error: vessels-missing, labels-grids-differ."""
 
     @property
     def folder(self) -> pathlib.Path:
@@ -70,6 +87,22 @@ class Case:
         progress(fraction, stage) is told how far it is; KeyboardInterrupt cancels.
         Raises glisson.Error: import-no-anatomy, import-ambiguous, import-unknown-uid, import-would-replace."""
 
+    def invert_waves(self, *, method: str = ..., long_waves: str = ..., directional: bool = ..., frequency_Hz: Optional[float] = ..., directions: Optional[int] = ..., progress: Optional[Callable[[float, str], Any]] = ...) -> Dict[str, Any]:
+        """Computes the shear stiffness from the case's waves; the maps take their places in it.
+
+        method        "direct" or "lfe"; long_waves: "high-pass", "curl" or "keep"; directional: waves of each direction by
+                      themselves
+        frequency_Hz, directions   where the headers say nothing
+
+        A dict: mean_kPa, confident_fraction, frequencies_Hz, notes.
+        Raises glisson.Error: waves-none, choice-unknown."""
+
+    def keep_plan(self, name: str, cuts: Any, *, progress: Optional[Callable[[float, str], Any]] = ...) -> str:
+        """Answers a plan (cuts as Planner.answer takes them) and keeps it in the case: the id of its entry."""
+
+    def macro(self, language: str = ...) -> str:
+        """What was done to this case in the window, as a program that does it again: "python", or "command-line" for a shell."""
+
     def mask(self, structure: str = ...) -> Mask:
         """A structure's mask: "liver", "tumour-1", ..."""
 
@@ -85,6 +118,13 @@ class Case:
     def origin(self) -> str:
         """"SIMULATED ...", or empty for a real patient: to be shown beside anything of it."""
 
+    def planner(self, *, progress: Optional[Callable[[float, str], Any]] = ...) -> Planner:
+        """A Planner for this patient: with its trees and territories where it has them."""
+
+    @property
+    def plans(self) -> List[Any]:
+        """The resection plans that it keeps: a list of dicts with id, name, cuts, answer (as it was then), remarks."""
+
     def question(self, scenario: Any = ...) -> Dict[str, Any]:
         """What simulate(), StaticRehearsal or Session are asked of this patient: a dict.
 
@@ -94,6 +134,12 @@ class Case:
         remarks           what was assumed, left out, or is stale
 
         Raises glisson.Error: case-lacks-entry before there is a model; scenario-invalid."""
+
+    def redo(self, recorded: str | os.PathLike[str], step: int) -> None:
+        """Does a step again that was done by hand in the window, from the history of the case folder `recorded`. This case
+        must be as that one was before the step; its files come out the same, byte for byte.
+
+        Raises glisson.Error: step-unknown, step-does-not-fit, step-content-gone, step-changes-nothing."""
 
     @property
     def structures(self) -> List[str]:
@@ -275,6 +321,44 @@ class PlacedTool:
     @property
     def touched_faces(self) -> int:
         """Faces of the surface under it."""
+
+class Planner:
+    """What a plan takes out of one liver and what it leaves; Case.planner() makes one of a patient.
+
+    liver           a Mask; tumours: name -> Mask
+    segments        LabelMap of Couinaud's segments, 1 to 8
+    trees           VesselTrees, with portal and hepatic: LabelMaps of the number of the branch + 1
+    youngs_kPa      Volume, positive where it is to be trusted
+
+    Each may be left out but the liver, and lie on a grid of its own.
+    Raises glisson.Error: liver-empty, plan-too-many-tumours."""
+    def __init__(self, liver: Mask, *, tumours: Mapping[str, Mask] = ..., segments: Optional[LabelMap] = ..., trees: Optional[VesselTrees] = ..., portal: Optional[LabelMap] = ..., hepatic: Optional[LabelMap] = ..., youngs_kPa: Optional[Volume] = ..., progress: Optional[Callable[[float, str], Any]] = ...) -> None:
+        ...
+
+    def answer(self, cuts: Any) -> Any:
+        """What is taken and what is left: a dict as the command line's `plan --json` has it (removed_ml, remnant_ml,
+        remnant_percent, perfused_ml, drained_ml, living_ml, margin_mm, tumours, segments, branches, ...).
+
+        cuts  a dict, or a list of them, whose union is taken out: {"plane": {"point_mm", "normal", "removed"}}, {"sheet":
+              {"through_mm"}}, {"segments": [6, 7]}, {"territory": "portal/right"}, {"around": "tumour-1", "margin_mm": 10},
+              {"ablation": {"center_mm", "direction", "radius_along_mm", "radius_across_mm"}}
+
+        Raises glisson.Error: plan-invalid, plan-empty, cut-invalid, cut-misses, segment-unknown, segments-missing,
+        branch-unknown, territory-empty, tumour-unknown, margin-invalid, ablation-invalid, nothing-left."""
+
+    def parts(self, cuts: Any) -> Mask:
+        """A Mask's voxels on the part of the grid around the liver: 1 stays, 2 goes."""
+
+    @property
+    def trees(self) -> VesselTrees:
+        """The VesselTrees that it counts by."""
+
+    @property
+    def tumours(self) -> List[str]:
+        """Names of the tumours."""
+
+    def unrolled(self, cuts: Any, *, step_mm: float = ...) -> List[Any]:
+        """Each plane and sheet among the cuts, unrolled: a dict with step_mm, margin_mm (rows, columns; to the nearest tumour, NaN beside the liver) and vessels (name, column, row, radius_mm)."""
 
 class RehearsalState:
     """The body under a force on a placed tool."""
@@ -523,6 +607,36 @@ class StaticRehearsal:
     def surface(self) -> Surface:
         """The outer surface at rest: a copy."""
 
+class StereoCalibration:
+    """A stereo camera: what each lens does, and where the right eye is.
+
+    left, right     dicts: matrix (3 x 3, pixels), distortion (k1, k2, p1, p2, k3, ..., as OpenCV numbers them)
+    left_to_right   4 x 4: takes a point in left-camera mm to right-camera mm
+
+    Raises glisson.Error: calibration-invalid, calibration-not-rotation, calibration-no-baseline."""
+    def __init__(self, left: Mapping[str, Any], right: Mapping[str, Any], left_to_right: numpy.typing.ArrayLike) -> None:
+        ...
+
+    @property
+    def baseline_mm(self) -> float:
+        """Between the eyes, mm."""
+
+    @property
+    def left(self) -> Dict[str, Any]:
+        """Lens of the left eye: a dict."""
+
+    @property
+    def left_to_right(self) -> numpy.typing.NDArray[numpy.float64]:
+        """4 x 4, mm."""
+
+    @property
+    def notes(self) -> List[str]:
+        """What was put right, and why."""
+
+    @property
+    def right(self) -> Dict[str, Any]:
+        """Lens of the right eye: a dict."""
+
 class Study:
     """What scan() found."""
 
@@ -632,6 +746,23 @@ class TetMesh:
     def with_fields(self, *, point_fields: Mapping[str, Any] = ..., cell_fields: Mapping[str, Any] = ...) -> TetMesh:
         """A copy with these fields, in place of those of the same name."""
 
+class VesselTrees:
+    """Portal and hepatic veins, each as a tree; vessel_trees() and Case.find_vessels() make one."""
+
+    @property
+    def branches(self) -> List[Any]:
+        """Parents first, a dict each: name ("portal/right/posterior/VI/2"), system ("portal-vein", "hepatic-vein"), parent (an
+        earlier branch, or -1), generation, confidence of the system (0.5 to 1), length_mm, radius_mm (median), points_mm (n, 3)
+        and radii_mm (n,), outwards."""
+
+    @property
+    def hepatic_entry_mm(self) -> numpy.typing.NDArray[numpy.float64]:
+        """Where the hepatic veins meet the vena cava: LPS, mm."""
+
+    @property
+    def portal_entry_mm(self) -> numpy.typing.NDArray[numpy.float64]:
+        """Where the portal vein divides: LPS, mm."""
+
 class Volume:
     """A measured quantity on a grid in space.
 
@@ -699,6 +830,15 @@ def atlas_youngs_kPa(poisson_ratio: float = ...) -> float:
 def boundary_surface(mesh: TetMesh) -> Surface:
     """The outer surface of a TetMesh, counter-clockwise from outside. Its point field "mesh_point" says which point of the mesh each one is, its cell field "mesh_cell" which tetrahedron lies behind each triangle."""
 
+def calibrate(left: Sequence[numpy.typing.ArrayLike], right: Sequence[numpy.typing.ArrayLike], *, board: str, columns: int, rows: int, spacing_mm: float) -> Dict[str, Any]:
+    """A StereoCalibration from pictures of a board that both eyes took at once.
+
+    left, right     lists of pictures: uint8, (height, width, 3)
+    board           "chessboard" (columns x rows inner corners), "circles", or "dots" (circles, four of them larger)
+
+    A dict: calibration, rms_px (reprojection, both eyes together), pair_rms_px, pairs, points, left_rms_px, right_rms_px,
+    notes. Raises glisson.Error: board-invalid, calibration-too-few-views, stereo-image-sizes, calibration-failed."""
+
 def cell_centroids_mm(mesh: TetMesh) -> numpy.typing.NDArray[Any]:
     """float64, shape (cells, 3): LPS, mm."""
 
@@ -713,6 +853,13 @@ def cell_stiffness(mesh: TetMesh, shear_kPa: Volume, *, confident: Optional[Mask
 
     Raises glisson.Error: stiffness-no-cells, stiffness-empty-map, stiffness-bad-grid, stiffness-bad-options,
     stiffness-no-overlap, stiffness-nothing-reliable."""
+
+def couinaud_segments(liver: Mask, trees: Optional[VesselTrees] = ..., *, progress: Optional[Callable[[float, str], Any]] = ...) -> Dict[str, Any]:
+    """Couinaud's eight segments of a liver, from its VesselTrees or, without, from its shape alone.
+
+    A dict: segment (LabelMap: 1 to 8, 0 outside), doubt (uint8, [i, j, k]: percent), volume_ml and confidence (9 numbers: of
+    all, then of segments 1 to 8), from ("tree" or "prior").
+    Raises glisson.Error: liver-empty, vessels-outside, and what a liver's shape refuses."""
 
 def dice(a: Mask, b: Mask) -> float:
     """Dice's overlap of two masks: 1 the same, 0 apart.
@@ -787,6 +934,19 @@ def invert(phase_rad: numpy.typing.ArrayLike, *, frequency_Hz: float, spacing_mm
     Raises glisson.Error: array-shape, waves-none, waves-no-frequency, waves-too-few-offsets, waves-empty-organ,
     waves-nothing-confident."""
 
+def make_sequence(left: str | os.PathLike[str], right: str | os.PathLike[str], calibration: StereoCalibration, folder: str | os.PathLike[str], *, every: int = ..., frames: int = ..., step_px: int = ..., model: Optional[str | os.PathLike[str]] = ..., landmarks: Optional[str | os.PathLike[str]] = ..., progress: Optional[Callable[[float, str], Any]] = ...) -> Dict[str, Any]:
+    """A stereo video (files, or folders of pictures) to a sequence on disk for sirgn_of_sequence: a cloud a frame, tracked
+    landmarks and a model, in a new folder.
+
+    every, frames  one frame of so many, at most so many; step_px: a point every so many pixels
+    model          a surface file to register to; without, the frames' own, aligned globally
+    landmarks      tracks.csv of an expert; without, tracked features
+
+    A dict: file (sequence.json), frames, landmarks, mean_points, valid_fraction, epipolar_px, notes.
+    progress is told (fraction, stage); KeyboardInterrupt cancels.
+    Raises glisson.Error: video-not-readable, video-no-frames, sequence-folder-not-empty, sequence-lengths,
+    sequence-too-few-frames, sequence-no-landmarks."""
+
 def mark_attachments(liver: TetMesh) -> TetMesh:
     """The liver with the point fields "bare_area" and "diaphragm" (0 or 1), found by its shape: what holds it in the body.
 
@@ -825,6 +985,11 @@ def predict(experiment: str | os.PathLike[str], better: Optional[str | os.PathLi
 
     Raises glisson.Error: what is wrong with the experiment, model-invalid."""
 
+def read_calibration(file: str | os.PathLike[str]) -> StereoCalibration:
+    """A StereoCalibration of JSON, OpenCV's YAML, or a folder of text files.
+
+    Raises glisson.Error: calibration-invalid, calibration-not-rotation, calibration-no-baseline."""
+
 def read_dicom_seg(file: str | os.PathLike[str]) -> List[SegmentedMask]:
     """The segments of a DICOM SEG file: a list of SegmentedMask."""
 
@@ -837,6 +1002,9 @@ def read_mask_file(file: str | os.PathLike[str]) -> SegmentedMask:
     """The first segment of a label file; all that is not zero where it names none.
 
     Raises glisson.Error: as read_labels_file."""
+
+def read_picture(file: str | os.PathLike[str]) -> numpy.typing.NDArray[Any]:
+    """PNG, JPEG, TIFF, BMP or PNM: uint8, (height, width, 3), red, green, blue."""
 
 def read_series(series: Series, volume: int = ..., *, progress: Optional[Callable[[float, str], Any]] = ...) -> Volume:
     """One volume of a series, with its rescaling applied.
@@ -852,6 +1020,11 @@ def read_tetrahedra(file: str | os.PathLike[str]) -> TetMesh:
     """A .vtu or .vtk file as a TetMesh.
 
     Raises glisson.Error: file-not-readable, mesh-format-unknown, mesh-file-invalid, mesh-cell-type, mesh-too-large."""
+
+def read_trees(file: str | os.PathLike[str]) -> VesselTrees:
+    """VesselTrees of a file (glisson-vessel-trees/1).
+
+    Raises glisson.Error: trees-unreadable."""
 
 def read_volume_file(file: str | os.PathLike[str]) -> Volume:
     """A NIfTI, NRRD or MetaImage file as a Volume, in LPS.
@@ -906,6 +1079,29 @@ def sirgn(frames: Sequence[Tuple[numpy.typing.ArrayLike, numpy.typing.ArrayLike]
 def sirgn_of_sequence(file: str | os.PathLike[str], method: str, *, tolerances_mm: Sequence[float] = ..., progress: Optional[Callable[[float, str], Any]] = ...) -> Dict[str, Any]:
     """The same of a sequence on disk, as it was registered ("given") or by "icp", "geo" or "gnra"."""
 
+def stereo_cloud(left: numpy.typing.ArrayLike, right: numpy.typing.ArrayLike, calibration: StereoCalibration, *, nearest_mm: float = ..., farthest_mm: float = ..., step_px: int = ...) -> Dict[str, Any]:
+    """A pair of pictures (uint8, (height, width, 3)) to points in left-camera mm.
+
+    A dict: surface (a Surface between neighbouring pixels), confidence (0..1, one a point), colour (n, 3), pixels (n, 2: x,
+    y in `picture`), picture (the rectified left one), valid_fraction (of what is not masked).
+    Raises glisson.Error: stereo-range, stereo-calibration-size, stereo-image-sizes, stereo-eyes-exchanged,
+    calibration-not-of-pictures, stereo-failed."""
+
+def territories(trees: VesselTrees, system: str, liver: Mask) -> Dict[str, Any]:
+    """Which tissue belongs to which branch of "portal-vein" or "hepatic-vein": nearest wall, along ways in the liver.
+
+    A dict: branch (int32, [i, j, k] on the liver's grid: of trees.branches, -1 where none), distance_mm (float32, from its
+    wall), volume_ml (of each branch by itself), volume_beyond_ml (with all that grows from it).
+    Raises glisson.Error: territories-no-branch, liver-empty, choice-unknown."""
+
+def track_landmarks(pairs: Iterable, calibration: StereoCalibration) -> Dict[str, Any]:
+    """Landmarks of a stereo video, followed in both eyes at once.
+
+    pairs  (left, right) a frame, pictures each; any iterable, read one by one
+
+    id -> (frames, 3): left-camera mm, NaN where it was not seen; the longest first, as sirgn() takes them.
+    Raises glisson.Error: stereo-image-sizes, stereo-failed."""
+
 def trwls(source_mm: numpy.typing.ArrayLike, target_mm: numpy.typing.ArrayLike, *, sigma_mm: float, tau_mm: float, passes: int = ..., progress: Optional[Callable[[float, str], Any]] = ...) -> Dict[str, Any]:
     """Matches nodes to labels by their distances, (nodes, nodes) and (labels, labels), mm: TRWL-S.
 
@@ -918,17 +1114,46 @@ def trwls(source_mm: numpy.typing.ArrayLike, target_mm: numpy.typing.ArrayLike, 
 def usual_supports() -> List[Any]:
     """The supports of a scenario that go with mark_attachments: the bare area held, the diaphragm on a foundation."""
 
+def vessel_trees(vessels: Mask, liver: Mask, *, portal_mm: Optional[numpy.typing.ArrayLike] = ..., hepatic_mm: Optional[numpy.typing.ArrayLike] = ..., progress: Optional[Callable[[float, str], Any]] = ...) -> VesselTrees:
+    """VesselTrees of a Mask that holds portal and hepatic veins together: centre lines, the two told apart by the liver's shape,
+    branches named. portal_mm, hepatic_mm: a place (LPS, mm) on each main stem, where the first guess is wrong.
+
+    progress is told (fraction, stage); KeyboardInterrupt cancels.
+    Raises glisson.Error: vessels-empty, vessels-one-blob, vessels-grid, vessels-outside, liver-empty."""
+
 def volume_ml(mask: Mask) -> float:
     """Of a mask's voxels, ml."""
 
+def write_calibration(file: str | os.PathLike[str], calibration: StereoCalibration) -> None:
+    """Writes a StereoCalibration as JSON, all or nothing."""
+
+def write_explanation(experiment: str | os.PathLike[str], folder: str | os.PathLike[str], *, progress: Optional[Callable[[float, str], Any]] = ...) -> None:
+    """Explains an experiment, as explain(), into a folder: report.json, report.html for people, and model.json for predict() and for rehearsals.
+
+    Raises glisson.Error: what is wrong with the experiment, file-not-writable."""
+
 def write_mask_file(file: str | os.PathLike[str], mask: Mask, name: str, *, label_value: int = ..., color_rgb: Sequence[float] = ...) -> None:
     """Writes a .nrrd that 3D Slicer opens as one named, coloured segment, all or nothing."""
+
+def write_patient_page(case: Case, file: str | os.PathLike[str], *, name: Optional[str] = ..., figures: Sequence[Tuple[str | os.PathLike[str], str]] = ..., progress: Optional[Callable[[float, str], Any]] = ...) -> None:
+    """What was done for the patient of a Case, as one HTML file that needs nothing beside it.
+
+    name     the patient's, which the page otherwise withholds
+    figures  (PNG file, caption) each, as draw_case and write_picture make them; the first large
+
+    Raises glisson.Error: case-lacks-entry, file-not-readable, file-not-writable."""
+
+def write_picture(file: str | os.PathLike[str], picture: numpy.typing.ArrayLike) -> None:
+    """Writes uint8 of (height, width, 3), by the extension, all or nothing."""
 
 def write_surface(file: str | os.PathLike[str], surface: Surface) -> None:
     """Writes .vtp (with all fields), .stl, .obj or .ply, all or nothing."""
 
 def write_tetrahedra(file: str | os.PathLike[str], mesh: TetMesh) -> None:
     """Writes .vtu with all fields, all or nothing."""
+
+def write_trees(file: str | os.PathLike[str], trees: VesselTrees) -> None:
+    """Writes VesselTrees as JSON, all or nothing."""
 
 def write_volume_file(file: str | os.PathLike[str], volume: Volume) -> None:
     """Writes .nrrd, .nii, .nii.gz or .mha, 32-bit floats, all or nothing."""

@@ -1,0 +1,310 @@
+#include "casefile/macro.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <algorithm>
+#include <charconv>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "base/files.h"
+#include "base/json.h"
+#include "casefile/history_journal.h"
+#include "casefile/model_upkeep.h"
+
+namespace glisson::casefile {
+namespace fs = std::filesystem;
+namespace {
+
+std::vector<Command> commands_of(const Step& step, const std::vector<EntryChange>& changes);
+std::vector<Command> commands_of_values(const Step& step);
+std::string one_line(const std::string& text);
+std::string in_shell(const std::string& word);
+std::string in_python(const std::string& text);
+std::string in_python(const Json& json);
+std::string scenario_file(int number) { return fmt::format("scenario-{}.json", number); }
+
+}  // namespace
+
+Result<Macro> macro_of(const fs::path& case_folder) {
+  if (auto there = Case::open(case_folder); !there) return failure(std::move(there.error()));
+  const auto listing = read_listing(case_folder);
+  if (!listing) return failure(listing.error());
+  std::error_code ignored;
+  Macro macro{fs::absolute(case_folder, ignored), listing->forgotten, {}};
+  for (std::size_t n = 0; n < listing->done; ++n) {
+    const Step& step = listing->steps[n];
+    MacroStep told{step.number, step.name, {}};
+    if (step.values.empty()) {
+      const auto changes = read_changes(file_of_step(case_folder, step.number));
+      if (!changes) return failure(changes.error());
+      told.commands = commands_of(step, *changes);
+    } else {
+      told.commands = commands_of_values(step);
+    }
+    macro.steps.push_back(std::move(told));
+  }
+  return macro;
+}
+
+std::string as_command_line(const Macro& macro) {
+  std::string text = "# What was done to a case in Glisson " + version() +
+                     ", for a shell. It begins with the case as it was before the first step.\n";
+  if (macro.earlier_forgotten) text += "# Earlier steps are no longer known: the history keeps a limited number.\n";
+  text += "CASE=before.glisson  # a copy of the case as it was\n";
+  text += "RECORDED=" + in_shell(macro.recorded.string()) + "  # whose history holds what was done by hand\n";
+  std::string rest;
+  for (const MacroStep& step : macro.steps) {
+    const std::string about =
+        fmt::format("\n# {}. {}{}\n", step.number, one_line(step.name.message()),
+                    step.commands.empty() ? " (moved a view, and changed nothing in the case)" : "");
+    rest += about;
+    for (const Command& command : step.commands) {
+      if (!command.scenario.empty()) {
+        rest += fmt::format("cat > {} <<'END' &&\n{}\nEND\n", scenario_file(step.number), command.scenario);
+      }
+      rest += "glisson-cli";
+      for (const std::string& word : command.words) {
+        rest += word == the_case ? " \"$CASE\"" : word == recorded_case ? " \"$RECORDED\"" : " " + in_shell(word);
+      }
+      rest += " &&\n";
+    }
+  }
+  return text + rest + "\ntrue\n";
+}
+
+std::string as_python(const Macro& macro) {
+  std::string text = "# What was done to a case in Glisson " + version() +
+                     ", in Python. It begins with the case as it was before the first step.\n";
+  if (macro.earlier_forgotten) text += "# Earlier steps are no longer known: the history keeps a limited number.\n";
+  text += "import glisson\n\npatient = glisson.Case(\"before.glisson\")  # a copy of the case as it was\n";
+  text += "recorded = " + in_python(macro.recorded.string()) + "  # whose history holds what was done by hand\n";
+  for (const MacroStep& step : macro.steps) {
+    text += fmt::format("\n# {}. {}{}\n", step.number, one_line(step.name.message()),
+                        step.commands.empty() ? " (moved a view, and changed nothing in the case)" : "");
+    for (const Command& command : step.commands) text += command.python + "\n";
+  }
+  return text;
+}
+
+namespace {
+
+using Options = std::map<std::string, std::string>;
+
+std::string option(const Options& options, const std::string& name) {
+  const auto found = options.find(name);
+  return found == options.end() ? std::string() : found->second;
+}
+
+// As it is to be typed; empty where it is no finite number. A case may come from anywhere.
+std::string number_in(const std::string& text) {
+  double number = 0;
+  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (problem != std::errc() || end != text.data() + text.size() || !std::isfinite(number)) return {};
+  return fmt::format("{}", number);
+}
+
+// "1,2,3"; empty where it is no position.
+std::string position_in(const std::string& text) {
+  std::string position;
+  int numbers = 0;
+  for (std::size_t begin = 0; begin <= text.size(); ++numbers) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const std::string number = number_in(text.substr(begin, end - begin));
+    if (number.empty()) return {};
+    position += (numbers == 0 ? "" : ",") + number;
+    begin = end + 1;
+  }
+  return numbers == 3 ? position : std::string();
+}
+
+// Nothing where how the entry was made does not say all that the command needs.
+std::optional<Command> segment(const std::string& id, const Provenance& made) {
+  if (option(made.options, "method") != "seeds" || made.options.count("edited") != 0) return {};
+  const std::string name = id.substr(std::string("labels/").size());
+  Command command{{"segment", the_case, "--structure", name}, {}};
+  std::vector<std::string> seeds;
+  for (std::size_t n = 1; made.options.count(fmt::format("seed-{}_mm", n)) != 0; ++n) {
+    const std::string seed = position_in(option(made.options, fmt::format("seed-{}_mm", n)));
+    if (seed.empty()) return {};
+    command.words.insert(command.words.end(), {"--seed", seed});
+    seeds.push_back("[" + seed + "]");
+  }
+  if (seeds.empty()) return {};
+  const std::string within = option(made.options, "within");
+  if (!within.empty()) command.words.insert(command.words.end(), {"--inside", within});
+  command.python = fmt::format("patient.grow_structure({}, [{}]{})", in_python(name), fmt::join(seeds, ", "),
+                               within.empty() ? "" : ", within=" + in_python(within));
+  return command;
+}
+
+std::optional<Command> invert(const std::string&, const Provenance& made) {
+  const std::string method = option(made.options, "method"), long_waves = option(made.options, "long-waves");
+  const std::string directions = option(made.options, "directions");
+  if (method.empty() || long_waves.empty() || directions.empty()) return {};
+  Command command{{"invert", the_case, "--method", method, "--long-waves", long_waves}, {}};
+  std::string more;
+  if (directions == "apart") {
+    command.words.emplace_back("--directional");
+    more += ", directional=True";
+  }
+  for (const auto& [asked, word] :
+       {std::pair("asked-frequency_Hz", "frequency_Hz"), std::pair("asked-directions", "directions")}) {
+    if (made.options.count(asked) == 0) continue;
+    const std::string number = number_in(option(made.options, asked));
+    if (number.empty()) return {};
+    command.words.insert(command.words.end(),
+                         {word == std::string("directions") ? "--directions" : "--frequency-Hz", number});
+    more += fmt::format(", {}={}", word, number);
+  }
+  command.python =
+      fmt::format("patient.invert_waves(method={}, long_waves={}{})", in_python(method), in_python(long_waves), more);
+  return command;
+}
+
+std::optional<Command> vessels(const std::string&, const Provenance& made) {
+  const std::string of = option(made.options, "of");
+  const bool portal = made.options.count("portal-click_mm") != 0, hepatic = made.options.count("hepatic-click_mm") != 0;
+  if (of.empty() || (hepatic && !portal)) return {};  // the first place is the portal vein's
+  Command command{{"vessels", the_case}, {}};
+  std::vector<std::string> named;
+  if (of.find(',') == std::string::npos) {
+    command.words.insert(command.words.end(), {"--structure", of});
+    named.push_back("structure=" + in_python(of));
+  }
+  for (const auto& [there, name, word] :
+       {std::tuple(portal, "portal-click_mm", "portal_mm"), std::tuple(hepatic, "hepatic-click_mm", "hepatic_mm")}) {
+    if (!there) continue;
+    const std::string place = position_in(option(made.options, name));
+    if (place.empty()) return {};
+    command.words.insert(command.words.end(), {"--seed", place});
+    named.push_back(fmt::format("{}=[{}]", word, place));
+  }
+  command.python = fmt::format("patient.find_vessels({})", fmt::join(named, ", "));
+  return command;
+}
+
+std::optional<Command> territories(const std::string&, const Provenance& made) {
+  const std::string from = option(made.options, "from");
+  if (from != "tree" && from != "prior") return {};
+  return Command{{"territories", the_case, "--from", from},
+                 fmt::format("patient.find_territories(by={})", in_python(from))};
+}
+
+std::optional<Command> mesh(const std::string&, const Provenance& made) {
+  const std::string cells = number_in(option(made.options, "target-cells"));
+  if (cells.empty()) return {};
+  return Command{{"mesh", the_case, "--target-cells", cells},
+                 fmt::format("patient.mesh_liver(target_cells={})", cells)};
+}
+
+std::optional<Command> stiffness(const std::string&, const Provenance& made) {
+  const StiffnessChoice choice = stiffness_choice_in(made);
+  if (const auto* uniform = std::get_if<Uniform>(&choice)) {
+    return Command{{"stiffness", the_case, "--uniform-kPa", fmt::format("{}", uniform->youngs_kPa)},
+                   fmt::format("patient.assign_stiffness(uniform_kPa={})", uniform->youngs_kPa)};
+  }
+  if (const auto* atlas = std::get_if<FromAtlas>(&choice)) {
+    const char* shear_kPa = atlas->atlas == elastography::Atlas::published_cohort ? "2.6" : "2.1";
+    return Command{{"stiffness", the_case, "--atlas", shear_kPa},
+                   fmt::format("patient.assign_stiffness(atlas_kPa={})", shear_kPa)};
+  }
+  return Command{{"stiffness", the_case}, "patient.assign_stiffness()"};
+}
+
+// In the order of the work. Of a stage that makes several entries one tells how; empty: each of them does.
+struct Stage {
+  const char* by;
+  const char* told_by;
+  std::optional<Command> (*command)(const std::string& id, const Provenance& made);
+};
+constexpr Stage stages[] = {{"segment", "", segment},
+                            {"invert", "volumes/stiffness", invert},
+                            {"vessels", "vessels/trees", vessels},
+                            {"territories", "territories/couinaud", territories},
+                            {"mesh", "meshes/liver", mesh},
+                            {"stiffness", "meshes/model", stiffness}};
+
+Command redo(const Step& step) {
+  const std::string number = std::to_string(step.number);
+  return {{"redo", the_case, "--from", recorded_case, "--step", number},
+          fmt::format("patient.redo(recorded, {})", number)};
+}
+
+// Those of all stages that the step went through; where one of its changes came from nothing but a hand or from
+// outside, the whole step is redone.
+std::vector<Command> commands_of(const Step& step, const std::vector<EntryChange>& changes) {
+  std::vector<Command> commands;
+  std::set<std::string> computed;
+  for (const Stage& stage : stages) {
+    for (const EntryChange& change : changes) {
+      const auto& after = change.sides.after;
+      if (!after || after->made.by != stage.by || (*stage.told_by != '\0' && change.id != stage.told_by)) continue;
+      auto command = stage.command(change.id, after->made);
+      if (!command) return {redo(step)};
+      commands.push_back(*std::move(command));
+      computed.insert(stage.by);
+    }
+  }
+  const bool all = std::all_of(changes.begin(), changes.end(), [&](const EntryChange& change) {
+    return computed.count(change.sides.after ? change.sides.after->made.by : change.sides.before->made.by) != 0;
+  });
+  return all && step.followed.empty() ? commands : std::vector<Command>{redo(step)};
+}
+
+// A tool that presses with a known force on a patch, as a load of a scenario (widgets/session/rehearsal_undo.cpp keeps
+// it so).
+std::vector<Command> commands_of_values(const Step& step) {
+  if (step.values.size() != 1 || step.values.front().key != "rehearse/tool") return {};
+  Json loads = Json::array();
+  try {
+    const Json state = Json::parse(step.values.front().after).at(0);
+    if (state.at("touch") != "patch") return {};
+    for (const Json& tool : state.at("tools")) {
+      Json force_N = Json::array();
+      for (std::size_t k = 0; k < 3; ++k) {
+        force_N.push_back(tool.at("force_N").get<double>() * tool.at("direction").at(k).get<double>());
+      }
+      loads.push_back({{"tool",
+                        {{"center_mm", tool.at("center_mm")},
+                         {"radius_mm", tool.at("radius_mm").get<double>()},
+                         {"force_N", std::move(force_N)}}}});
+    }
+  } catch (const Json::exception&) {
+    return {};
+  }
+  if (loads.empty()) return {};
+  const Json scenario{{"loads", std::move(loads)}};
+  const std::string out = fmt::format("rehearsal-{}", step.number);
+  return {{{"simulate", the_case, "--scenario", scenario_file(step.number), "--out", out},
+           fmt::format("asked = patient.question({})\nrehearsal_{} = glisson.simulate(asked[\"mesh\"], "
+                       "asked[\"scenario\"])",
+                       in_python(scenario), step.number),
+           scenario.dump()}};
+}
+
+// What stands in a comment must not end it.
+std::string one_line(const std::string& text) {
+  std::string line = text;
+  std::replace_if(
+      line.begin(), line.end(), [](unsigned char c) { return c < ' ' || c == 0x7f; }, ' ');
+  return line;
+}
+
+std::string in_shell(const std::string& word) {
+  const bool plain = !word.empty() && std::all_of(word.begin(), word.end(), [](unsigned char c) {
+    return std::isalnum(c) != 0 || std::string_view("-_./,:=+").find(char(c)) != std::string_view::npos;
+  });
+  if (plain) return word;
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
+// A document without true, false and null reads the same in Python.
+std::string in_python(const Json& json) { return json.dump(-1, ' ', true, Json::error_handler_t::replace); }
+std::string in_python(const std::string& text) { return in_python(Json(text)); }
+
+}  // namespace
+}  // namespace glisson::casefile

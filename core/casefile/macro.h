@@ -1,0 +1,48 @@
+#pragma once
+// What was done to a case in the window, as commands that do it again without one: on the case as it was before the
+// first of them, they lead to the same files, byte for byte.
+//
+// A step of the history becomes the commands that computed its entries, where Glisson computed them from the case alone
+// (how an entry was made says from what, and with which options). What a hand drew or placed, and what came from
+// outside, is taken over from the recorded history (`redo`, redo_step.h). What moved a view and changed nothing in the
+// case is said in a comment; a tool on the liver besides as a simulation.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/sentence.h"
+#include "casefile/case.h"
+
+namespace glisson::casefile {
+
+// One call, twice. In `words`, what comes after "glisson-cli", the_case and recorded_case stand for folders.
+inline constexpr const char* the_case = "{case}";
+inline constexpr const char* recorded_case = "{recorded}";
+struct Command {
+  std::vector<std::string> words;
+  std::string python;         // statements about `patient`, a glisson.Case, and `recorded`, the folder
+  std::string scenario = {};  // JSON, where the command line reads a scenario's file
+};
+
+struct MacroStep {
+  int number = 0;  // in the case's history
+  Sentence name;
+  std::vector<Command> commands;  // none: it changed nothing in the case
+};
+
+struct Macro {
+  std::filesystem::path recorded;  // the case
+  bool earlier_forgotten = false;  // the history keeps a limited number of steps
+  std::vector<MacroStep> steps;    // that are done, not those that were undone
+};
+
+// Fails as Case::open does, and with "history-damaged".
+Result<Macro> macro_of(const std::filesystem::path& case_folder);
+
+// A script for a POSIX shell, which ends at the first command that fails; a program in Python. Both begin with what
+// they need and which names to change.
+[[nodiscard]] std::string as_command_line(const Macro& macro);
+[[nodiscard]] std::string as_python(const Macro& macro);
+
+}  // namespace glisson::casefile

@@ -1,0 +1,208 @@
+// What was done to a case can be done again without the window, from its own history, and nothing that a case says can
+// become another command.
+
+#include "casefile/macro.h"
+
+#include <gmock/gmock.h>
+#include <fstream>
+
+#include "base/files.h"
+#include "casefile/history.h"
+#include "casefile/placed_landmarks.h"
+#include "casefile/redo_step.h"
+#include "casefile/structures.h"
+#include "segmentation/edit.h"
+
+namespace glisson::casefile {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+
+imaging::Mask ball(double radius_mm) {
+  imaging::Mask mask;
+  mask.grid.size = {40, 32, 20};
+  mask.grid.spacing_mm = {1.5, 1.5, 3.1};
+  mask.values.assign(mask.grid.voxels(), 0);
+  return segmentation::paint(std::move(mask), {{30, 24, 30}, radius_mm});
+}
+
+Result<void> add(const fs::path& folder, const std::string& id, const Provenance& made, const std::string& text) {
+  auto opened = Case::open(folder);
+  return opened->add(id, ".json", made, [&](const fs::path& file) -> Result<void> {
+    std::ofstream(file) << text;
+    return {};
+  });
+}
+
+std::map<std::string, std::string> contents(const fs::path& folder) {
+  std::map<std::string, std::string> all;
+  const auto opened = Case::open(folder);
+  for (const Entry& entry : opened->entries()) {
+    all[entry.id] = sha256_of_file(folder / entry.file).value_or("missing");
+    EXPECT_EQ(all[entry.id], entry.sha256) << entry.id;
+  }
+  return all;
+}
+
+class MacroTest : public testing::Test {
+ protected:
+  MacroTest() { (void)Case::create(folder_).value(); }
+  void step(const std::string& name, const std::function<Result<void>(Case&)>& change) {
+    const auto done = history()->record(
+        {name, {}}, [&] { return Case::open(folder_).and_then([&](Case patient) { return change(patient); }); });
+    ASSERT_TRUE(done) << done.error().message();
+  }
+  void draw(const std::string& name, double radius_mm) {
+    step("Brush on " + name, [&](Case& patient) {
+      return save_structure(patient, segmentation::make_structure(name, ball(radius_mm)),
+                            {"segment", {{"method", "drawn"}}, {}, {}, {}})
+          .map([](const auto&) {});
+    });
+  }
+  // An entry of that stage, as if it had been computed.
+  void compute(const std::string& id, const std::string& by, const std::map<std::string, std::string>& options) {
+    step(by, [&](Case&) { return add(folder_, id, {by, options, {}, {}, {}}, id); });
+  }
+  std::vector<std::string> words() {
+    const auto macro = macro_of(folder_);
+    EXPECT_TRUE(macro) << macro.error().message();
+    std::vector<std::string> lines;
+    for (const MacroStep& step : macro->steps) {
+      for (const Command& command : step.commands) {
+        std::string line;
+        for (const std::string& word : command.words) line += (line.empty() ? "" : " ") + word;
+        lines.push_back(line);
+      }
+    }
+    return lines;
+  }
+  History* history() {
+    if (!history_) history_ = History::open(folder_).value();
+    return history_.get();
+  }
+  void copy_now() { fs::copy(folder_, copy_, fs::copy_options::recursive); }
+
+  TemporaryFolder temporary_;
+  fs::path folder_ = temporary_.path() / "patient.glisson", copy_ = temporary_.path() / "copy.glisson";
+  std::unique_ptr<History> history_;
+};
+
+TEST_F(MacroTest, WhatAHandDidComesOutTheSameOnACopyStepByStep) {
+  draw("liver", 12);
+  copy_now();
+  std::vector<std::map<std::string, std::string>> states;
+  const auto then = [&] { states.push_back(contents(folder_)); };
+  draw("liver", 14), then();
+  draw("liver", 11), then();
+  draw("tumour-1", 5), then();
+  step("Rename", [&](Case& patient) {
+    return save_structure(patient, segmentation::make_structure("cyst-1", ball(5)), {"segment", {}, {}, {}, {}})
+        .and_then([&](const auto&) { return patient.remove("labels/tumour-1"); });
+  });
+  then();
+  step("Landmarks", [&](Case& patient) { return keep_landmarks(patient, {{"hilum", {1.25, 2, 3}}}); }), then();
+  step("Other landmarks", [&](Case& patient) { return keep_landmarks(patient, {{"hilum", {1, 2, 4}}}); }), then();
+  step("No landmarks", [&](Case& patient) { return keep_landmarks(patient, {}); }), then();
+  auto other = Case::open(copy_);
+  for (std::size_t n = 0; n < states.size(); ++n) {
+    const auto done = redo_step(*other, folder_, static_cast<int>(n) + 2);
+    ASSERT_TRUE(done) << done.error().message();
+    EXPECT_EQ(contents(copy_), states[n]) << n;
+    EXPECT_EQ(Case::open(copy_)->entries().size(), states[n].size());
+  }
+}
+
+TEST_F(MacroTest, AnotherCaseIsRefusedAndStaysAsItIs) {
+  draw("liver", 12);
+  draw("liver", 14);
+  copy_now();
+  auto other = Case::open(copy_);
+  const auto before = contents(copy_);
+  EXPECT_EQ(redo_step(*other, folder_, 2).error().code, "step-does-not-fit");  // it was done there already
+  EXPECT_EQ(redo_step(*other, folder_, 7).error().code, "step-unknown");
+  ASSERT_TRUE(history()->record_values({"Force", {}}, {{"rehearse/force", "[1]", "[2]"}}));
+  EXPECT_EQ(redo_step(*other, folder_, 3).error().code, "step-changes-nothing");
+  step("Mesh", [&](Case&) { return add(folder_, "meshes/liver", {"mesh", {}, {}, {}, {}}, "a mesh"); });
+  std::ofstream(folder_ / "meshes/liver.json") << "overwritten";
+  EXPECT_EQ(redo_step(*other, folder_, 4).error().code, "step-content-gone");
+  EXPECT_EQ(contents(copy_), before);
+}
+
+TEST_F(MacroTest, WhatWasComputedIsComputedAgainWithTheSameOptions) {
+  compute("labels/liver", "segment",
+          {{"method", "seeds"}, {"seed-1_mm", "-1.125,2,30.0625"}, {"seed-2_mm", "4,5,6"}, {"within", "body"}});
+  compute("meshes/liver", "mesh", {{"target-cells", "20000"}});
+  compute("meshes/model", "stiffness", {{"uniform_kPa", "6.1"}});
+  compute("meshes/model", "stiffness", {{"atlas_kPa", "6.09"}});
+  compute("meshes/model", "stiffness", {});
+  compute("vessels/trees", "vessels", {{"of", "vessels"}, {"portal-click_mm", "1,2,3"}});
+  compute("territories/couinaud", "territories", {{"from", "prior"}});
+  compute("volumes/stiffness", "invert",
+          {{"method", "lfe"}, {"long-waves", "curl"}, {"directions", "apart"}, {"asked-frequency_Hz", "62.5"}});
+  EXPECT_THAT(words(),
+              ElementsAre("segment {case} --structure liver --seed -1.125,2,30.0625 --seed 4,5,6 --inside body",
+                          "mesh {case} --target-cells 20000", "stiffness {case} --uniform-kPa 6.1",
+                          "stiffness {case} --atlas 2.1", "stiffness {case}",
+                          "vessels {case} --structure vessels --seed 1,2,3", "territories {case} --from prior",
+                          "invert {case} --method lfe --long-waves curl --directional --frequency-Hz 62.5"));
+}
+
+TEST_F(MacroTest, WhatAHandEditedAfterwardsOrCameFromOutsideIsRedone) {
+  compute("labels/liver", "segment", {{"method", "seeds"}, {"seed-1_mm", "1,2,3"}, {"edited", "drawn"}});
+  compute("volumes/anatomy", "import", {});
+  step("Both", [&](Case&) {
+    return add(folder_, "meshes/liver", {"mesh", {{"target-cells", "900"}}, {}, {}, {}}, "m").and_then([&] {
+      return add(folder_, "labels/vessels", {"import", {}, {}, {}, {}}, "v");
+    });
+  });
+  EXPECT_THAT(words(), ElementsAre("redo {case} --from {recorded} --step 1", "redo {case} --from {recorded} --step 2",
+                                   "redo {case} --from {recorded} --step 3"));
+}
+
+TEST_F(MacroTest, NothingThatACaseSaysBecomesAnotherCommand) {
+  compute("labels/liver", "segment", {{"method", "seeds"}, {"seed-1_mm", "1,2,$(touch hit)"}});
+  compute("vessels/trees", "vessels", {{"of", "a'; touch hit; '"}});
+  ASSERT_TRUE(history()->record({"Drawn\ntouch hit\n", {}}, [&] {
+    return add(folder_, "labels/x", {"segment", {}, {}, {}, {}}, "x");
+  }));
+  const auto macro = macro_of(folder_);
+  ASSERT_TRUE(macro);
+  const std::string shell = as_command_line(*macro), python = as_python(*macro);
+  EXPECT_THAT(shell, Not(HasSubstr("$(touch")));
+  EXPECT_THAT(shell, HasSubstr("--structure 'a'\\''; touch hit; '\\'''"));
+  for (const std::string& text : {shell, python}) EXPECT_THAT(text, Not(HasSubstr("\ntouch")));
+  EXPECT_THAT(python, HasSubstr("structure=\"a'; touch hit; '\""));
+}
+
+TEST_F(MacroTest, AToolThatPressedIsASimulationAndWhatWasUndoneIsLeftOut) {
+  const std::string tools =
+      R"([{"touch":"patch","tools":[{"preset":"","center_mm":[1,2,3],"outward":[0,0,1],"radius_mm":10,"force_N":2,"direction":[0,0,-1]}]}])";
+  ASSERT_TRUE(history()->record_values({"Place the tool", {}}, {{"rehearse/tool", "", tools}}));
+  ASSERT_TRUE(history()->record_values({"By hand", {}}, {{"guide/hand", "", "[1]"}}));
+  draw("liver", 12);
+  ASSERT_TRUE(history()->undo());
+  const auto macro = macro_of(folder_);
+  ASSERT_TRUE(macro);
+  ASSERT_EQ(macro->steps.size(), 2u);
+  EXPECT_THAT(macro->steps[0].commands.at(0).scenario, HasSubstr("\"force_N\":[0.0,0.0,-2.0]"));
+  EXPECT_THAT(macro->steps[0].commands.at(0).words,
+              ElementsAre("simulate", "{case}", "--scenario", "scenario-1.json", "--out", "rehearsal-1"));
+  EXPECT_TRUE(macro->steps[1].commands.empty());
+  EXPECT_THAT(as_command_line(*macro), HasSubstr("# 2. By hand (moved a view, and changed nothing in the case)"));
+}
+
+TEST_F(MacroTest, SaysThatEarlierStepsAreForgotten) {
+  history_ = History::open(folder_, HistoryCaps{.disk_bytes = std::uintmax_t{1} << 30, .steps = 2}).value();
+  draw("liver", 12);
+  draw("liver", 13);
+  EXPECT_FALSE(macro_of(folder_)->earlier_forgotten);
+  draw("liver", 14);
+  EXPECT_TRUE(macro_of(folder_)->earlier_forgotten);
+  EXPECT_THAT(as_python(*macro_of(folder_)), HasSubstr("Earlier steps are no longer known"));
+}
+
+}  // namespace
+}  // namespace glisson::casefile
