@@ -69,6 +69,13 @@ void add_placement(py::module_& module) {
 
 // ---- a tool placed, whose force is free
 
+// Both bodies at once: who gives an atlas compares with it.
+Result<StaticRehearsal> with_both_bodies(RehearsalSetup setup, const Progress& progress) {
+  return StaticRehearsal::create(std::move(setup), progress.part(0, 0.5)).and_then([&](StaticRehearsal made) {
+    return made.make_reference(progress.part(0.5, 1)).map([&] { return std::move(made); });
+  });
+}
+
 void add_static_rehearsal(py::module_& module) {
   py::class_<RehearsalState>(module, "RehearsalState", "The body under a force on a placed tool.")
       .def_property_readonly(
@@ -119,8 +126,7 @@ Raises glisson.Error: as simulate, landmark-outside; place_tool: tool-touches-no
       .def(py::init([](const geometry::TetMesh& mesh, const py::object& scenario,
                        const std::optional<double>& atlas_youngs_kPa, const py::object& progress) {
              RehearsalSetup setup = setup_of(mesh, scenario, atlas_youngs_kPa);
-             return long_call(progress,
-                              [&](const Progress& told) { return StaticRehearsal::create(std::move(setup), told); });
+             return long_call(progress, [&](const Progress& told) { return with_both_bodies(std::move(setup), told); });
            }),
            py::arg("mesh"), py::arg("scenario"), py::kw_only(), py::arg("atlas_youngs_kPa") = py::none(),
            py::arg("progress") = py::none())

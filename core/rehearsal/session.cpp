@@ -73,7 +73,7 @@ Result<SessionEngine> SessionEngine::create(RehearsalSetup setup, const Progress
     watched.insert(watched.end(), in_mesh.begin(), in_mesh.end());
     parts->structures.push_back(std::move(structure));
   }
-  auto models = rehearsal_models(setup, progress);
+  auto models = rehearsal_models(setup, progress.part(0.0, setup.atlas_youngs_kPa ? 0.5 : 1.0));
   if (!models) return failure(std::move(models.error()));
   parts->law = setup.law;
   auto patient = SessionBody::create((*models)->patient, setup, watched, parts->landmarks.size());
@@ -81,7 +81,9 @@ Result<SessionEngine> SessionEngine::create(RehearsalSetup setup, const Progress
   BodyState at_rest = patient->untouched();
   Moment untouched{{}, std::move(*patient), {}, std::move(at_rest), {}};
   if ((*models)->atlas) {
-    auto atlas = SessionBody::create(*(*models)->atlas, setup, watched, parts->landmarks.size());
+    const auto reference = (*models)->atlas->model(progress.part(0.5, 1.0));
+    if (!reference) return failure(reference.error());
+    auto atlas = SessionBody::create(*reference, setup, watched, parts->landmarks.size());
     if (!atlas) return failure(std::move(atlas.error()));
     untouched.atlas = atlas->untouched();
     untouched.atlas_body = std::move(*atlas);

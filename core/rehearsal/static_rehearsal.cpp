@@ -1,8 +1,10 @@
 #include "rehearsal/static_rehearsal.h"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <future>
+#include <mutex>
 
 #include "base/units.h"
 #include "mechanics/statics/live_strain.h"
@@ -59,9 +61,17 @@ struct StaticRehearsal::Impl {
     StaticResult standing;
   };
   std::shared_ptr<const RehearsalModels> models;
-  std::optional<Body> patient, atlas;
+  mechanics::Loads standing_loads;
+  std::optional<Body> patient;
   double setup_s = 0;
 
+  // Made by the first who needs it, never changed then.
+  mutable std::mutex making;
+  mutable std::optional<Body> reference;
+  mutable std::atomic<bool> reference_is_made = false;
+
+  [[nodiscard]] Result<Body> standing(const StaticModel& model) const;
+  [[nodiscard]] Result<void> make_reference(const Progress& progress) const;
   [[nodiscard]] Result<BodyResponse> response_to_tool(const Body& body, const Vector3d& center_mm,
                                                       double radius_mm) const;
   [[nodiscard]] RehearsalBody body_under(const BodyResponse& response, const Vector3d& force_N) const;
@@ -84,21 +94,34 @@ Result<std::shared_ptr<const RehearsalModels>> rehearsal_models(const RehearsalS
     std::erase_if(supports,
                   [](const auto& support) { return std::holds_alternative<mechanics::Ligament>(support.how); });
   }
-  // One after the other: METIS draws from one stream of random numbers for all threads, and the order of elimination,
-  // and with it the bits of every answer, would differ from run to run.
-  auto patient = StaticModel::create(setup.mesh, setup.patient_youngs_kPa, supports, setup.options,
-                                     progress.part(0.0, setup.atlas_youngs_kPa ? 0.5 : 1.0));
+  auto patient = StaticModel::create(setup.mesh, setup.patient_youngs_kPa, supports, setup.options, progress);
   if (!patient) return failure(std::move(patient.error()));
-  RehearsalModels made{std::move(*patient), std::nullopt};
-  if (setup.atlas_youngs_kPa) {
-    mechanics::StaticOptions reference_options = setup.options;
-    reference_options.anisotropy.reset();
-    auto atlas = StaticModel::create(setup.mesh, std::vector<double>(setup.mesh.cells.size(), *setup.atlas_youngs_kPa),
-                                     supports, reference_options, progress.part(0.5, 1.0));
-    if (!atlas) return failure(std::move(atlas.error()));
-    made.atlas = std::move(*atlas);
-  }
+  RehearsalModels made{std::move(*patient)};
+  if (setup.atlas_youngs_kPa) made.atlas.emplace(made.patient, *setup.atlas_youngs_kPa);
   return std::make_shared<const RehearsalModels>(std::move(made));
+}
+
+struct ReferenceBody::Made {
+  std::mutex making;
+  std::optional<StaticModel> model;
+};
+
+ReferenceBody::ReferenceBody(StaticModel patient, double youngs_kPa)
+    : patient_(std::move(patient)), youngs_kPa_(youngs_kPa), made_(std::make_shared<Made>()) {}
+
+// In the patient's order of elimination: METIS draws from one stream of random numbers for all threads, and the bits of
+// every answer would depend on what else was ordered meanwhile.
+Result<StaticModel> ReferenceBody::model(const Progress& progress) const {
+  const std::lock_guard lock(made_->making);
+  if (!made_->model) {
+    mechanics::StaticOptions options = patient_.options();
+    options.anisotropy.reset();
+    auto model =
+        patient_.with_moduli(std::vector<double>(patient_.mesh().cells.size(), youngs_kPa_), options, progress);
+    if (!model) return failure(std::move(model.error()));
+    made_->model = std::move(*model);
+  }
+  return *made_->model;
 }
 
 Result<StaticRehearsal> StaticRehearsal::create(RehearsalSetup setup, const Progress& progress) {
@@ -107,20 +130,11 @@ Result<StaticRehearsal> StaticRehearsal::create(RehearsalSetup setup, const Prog
   auto models = rehearsal_models(setup, progress.part(0.0, 0.95));
   if (!models) return failure(std::move(models.error()));
   parts->models = *models;
-  const auto body_of = [&](const StaticModel& model) -> Result<Impl::Body> {
-    auto standing = model.solve(setup.standing_loads);
-    if (!standing) return failure(std::move(standing.error()));
-    if (auto checked = usable(*standing); !checked) return failure(std::move(checked.error()));
-    return Impl::Body{model, std::move(*standing)};
-  };
-  auto patient = body_of(parts->models->patient);
+  parts->standing_loads = setup.standing_loads;
+  auto patient = parts->standing(parts->models->patient);
   if (!patient) return failure(std::move(patient.error()));
   parts->patient = std::move(*patient);
-  if (parts->models->atlas) {
-    auto atlas = body_of(*parts->models->atlas);
-    if (!atlas) return failure(std::move(atlas.error()));
-    parts->atlas = std::move(*atlas);
-  }
+  parts->reference_is_made = !parts->models->atlas;
 
   progress.report(0.95, GLISSON_TEXT("Placing landmarks and structures"));
   auto places = mechanics::locate_landmarks(setup.mesh, setup.landmarks, setup.landmark_tolerance_mm);
@@ -141,7 +155,27 @@ Result<StaticRehearsal> StaticRehearsal::create(RehearsalSetup setup, const Prog
   return StaticRehearsal(std::move(parts));
 }
 
-Result<PlacedTool> StaticRehearsal::place_tool(const Vector3d& center_mm, double radius_mm) const {
+Result<StaticRehearsal::Impl::Body> StaticRehearsal::Impl::standing(const StaticModel& model) const {
+  auto standing = model.solve(standing_loads);
+  if (!standing) return failure(std::move(standing.error()));
+  if (auto checked = usable(*standing); !checked) return failure(std::move(checked.error()));
+  return Body{model, std::move(*standing)};
+}
+
+Result<void> StaticRehearsal::Impl::make_reference(const Progress& progress) const {
+  if (reference_is_made) return {};
+  const std::lock_guard lock(making);
+  if (reference) return {};
+  const auto model = models->atlas->model(progress);
+  if (!model) return failure(model.error());
+  auto body = standing(*model);
+  if (!body) return failure(std::move(body.error()));
+  reference = std::move(*body);
+  reference_is_made = true;
+  return {};
+}
+
+Result<PlacedTool> StaticRehearsal::place_tool(const Vector3d& center_mm, double radius_mm, On bodies) const {
   const auto start = Clock::now();
   const auto touched = impl_->patient->model.faces_touched_by(center_mm, radius_mm);
   if (!touched) return failure(touched.error());
@@ -153,12 +187,15 @@ Result<PlacedTool> StaticRehearsal::place_tool(const Vector3d& center_mm, double
   placed->touched_faces = *touched;
   // Side by side: a solve reads the whole factor, on one core.
   std::future<Result<BodyResponse>> beside;
-  if (impl_->atlas) {
-    beside =
-        std::async(std::launch::async, [&] { return impl_->response_to_tool(*impl_->atlas, center_mm, radius_mm); });
+  const bool compared = bodies == On::both && has_reference();
+  if (compared) {
+    beside = std::async(std::launch::async, [&]() -> Result<BodyResponse> {
+      if (auto made = impl_->make_reference({}); !made) return failure(std::move(made.error()));
+      return impl_->response_to_tool(*impl_->reference, center_mm, radius_mm);
+    });
   }
   auto patient = impl_->response_to_tool(*impl_->patient, center_mm, radius_mm);
-  if (impl_->atlas) {
+  if (compared) {
     auto atlas = beside.get();
     if (!atlas) return failure(std::move(atlas.error()));
     placed->atlas = std::move(*atlas);
@@ -268,11 +305,14 @@ const Vector3d& PlacedTool::center_mm() const { return impl_->center_mm; }
 double PlacedTool::radius_mm() const { return impl_->radius_mm; }
 std::size_t PlacedTool::touched_faces() const { return impl_->touched_faces; }
 double PlacedTool::solve_ms() const { return impl_->solve_ms; }
+bool PlacedTool::compared() const { return impl_->atlas.has_value(); }
 
 const geometry::Surface& StaticRehearsal::surface() const { return impl_->surface; }
 const std::shared_ptr<const RehearsalModels>& StaticRehearsal::models() const { return impl_->models; }
 const StaticModel& StaticRehearsal::patient() const { return impl_->patient->model; }
-const StaticModel* StaticRehearsal::atlas() const { return impl_->atlas ? &impl_->atlas->model : nullptr; }
+bool StaticRehearsal::has_reference() const { return impl_->models->atlas.has_value(); }
+bool StaticRehearsal::reference_is_made() const { return impl_->reference_is_made; }
+Result<void> StaticRehearsal::make_reference(const Progress& progress) const { return impl_->make_reference(progress); }
 double StaticRehearsal::setup_s() const { return impl_->setup_s; }
 
 namespace {

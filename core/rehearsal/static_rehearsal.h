@@ -46,10 +46,25 @@ struct RehearsalSetup {
 // session knows: cuts, motion, tools, the meshfree engine), those of youngs_modulus_of_cells.
 Result<RehearsalSetup> rehearsal_setup(geometry::TetMesh mesh, const mechanics::Scenario& scenario);
 
-// The two bodies, factorised. Copies are cheap.
+// The patient's mesh and supports with one modulus and no fibre direction. It is factorised when somebody first asks
+// for it, and then kept: until something is compared it would take as much memory as the patient.
+class ReferenceBody {
+ public:
+  ReferenceBody(mechanics::StaticModel patient, double youngs_kPa);
+  // Made once, whoever asks first; the others wait. Failures: those of StaticModel::create.
+  [[nodiscard]] Result<mechanics::StaticModel> model(const Progress& progress = {}) const;
+
+ private:
+  struct Made;
+  mechanics::StaticModel patient_;
+  double youngs_kPa_;
+  std::shared_ptr<Made> made_;
+};
+
+// The two bodies. Copies are cheap.
 struct RehearsalModels {
-  mechanics::StaticModel patient;
-  std::optional<mechanics::StaticModel> atlas;  // absent without a reference body
+  mechanics::StaticModel patient;           // factorised
+  std::optional<ReferenceBody> atlas = {};  // absent without a reference body
 };
 // `setup.models` where there are any; at large strain without ligaments, which only pull. Failures: those of
 // StaticModel::create.
@@ -82,6 +97,7 @@ class PlacedTool {
   [[nodiscard]] double radius_mm() const;
   [[nodiscard]] std::size_t touched_faces() const;
   [[nodiscard]] double solve_ms() const;  // what placing it cost
+  [[nodiscard]] bool compared() const;    // the reference body lies under it too
 
   // The bodies under that force (N, patient LPS). The force must be finite.
   [[nodiscard]] RehearsalState answer(const Eigen::Vector3d& force_N) const;
@@ -105,14 +121,23 @@ class StaticRehearsal {
   // Failures: those of StaticModel::create; "landmark-outside".
   static Result<StaticRehearsal> create(RehearsalSetup setup, const Progress& progress = {});
 
-  // Failures: "tool-touches-nothing"; "not-converged" where a solve may not be used.
-  [[nodiscard]] Result<PlacedTool> place_tool(const Eigen::Vector3d& center_mm, double radius_mm) const;
+  // On both bodies, or on the patient's alone, whose answers then are compared with nothing. The first tool on both
+  // makes the reference body, which takes as long as create. Failures: "tool-touches-nothing"; "not-converged" where a
+  // solve may not be used; those of make_reference.
+  enum class On { both, patient };
+  [[nodiscard]] Result<PlacedTool> place_tool(const Eigen::Vector3d& center_mm, double radius_mm,
+                                              On bodies = On::both) const;
+
+  [[nodiscard]] bool has_reference() const;
+  // Whether a tool on both would not have to wait for it; true where there is none.
+  [[nodiscard]] bool reference_is_made() const;
+  // Nothing where it is there, or there is none. Failures: those of StaticModel::create; "not-converged".
+  [[nodiscard]] Result<void> make_reference(const Progress& progress = {}) const;
 
   // The liver's outer surface at rest, whose points the states displace.
   [[nodiscard]] const geometry::Surface& surface() const;
   [[nodiscard]] const std::shared_ptr<const RehearsalModels>& models() const;
   [[nodiscard]] const mechanics::StaticModel& patient() const;
-  [[nodiscard]] const mechanics::StaticModel* atlas() const;  // nullptr without a reference body
   [[nodiscard]] double setup_s() const;
 
  private:

@@ -1,5 +1,5 @@
 // How many frames a second the window draws while a hand turns the patient in space, all of it at 1600 x 1000, and how
-// much memory it takes with that patient open and after closing:
+// much memory it takes with that patient open, compared with its reference body under a tool, and after closing:
 //
 //   xvfb-run -a -s "-screen 0 1600x1000x24" bench_rotation [CASE]
 //
@@ -89,6 +89,22 @@ void print_memory(const char* when) {
   std::fflush(stdout);
 }
 
+// Presses on the liver's first point: the patient's answer, then that of the reference body, which is made for it.
+void compare_under_a_tool(glisson::widgets::MainWindow& window) {
+  using Clock = std::chrono::steady_clock;
+  auto& rehearsal = window.rehearsal();
+  if (rehearsal.body() == nullptr) return;
+  const auto start = Clock::now();
+  const auto since_s = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
+  double first_s = 0;
+  rehearsal.hold({"palpation-probe", rehearsal.body()->surface().points_mm.front(), {0, 0, 1}, 15, {0, 0, -1}, 0.5});
+  while (rehearsal.solving() == glisson::widgets::Solving::solving) {
+    QCoreApplication::processEvents(QEventLoop::AllEvents, 10);
+    if (first_s == 0 && rehearsal.state()) first_s = since_s();
+  }
+  std::printf("the first tool: the patient's answer after %.2f s, compared after %.2f s\n", first_s, since_s());
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -115,6 +131,8 @@ int main(int argc, char** argv) {
   QApplication::processEvents();
   measure(window, "four views");
   print_memory("the patient open");
+  compare_under_a_tool(window);
+  print_memory("compared under a tool");
   window.views().set_layout(ViewLayout::space_large);
   QApplication::processEvents();
   measure(window, "3D large");

@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 #include <cmath>
+#include <future>
 
 #include "base/units.h"
 #include "mechanics/bodies.h"
@@ -43,7 +44,7 @@ TEST(StaticRehearsal, AnswersWhatAFullSolveOfBothBodiesWould) {
     mechanics::Loads loads = setup.standing_loads;
     loads.push_back(mechanics::ToolLoad{tool_center_mm, tool_radius_mm, force_N.unaryExpr(&units::mN_from_N)});
     const auto full = rehearsal.patient().solve(loads).value();
-    const auto atlas = rehearsal.atlas()->solve(loads).value();
+    const auto atlas = rehearsal.models()->atlas->model()->solve(loads).value();
 
     // Superposition is exact: only rounding of displacements of about 10 mm remains.
     const auto& mesh_point = geometry::find_field(rehearsal.surface().point_fields, "mesh_point")->values;
@@ -122,10 +123,50 @@ TEST(StaticRehearsal, GoesWithoutATwinWhereNoneIsAsked) {
   RehearsalSetup setup = slab();
   setup.atlas_youngs_kPa.reset();
   const auto rehearsal = StaticRehearsal::create(std::move(setup)).value();
-  EXPECT_EQ(rehearsal.atlas(), nullptr);
+  EXPECT_FALSE(rehearsal.has_reference());
+  EXPECT_TRUE(rehearsal.reference_is_made());
   const auto state = rehearsal.place_tool(tool_center_mm, tool_radius_mm)->answer({0, -1, 0});
   EXPECT_FALSE(state.atlas);
   EXPECT_TRUE(state.differences.empty());
+}
+
+// What lies there unused would take as much memory as the patient.
+TEST(StaticRehearsal, MakesItsReferenceBodyForTheFirstToolOnBothAndForNobodyBefore) {
+  const auto rehearsal = StaticRehearsal::create(slab()).value();
+  EXPECT_TRUE(rehearsal.has_reference());
+  EXPECT_FALSE(rehearsal.reference_is_made());
+  const auto alone = rehearsal.place_tool(tool_center_mm, tool_radius_mm, StaticRehearsal::On::patient).value();
+  EXPECT_FALSE(rehearsal.reference_is_made());
+  EXPECT_FALSE(alone.compared());
+  const RehearsalState before = alone.answer({0, -1, 0});
+  EXPECT_FALSE(before.atlas);
+  EXPECT_TRUE(before.differences.empty());
+
+  // Asked for by several at once it is made once, and the patient's answer is the same to the bit.
+  std::vector<std::future<Result<PlacedTool>>> asked;
+  for (int k = 0; k < 3; ++k) {
+    asked.push_back(
+        std::async(std::launch::async, [&] { return rehearsal.place_tool(tool_center_mm, tool_radius_mm); }));
+  }
+  for (auto& one : asked) {
+    const auto both = one.get().value();
+    EXPECT_TRUE(both.compared());
+    EXPECT_EQ(both.answer({0, -1, 0}).patient.surface_mm, before.patient.surface_mm);
+  }
+  EXPECT_TRUE(rehearsal.reference_is_made());
+  EXPECT_TRUE(rehearsal.make_reference());
+}
+
+// In the patient's order of elimination, as if it had been made by itself.
+TEST(StaticRehearsal, TheReferenceBodyIsTheOneThatItsModulusMakes) {
+  const RehearsalSetup setup = slab();
+  const auto rehearsal = StaticRehearsal::create(setup).value();
+  const auto own = mechanics::StaticModel::create(
+      setup.mesh, std::vector<double>(setup.mesh.cells.size(), *setup.atlas_youngs_kPa), setup.supports);
+  ASSERT_TRUE(own);
+  const auto reference = rehearsal.models()->atlas->model().value();
+  EXPECT_EQ(reference.solve(setup.standing_loads)->displacement_mm, own->solve(setup.standing_loads)->displacement_mm);
+  EXPECT_EQ(reference.cost().factor_bytes, own->cost().factor_bytes);
 }
 
 TEST(StaticRehearsal, RefusesAToolInTheAirAndALandmarkFarOutside) {

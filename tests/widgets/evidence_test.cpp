@@ -12,10 +12,12 @@
 #include <QTemporaryDir>
 #include <QTimer>
 #include <QtTest>
+#include <set>
 
 #include "base/files.h"
 #include "base/json.h"
 #include "casefile/case.h"
+#include "closedloop/explain.h"
 #include "closedloop/palpation/model.h"
 #include "closedloop/palpation_bodies.h"
 #include "geometry/mesh_file.h"
@@ -329,6 +331,50 @@ class EvidenceTest : public QObject {
     QTest::qWait(50);
     QCOMPARE(said->text(), english_notes);
     QCOMPARE(child<QLabel>("next_measurement")->text(), english_next);
+  }
+
+  // Whatever trial Glisson proposes next, of tissue in a testing machine or under a finger, is told in German too: its
+  // figures as they are, its words not in English, and what it would tell apart by the names in the window.
+  void proposes_every_next_trial_in_german() {
+    const auto tissue = closedloop::read_experiment(*resource_folder() / "examples" / "tissue" / "experiment.json");
+    QVERIFY(bool(tissue));
+    std::vector<Sentence> proposals = closedloop::forward_model(*tissue).value()->further_trials();
+    const auto palpation = closedloop::palpation_model(closedloop::test::pad({.bricks = {4, 4, 2}, .markers = 24}));
+    for (const Sentence& proposal : (*palpation)->further_trials()) proposals.push_back(proposal);
+    QCOMPARE(proposals.size(), std::size_t{10});
+
+    const fs::path kept = folder_ / "next";
+    fs::copy(view_->record()->folder, kept, fs::copy_options::recursive);
+    const Json report = read_json_file(kept / "report.json").value();
+    const std::vector<std::string> rivals{"support-compliance", "preload"};
+    std::set<QString> told;
+    for (const Sentence& proposal : proposals) {
+      Json with_proposal = report;
+      with_proposal["next_measurement"] = proposal.message();
+      with_proposal["next_measurement_pieces"] = {
+          {"text", proposal.text}, {"arguments", proposal.arguments}, {"alternatives", rivals}};
+      QVERIFY(bool(write_json_file(kept / "report.json", with_proposal)));
+      choose_language("en");
+      view_->open(kept / "report.json");
+      const auto* label = child<QLabel>("next_measurement");
+      const QString message = QString::fromStdString(proposal.message());
+      QVERIFY2(label->text().startsWith(message + " It would tell"), qPrintable(label->text()));
+      choose_language("de");
+      QTest::qWait(20);
+      const QString german = label->text();
+      for (const char* word : {"Press", "Pull", "hold", "Deform", "Load", "trial", "It would", "with"}) {
+        QVERIFY2(!german.contains(word), qPrintable(german));
+      }
+      for (const std::string& figure : proposal.arguments) {
+        QVERIFY2(german.contains(QString::fromStdString(figure)), qPrintable(german));
+      }
+      QVERIFY2(german.contains("Das würde das Gefundene unterscheiden von"), qPrintable(german));
+      for (const std::string& rival : rivals) QVERIFY2(german.contains(effect_label(rival)), qPrintable(german));
+      told.insert(german);
+    }
+    QCOMPARE(told.size(), proposals.size());
+    choose_language("en");
+    QTest::qWait(20);
   }
 
   void says_that_a_folder_holds_no_report() {

@@ -51,7 +51,7 @@ class ModelTest : public QObject {
   // Two guesses are not compared: there is nothing of the patient in either.
   void an_assumed_stiffness_is_called_so_everywhere_and_not_compared() {
     QTRY_VERIFY_WITH_TIMEOUT(window_->rehearsal().body() != nullptr, patience_ms);
-    QVERIFY(window_->rehearsal().body()->atlas() == nullptr);
+    QVERIFY(!window_->rehearsal().body()->has_reference());
     window_->go_to("rehearse");
     const auto* said = child_of<QLabel>(*window_, "assumed_stiffness");
     QVERIFY(said->isVisible());

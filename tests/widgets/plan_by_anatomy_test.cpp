@@ -44,6 +44,27 @@ class PlanByAnatomyTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(live().anatomy() != nullptr, patience_ms);
   }
 
+  // Nobody asks for it: its veins, of a voxel or two towards their ends, are tubes in space as soon as these are found,
+  // and go where their outlines go.
+  void draws_thin_vessels_as_tubes() {
+    const auto* views = window_->findChild<PatientViews*>();
+    const VesselTubes& tubes = views->vessel_tubes();
+    QTRY_VERIFY_WITH_TIMEOUT(tubes.of("portal-vein") != nullptr && tubes.of("hepatic-vein") != nullptr, patience_ms);
+    QVERIFY(tubes.of("liver") == nullptr && tubes.of("tumour-1") == nullptr);
+    const VesselTubes::Vessel& vein = *tubes.of("portal-vein");
+    QCOMPARE(vein.follows.size(), vein.drawn->points_mm.size());
+    std::vector<Eigen::Vector3d> outline_now_mm = vein.outline->points_mm;
+    for (Eigen::Vector3d& point : outline_now_mm) point += Eigen::Vector3d(1, -2, 3);
+    const auto now_mm = VesselTubes::moved(vein, outline_now_mm);
+    for (std::size_t p = 0; p < now_mm.size(); ++p) {
+      QVERIFY((now_mm[p] - vein.drawn->points_mm[p] - Eigen::Vector3d(1, -2, 3)).norm() < 1e-9);
+      const auto nearest = static_cast<std::size_t>(vein.follows[p]);
+      QVERIFY((vein.outline->points_mm[nearest] - vein.drawn->points_mm[p]).norm() < 12);
+    }
+    QVERIFY(!window_->views().space().picture().isNull());
+    QVERIFY(window_->grab().save(glisson::test::kept_picture("vessels-as-tubes-in-window.png")));
+  }
+
   void finds_segments_at_a_click() {
     QVERIFY(!child<QTableWidget>("segments")->isVisible());
     auto* find = child<QPushButton>("find_segments");

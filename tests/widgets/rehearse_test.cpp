@@ -36,6 +36,50 @@ class RehearseTest : public QObject {
     QTest::qWait(50);
   }
 
+  // The reference body is made for the first tool. Until it is there the patient's answer is on screen, to the bit the
+  // one that is then compared, and the light says that more is being solved for.
+  void the_first_tool_shows_the_patient_and_then_compares() {
+    window_->show_patient(
+        block_patient({6, 4, 4}, {{"tumour-1", {100, 40, 40}}},
+                      {{"tumour-1", std::make_shared<geometry::Surface>(test::sphere_surface(10, 2, {100, 40, 40}))}}));
+    QVERIFY(!rehearsal().body()->reference_is_made());
+    struct Seen {
+      rehearsal::RehearsalState state;
+      Solving solving;
+    };
+    std::vector<Seen> seen;
+    const auto watching = connect(&rehearsal(), &LiveRehearsal::state_changed, this, [&] {
+      if (rehearsal().state()) seen.push_back({*rehearsal().state(), rehearsal().solving()});
+    });
+    QSignalSpy placed(&rehearsal(), &LiveRehearsal::placed);
+    rehearsal().hold({"palpation-probe", {120, 40, 40}, {1, 0, 0}, 15, {-1, 0, 0}, 1.0});
+    QVERIFY(placed.wait(patience_ms));
+    disconnect(watching);
+    QCOMPARE(seen.size(), std::size_t{2});
+    QVERIFY(!seen[0].state.atlas && seen[0].solving == Solving::solving);
+    QVERIFY(seen[1].state.atlas && seen[1].solving == Solving::solved);
+    QVERIFY(seen[0].state.patient.surface_mm == seen[1].state.patient.surface_mm);
+    // Recorded is what was compared, once; the next force is compared at once.
+    QCOMPARE(rehearsal().track().moments().size(), std::size_t{1});
+    QVERIFY(rehearsal().track().moments()[0].atlas_off_mm.has_value());
+    rehearsal().set_force_N(0.5);
+    QCOMPARE(rehearsal().solving(), Solving::solved);
+    QVERIFY(rehearsal().state()->atlas.has_value());
+  }
+
+  // A force that is changed before the reference body is there changes what is shown, and is what is compared then.
+  void a_force_changed_meanwhile_is_the_one_compared() {
+    window_->show_patient(block_patient({8, 6, 6}, {{"tumour-1", {100, 40, 40}}}, {}));
+    QSignalSpy placed(&rehearsal(), &LiveRehearsal::placed);
+    rehearsal().hold({"palpation-probe", {120, 40, 40}, {1, 0, 0}, 15, {-1, 0, 0}, 1.0});
+    QTRY_VERIFY_WITH_TIMEOUT(rehearsal().state().has_value(), patience_ms);
+    rehearsal().set_force_N(2.0);
+    QVERIFY(placed.count() > 0 || placed.wait(patience_ms));
+    QCOMPARE(rehearsal().solving(), Solving::solved);
+    QVERIFY(rehearsal().state()->atlas.has_value());
+    QCOMPARE(rehearsal().state()->force_N.norm(), 2.0);
+  }
+
   void the_tool_follows_the_surface_under_the_mouse() {
     rehearsal().set_force_N(0.05);  // so that the place under the mouse is hardly elsewhere than at rest
     drag(pixel_of(touched_mm()), pixel_of({120, 55, 50}));

@@ -62,7 +62,7 @@ Result<std::shared_ptr<const LyingPatient>> lying_under(const rehearsal::StaticR
     return lying;
   }
   lying->holding = *holding;
-  const auto placed = body.place_tool(holding->center_mm, holding->radius_mm);
+  const auto placed = body.place_tool(holding->center_mm, holding->radius_mm, rehearsal::StaticRehearsal::On::patient);
   if (!placed) return failure(placed.error());
   const std::vector<Eigen::Vector3d> moved_mm = placed->patient_displacement_mm(holding->force_N);
   auto displaced = rehearsal::displaced(rest, moved_mm);

@@ -2,6 +2,9 @@
 // The rehearsal as the window lives it. Tools are placed off the UI thread; force and direction change at once.
 // All that is done is recorded, and any moment of it can be seen again.
 //
+// The reference body is made when the first tool is placed: until it is there, answers are of the patient alone, and
+// more is being solved for.
+//
 // A tool either spreads its force over a patch (one tool; every answer exact and in a millisecond), or is the rigid
 // thing itself in contact (several tools; rehearsal/session.h).
 
@@ -100,6 +103,7 @@ class LiveRehearsal : public QObject {
 
  private:
   void solve_for(const PlacedTool& tool);
+  void make_reference();
   [[nodiscard]] const rehearsal::PlacedTool* remembered(const PlacedTool& tool) const;
   void answer_now();
   void ease(const rehearsal::PlacedTool& placed);
@@ -132,6 +136,7 @@ class LiveRehearsal : public QObject {
   // Answers to the places of late; going back to one costs no solve.
   std::deque<rehearsal::PlacedTool> placed_;
   bool is_placing_ = false;
+  bool is_making_reference_ = false;
   std::optional<PlacedTool> to_place_;
   int body_count_ = 0;  // so that what was solved for another body is known when it arrives
 

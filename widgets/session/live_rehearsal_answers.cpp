@@ -2,6 +2,7 @@
 // tools, the states of their session.
 
 #include "widgets/session/live_rehearsal.h"
+#include "widgets/work/give_back_memory.h"
 #include "widgets/work/run_in_background.h"
 
 #include <algorithm>
@@ -12,6 +13,11 @@ namespace {
 
 constexpr std::size_t maximum_remembered = 16;  // places, some megabytes each
 
+// Of the patient alone, where there is a reference body to come.
+bool is_a_first_answer(const rehearsal::PlacedTool& placed, const rehearsal::StaticRehearsal& body) {
+  return body.has_reference() && !placed.compared();
+}
+
 }  // namespace
 
 // Of a place that is known at once, else after a solve for it.
@@ -21,7 +27,7 @@ void LiveRehearsal::answer_now() {
     to_place_.reset();
     ease(*placed);
     show_answer(*placed, tool);
-    record(nullptr);
+    if (!is_a_first_answer(*placed, *body_)) record(nullptr);
     return;
   }
   to_place_ = tool;
@@ -68,6 +74,7 @@ void LiveRehearsal::solve_for(const PlacedTool& tool) {
     if (body_count == body_count_ && outcome) {
       placed_.push_back(*outcome);
       if (placed_.size() > maximum_remembered) placed_.pop_front();
+      if (is_a_first_answer(*outcome, *body_)) make_reference();
     }
     if (!to_place_) return;
     const PlacedTool wanted = *to_place_;
@@ -75,6 +82,7 @@ void LiveRehearsal::solve_for(const PlacedTool& tool) {
       to_place_.reset();
       if (!shown_moment_) ease(placed_.back());
       show_answer(placed_.back(), shown_moment_ ? wanted : tools_.back());
+      if (is_a_first_answer(placed_.back(), *body_)) return;
       if (!shown_moment_) record(nullptr);
       Q_EMIT placed(placed_.back().solve_ms());
     } else if (body_count == body_count_ && wanted.center_mm == tool.center_mm && wanted.radius_mm == tool.radius_mm) {
@@ -87,14 +95,36 @@ void LiveRehearsal::solve_for(const PlacedTool& tool) {
       solve_for(wanted);
     }
   };
+  using On = rehearsal::StaticRehearsal::On;
+  const On bodies = body_->reference_is_made() ? On::both : On::patient;
   run_in_background(
-      this, [body = body_, tool] { return body->place_tool(tool.center_mm, tool.radius_mm); }, take);
+      this, [body = body_, tool, bodies] { return body->place_tool(tool.center_mm, tool.radius_mm, bodies); }, take);
+}
+
+// Behind what is shown; what was answered before it was there is then answered again.
+void LiveRehearsal::make_reference() {
+  if (is_making_reference_) return;
+  is_making_reference_ = true;
+  const auto take = [this, body_count = body_count_](const Result<void>& made) {
+    is_making_reference_ = false;
+    give_back_memory();
+    const auto is_first = [this](const rehearsal::PlacedTool& placed) { return is_a_first_answer(placed, *body_); };
+    if (!std::any_of(placed_.begin(), placed_.end(), is_first)) return;
+    if (body_count != body_count_) return make_reference();  // another body came meanwhile
+    std::erase_if(placed_, is_first);
+    if (!made) return refuse(made.error());
+    if (!has_tool()) return;
+    to_place_ = tools().back();
+    if (!is_placing_) solve_for(*to_place_);
+  };
+  run_in_background(
+      this, [body = body_] { return body->make_reference(); }, take);
 }
 
 void LiveRehearsal::show_answer(const rehearsal::PlacedTool& placed, const PlacedTool& tool) {
   state_ = placed.answer(tool.pull_N());
   refusal_.reset();
-  set_solving(Solving::solved);
+  set_solving(is_a_first_answer(placed, *body_) ? Solving::solving : Solving::solved);
   Q_EMIT state_changed();
 }
 

@@ -54,10 +54,15 @@ scene::SurfaceItem fixed_item(const PatientStructure& structure) {
 
 }  // namespace
 
-PatientViews::PatientViews(LinkedViews& views, QObject* parent) : QObject(parent), views_(views) {
+PatientViews::PatientViews(LinkedViews& views, QObject* parent)
+    : QObject(parent), views_(views), vessel_tubes_(nullptr) {
   keep_window_.setSingleShot(true);
   keep_window_.setInterval(300);  // a drag is kept once, when it is over
   connect(&keep_window_, &QTimer::timeout, this, &PatientViews::keep_window_now);
+  connect(&vessel_tubes_, &VesselTubes::found, this, [this] {
+    take_tubes();
+    rebuild_space();
+  });
   connect(&views_, &LinkedViews::window_chosen, this, [this] {
     if (in_slices_ != SliceImage::anatomy) return;
     chosen_window_ = views_.window();
@@ -99,6 +104,8 @@ void PatientViews::show_patient(const Patient& patient) {
     patient_body_.push_back(movable_copy(*structure.surface));
     atlas_body_.push_back(movable_copy(*structure.surface));
   }
+  vessel_tubes_.look_for(patient_);
+  take_tubes();
   if (!patient.structures.empty()) {
     views_.set_crosshair(geometry::bounding_box(patient.structures.front().surface->points_mm).center_mm());
   } else if (patient.anatomy) {
@@ -109,6 +116,16 @@ void PatientViews::show_patient(const Patient& patient) {
   rebuild_slices();
   rebuild_space();
   views_.space().frame_all();
+}
+
+void PatientViews::take_tubes() {
+  for (Body* tubes : {&patient_tubes_, &atlas_tubes_}) {
+    tubes->clear();
+    for (const PatientStructure& structure : patient_.structures) {
+      const VesselTubes::Vessel* vessel = vessel_tubes_.of(structure.name);
+      tubes->push_back(vessel != nullptr ? movable_copy(*vessel->drawn) : nullptr);
+    }
+  }
 }
 
 void PatientViews::show_state(const rehearsal::RehearsalState* state, const std::vector<ToolInView>& tools) {
@@ -219,7 +236,8 @@ void PatientViews::set_marked_landmark(const std::string& id) {
 scene::SurfaceItem PatientViews::item(std::size_t structure, const Body& body, Bodies bodies) const {
   const std::string& name = patient_.structures[structure].name;
   const scene::Appearance look = scene::appearance_of(name);
-  scene::SurfaceItem item{name, body[structure], look.colour, look.opacity, look.finish, {}};
+  const auto& tubes = (&body == &atlas_body_ ? atlas_tubes_ : patient_tubes_)[structure];
+  scene::SurfaceItem item{name, tubes ? tubes : body[structure], look.colour, look.opacity, look.finish, {}};
   if (bodies == Bodies::both) {
     item.colour = &body == &atlas_body_ ? red : blue;
     item.opacity = structure == 0 ? 0.45 : 0.8;
@@ -272,6 +290,8 @@ scene::Scene PatientViews::space_scene(Bodies bodies) const {
   for (const PatientStructure& structure : patient_.around) {
     if (mode == WorkspaceScene::Patient::hidden || hidden_.count(structure.name) != 0) continue;
     scene.surfaces.push_back(fixed_item(structure));
+    const VesselTubes::Vessel* vessel = vessel_tubes_.of(structure.name);
+    if (vessel != nullptr) scene.surfaces.back().surface = vessel->drawn;
   }
   if (workspace_) {
     for (const scene::SurfaceItem& surface : workspace_->surfaces) {

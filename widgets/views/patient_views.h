@@ -12,6 +12,7 @@
 #include "widgets/session/patient.h"
 #include "widgets/views/linked_views.h"
 #include "widgets/views/tool_in_view.h"
+#include "widgets/views/vessel_tubes.h"
 
 namespace glisson::widgets {
 
@@ -62,6 +63,7 @@ class PatientViews : public QObject {
   void reword();
   // Nothing: the patient alone, as rehearsed.
   void set_workspace_scene(std::optional<WorkspaceScene> scene);
+  [[nodiscard]] const VesselTubes& vessel_tubes() const { return vessel_tubes_; }
 
  Q_SIGNALS:
   // What somebody changed straight in those views (View::move_surface, set_landmarks) is gone.
@@ -72,6 +74,9 @@ class PatientViews : public QObject {
   // One body's surfaces, which move; the structures' order.
   using Body = std::vector<std::shared_ptr<const geometry::Surface>>;
 
+  // What is drawn of the vessels that were found thin, in the places of the bodies.
+  void take_tubes();
+  void move_tubes(const Body& tubes, const rehearsal::RehearsalBody* displaced);
   void rebuild_space();
   [[nodiscard]] scene::Scene space_scene(Bodies bodies) const;
   void draw_marks(SpaceView& space, const rehearsal::RehearsalBody* shown);
@@ -109,6 +114,8 @@ class PatientViews : public QObject {
   std::set<std::string> hidden_;
   std::string marked_landmark_;
   double colour_range_mm_ = 20;
+  VesselTubes vessel_tubes_;
+  Body patient_tubes_, atlas_tubes_;  // null where a structure has none
 };
 
 }  // namespace glisson::widgets

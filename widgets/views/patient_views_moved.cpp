@@ -53,6 +53,8 @@ void PatientViews::apply_state() {
   const rehearsal::RehearsalBody* atlas = moved && state_->atlas ? &*state_->atlas : nullptr;
   move_body(patient_body_, own);
   move_body(atlas_body_, atlas);
+  move_tubes(patient_tubes_, own);
+  move_tubes(atlas_tubes_, atlas);
   draw_cut(moved ? state_->cut.get() : nullptr);
 
   draw_marks(views_.space(), bodies_ == Bodies::atlas && atlas != nullptr ? atlas : own);
@@ -115,6 +117,20 @@ void PatientViews::move_body(const Body& body, const rehearsal::RehearsalBody* d
     for (std::size_t p = 0; p < distance_mm.size(); ++p) distance_mm[p] = (points_mm[p] - rest_mm[p]).norm();
     for (SpaceView* space : {&views_.space(), &views_.second_space()})
       space->view().recolour_surface(body[k], distance_mm);
+  }
+}
+
+void PatientViews::move_tubes(const Body& tubes, const rehearsal::RehearsalBody* displaced) {
+  for (std::size_t k = 0; k < tubes.size(); ++k) {
+    if (tubes[k] == nullptr) continue;
+    const bool moved = displaced != nullptr && k < displaced->structures_mm.size();
+    const VesselTubes::Vessel* vessel = vessel_tubes_.of(patient_.structures[k].name);
+    scene::Points now_mm;
+    if (moved && vessel != nullptr) {
+      now_mm = std::make_shared<const std::vector<Eigen::Vector3d>>(
+          VesselTubes::moved(*vessel, displaced->structures_mm[k]));
+    }
+    for (SpaceView* space : {&views_.space(), &views_.second_space()}) space->view().move_surface(tubes[k], now_mm);
   }
 }
 

@@ -25,6 +25,20 @@ struct StaticModel::Impl : Body {
 Result<StaticModel> StaticModel::create(geometry::TetMesh mesh, std::vector<double> youngs_kPa,
                                         std::vector<Support> supports, StaticOptions options, const Progress& progress,
                                         const std::vector<int>& mutual_points) {
+  return create_in_order(std::move(mesh), std::move(youngs_kPa), std::move(supports), options, progress, mutual_points,
+                         nullptr);
+}
+
+Result<StaticModel> StaticModel::with_moduli(std::vector<double> youngs_kPa, StaticOptions options,
+                                             const Progress& progress) const {
+  return create_in_order(impl_->mesh, std::move(youngs_kPa), impl_->supports, options, progress, impl_->mutual_points,
+                         impl_->system->order());
+}
+
+Result<StaticModel> StaticModel::create_in_order(geometry::TetMesh mesh, std::vector<double> youngs_kPa,
+                                                 std::vector<Support> supports, const StaticOptions& options,
+                                                 const Progress& progress, const std::vector<int>& mutual_points,
+                                                 std::shared_ptr<const EliminationOrder> known) {
   const Stopwatch watch;
   progress.report(0.0, GLISSON_TEXT("Checking the model"));
   if (options.anisotropy) {
@@ -49,7 +63,7 @@ Result<StaticModel> StaticModel::create(geometry::TetMesh mesh, std::vector<doub
     for (int axis = 0; axis < 3; ++axis) mutual.push_back(3 * parts->layout.node_of_point[point] + axis);
   }
   auto system = ConstrainedSystem::create(assemble_stiffness(*parts), parts->resolved.fixed, options.memory_limit_bytes,
-                                          progress.part(0.1, 1.0), nullptr, std::move(mutual));
+                                          progress.part(0.1, 1.0), std::move(known), std::move(mutual));
   if (!system) return failure(std::move(system.error()));
   parts->system = std::move(*system);
   if (options.factor_precision == StaticOptions::FactorPrecision::single) {

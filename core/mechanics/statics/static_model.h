@@ -30,6 +30,8 @@
 
 namespace glisson::mechanics {
 
+class EliminationOrder;
+
 // Forces and given displacements for callers that integrate their own (manufactured solutions, contact):
 // 3 values a node, x y z, in the order of NodeLayout.
 struct NodalLoad {
@@ -49,7 +51,13 @@ class StaticModel {
                                     std::vector<Support> supports, StaticOptions options = {},
                                     const Progress& progress = {}, const std::vector<int>& mutual_points = {});
 
-  // Equilibrium under all the loads together and the supports' prescribed displacements. Failures: "tool-touches-nothing" (how far the nearest face is),
+  // This body of other moduli, at the cost of the numbers alone: the order of elimination is this one's. `options` may
+  // differ in what a cell is made of. Failures: create's.
+  [[nodiscard]] Result<StaticModel> with_moduli(std::vector<double> youngs_kPa, StaticOptions options,
+                                                const Progress& progress = {}) const;
+
+  // Equilibrium under all the loads together and the supports' prescribed displacements. Failures:
+  // "tool-touches-nothing" (how far the nearest face is),
   // "load-invalid" (a number that is not finite). A solve that misses the tolerance is a result that may not be
   // used, and says so.
   [[nodiscard]] Result<StaticResult> solve(const Loads& loads) const;
@@ -101,6 +109,10 @@ class StaticModel {
  private:
   struct Impl;
   explicit StaticModel(std::shared_ptr<const Impl> parts) : impl_(std::move(parts)) {}
+  static Result<StaticModel> create_in_order(geometry::TetMesh mesh, std::vector<double> youngs_kPa,
+                                             std::vector<Support> supports, const StaticOptions& options,
+                                             const Progress& progress, const std::vector<int>& mutual_points,
+                                             std::shared_ptr<const EliminationOrder> known);
   std::shared_ptr<const Impl> impl_;  // immutable and shared: copies are cheap, solving from several threads is safe
 };
 

@@ -1,0 +1,251 @@
+#include "vasculature/tubes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <Eigen/Geometry>
+#include <numbers>
+
+#include "geometry/nearest.h"
+
+namespace glisson::vasculature {
+namespace {
+
+using Eigen::Vector3d;
+using geometry::Surface;
+using Line = std::vector<CenterPoint>;
+
+// A vessel's centre points in two heaps, and its thin stretches as they are drawn.
+struct Parted {
+  Line thin, thick;
+  std::vector<Line> stretches;
+  std::vector<std::size_t> stretch_of_thin;
+};
+Parted parted(const VesselGraph& graph, double thin_mm);
+
+// Without stretches around which the outline is not where their tubes would be: spurs in the ends of wide vessels.
+Parted that_fit(const Surface& outline, Parted lines, double thin_mm);
+
+// The triangles of the outline that belong to what is thick, with the points that they use.
+Surface thick_part(const Surface& outline, const Parted& lines, double thin_mm);
+
+Line smoothed(Line line);
+void add_tube(const Line& line, int sides, Surface& surface);
+
+}  // namespace
+
+double thin_radius_mm(const Vector3d& spacing_mm) { return 1.5 * std::cbrt(spacing_mm.prod()); }
+
+std::optional<Surface> with_tubes(const Surface& outline, const VesselGraph& graph, const TubeOptions& options) {
+  const Parted lines = that_fit(outline, parted(graph, options.thin_mm), options.thin_mm);
+  if (lines.stretches.empty()) return {};
+  Surface drawn = thick_part(outline, lines, options.thin_mm);
+  for (const Line& stretch : lines.stretches) add_tube(smoothed(stretch), options.sides, drawn);
+  return drawn;
+}
+
+namespace {
+
+// Of each point, whether it is thin. A radius measured in voxels goes up and down: a few points that differ from both
+// neighbours follow these. So does a line's end that is shorter than its vessel is wide: the depth under the wall of a
+// round end.
+std::vector<char> thin_points(const Line& line, double thin_mm) {
+  constexpr std::size_t few = 3;
+  std::vector<char> thin;
+  for (const CenterPoint& point : line) thin.push_back(point.radius_mm < thin_mm ? 1 : 0);
+  for (std::size_t begin = 0, end = 0; begin < thin.size(); begin = end) {
+    for (end = begin; end < thin.size() && thin[end] == thin[begin];) ++end;
+    if (begin == 0 && end == thin.size()) break;
+    const bool between = begin > 0 && end < thin.size();
+    const auto wider = [](const CenterPoint& a, const CenterPoint& b) { return a.radius_mm < b.radius_mm; };
+    const double widest_mm = std::max_element(line.begin(), line.end(), wider)->radius_mm;
+    const double length_mm = (line[begin].position_mm - line[end - 1].position_mm).norm();
+    if (between ? end - begin <= few : thin[begin] != 0 && length_mm <= 2 * widest_mm)
+      std::fill(thin.begin() + long(begin), thin.begin() + long(end), thin[begin] != 0 ? 0 : 1);
+  }
+  return thin;
+}
+
+// How wide the vessels are that meet at each vertex, some millimetres from it.
+std::vector<double> width_at_vertices(const VesselGraph& graph) {
+  constexpr std::size_t near = 5;  // points
+  std::vector<double> widest_mm(graph.vertices_mm.size(), 0);
+  for (const GraphBranch& branch : graph.branches) {
+    const Line& line = branch.points;
+    for (std::size_t i = 0; i < std::min(near, line.size()) && branch.joint == Joint::vessel; ++i) {
+      double& from = widest_mm[static_cast<std::size_t>(branch.from)];
+      double& to = widest_mm[static_cast<std::size_t>(branch.to)];
+      from = std::max(from, line[i].radius_mm);
+      to = std::max(to, line[line.size() - 1 - i].radius_mm);
+    }
+  }
+  return widest_mm;
+}
+
+Parted parted(const VesselGraph& graph, double thin_mm) {
+  constexpr std::size_t into_the_thick = 4;  // points, so that a tube begins inside of what it leaves
+  const std::vector<double> width_mm = width_at_vertices(graph);
+  Parted lines;
+  for (const GraphBranch& branch : graph.branches) {
+    if (branch.joint != Joint::vessel) continue;
+    std::vector<char> thin = thin_points(branch.points, thin_mm);
+    // A spur no longer than what it stands on is wide: a bump of its wall, or an edge of its cut end.
+    const double stands_on_mm =
+        std::max(width_mm[static_cast<std::size_t>(branch.from)], width_mm[static_cast<std::size_t>(branch.to)]);
+    if (branch.length_mm <= 2 * stands_on_mm && stands_on_mm >= thin_mm) std::fill(thin.begin(), thin.end(), char{0});
+    for (std::size_t begin = 0, end = 0; begin < thin.size(); begin = end) {
+      for (end = begin; end < thin.size() && thin[end] == thin[begin];) ++end;
+      Line& heap = thin[begin] != 0 ? lines.thin : lines.thick;
+      heap.insert(heap.end(), branch.points.begin() + long(begin), branch.points.begin() + long(end));
+      if (thin[begin] == 0) continue;
+      lines.stretch_of_thin.resize(lines.thin.size(), lines.stretches.size());
+      const std::size_t first = begin - std::min(begin, into_the_thick);
+      const std::size_t last = std::min(thin.size(), end + into_the_thick);
+      Line stretch;
+      for (std::size_t i = first; i < last; ++i) {
+        stretch.push_back(branch.points[i]);
+        stretch.back().radius_mm = std::min(stretch.back().radius_mm, thin_mm);
+      }
+      lines.stretches.push_back(std::move(stretch));
+    }
+  }
+  return lines;
+}
+
+std::vector<Vector3d> places(const Line& line) {
+  std::vector<Vector3d> places_mm;
+  for (const CenterPoint& point : line) places_mm.push_back(point.position_mm);
+  return places_mm;
+}
+
+Vector3d middle_mm(const Surface& surface, const std::array<int, 3>& triangle) {
+  Vector3d middle = Vector3d::Zero();
+  for (const int p : triangle) middle += surface.points_mm[static_cast<std::size_t>(p)] / 3;
+  return middle;
+}
+
+Parted that_fit(const Surface& outline, Parted lines, double thin_mm) {
+  if (lines.thin.empty()) return lines;
+  constexpr double far_off = 0.5;  // of thin_mm, on average
+  const geometry::NearestPoint thin(places(lines.thin));
+  std::vector<double> sum_mm(lines.stretches.size(), 0);
+  std::vector<int> triangles(lines.stretches.size(), 0);
+  for (const auto& triangle : outline.triangles) {
+    const auto found = thin.nearest(middle_mm(outline, triangle));
+    const auto point = static_cast<std::size_t>(found.point);
+    const double beyond_mm = std::sqrt(found.squared_distance_mm2) - lines.thin[point].radius_mm;
+    if (beyond_mm > 3 * thin_mm) continue;
+    sum_mm[lines.stretch_of_thin[point]] += beyond_mm;
+    ++triangles[lines.stretch_of_thin[point]];
+  }
+  const auto fits = [&](std::size_t stretch) {
+    return lines.stretches[stretch].size() > 1 && sum_mm[stretch] <= far_off * thin_mm * triangles[stretch];
+  };
+  Parted fitting;
+  fitting.thick = std::move(lines.thick);
+  for (std::size_t i = 0; i < lines.thin.size(); ++i) {
+    (fits(lines.stretch_of_thin[i]) ? fitting.thin : fitting.thick).push_back(lines.thin[i]);
+  }
+  for (std::size_t s = 0; s < lines.stretches.size(); ++s) {
+    if (fits(s)) fitting.stretches.push_back(std::move(lines.stretches[s]));
+  }
+  return fitting;
+}
+
+Surface thick_part(const Surface& outline, const Parted& lines, double thin_mm) {
+  const geometry::NearestPoint thin(places(lines.thin));
+  std::optional<geometry::NearestPoint> thick;
+  double widest_mm = 0;
+  if (!lines.thick.empty()) thick.emplace(places(lines.thick));
+  for (const CenterPoint& point : lines.thick) widest_mm = std::max(widest_mm, point.radius_mm);
+
+  // How far outside of the vessel that a line stands for: the wall, not the line, says whose a triangle is.
+  const auto is_of_thin = [&](const Vector3d& place_mm) {
+    const auto found = thin.nearest(place_mm);
+    const double beyond_mm =
+        std::sqrt(found.squared_distance_mm2) - lines.thin[static_cast<std::size_t>(found.point)].radius_mm;
+    if (beyond_mm > thin_mm) return false;  // a speck that no line follows
+    if (!thick) return true;
+    const auto around = thick->within(place_mm, std::max(0.0, beyond_mm) + widest_mm);
+    return std::none_of(around.begin(), around.end(), [&](const auto& one) {
+      const double radius_mm = lines.thick[static_cast<std::size_t>(one.point)].radius_mm;
+      return std::sqrt(one.squared_distance_mm2) - radius_mm < beyond_mm;
+    });
+  };
+
+  Surface part;
+  std::vector<int> number(outline.points_mm.size(), -1);
+  for (std::array<int, 3> triangle : outline.triangles) {
+    if (is_of_thin(middle_mm(outline, triangle))) continue;
+    for (int& p : triangle) {
+      int& known = number[static_cast<std::size_t>(p)];
+      if (known < 0) {
+        known = static_cast<int>(part.points_mm.size());
+        part.points_mm.push_back(outline.points_mm[static_cast<std::size_t>(p)]);
+      }
+      p = known;
+    }
+    part.triangles.push_back(triangle);
+  }
+  return part;
+}
+
+// Neighbours' means, some times over: a line through voxels has corners. Its ends stay.
+Line smoothed(Line line) {
+  constexpr int times = 4;
+  for (int time = 0; time < times; ++time) {
+    const Line before = line;
+    for (std::size_t i = 1; i + 1 < line.size(); ++i) {
+      line[i].position_mm = 0.25 * (before[i - 1].position_mm + 2 * before[i].position_mm + before[i + 1].position_mm);
+      line[i].radius_mm = 0.25 * (before[i - 1].radius_mm + 2 * before[i].radius_mm + before[i + 1].radius_mm);
+    }
+  }
+  return line;
+}
+
+// Rings around the line, a round cap at each end. The ring's frame turns with the line and not about it (Bishop's frame
+// by rotation from one tangent to the next: Hanson and Ma 1995).
+void add_tube(const Line& line, int sides, Surface& surface) {
+  std::vector<Vector3d> tangents;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const Vector3d way = line[std::min(i + 1, line.size() - 1)].position_mm - line[i == 0 ? 0 : i - 1].position_mm;
+    tangents.push_back(way.norm() > 0 ? way.normalized() : tangents.empty() ? Vector3d::UnitZ() : tangents.back());
+  }
+  Vector3d across = tangents.front().unitOrthogonal();
+  int rings = 0;
+  const int first = static_cast<int>(surface.points_mm.size());
+  const auto add_ring = [&](const Vector3d& center_mm, const Vector3d& tangent, double radius_mm) {
+    for (int side = 0; side < sides; ++side) {
+      const double angle = 2 * std::numbers::pi * side / sides;
+      surface.points_mm.push_back(center_mm +
+                                  radius_mm * (std::cos(angle) * across + std::sin(angle) * tangent.cross(across)));
+    }
+    ++rings;
+  };
+  const double round = std::sqrt(0.5);  // half-way up a cap
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (i > 0) {
+      across = Eigen::Quaterniond::FromTwoVectors(tangents[i - 1], tangents[i]) * across;
+      across = (across - across.dot(tangents[i]) * tangents[i]).normalized();
+    }
+    const auto& [center_mm, radius_mm] = line[i];
+    if (i == 0) add_ring(center_mm - round * radius_mm * tangents[i], tangents[i], round * radius_mm);
+    add_ring(center_mm, tangents[i], radius_mm);
+    if (i + 1 == line.size()) add_ring(center_mm + round * radius_mm * tangents[i], tangents[i], round * radius_mm);
+  }
+  const int begin = static_cast<int>(surface.points_mm.size()), end = begin + 1;
+  surface.points_mm.push_back(line.front().position_mm - line.front().radius_mm * tangents.front());
+  surface.points_mm.push_back(line.back().position_mm + line.back().radius_mm * tangents.back());
+  for (int side = 0; side < sides; ++side) {
+    const int next = (side + 1) % sides;
+    const auto at = [&](int ring, int place) { return first + ring * sides + place; };
+    surface.triangles.push_back({begin, at(0, next), at(0, side)});
+    for (int ring = 0; ring + 1 < rings; ++ring) {
+      surface.triangles.push_back({at(ring, side), at(ring, next), at(ring + 1, next)});
+      surface.triangles.push_back({at(ring, side), at(ring + 1, next), at(ring + 1, side)});
+    }
+    surface.triangles.push_back({end, at(rings - 1, side), at(rings - 1, next)});
+  }
+}
+
+}  // namespace
+}  // namespace glisson::vasculature
