@@ -19,6 +19,8 @@ namespace {
 
 std::vector<Command> commands_of(const Step& step, const std::vector<EntryChange>& changes);
 std::vector<Command> commands_of_values(const Step& step);
+std::string heading(const Macro& macro, const char* for_whom);
+std::string heading(const MacroStep& step);
 std::string one_line(const std::string& text);
 std::string in_shell(const std::string& word);
 std::string in_python(const std::string& text);
@@ -49,46 +51,48 @@ Result<Macro> macro_of(const fs::path& case_folder) {
 }
 
 std::string as_command_line(const Macro& macro) {
-  std::string text = "# What was done to a case in Glisson " + version() +
-                     ", for a shell. It begins with the case as it was before the first step.\n";
-  if (macro.earlier_forgotten) text += "# Earlier steps are no longer known: the history keeps a limited number.\n";
+  std::string text = heading(macro, "for a shell");
   text += "CASE=before.glisson  # a copy of the case as it was\n";
   text += "RECORDED=" + in_shell(macro.recorded.string()) + "  # whose history holds what was done by hand\n";
-  std::string rest;
   for (const MacroStep& step : macro.steps) {
-    const std::string about =
-        fmt::format("\n# {}. {}{}\n", step.number, one_line(step.name.message()),
-                    step.commands.empty() ? " (moved a view, and changed nothing in the case)" : "");
-    rest += about;
+    text += heading(step);
     for (const Command& command : step.commands) {
       if (!command.scenario.empty()) {
-        rest += fmt::format("cat > {} <<'END' &&\n{}\nEND\n", scenario_file(step.number), command.scenario);
+        text += fmt::format("cat > {} <<'END' &&\n{}\nEND\n", scenario_file(step.number), command.scenario);
       }
-      rest += "glisson-cli";
+      text += "glisson-cli";
       for (const std::string& word : command.words) {
-        rest += word == the_case ? " \"$CASE\"" : word == recorded_case ? " \"$RECORDED\"" : " " + in_shell(word);
+        text += word == the_case ? " \"$CASE\"" : word == recorded_case ? " \"$RECORDED\"" : " " + in_shell(word);
       }
-      rest += " &&\n";
+      text += " &&\n";
     }
   }
-  return text + rest + "\ntrue\n";
+  return text + "\ntrue\n";
 }
 
 std::string as_python(const Macro& macro) {
-  std::string text = "# What was done to a case in Glisson " + version() +
-                     ", in Python. It begins with the case as it was before the first step.\n";
-  if (macro.earlier_forgotten) text += "# Earlier steps are no longer known: the history keeps a limited number.\n";
+  std::string text = heading(macro, "in Python");
   text += "import glisson\n\npatient = glisson.Case(\"before.glisson\")  # a copy of the case as it was\n";
   text += "recorded = " + in_python(macro.recorded.string()) + "  # whose history holds what was done by hand\n";
   for (const MacroStep& step : macro.steps) {
-    text += fmt::format("\n# {}. {}{}\n", step.number, one_line(step.name.message()),
-                        step.commands.empty() ? " (moved a view, and changed nothing in the case)" : "");
+    text += heading(step);
     for (const Command& command : step.commands) text += command.python + "\n";
   }
   return text;
 }
 
 namespace {
+
+std::string heading(const Macro& macro, const char* for_whom) {
+  return "# What was done to a case in Glisson " + version() + ", " + for_whom +
+         ". It begins with the case as it was before the first step.\n" +
+         (macro.earlier_forgotten ? "# Earlier steps are no longer known: the history keeps a limited number.\n" : "");
+}
+
+std::string heading(const MacroStep& step) {
+  return fmt::format("\n# {}. {}{}\n", step.number, one_line(step.name.message()),
+                     step.commands.empty() ? " (moved a view, and changed nothing in the case)" : "");
+}
 
 using Options = std::map<std::string, std::string>;
 

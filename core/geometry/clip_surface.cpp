@@ -67,4 +67,23 @@ Surface clipped(const Surface& surface, const CutSurface& cut, CutSide side) {
   return std::move(piece.made);
 }
 
+Surface kept_part(const Surface& surface, const std::function<bool(std::size_t triangle)>& is_kept) {
+  Surface part;
+  std::vector<int> number(surface.points_mm.size(), -1);
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    if (!is_kept(t)) continue;
+    std::array<int, 3> triangle = surface.triangles[t];
+    for (int& p : triangle) {
+      int& known = number[static_cast<std::size_t>(p)];
+      if (known < 0) {
+        known = static_cast<int>(part.points_mm.size());
+        part.points_mm.push_back(surface.points_mm[static_cast<std::size_t>(p)]);
+      }
+      p = known;
+    }
+    part.triangles.push_back(triangle);
+  }
+  return part;
+}
+
 }  // namespace glisson::geometry

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <numbers>
 
+#include "geometry/clip_surface.h"
 #include "geometry/nearest.h"
 
 namespace glisson::vasculature {
@@ -172,21 +173,8 @@ Surface thick_part(const Surface& outline, const Parted& lines, double thin_mm) 
     });
   };
 
-  Surface part;
-  std::vector<int> number(outline.points_mm.size(), -1);
-  for (std::array<int, 3> triangle : outline.triangles) {
-    if (is_of_thin(middle_mm(outline, triangle))) continue;
-    for (int& p : triangle) {
-      int& known = number[static_cast<std::size_t>(p)];
-      if (known < 0) {
-        known = static_cast<int>(part.points_mm.size());
-        part.points_mm.push_back(outline.points_mm[static_cast<std::size_t>(p)]);
-      }
-      p = known;
-    }
-    part.triangles.push_back(triangle);
-  }
-  return part;
+  return geometry::kept_part(outline,
+                             [&](std::size_t t) { return !is_of_thin(middle_mm(outline, outline.triangles[t])); });
 }
 
 // Neighbours' means, some times over: a line through voxels has corners. Its ends stay.

@@ -13,6 +13,7 @@
 #include <thread>
 
 #include "base/files.h"
+#include "casefile/contents.h"
 #include "casefile/structures.h"
 #include "segmentation/edit.h"
 
@@ -48,16 +49,7 @@ Result<void> write_text(const fs::path& folder, const std::string& id, const std
   });
 }
 
-// All entries with their contents: what "the same case" means.
-std::map<std::string, std::string> contents(const fs::path& folder) {
-  std::map<std::string, std::string> all;
-  const auto opened = Case::open(folder);
-  for (const Entry& entry : opened->entries()) {
-    all[entry.id] = sha256_of_file(folder / entry.file).value_or("missing");
-    EXPECT_EQ(all[entry.id], entry.sha256) << entry.id;
-  }
-  return all;
-}
+using test::contents;
 
 Sentence named(const std::string& text) { return {text, {}}; }
 

@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "base/files.h"
+#include "casefile/contents.h"
 #include "casefile/history.h"
 #include "casefile/placed_landmarks.h"
 #include "casefile/redo_step.h"
@@ -37,15 +38,7 @@ Result<void> add(const fs::path& folder, const std::string& id, const Provenance
   });
 }
 
-std::map<std::string, std::string> contents(const fs::path& folder) {
-  std::map<std::string, std::string> all;
-  const auto opened = Case::open(folder);
-  for (const Entry& entry : opened->entries()) {
-    all[entry.id] = sha256_of_file(folder / entry.file).value_or("missing");
-    EXPECT_EQ(all[entry.id], entry.sha256) << entry.id;
-  }
-  return all;
-}
+using test::contents;
 
 class MacroTest : public testing::Test {
  protected:

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <QRegularExpression>
 
+#include "geometry/clip_surface.h"
 #include "widgets/views/patient_views.h"
 #include "widgets/words/translated.h"
 
@@ -17,22 +18,7 @@ constexpr scene::Colour amber{1.0, 0.72, 0.20};
 // The triangles of a cut liver that are its walls, or those that are not, with the points that they use.
 geometry::Surface part_on_wall(const geometry::Surface& cut, bool wall) {
   const auto& on_wall = geometry::find_field(cut.cell_fields, "wall")->values;
-  geometry::Surface part;
-  std::vector<int> number(cut.points_mm.size(), -1);
-  for (std::size_t t = 0; t < cut.triangles.size(); ++t) {
-    if ((on_wall[t] != 0) != wall) continue;
-    std::array<int, 3> triangle = cut.triangles[t];
-    for (int& p : triangle) {
-      int& known = number[static_cast<std::size_t>(p)];
-      if (known < 0) {
-        known = static_cast<int>(part.points_mm.size());
-        part.points_mm.push_back(cut.points_mm[static_cast<std::size_t>(p)]);
-      }
-      p = known;
-    }
-    part.triangles.push_back(triangle);
-  }
-  return part;
+  return geometry::kept_part(cut, [&](std::size_t t) { return (on_wall[t] != 0) == wall; });
 }
 
 // Where the tissue is now that was at a place on a surface at rest: with its nearest point.
