@@ -19,12 +19,8 @@ using Line = std::vector<CenterPoint>;
 struct Parted {
   Line thin, thick;
   std::vector<Line> stretches;
-  std::vector<std::size_t> stretch_of_thin;
 };
 Parted parted(const VesselGraph& graph, double thin_mm);
-
-// Without stretches around which the outline is not where their tubes would be: spurs in the ends of wide vessels.
-Parted that_fit(const Surface& outline, Parted lines, double thin_mm);
 
 // The triangles of the outline that belong to what is thick, with the points that they use.
 Surface thick_part(const Surface& outline, const Parted& lines, double thin_mm);
@@ -37,7 +33,7 @@ void add_tube(const Line& line, int sides, Surface& surface);
 double thin_radius_mm(const Vector3d& spacing_mm) { return 1.5 * std::cbrt(spacing_mm.prod()); }
 
 std::optional<Surface> with_tubes(const Surface& outline, const VesselGraph& graph, const TubeOptions& options) {
-  const Parted lines = that_fit(outline, parted(graph, options.thin_mm), options.thin_mm);
+  const Parted lines = parted(graph, options.thin_mm);
   if (lines.stretches.empty()) return {};
   Surface drawn = thick_part(outline, lines, options.thin_mm);
   for (const Line& stretch : lines.stretches) add_tube(smoothed(stretch), options.sides, drawn);
@@ -98,7 +94,6 @@ Parted parted(const VesselGraph& graph, double thin_mm) {
       Line& heap = thin[begin] != 0 ? lines.thin : lines.thick;
       heap.insert(heap.end(), branch.points.begin() + long(begin), branch.points.begin() + long(end));
       if (thin[begin] == 0) continue;
-      lines.stretch_of_thin.resize(lines.thin.size(), lines.stretches.size());
       const std::size_t first = begin - std::min(begin, into_the_thick);
       const std::size_t last = std::min(thin.size(), end + into_the_thick);
       Line stretch;
@@ -122,34 +117,6 @@ Vector3d middle_mm(const Surface& surface, const std::array<int, 3>& triangle) {
   Vector3d middle = Vector3d::Zero();
   for (const int p : triangle) middle += surface.points_mm[static_cast<std::size_t>(p)] / 3;
   return middle;
-}
-
-Parted that_fit(const Surface& outline, Parted lines, double thin_mm) {
-  if (lines.thin.empty()) return lines;
-  constexpr double far_off = 0.5;  // of thin_mm, on average
-  const geometry::NearestPoint thin(places(lines.thin));
-  std::vector<double> sum_mm(lines.stretches.size(), 0);
-  std::vector<int> triangles(lines.stretches.size(), 0);
-  for (const auto& triangle : outline.triangles) {
-    const auto found = thin.nearest(middle_mm(outline, triangle));
-    const auto point = static_cast<std::size_t>(found.point);
-    const double beyond_mm = std::sqrt(found.squared_distance_mm2) - lines.thin[point].radius_mm;
-    if (beyond_mm > 3 * thin_mm) continue;
-    sum_mm[lines.stretch_of_thin[point]] += beyond_mm;
-    ++triangles[lines.stretch_of_thin[point]];
-  }
-  const auto fits = [&](std::size_t stretch) {
-    return lines.stretches[stretch].size() > 1 && sum_mm[stretch] <= far_off * thin_mm * triangles[stretch];
-  };
-  Parted fitting;
-  fitting.thick = std::move(lines.thick);
-  for (std::size_t i = 0; i < lines.thin.size(); ++i) {
-    (fits(lines.stretch_of_thin[i]) ? fitting.thin : fitting.thick).push_back(lines.thin[i]);
-  }
-  for (std::size_t s = 0; s < lines.stretches.size(); ++s) {
-    if (fits(s)) fitting.stretches.push_back(std::move(lines.stretches[s]));
-  }
-  return fitting;
 }
 
 Surface thick_part(const Surface& outline, const Parted& lines, double thin_mm) {
