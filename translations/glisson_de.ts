@@ -5575,6 +5575,10 @@
         <source>Use product or one of: {1}.</source>
         <translation>Verwenden Sie product oder eine von: {1}.</translation>
     </message>
+    <message>
+        <source>The hidden targets, which nothing was fitted to, are farther off with what was found ({0} mm on average) than without it ({1} mm): do not take it for the cause.</source>
+        <translation>Die verborgenen Ziele, an die nichts angepasst wurde, liegen mit dem Gefundenen weiter daneben (im Mittel {0} mm) als ohne ({1} mm): Halten Sie es nicht für die Ursache.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AdvanceControls</name>

@@ -5575,6 +5575,10 @@
         <source>Use product or one of: {1}.</source>
         <translation>Use product o una de: {1}.</translation>
     </message>
+    <message>
+        <source>The hidden targets, which nothing was fitted to, are farther off with what was found ({0} mm on average) than without it ({1} mm): do not take it for the cause.</source>
+        <translation>Los objetivos ocultos, a los que nada se ajustó, quedan más lejos con lo hallado (en promedio {0} mm) que sin ello ({1} mm): no lo tome por la causa.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AdvanceControls</name>

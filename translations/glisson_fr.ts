@@ -5575,6 +5575,10 @@
         <source>Use product or one of: {1}.</source>
         <translation>Utilisez product ou l’une de : {1}.</translation>
     </message>
+    <message>
+        <source>The hidden targets, which nothing was fitted to, are farther off with what was found ({0} mm on average) than without it ({1} mm): do not take it for the cause.</source>
+        <translation>Les cibles cachées, auxquelles rien n&apos;a été ajusté, sont plus loin avec ce qui a été trouvé (en moyenne {0} mm) que sans cela ({1} mm) : ne le prenez pas pour la cause.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AdvanceControls</name>

@@ -1,5 +1,7 @@
 #include "closedloop/explain.h"
 
+#include <fmt/format.h>
+
 #include "closedloop/guidance/model.h"
 #include "closedloop/hardware/model.h"
 #include "closedloop/hidden_targets.h"
@@ -8,6 +10,11 @@
 #include "closedloop/palpation/model.h"
 
 namespace glisson::closedloop {
+namespace {
+
+void tell_of_targets(const HiddenTargets& targets, Explanation& explanation);
+
+}  // namespace
 
 Result<Explained> explain(const std::filesystem::path& file, const Progress& progress) {
   progress.report(0, GLISSON_TEXT("Reading the experiment"));
@@ -20,7 +27,7 @@ Result<Explained> explain(const std::filesystem::path& file, const Progress& pro
   if (const auto* guidance = std::get_if<Guidance>(&experiment->setup)) {
     const auto errors = target_errors(*guidance, {BetterModel{}, better_model(*explanation)});
     if (!errors) return failure(errors.error());
-    if (!errors->empty()) explanation->hidden_targets = HiddenTargets{errors->front(), errors->back()};
+    if (!errors->empty()) tell_of_targets(HiddenTargets{errors->front(), errors->back()}, *explanation);
   }
   return Explained{*std::move(experiment), *std::move(model), *std::move(explanation)};
 }
@@ -42,4 +49,17 @@ Result<std::unique_ptr<ForwardModel>> forward_model(Experiment experiment, const
   });
 }
 
+namespace {
+
+// What fits better and predicts worse what nothing was fitted to is no explanation, whatever the verdict.
+void tell_of_targets(const HiddenTargets& targets, Explanation& explanation) {
+  explanation.hidden_targets = targets;
+  if (targets.after.mean <= targets.before.mean) return;
+  explanation.notes.push_back(
+      {GLISSON_TEXT("The hidden targets, which nothing was fitted to, are farther off with what was found ({0} mm on "
+                    "average) than without it ({1} mm): do not take it for the cause."),
+       {fmt::format("{:.2f}", targets.after.mean), fmt::format("{:.2f}", targets.before.mean)}});
+}
+
+}  // namespace
 }  // namespace glisson::closedloop

@@ -35,7 +35,7 @@ def main():
                         "--seed", SEED], env=env, check=True)
         judged = subprocess.run([sys.executable, UNDECLARED / "judge.py", folder + "/cases", "--cli", sys.argv[1], "--out",
                                  folder + "/judged"], env=env, check=True, capture_output=True, text=True).stdout
-        targets_come_nearer(json.loads((pathlib.Path(folder) / "judged" / "judged.json").read_text()))
+        targets_come_nearer(pathlib.Path(folder) / "judged")
         refuses(sys.argv[1], pathlib.Path(folder) / "cases" / f"tiny-null-s{SEED}")
     print(judged)
     lines = [line for line in judged.splitlines() if line.startswith(("ok ", "WRONG"))]
@@ -43,15 +43,19 @@ def main():
     sys.exit(len(lines) != len(KINDS.split(",")) or bool(wrong))
 
 
-def targets_come_nearer(results):
-    """Where an effect was explained; where nothing was, they stay where they are."""
-    for result in results:
+def targets_come_nearer(judged):
+    """On pulls that were never seen, where an effect was explained; where what was found takes them farther off, it is said."""
+    for result in json.loads((judged / "judged.json").read_text()):
         before, after = result["hidden_before"], result["hidden_after"]
         print(f"{result['case']}: hidden targets of unseen pulls {before:.3f} mm before, {after:.3f} after")
-        if result["truth"] and not result["outside"]:
+        if result["verdict"] == "explained":
             assert after < 0.5 * before, f"{result['case']}: the targets are no nearer"
-        else:
+        if result["verdict"] == "nothing-missing":
             assert after <= 1.05 * before, f"{result['case']}: the targets are farther off"
+        report = json.loads((judged / result["case"] / "report.json").read_text())
+        seen = report["hidden_targets"]
+        farther = seen["after"]["mean_mm"] > seen["before"]["mean_mm"]
+        assert farther == any("farther off with what was found" in note for note in report["notes"]), result["case"]
 
 
 def refuses(cli, case):
