@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/files.h"
+#include "base/write_file.h"
 #include "command.h"
 #include "evidence_answer.h"
 #include "one_of.h"
@@ -127,8 +128,10 @@ std::string in_words(const rehearsal::SessionState& state) {
 Result<void> write_out(const std::string& out, const rehearsal::Recording& recording, const Json& answer) {
   const std::filesystem::path path(out);
   if (path.extension() == ".json") return write_text_file(path, rehearsal::recording_text(recording));
-  return write_text_file(path / "session.json", rehearsal::recording_text(recording)).and_then([&] {
-    return write_text_file(path / "frames.json", answer.dump(1) + "\n");
+  return write_together([&] {
+    return write_file(path / "session.json", rehearsal::recording_text(recording)).and_then([&] {
+      return write_file(path / "frames.json", answer.dump(1) + "\n");
+    });
   });
 }
 
@@ -225,8 +228,10 @@ Result<Outcome> compare_orders(const Options& options, const Progress& progress)
   if (!options.out) return outcome;
   const std::filesystem::path out(*options.out);
   outcome.document["files"] = {(out / "orders.json").string(), (out / "orders.html").string()};
-  auto written = write_text_file(out / "orders.json", outcome.document.dump(1) + "\n").and_then([&] {
-    return report::write_html(out / "orders.html", report::orders_page(orders, question->origin, question->remarks));
+  auto written = write_together([&] {
+    return write_file(out / "orders.json", outcome.document.dump(1) + "\n").and_then([&] {
+      return report::write_html(out / "orders.html", report::orders_page(orders, question->origin, question->remarks));
+    });
   });
   if (!written) return failure(std::move(written.error()));
   return outcome;

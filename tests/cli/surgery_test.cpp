@@ -250,8 +250,12 @@ TEST_F(SmallLiver, TwoOrdersOfStepsAreComparedInFiguresAndAsAPage) {
   const Json& orders = compared.at("orders");
   ASSERT_EQ(orders.size(), 2u);
   EXPECT_EQ(orders[0].at("name"), "gently");
-  EXPECT_NEAR(orders[0].at("largest_force_N").get<double>(), 0.15, 1e-3);
-  EXPECT_NEAR(orders[1].at("largest_force_N").get<double>(), 0.3, 1e-3);
+  // The push, and what presses on the blade sideways.
+  const double gently_N = orders[0].at("largest_force_N"), hard_N = orders[1].at("largest_force_N");
+  EXPECT_GE(gently_N, 0.149);
+  EXPECT_LE(gently_N, 0.165);
+  EXPECT_GE(hard_N, 0.299);
+  EXPECT_LE(hard_N, 0.33);
   EXPECT_EQ(orders[1].at("largest_force_N_at_step"), 1);
   ASSERT_FALSE(orders[0].at("landmarks").empty());
   for (std::size_t l = 0; l < orders[0].at("landmarks").size(); ++l) {

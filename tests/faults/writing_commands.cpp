@@ -178,6 +178,7 @@ std::vector<WritingCommand> writing_commands() {
       {"plan-compare", {"plan", "@small.glisson", "--compare", "--out", "@plans"}},
       {"session-orders",
        {"session", "@small.glisson", "--commands", "@hook.json", "@hook.json", "--out", "@orders"}},
+      {"session-folder", {"session", "@small.glisson", "--commands", "@hook.json", "--out", "@rehearsed"}},
       {"session", {"session", "@small.glisson", "--commands", "@hook.json", "--out", "@recorded.json"}},
       {"accept", {"accept", "@small.glisson", "@model.json", "--of-this-patient"}},
       {"register", {"register", "@stl/liver.stl", "@stl/tumour-1.stl", "--method", "icp", "--out", "@moved.ply"}},
