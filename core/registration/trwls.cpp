@@ -69,7 +69,7 @@ struct Quantised {
   using Total = typename Arithmetic<Word>::Total;
 
   Slices<Word> slices;
-  AlignedVector<Total> seed;             // seed[node * stride + label], less each node's least
+  AlignedVector<Total> seed;             // seed[node * stride + label], less each node's minimum
   double minimum_seeds = 0;              // the sum of what was taken off
   double energy_of_one = 0;              // the energy that a cost of 1 stands for
   double maximum_added_by_rounding = 0;  // no labelling costs more in words than its energy and this
@@ -266,7 +266,7 @@ void Trwls<Word>::gather(int sweep, int position) {
   node_bounds_[sweep % 2][static_cast<std::size_t>(position)] = static_cast<Bound>(minimum);
 }
 
-// gamma (belief - least), so that all chains through the node together get what there is: what a division in whole
+// gamma (belief - minimum), so that all chains through the node together get what there is: what a division in whole
 // numbers leaves over goes in ones to the last of them. Cut at twice the largest cost; so is the padding.
 template <typename Word>
 void Trwls<Word>::share_belief(const Total* belief, Total minimum, int node, Word* share,

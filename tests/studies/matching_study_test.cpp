@@ -53,10 +53,10 @@ TEST(MatchingStudy, JudgesBitsAndGoesOnWhereItWasStopped) {
   // Figure 3.8, of all widths.
   ASSERT_EQ(study->energy_by_pass.size(), 4u);
   for (const auto& energies : study->energy_by_pass) EXPECT_EQ(energies.size(), 20u);
-  const auto least = [](const std::vector<double>& energies) {
+  const auto minimum = [](const std::vector<double>& energies) {
     return *std::min_element(energies.begin(), energies.end());
   };
-  EXPECT_LT(least(study->energy_by_pass[2]), 1.1 * least(study->energy_by_pass[0]));
+  EXPECT_LT(minimum(study->energy_by_pass[2]), 1.1 * minimum(study->energy_by_pass[0]));
 
   ASSERT_TRUE(write_matching(out.path(), *study));
   for (const char* file : {"problems.csv", "quality.csv", "timing.csv", "demand.csv", "summary.json", "report.html"}) {

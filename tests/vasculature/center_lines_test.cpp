@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <cmath>
 
+#include "drawn_vessels.h"
 #include "vasculature/center_lines.h"
 
 namespace glisson::vasculature {
@@ -11,6 +12,7 @@ namespace {
 using Eigen::Vector3d;
 using imaging::Grid;
 using imaging::Mask;
+using test::draw;
 
 Mask empty_mask(int size = 90) {
   Grid grid;
@@ -18,18 +20,6 @@ Mask empty_mask(int size = 90) {
   grid.spacing_mm = {0.8, 0.8, 0.8};
   grid.origin_mm = {-20, -30, 10};
   return {grid, std::vector<std::uint8_t>(grid.voxels(), 0)};
-}
-
-void draw(Mask& mask, const Vector3d& from_mm, const Vector3d& to_mm, double radius_mm) {
-  for (int k = 0; k < mask.grid.size[2]; ++k) {
-    for (int j = 0; j < mask.grid.size[1]; ++j) {
-      for (int i = 0; i < mask.grid.size[0]; ++i) {
-        const Vector3d p = mask.grid.position_mm(i, j, k), way = to_mm - from_mm;
-        const double t = std::clamp((p - from_mm).dot(way) / way.squaredNorm(), 0.0, 1.0);
-        if ((p - from_mm - t * way).norm() <= radius_mm) mask.at(i, j, k) = 1;
-      }
-    }
-  }
 }
 
 double length_of(const VesselGraph& graph, Joint joint) {

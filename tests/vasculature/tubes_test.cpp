@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drawn_vessels.h"
 #include "meshing/mask_surface.h"
 #include "vasculature/center_lines.h"
 
@@ -14,20 +15,9 @@ namespace {
 
 using Eigen::Vector3d;
 using imaging::Mask;
+using test::draw;
 
 constexpr double voxel_mm = 0.8;
-
-void draw(Mask& mask, const Vector3d& from_mm, const Vector3d& to_mm, double radius_mm) {
-  for (int k = 0; k < mask.grid.size[2]; ++k) {
-    for (int j = 0; j < mask.grid.size[1]; ++j) {
-      for (int i = 0; i < mask.grid.size[0]; ++i) {
-        const Vector3d p = mask.grid.position_mm(i, j, k), way = to_mm - from_mm;
-        const double t = std::clamp((p - from_mm).dot(way) / way.squaredNorm(), 0.0, 1.0);
-        if ((p - from_mm - t * way).norm() <= radius_mm) mask.at(i, j, k) = 1;
-      }
-    }
-  }
-}
 
 const Vector3d trunk_from(10, 10, 8), trunk_to(10, 10, 62), twig_from(10, 10, 35), twig_to(55, 31, 47);
 

@@ -4,7 +4,7 @@
 // Ranges, which is why nothing saturates. Let C be the largest cost. Costs lie in 0..C by construction, so a message,
 // which is a minimum over one index of something plus a cost, varies by at most C, and less its minimum lies in 0..C.
 // A belief (the sum of messages) less its minimum is divided among chains and cut at 2 C. The offset of a message is
-// its share of the belief - reverse message, in -C..2C. Its least value is at most 0 (at the label whose belief is 0),
+// its share of the belief - reverse message, in -C..2C. Its minimum is at most 0 (at the label whose belief is 0),
 // hence a label with offset >= C never wins, and cutting the belief, which lets its offset stay >= 2C - C, changes
 // nothing. Less its minimum the offset lies in 0..3C, and with a cost added in 0..4C. So with 2C below the signed half
 // of the word's range and 4C below its whole range every step is exact. Distances may fill the word up to its range
