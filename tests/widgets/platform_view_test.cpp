@@ -1,6 +1,8 @@
 // The platform view, driven as a person drives it: the case taken over, sliders moved, platforms chosen.
 
+#include <cmath>
 #include <ctime>
+#include <QComboBox>
 #include <QDir>
 #include <QtTest>
 
@@ -121,9 +123,40 @@ class PlatformViewTest : public QObject {
     QCOMPARE(hot.case_volume_cm3, 2096.0);
     child<QComboBox>("quantity")->setCurrentIndex(1);
     QVERIFY(child<ContourPlot>("contours")->picture().contours.size() >= 4);
+    // What is coarser than figure 6.4's coarsest is marked all the same.
+    child<NumberSlider>("accuracy")->set_value(6);
+    const ContourPicture& coarse = child<ContourPlot>("contours")->picture();
+    QVERIFY(coarse.case_resolution_mm3 > 165);
+    QVERIFY(coarse.surface.grid.resolutions_mm3.back() >= coarse.case_resolution_mm3);
     // A liver beyond figure 6.4's widens the picture.
     view_->show_case("Large", 4000, 11.4);
     QCOMPARE(child<ContourPlot>("contours")->picture().surface.grid.volumes_cm3.back(), 4000.0);
+  }
+
+  void plans_for_what_this_program_computes() {
+    auto* task = child<QComboBox>("task");
+    QVERIFY(child<QWidget>("contours")->isVisible());
+    task->setFocus();
+    QTest::keyClick(task, Qt::Key_End);  // the last one that ships: a registration
+    const auto& asked = view_->plan()->request;
+    QVERIFY(asked.task && asked.task->id == "match");
+    QVERIFY(!child<QWidget>("contours")->isVisible() && !child<QWidget>("accuracy")->isEnabled());
+    // 28 ms on the machine where it was timed: every board's rate follows its arithmetic alone, whatever the volume.
+    const double fps = view_->plan()->platforms.front().fps_by_computing;
+    view_->show_case("Large", 4000, 11.4);
+    QCOMPARE(view_->plan()->platforms.front().fps_by_computing, fps);
+    QTest::keyClick(task, Qt::Key_Home);
+    QVERIFY(!view_->plan()->request.task && child<QWidget>("contours")->isVisible());
+  }
+
+  void says_how_sure_its_answer_is() {
+    choose(row_of("tx2-gpu"));
+    const auto* table = child<PlatformTable>("platforms");
+    for (const hardware::PlatformAnswer& answer : view_->plan()->platforms) {
+      const QString sure = table->item(row_of(QString::fromStdString(answer.id)), PlatformTable::sure)->text();
+      QCOMPARE(sure, QString::number(std::lround(100 * answer.certainty.holds)));
+    }
+    QVERIFY(child<QTextBrowser>("details")->toPlainText().contains("How sure that is"));
   }
 
   void a_device_of_the_persons_own_takes_its_place() {

@@ -6,6 +6,7 @@
 #include <QVBoxLayout>
 
 #include "widgets/hardware/platform_view.h"
+#include "widgets/hardware/platform_words.h"
 #include "widgets/panels/parts.h"
 #include "widgets/words/keep_translated.h"
 
@@ -84,6 +85,12 @@ QWidget* PlatformView::make_question() {
   limit_->set_value(45);
   column->addSpacing(8);
   QLabel* work_title = add_heading();
+  task_ = new QComboBox;
+  task_->setObjectName("task");
+  task_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  task_->addItem({});
+  for (const hardware::Task& task : tasks_) task_->addItem({}, QString::fromStdString(task.id));
+  column->addWidget(task_);
   workload_ = new QLabel;
   workload_->setObjectName("workload");
   workload_->setWordWrap(true);
@@ -114,7 +121,13 @@ QWidget* PlatformView::make_question() {
     room_->set_suffix(tr(" °C"));
     limit_name->setText(tr("Hottest surface to be worn"));
     limit_->set_suffix(tr(" °C"));
-    work_title->setText(tr("The work"));
+    work_title->setText(tr("What is computed"));
+    task_->setItemText(0, tr("The dissertation's product"));
+    for (int row = 1; row < task_->count(); ++row) {
+      const hardware::Task& task = tasks_.at(static_cast<std::size_t>(row - 1));
+      task_->setItemText(row, task_in_words(task));
+      task_->setItemData(row, QString::fromStdString(task.what + ": " + task.note), Qt::ToolTipRole);
+    }
     add->setText(tr("Add devices..."));
     add->setToolTip(tr("A table of your own, or what glisson-cli platform measure wrote"));
   });
@@ -142,8 +155,8 @@ QWidget* PlatformView::make_answer() {
   parts->addWidget(table_);
   auto* below = new QSplitter(Qt::Horizontal);
   below->setChildrenCollapsible(false);
-  auto* plot = new QWidget;
-  auto* plot_column = new QVBoxLayout(plot);
+  plot_ = new QWidget;
+  auto* plot_column = new QVBoxLayout(plot_);
   plot_column->setContentsMargins(0, 6, 6, 0);
   quantity_ = new QComboBox;
   quantity_->setObjectName("quantity");
@@ -158,7 +171,7 @@ QWidget* PlatformView::make_answer() {
   plot_column->addLayout(plot_title);
   contours_ = new ContourPlot;
   plot_column->addWidget(contours_, 1);
-  below->addWidget(plot);
+  below->addWidget(plot_);
   details_ = new QTextBrowser;
   details_->setObjectName("details");
   details_->setMinimumWidth(260);

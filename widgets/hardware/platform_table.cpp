@@ -1,6 +1,7 @@
 #include "widgets/hardware/platform_table.h"
 
 #include <algorithm>
+#include <cmath>
 #include <QHeaderView>
 #include <QLocale>
 #include <QSignalBlocker>
@@ -82,7 +83,7 @@ PlatformTable::PlatformTable(QWidget* parent) : QTableWidget(0, columns, parent)
   keep_translated(this, [this] {
     setHorizontalHeaderLabels({tr("Platform"), tr("Worn on\nthe"), tr("Draws idle\nW"), tr("Battery\nallows W"),
                                tr("Left to\ncompute W"), tr("Frames/s\nat most"), tr("Lasts\nh"), tr("Surface\n°C"),
-                               tr("Limit"), tr("Assumed\nfigures")});
+                               tr("Sure to\nhold %"), tr("Limit"), tr("Assumed\nfigures")});
     horizontalHeaderItem(idle)->setToolTip(tr("What it takes from its battery when nothing is computed"));
     horizontalHeaderItem(allowed)->setToolTip(
         tr("The largest constant power that its battery carries for the operation"));
@@ -90,6 +91,8 @@ PlatformTable::PlatformTable(QWidget* parent) : QTableWidget(0, columns, parent)
     horizontalHeaderItem(frames)->setToolTip(tr("The frame rate that meets every constraint"));
     horizontalHeaderItem(lasts)->setToolTip(tr("On one charge, at the wanted frame rate or the fastest it computes"));
     horizontalHeaderItem(surface)->setToolTip(tr("At the end of the operation"));
+    horizontalHeaderItem(sure)->setToolTip(
+        tr("In how many of 100 draws of its figures, off by as much as their sources may be, it holds"));
     horizontalHeaderItem(assumed)->setToolTip(tr("Figures that nobody measured; ≈ marks what rests on them"));
     fit_columns();
   });
@@ -156,7 +159,7 @@ void PlatformTable::show_plan(const hardware::Plan& plan, const std::vector<Devi
       QTableWidgetItem* cell = item(row, column);
       cell->setText(text);
       cell->setToolTip(tip);
-      if (column >= idle && column <= surface) cell->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+      if (column >= idle && column <= sure) cell->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
       QFont font = cell->font();
       font.setBold(recommended);
       cell->setFont(font);
@@ -180,6 +183,9 @@ void PlatformTable::show_plan(const hardware::Plan& plan, const std::vector<Devi
                {"idle_W", "kernel.active_W", "kernel.energy_nJ_per_byte", "battery.capacity_mAh", "battery.voltage_V"});
     put_number(surface, answer.temperature_C,
                {"thermal_resistance_C_per_W", "thermal_time_constant_s", "idle_W", "kernel.active_W"});
+    put(sure, QLocale().toString(std::round(100 * answer.certainty.holds), 'f', 0),
+        tr("In 80 of 100 draws it can do %1 to %2 frames/s")
+            .arg(short_number(answer.certainty.fps_low), short_number(answer.certainty.fps_high)));
     QStringList reasons;
     for (const hardware::Reason& reason : answer.reasons) reasons << translated(reason.sentence);
     put(limit, limit_of(answer), reasons.join("\n"))->setForeground(theme_colour(answer.feasible ? "fine" : "warning"));

@@ -12,7 +12,7 @@ class PlatformTable : public QTableWidget {
   Q_OBJECT
 
  public:
-  enum Column { name, worn, idle, allowed, left, frames, lasts, surface, limit, assumed, columns };
+  enum Column { name, worn, idle, allowed, left, frames, lasts, surface, sure, limit, assumed, columns };
 
   explicit PlatformTable(QWidget* parent = nullptr);
 

@@ -27,7 +27,7 @@ QString whole(double value) { return QLocale().toString(value, 'f', 0); }
 
 // Figure 6.4's ten volumes, widened where a case lies outside, by ten resolutions; these in equal ratios, since what
 // costs and what fails lies at the fine end.
-hardware::ProblemGrid grid_around(double volume_cm3) {
+hardware::ProblemGrid grid_around(double volume_cm3, double resolution_mm3) {
   hardware::ProblemGrid grid = hardware::dissertation_grid();
   const double minimum = std::min(grid.volumes_cm3.front(), volume_cm3);
   const double maximum = std::max(grid.volumes_cm3.back(), volume_cm3);
@@ -35,13 +35,13 @@ hardware::ProblemGrid grid_around(double volume_cm3) {
   for (std::size_t i = 0; i < grid.volumes_cm3.size(); ++i)
     grid.volumes_cm3[i] = minimum + (maximum - minimum) * static_cast<double>(i) / last;
   const double finest_mm3 = grid.resolutions_mm3.front();
-  const double ratio = grid.resolutions_mm3.back() / finest_mm3;
+  const double ratio = std::max(grid.resolutions_mm3.back(), resolution_mm3) / finest_mm3;
   for (std::size_t i = 0; i < grid.resolutions_mm3.size(); ++i)
     grid.resolutions_mm3[i] = finest_mm3 * std::pow(ratio, static_cast<double>(i) / last);
   return grid;
 }
 
-// With the table and the curve that ship; a sentence in its place where they cannot be read.
+// With the tables and the curve that ship; a sentence in its place where they cannot be read.
 QWidget* shipped_view() {
   const auto resources = resource_folder();
   const auto devices = resources.and_then(
@@ -49,10 +49,13 @@ QWidget* shipped_view() {
   const auto curve = resources.and_then([](const std::filesystem::path& folder) {
     return hardware::read_convergence_curve(folder / "devices" / "convergence.json");
   });
-  if (devices && curve) return new PlatformView(*devices, *curve);
+  const auto tasks = resources.and_then(
+      [](const std::filesystem::path& folder) { return hardware::read_tasks(folder / "devices" / "tasks.json"); });
+  if (devices && curve && tasks) return new PlatformView(*devices, *curve, *tasks);
   auto* sorry = new QLabel;
-  keep_translated(sorry,
-                  [sorry, error = devices ? curve.error() : devices.error()] { sorry->setText(translated(error)); });
+  keep_translated(sorry, [sorry, error = !devices ? devices.error()
+                                         : !curve ? curve.error()
+                                                  : tasks.error()] { sorry->setText(translated(error)); });
   sorry->setWordWrap(true);
   sorry->setAlignment(Qt::AlignCenter);
   return sorry;
@@ -60,8 +63,9 @@ QWidget* shipped_view() {
 
 }  // namespace
 
-PlatformView::PlatformView(std::vector<Device> devices, hardware::ConvergenceCurve curve, QWidget* parent)
-    : QWidget(parent), devices_(std::move(devices)), curve_(std::move(curve)) {
+PlatformView::PlatformView(std::vector<Device> devices, hardware::ConvergenceCurve curve,
+                           std::vector<hardware::Task> tasks, QWidget* parent)
+    : QWidget(parent), devices_(std::move(devices)), curve_(std::move(curve)), tasks_(std::move(tasks)) {
   setObjectName("platform_view");
   auto* across = new QHBoxLayout(this);
   across->setContentsMargins(0, 0, 0, 0);
@@ -84,6 +88,7 @@ PlatformView::PlatformView(std::vector<Device> devices, hardware::ConvergenceCur
     show_picture();
   });
   connect(quantity_, &QComboBox::currentIndexChanged, this, &PlatformView::show_picture);
+  connect(task_, &QComboBox::currentIndexChanged, this, &PlatformView::choose_task);
   keep_translated(this, [this] {
     word_case();
     replan();
@@ -154,6 +159,15 @@ void PlatformView::set_accuracy_range() {
                        std::max(1.0, std::floor(10 * here.points.back().error_mm) / 10));
 }
 
+// What only the dissertation's product asks for: how large a body, how exactly.
+void PlatformView::choose_task() {
+  const bool product = task_->currentIndex() <= 0;
+  for (QWidget* only_then : std::initializer_list<QWidget*>{volume_, youngs_, accuracy_})
+    only_then->setEnabled(product);
+  plot_->setVisible(product);
+  replan();
+}
+
 void PlatformView::replan() {
   hardware::PlanRequest request;
   request.liver_volume_cm3 = volume_->value();
@@ -163,6 +177,7 @@ void PlatformView::replan() {
   request.frames_per_s = frames_->value();
   request.ambient_C = room_->value();
   request.limit_C = limit_->value();
+  if (task_->currentIndex() > 0) request.task = tasks_.at(static_cast<std::size_t>(task_->currentIndex() - 1));
   const auto planned = hardware::plan(request, devices_, curve_);
   refusal_->setVisible(!planned);
   if (!planned) {
@@ -175,10 +190,13 @@ void PlatformView::replan() {
   }
   plan_ = *planned;
   const hardware::Workload& work = plan_->workload;
-  workload_->setText(tr("%1 nodes of %2 mm³. A frame is %3 block products: %4 MB to move, %5 million operations.")
-                         .arg(whole(work.nodes), number(work.resolution_mm3))
-                         .arg(work.products_per_frame)
-                         .arg(number(work.frame_bytes * 1e-6), number(work.frame_flops * 1e-6)));
+  workload_->setText(request.task
+                         ? tr("A frame of it: %1 MB to move, %2 million operations.")
+                               .arg(number(work.frame_bytes * 1e-6), number(work.frame_flops * 1e-6))
+                         : tr("%1 nodes of %2 mm³. A frame is %3 block products: %4 MB to move, %5 million operations.")
+                               .arg(whole(work.nodes), number(work.resolution_mm3))
+                               .arg(work.products_per_frame)
+                               .arg(number(work.frame_bytes * 1e-6), number(work.frame_flops * 1e-6)));
   const auto best = std::find_if(plan_->platforms.begin(), plan_->platforms.end(),
                                  [&](const PlatformAnswer& answer) { return plan_->recommended == answer.id; });
   const QString name = best != plan_->platforms.end() ? QString::fromStdString(best->name) : QString();
@@ -210,8 +228,9 @@ void PlatformView::show_platform() {
 
 void PlatformView::show_picture() {
   const Device* device = chosen_device();
-  if (!plan_ || device == nullptr) return;
-  const auto surfaces = hardware::surfaces_over(grid_around(volume_->value()), *device, plan_->request);
+  if (!plan_ || device == nullptr || plan_->request.task) return;
+  const auto surfaces =
+      hardware::surfaces_over(grid_around(volume_->value(), plan_->workload.resolution_mm3), *device, plan_->request);
   if (!surfaces) return;
   ContourPicture picture;
   QString quantity_told;

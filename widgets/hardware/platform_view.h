@@ -1,7 +1,8 @@
 #pragma once
-// What can be worn for this case, live: the liver's volume and stiffness, the wanted accuracy, duration and frame rate;
-// a table of platforms that begins with what they draw when idle, the one that is least obtrusive, one platform in
-// full, and its contours over volume and resolution.
+// What can be worn for this case, live: the liver's volume and stiffness, what is computed, the wanted accuracy,
+// duration and frame rate; a table of platforms that begins with what they draw when idle, the one that is least
+// obtrusive, one platform in full, and its contours over volume and resolution. A task of this program has a size of
+// its own: volume, accuracy and contours stand aside then.
 
 #include <functional>
 #include <optional>
@@ -22,9 +23,10 @@ class PlatformView : public QWidget {
   Q_OBJECT
 
  public:
-  PlatformView(std::vector<hardware::Device> devices, hardware::ConvergenceCurve curve, QWidget* parent = nullptr);
+  PlatformView(std::vector<hardware::Device> devices, hardware::ConvergenceCurve curve,
+               std::vector<hardware::Task> tasks = {}, QWidget* parent = nullptr);
 
-  // As a workspace, with the table and the curve that ship; a sentence in its place where they cannot be read.
+  // As a workspace, with the tables and the curve that ship; a sentence in its place where they cannot be read.
   [[nodiscard]] static Workspace workspace();
 
   // Takes volume and mean Young's modulus over; 0 where the case does not know.
@@ -42,6 +44,7 @@ class PlatformView : public QWidget {
   void choose_devices();
   void word_case();
   void set_accuracy_range();
+  void choose_task();
   void replan();
   void show_platform();
   void show_picture();
@@ -49,10 +52,12 @@ class PlatformView : public QWidget {
 
   std::vector<hardware::Device> devices_;
   hardware::ConvergenceCurve curve_;
+  std::vector<hardware::Task> tasks_;
   std::optional<hardware::Plan> plan_;
   std::function<QString()> case_name_words_;
 
   QLabel* case_name_;
+  QComboBox* task_;
   NumberBox* volume_;
   NumberBox* youngs_;
   NumberSlider* accuracy_;
@@ -64,6 +69,7 @@ class PlatformView : public QWidget {
   QLabel* refusal_;
   QLabel* answer_;
   PlatformTable* table_;
+  QWidget* plot_;
   QComboBox* quantity_;
   QLabel* quantity_told_;
   ContourPlot* contours_;
