@@ -7923,20 +7923,12 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Griffe am Fad
         <translation>zu heiß</translation>
     </message>
     <message>
-        <source>✕ fails: %1</source>
-        <translation>✕ reicht nicht: %1</translation>
-    </message>
-    <message>
         <source>heat</source>
         <translation>Wärme</translation>
     </message>
     <message>
         <source>speed</source>
         <translation>Tempo</translation>
-    </message>
-    <message>
-        <source>✓ holds; next limit: %1</source>
-        <translation>✓ hält; nächste Grenze: %1</translation>
     </message>
     <message>
         <source>Platform</source>
@@ -8024,6 +8016,28 @@ figures</source>
     <message>
         <source>%1 of %2</source>
         <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>✕ fails: %1</source>
+        <translation>✕ reicht nicht: %1</translation>
+    </message>
+    <message>
+        <source>✓ holds; next limit: %1</source>
+        <translation>✓ hält; nächste Grenze: %1</translation>
+    </message>
+    <message>
+        <source>Sure to
+hold %</source>
+        <translation>Reicht
+sicher %</translation>
+    </message>
+    <message>
+        <source>In how many of 100 draws of its figures, off by as much as their sources may be, it holds</source>
+        <translation>In wie vielen von 100 Ziehungen seiner Werte, so weit daneben, wie es ihre Quellen sein können, es reicht</translation>
+    </message>
+    <message>
+        <source>In 80 of 100 draws it can do %1 to %2 frames/s</source>
+        <translation>In 80 von 100 Ziehungen schafft es %1 bis %2 Bilder/s</translation>
     </message>
 </context>
 <context>
@@ -8115,10 +8129,6 @@ figures</source>
     <message>
         <source>Hottest surface to be worn</source>
         <translation>Heißeste tragbare Oberfläche</translation>
-    </message>
-    <message>
-        <source>The work</source>
-        <translation>Die Arbeit</translation>
     </message>
     <message>
         <source>Add devices...</source>
@@ -8275,6 +8285,42 @@ figures</source>
     <message>
         <source>Find what can be worn for this case.</source>
         <translation>Finden, was sich für diesen Fall tragen lässt.</translation>
+    </message>
+    <message>
+        <source>What is computed</source>
+        <translation>Was berechnet wird</translation>
+    </message>
+    <message>
+        <source>A frame of it: %1 MB to move, %2 million operations.</source>
+        <translation>Ein Bild davon: %1 MB zu bewegen, %2 Millionen Rechenschritte.</translation>
+    </message>
+    <message>
+        <source>How sure that is: with its figures off by as much as their sources may be, 5 to 30 %, it holds in %1 of 100 draws, and in 80 of 100 it can do %2 to %3 frames/s.</source>
+        <translation>Wie sicher das ist: Sind seine Werte so weit daneben, wie es ihre Quellen sein können, 5 bis 30 %, reicht es in %1 von 100 Ziehungen, und in 80 von 100 schafft es %2 bis %3 Bilder/s.</translation>
+    </message>
+    <message>
+        <source>Rehearse: a live frame, small deformations</source>
+        <translation>Proben: ein Bild, kleine Verformungen</translation>
+    </message>
+    <message>
+        <source>Rehearse: a live frame, large deformations</source>
+        <translation>Proben: ein Bild, große Verformungen</translation>
+    </message>
+    <message>
+        <source>Rehearse: a step of the meshfree engine</source>
+        <translation>Proben: ein Schritt des netzfreien Verfahrens</translation>
+    </message>
+    <message>
+        <source>Guide: a frame</source>
+        <translation>Führen: ein Bild</translation>
+    </message>
+    <message>
+        <source>Match: a registration of 128 points</source>
+        <translation>Zuordnen: eine Registrierung von 128 Punkten</translation>
+    </message>
+    <message>
+        <source>The dissertation&apos;s product</source>
+        <translation>Das Produkt der Dissertation</translation>
     </message>
 </context>
 <context>
@@ -9575,6 +9621,153 @@ figures</source>
     </message>
 </context>
 <context>
+    <name>glisson::widgets::StudiesPage</name>
+    <message>
+        <source>Studies</source>
+        <translation>Studien</translation>
+    </message>
+    <message>
+        <source>Run the dissertation&apos;s studies over many patients, and follow them.</source>
+        <translation>Die Studien der Dissertation über viele Patienten ausführen und verfolgen.</translation>
+    </message>
+    <message>
+        <source>Of the patients in</source>
+        <translation>An den Patienten in</translation>
+    </message>
+    <message>
+        <source>Of the case</source>
+        <translation>Am Fall</translation>
+    </message>
+    <message>
+        <source>Of the scans in</source>
+        <translation>An den Scans in</translation>
+    </message>
+    <message>
+        <source>No folder: simulated patients</source>
+        <translation>Kein Ordner: simulierte Patienten</translation>
+    </message>
+    <message>
+        <source>Open a case, or choose one</source>
+        <translation>Öffnen oder wählen Sie einen Fall</translation>
+    </message>
+    <message>
+        <source>No folder: simulated scans</source>
+        <translation>Kein Ordner: simulierte Scans</translation>
+    </message>
+    <message>
+        <source>The folder with the patients or scans, or a case</source>
+        <translation>Der Ordner mit den Patienten oder Scans, oder ein Fall</translation>
+    </message>
+    <message>
+        <source>The folder for the results</source>
+        <translation>Der Ordner für die Ergebnisse</translation>
+    </message>
+    <message>
+        <source>The folder that a study is written to</source>
+        <translation>Der Ordner, in den eine Studie geschrieben wird</translation>
+    </message>
+    <message>
+        <source>Patients done: %1</source>
+        <translation>Patienten fertig: %1</translation>
+    </message>
+    <message>
+        <source>Could not be used: %1</source>
+        <translation>Nicht zu gebrauchen: %1</translation>
+    </message>
+    <message>
+        <source>Start a study, or follow a folder that another program fills.</source>
+        <translation>Beginnen Sie eine Studie, oder folgen Sie einem Ordner, den ein anderes Programm füllt.</translation>
+    </message>
+    <message>
+        <source>, less than a minute left</source>
+        <translation>, noch weniger als eine Minute</translation>
+    </message>
+    <message>
+        <source>, about %1 min left</source>
+        <translation>, noch etwa %1 min</translation>
+    </message>
+    <message>
+        <source>Stopping...</source>
+        <translation>Wird angehalten...</translation>
+    </message>
+    <message>
+        <source>Done.</source>
+        <translation>Fertig.</translation>
+    </message>
+    <message>
+        <source>Stopped. Started again, it goes on from there.</source>
+        <translation>Angehalten. Wieder begonnen, geht sie von dort weiter.</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Studie</translation>
+    </message>
+    <message>
+        <source>Choose...</source>
+        <translation>Wählen...</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keiner</translation>
+    </message>
+    <message>
+        <source>Without a folder</source>
+        <translation>Ohne Ordner</translation>
+    </message>
+    <message>
+        <source>Simulated patients</source>
+        <translation>Simulierte Patienten</translation>
+    </message>
+    <message>
+        <source>Results go to</source>
+        <translation>Ergebnisse nach</translation>
+    </message>
+    <message>
+        <source>A folder. What lies there from an earlier run of the same study is not computed again.</source>
+        <translation>Ein Ordner. Was dort aus einem früheren Lauf derselben Studie liegt, wird nicht noch einmal berechnet.</translation>
+    </message>
+    <message>
+        <source>...</source>
+        <translation>...</translation>
+    </message>
+    <message>
+        <source>Choose the folder for the results</source>
+        <translation>Den Ordner für die Ergebnisse wählen</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Beginnen</translation>
+    </message>
+    <message>
+        <source>Runs beside the window; closing the window stops it. Started again, it goes on.</source>
+        <translation>Läuft neben dem Fenster; wird das Fenster geschlossen, hält sie an. Wieder begonnen, geht sie weiter.</translation>
+    </message>
+    <message>
+        <source>Follow a folder...</source>
+        <translation>Einem Ordner folgen...</translation>
+    </message>
+    <message>
+        <source>Shows what another program, or a cluster, writes to a study&apos;s folder</source>
+        <translation>Zeigt, was ein anderes Programm oder ein Rechencluster in den Ordner einer Studie schreibt</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>What is done stays</source>
+        <translation>Was fertig ist, bleibt</translation>
+    </message>
+    <message>
+        <source>Open the page</source>
+        <translation>Seite öffnen</translation>
+    </message>
+    <message>
+        <source>The study&apos;s report, in the browser</source>
+        <translation>Der Bericht der Studie, im Browser</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::StudyPage</name>
     <message>
         <source>Study</source>
@@ -9712,6 +9905,17 @@ Elastizitätsmodul %2 kPa (angenommen)</translation>
     <message>
         <source>No part of the model: drawn where it was outlined, it does not move.</source>
         <translation>Nicht Teil des Modells: gezeichnet, wo es umrissen wurde; es bewegt sich nicht.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::StudyRun</name>
+    <message>
+        <source>%1 could not be started: it belongs beside this program. Install Glisson again.</source>
+        <translation>%1 ließ sich nicht starten: Es gehört neben dieses Programm. Installieren Sie Glisson neu.</translation>
+    </message>
+    <message>
+        <source>The study ended without saying why. Start it again.</source>
+        <translation>Die Studie endete, ohne zu sagen, warum. Beginnen Sie sie noch einmal.</translation>
     </message>
 </context>
 <context>
@@ -10574,6 +10778,65 @@ Von Hand: mit der rechten Taste ziehen</translation>
     <message>
         <source>Segments</source>
         <translation>Segmente</translation>
+    </message>
+</context>
+<context>
+    <name>studies</name>
+    <message>
+        <source>Landmarks under an atlas</source>
+        <translation>Landmarken unter einem Atlas</translation>
+    </message>
+    <message>
+        <source>How far a liver of one published stiffness misplaces a retracted liver&apos;s places, patient by patient (section 4.4).</source>
+        <translation>Wie weit eine Leber mit einer veröffentlichten Steifigkeit die Stellen einer angehobenen Leber falsch legt, Patient für Patient (Abschnitt 4.4).</translation>
+    </message>
+    <message>
+        <source>Stiffness of a cohort</source>
+        <translation>Steifigkeit einer Kohorte</translation>
+    </message>
+    <message>
+        <source>How stiffness varies between patients and within one, against the atlas (section 4.3).</source>
+        <translation>Wie die Steifigkeit zwischen Patienten und in einem streut, gegen den Atlas (Abschnitt 4.3).</translation>
+    </message>
+    <message>
+        <source>Beams of one liver</source>
+        <translation>Balken einer Leber</translation>
+    </message>
+    <message>
+        <source>Beams of a case&apos;s softest, stiffest and most uneven tissue against one of its mean (table 4.1).</source>
+        <translation>Balken aus dem weichsten, steifsten und ungleichmäßigsten Gewebe eines Falls gegen einen aus seinem Mittel (Tabelle 4.1).</translation>
+    </message>
+    <message>
+        <source>Pressed phantoms</source>
+        <translation>Gedrückte Phantome</translation>
+    </message>
+    <message>
+        <source>Silicone pressed by a tool: the simulated surface against the scanned one (section 4.5). Without scans, SIMULATED ones.</source>
+        <translation>Silikon, von einem Werkzeug gedrückt: die simulierte Oberfläche gegen die gescannte (Abschnitt 4.5). Ohne Scans SIMULIERTE.</translation>
+    </message>
+    <message>
+        <source>Stiffness against a testing machine</source>
+        <translation>Steifigkeit gegen eine Prüfmaschine</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus by elastography beside a testing machine&apos;s, by the dissertation&apos;s own figures (section 4.6).</source>
+        <translation>Elastizitätsmodul aus Elastographie neben dem einer Prüfmaschine, nach den eigenen Zahlen der Dissertation (Abschnitt 4.6).</translation>
+    </message>
+    <message>
+        <source>Error against resolution</source>
+        <translation>Fehler gegen Auflösung</translation>
+    </message>
+    <message>
+        <source>How much of a beam&apos;s deflection a coarse model misses (section 6.3.2): what Platform plans by.</source>
+        <translation>Wie viel von der Durchbiegung eines Balkens einem groben Modell entgeht (Abschnitt 6.3.2): danach plant Plattform.</translation>
+    </message>
+    <message>
+        <source>Matching of shapes</source>
+        <translation>Zuordnen von Formen</translation>
+    </message>
+    <message>
+        <source>Energy, bits, memory and time of matching two surfaces (chapter 3), on SIMULATED livers.</source>
+        <translation>Energie, Bits, Speicher und Zeit beim Zuordnen zweier Oberflächen (Kapitel 3), an SIMULIERTEN Lebern.</translation>
     </message>
 </context>
 <context>

@@ -7925,20 +7925,12 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar. Ctrl+arrastrar: girar. Tiradores 
         <translation>calor</translation>
     </message>
     <message>
-        <source>✕ fails: %1</source>
-        <translation>✕ no sirve: %1</translation>
-    </message>
-    <message>
         <source>heat</source>
         <translation>calor</translation>
     </message>
     <message>
         <source>speed</source>
         <translation>velocidad</translation>
-    </message>
-    <message>
-        <source>✓ holds; next limit: %1</source>
-        <translation>✓ aguanta; límite: %1</translation>
     </message>
     <message>
         <source>Platform</source>
@@ -8027,6 +8019,28 @@ supuestas</translation>
     <message>
         <source>%1 of %2</source>
         <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>✕ fails: %1</source>
+        <translation>✕ no basta: %1</translation>
+    </message>
+    <message>
+        <source>✓ holds; next limit: %1</source>
+        <translation>✓ basta; siguiente límite: %1</translation>
+    </message>
+    <message>
+        <source>Sure to
+hold %</source>
+        <translation>Basta
+seguro %</translation>
+    </message>
+    <message>
+        <source>In how many of 100 draws of its figures, off by as much as their sources may be, it holds</source>
+        <translation>En cuántos de 100 sorteos de sus cifras, tan desviadas como puedan estarlo sus fuentes, basta</translation>
+    </message>
+    <message>
+        <source>In 80 of 100 draws it can do %1 to %2 frames/s</source>
+        <translation>En 80 de 100 sorteos alcanza de %1 a %2 fotogramas/s</translation>
     </message>
 </context>
 <context>
@@ -8118,10 +8132,6 @@ supuestas</translation>
     <message>
         <source>Hottest surface to be worn</source>
         <translation>Superficie más caliente que se puede llevar</translation>
-    </message>
-    <message>
-        <source>The work</source>
-        <translation>El trabajo</translation>
     </message>
     <message>
         <source>Add devices...</source>
@@ -8278,6 +8288,42 @@ supuestas</translation>
     <message>
         <source>Find what can be worn for this case.</source>
         <translation>Encontrar qué se puede llevar puesto en este caso.</translation>
+    </message>
+    <message>
+        <source>What is computed</source>
+        <translation>Qué se calcula</translation>
+    </message>
+    <message>
+        <source>A frame of it: %1 MB to move, %2 million operations.</source>
+        <translation>Un fotograma: %1 MB que mover, %2 millones de operaciones.</translation>
+    </message>
+    <message>
+        <source>How sure that is: with its figures off by as much as their sources may be, 5 to 30 %, it holds in %1 of 100 draws, and in 80 of 100 it can do %2 to %3 frames/s.</source>
+        <translation>Qué seguro es: con sus cifras tan desviadas como puedan estarlo sus fuentes, del 5 al 30 %, basta en %1 de 100 sorteos, y en 80 de 100 alcanza de %2 a %3 fotogramas/s.</translation>
+    </message>
+    <message>
+        <source>Rehearse: a live frame, small deformations</source>
+        <translation>Ensayar: un fotograma, deformaciones pequeñas</translation>
+    </message>
+    <message>
+        <source>Rehearse: a live frame, large deformations</source>
+        <translation>Ensayar: un fotograma, deformaciones grandes</translation>
+    </message>
+    <message>
+        <source>Rehearse: a step of the meshfree engine</source>
+        <translation>Ensayar: un paso del método sin malla</translation>
+    </message>
+    <message>
+        <source>Guide: a frame</source>
+        <translation>Guiar: un fotograma</translation>
+    </message>
+    <message>
+        <source>Match: a registration of 128 points</source>
+        <translation>Emparejar: un registro de 128 puntos</translation>
+    </message>
+    <message>
+        <source>The dissertation&apos;s product</source>
+        <translation>El producto de la tesis</translation>
     </message>
 </context>
 <context>
@@ -9578,6 +9624,153 @@ supuestas</translation>
     </message>
 </context>
 <context>
+    <name>glisson::widgets::StudiesPage</name>
+    <message>
+        <source>Studies</source>
+        <translation>Estudios</translation>
+    </message>
+    <message>
+        <source>Run the dissertation&apos;s studies over many patients, and follow them.</source>
+        <translation>Ejecutar los estudios de la tesis sobre muchos pacientes y seguirlos.</translation>
+    </message>
+    <message>
+        <source>Of the patients in</source>
+        <translation>De los pacientes en</translation>
+    </message>
+    <message>
+        <source>Of the case</source>
+        <translation>Del caso</translation>
+    </message>
+    <message>
+        <source>Of the scans in</source>
+        <translation>De los escaneos en</translation>
+    </message>
+    <message>
+        <source>No folder: simulated patients</source>
+        <translation>Sin carpeta: pacientes simulados</translation>
+    </message>
+    <message>
+        <source>Open a case, or choose one</source>
+        <translation>Abra un caso o elija uno</translation>
+    </message>
+    <message>
+        <source>No folder: simulated scans</source>
+        <translation>Sin carpeta: escaneos simulados</translation>
+    </message>
+    <message>
+        <source>The folder with the patients or scans, or a case</source>
+        <translation>La carpeta con los pacientes o escaneos, o un caso</translation>
+    </message>
+    <message>
+        <source>The folder for the results</source>
+        <translation>La carpeta de los resultados</translation>
+    </message>
+    <message>
+        <source>The folder that a study is written to</source>
+        <translation>La carpeta en la que se escribe un estudio</translation>
+    </message>
+    <message>
+        <source>Patients done: %1</source>
+        <translation>Pacientes hechos: %1</translation>
+    </message>
+    <message>
+        <source>Could not be used: %1</source>
+        <translation>No se pudieron usar: %1</translation>
+    </message>
+    <message>
+        <source>Start a study, or follow a folder that another program fills.</source>
+        <translation>Empiece un estudio, o siga una carpeta que otro programa llena.</translation>
+    </message>
+    <message>
+        <source>, less than a minute left</source>
+        <translation>, queda menos de un minuto</translation>
+    </message>
+    <message>
+        <source>, about %1 min left</source>
+        <translation>, quedan unos %1 min</translation>
+    </message>
+    <message>
+        <source>Stopping...</source>
+        <translation>Parando...</translation>
+    </message>
+    <message>
+        <source>Done.</source>
+        <translation>Hecho.</translation>
+    </message>
+    <message>
+        <source>Stopped. Started again, it goes on from there.</source>
+        <translation>Parado. Empezado de nuevo, sigue desde ahí.</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Estudio</translation>
+    </message>
+    <message>
+        <source>Choose...</source>
+        <translation>Elegir...</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Ninguna</translation>
+    </message>
+    <message>
+        <source>Without a folder</source>
+        <translation>Sin carpeta</translation>
+    </message>
+    <message>
+        <source>Simulated patients</source>
+        <translation>Pacientes simulados</translation>
+    </message>
+    <message>
+        <source>Results go to</source>
+        <translation>Los resultados van a</translation>
+    </message>
+    <message>
+        <source>A folder. What lies there from an earlier run of the same study is not computed again.</source>
+        <translation>Una carpeta. Lo que haya en ella de una ejecución anterior del mismo estudio no se calcula de nuevo.</translation>
+    </message>
+    <message>
+        <source>...</source>
+        <translation>...</translation>
+    </message>
+    <message>
+        <source>Choose the folder for the results</source>
+        <translation>Elegir la carpeta de los resultados</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Empezar</translation>
+    </message>
+    <message>
+        <source>Runs beside the window; closing the window stops it. Started again, it goes on.</source>
+        <translation>Se ejecuta junto a la ventana; cerrarla lo para. Empezado de nuevo, continúa.</translation>
+    </message>
+    <message>
+        <source>Follow a folder...</source>
+        <translation>Seguir una carpeta...</translation>
+    </message>
+    <message>
+        <source>Shows what another program, or a cluster, writes to a study&apos;s folder</source>
+        <translation>Muestra lo que otro programa, o un clúster, escribe en la carpeta de un estudio</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Parar</translation>
+    </message>
+    <message>
+        <source>What is done stays</source>
+        <translation>Lo hecho se conserva</translation>
+    </message>
+    <message>
+        <source>Open the page</source>
+        <translation>Abrir la página</translation>
+    </message>
+    <message>
+        <source>The study&apos;s report, in the browser</source>
+        <translation>El informe del estudio, en el navegador</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::StudyPage</name>
     <message>
         <source>Study</source>
@@ -9715,6 +9908,17 @@ Módulo de Young %2 kPa (supuesto)</translation>
     <message>
         <source>No part of the model: drawn where it was outlined, it does not move.</source>
         <translation>No es parte del modelo: se dibuja donde se contorneó y no se mueve.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::StudyRun</name>
+    <message>
+        <source>%1 could not be started: it belongs beside this program. Install Glisson again.</source>
+        <translation>No se pudo iniciar %1: debe estar junto a este programa. Instale Glisson de nuevo.</translation>
+    </message>
+    <message>
+        <source>The study ended without saying why. Start it again.</source>
+        <translation>El estudio terminó sin decir por qué. Empiécelo de nuevo.</translation>
     </message>
 </context>
 <context>
@@ -10577,6 +10781,65 @@ A mano: arrastre con el botón derecho</translation>
     <message>
         <source>Segments</source>
         <translation>Segmentos</translation>
+    </message>
+</context>
+<context>
+    <name>studies</name>
+    <message>
+        <source>Landmarks under an atlas</source>
+        <translation>Puntos de referencia bajo un atlas</translation>
+    </message>
+    <message>
+        <source>How far a liver of one published stiffness misplaces a retracted liver&apos;s places, patient by patient (section 4.4).</source>
+        <translation>Cuánto desplaza un hígado de una rigidez publicada los lugares de un hígado retraído, paciente a paciente (sección 4.4).</translation>
+    </message>
+    <message>
+        <source>Stiffness of a cohort</source>
+        <translation>Rigidez de una cohorte</translation>
+    </message>
+    <message>
+        <source>How stiffness varies between patients and within one, against the atlas (section 4.3).</source>
+        <translation>Cómo varía la rigidez entre pacientes y dentro de uno, frente al atlas (sección 4.3).</translation>
+    </message>
+    <message>
+        <source>Beams of one liver</source>
+        <translation>Vigas de un hígado</translation>
+    </message>
+    <message>
+        <source>Beams of a case&apos;s softest, stiffest and most uneven tissue against one of its mean (table 4.1).</source>
+        <translation>Vigas del tejido más blando, más rígido y más desigual de un caso frente a una de su media (tabla 4.1).</translation>
+    </message>
+    <message>
+        <source>Pressed phantoms</source>
+        <translation>Maniquíes presionados</translation>
+    </message>
+    <message>
+        <source>Silicone pressed by a tool: the simulated surface against the scanned one (section 4.5). Without scans, SIMULATED ones.</source>
+        <translation>Silicona presionada por una herramienta: la superficie simulada frente a la escaneada (sección 4.5). Sin escaneos, SIMULADOS.</translation>
+    </message>
+    <message>
+        <source>Stiffness against a testing machine</source>
+        <translation>Rigidez frente a una máquina de ensayo</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus by elastography beside a testing machine&apos;s, by the dissertation&apos;s own figures (section 4.6).</source>
+        <translation>Módulo de Young por elastografía junto al de una máquina de ensayo, con las cifras de la propia tesis (sección 4.6).</translation>
+    </message>
+    <message>
+        <source>Error against resolution</source>
+        <translation>Error frente a resolución</translation>
+    </message>
+    <message>
+        <source>How much of a beam&apos;s deflection a coarse model misses (section 6.3.2): what Platform plans by.</source>
+        <translation>Cuánta flexión de una viga se le escapa a un modelo grueso (sección 6.3.2): con ello planifica Plataforma.</translation>
+    </message>
+    <message>
+        <source>Matching of shapes</source>
+        <translation>Emparejamiento de formas</translation>
+    </message>
+    <message>
+        <source>Energy, bits, memory and time of matching two surfaces (chapter 3), on SIMULATED livers.</source>
+        <translation>Energía, bits, memoria y tiempo del emparejamiento de dos superficies (capítulo 3), con hígados SIMULADOS.</translation>
     </message>
 </context>
 <context>

@@ -7925,20 +7925,12 @@ Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: déplacer. Ctrl+glisser&#xa0;: tour
         <translation>trop chaud</translation>
     </message>
     <message>
-        <source>✕ fails: %1</source>
-        <translation>✕ échoue&#xa0;:&#xa0;%1</translation>
-    </message>
-    <message>
         <source>heat</source>
         <translation>chaleur</translation>
     </message>
     <message>
         <source>speed</source>
         <translation>vitesse</translation>
-    </message>
-    <message>
-        <source>✓ holds; next limit: %1</source>
-        <translation>✓ tient&#xa0;; limite&#xa0;:&#xa0;%1</translation>
     </message>
     <message>
         <source>Platform</source>
@@ -8027,6 +8019,28 @@ supposés</translation>
     <message>
         <source>%1 of %2</source>
         <translation>%1 sur&#xa0;%2</translation>
+    </message>
+    <message>
+        <source>✕ fails: %1</source>
+        <translation>✕ ne suffit pas : %1</translation>
+    </message>
+    <message>
+        <source>✓ holds; next limit: %1</source>
+        <translation>✓ suffit ; limite suivante : %1</translation>
+    </message>
+    <message>
+        <source>Sure to
+hold %</source>
+        <translation>Suffit
+sûr %</translation>
+    </message>
+    <message>
+        <source>In how many of 100 draws of its figures, off by as much as their sources may be, it holds</source>
+        <translation>Dans combien de 100 tirages de ses chiffres, écartés autant que leurs sources le permettent, elle suffit</translation>
+    </message>
+    <message>
+        <source>In 80 of 100 draws it can do %1 to %2 frames/s</source>
+        <translation>Dans 80 tirages sur 100, elle atteint %1 à %2 images/s</translation>
     </message>
 </context>
 <context>
@@ -8118,10 +8132,6 @@ supposés</translation>
     <message>
         <source>Hottest surface to be worn</source>
         <translation>Surface portée la plus chaude</translation>
-    </message>
-    <message>
-        <source>The work</source>
-        <translation>Le travail</translation>
     </message>
     <message>
         <source>Add devices...</source>
@@ -8278,6 +8288,42 @@ supposés</translation>
     <message>
         <source>Find what can be worn for this case.</source>
         <translation>Trouver ce qui peut être porté pour ce cas.</translation>
+    </message>
+    <message>
+        <source>What is computed</source>
+        <translation>Ce qui est calculé</translation>
+    </message>
+    <message>
+        <source>A frame of it: %1 MB to move, %2 million operations.</source>
+        <translation>Une image : %1 Mo à déplacer, %2 millions d’opérations.</translation>
+    </message>
+    <message>
+        <source>How sure that is: with its figures off by as much as their sources may be, 5 to 30 %, it holds in %1 of 100 draws, and in 80 of 100 it can do %2 to %3 frames/s.</source>
+        <translation>Degré de certitude : si ses chiffres s’écartent autant que leurs sources le permettent, de 5 à 30 %, elle suffit dans %1 tirages sur 100, et dans 80 sur 100 elle atteint %2 à %3 images/s.</translation>
+    </message>
+    <message>
+        <source>Rehearse: a live frame, small deformations</source>
+        <translation>Répéter : une image, petites déformations</translation>
+    </message>
+    <message>
+        <source>Rehearse: a live frame, large deformations</source>
+        <translation>Répéter : une image, grandes déformations</translation>
+    </message>
+    <message>
+        <source>Rehearse: a step of the meshfree engine</source>
+        <translation>Répéter : un pas de la méthode sans maillage</translation>
+    </message>
+    <message>
+        <source>Guide: a frame</source>
+        <translation>Guider : une image</translation>
+    </message>
+    <message>
+        <source>Match: a registration of 128 points</source>
+        <translation>Apparier : un recalage de 128 points</translation>
+    </message>
+    <message>
+        <source>The dissertation&apos;s product</source>
+        <translation>Le produit de la thèse</translation>
     </message>
 </context>
 <context>
@@ -9578,6 +9624,153 @@ supposés</translation>
     </message>
 </context>
 <context>
+    <name>glisson::widgets::StudiesPage</name>
+    <message>
+        <source>Studies</source>
+        <translation>Études</translation>
+    </message>
+    <message>
+        <source>Run the dissertation&apos;s studies over many patients, and follow them.</source>
+        <translation>Exécuter les études de la thèse sur de nombreux patients, et les suivre.</translation>
+    </message>
+    <message>
+        <source>Of the patients in</source>
+        <translation>Des patients dans</translation>
+    </message>
+    <message>
+        <source>Of the case</source>
+        <translation>Du cas</translation>
+    </message>
+    <message>
+        <source>Of the scans in</source>
+        <translation>Des numérisations dans</translation>
+    </message>
+    <message>
+        <source>No folder: simulated patients</source>
+        <translation>Sans dossier : patients simulés</translation>
+    </message>
+    <message>
+        <source>Open a case, or choose one</source>
+        <translation>Ouvrez un cas ou choisissez-en un</translation>
+    </message>
+    <message>
+        <source>No folder: simulated scans</source>
+        <translation>Sans dossier : numérisations simulées</translation>
+    </message>
+    <message>
+        <source>The folder with the patients or scans, or a case</source>
+        <translation>Le dossier des patients ou des numérisations, ou un cas</translation>
+    </message>
+    <message>
+        <source>The folder for the results</source>
+        <translation>Le dossier des résultats</translation>
+    </message>
+    <message>
+        <source>The folder that a study is written to</source>
+        <translation>Le dossier dans lequel une étude est écrite</translation>
+    </message>
+    <message>
+        <source>Patients done: %1</source>
+        <translation>Patients faits : %1</translation>
+    </message>
+    <message>
+        <source>Could not be used: %1</source>
+        <translation>Inutilisables : %1</translation>
+    </message>
+    <message>
+        <source>Start a study, or follow a folder that another program fills.</source>
+        <translation>Commencez une étude, ou suivez un dossier qu’un autre programme remplit.</translation>
+    </message>
+    <message>
+        <source>, less than a minute left</source>
+        <translation>, encore moins d’une minute</translation>
+    </message>
+    <message>
+        <source>, about %1 min left</source>
+        <translation>, encore %1 min environ</translation>
+    </message>
+    <message>
+        <source>Stopping...</source>
+        <translation>Arrêt...</translation>
+    </message>
+    <message>
+        <source>Done.</source>
+        <translation>Fait.</translation>
+    </message>
+    <message>
+        <source>Stopped. Started again, it goes on from there.</source>
+        <translation>Arrêtée. Recommencée, elle reprend de là.</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Étude</translation>
+    </message>
+    <message>
+        <source>Choose...</source>
+        <translation>Choisir...</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Aucun</translation>
+    </message>
+    <message>
+        <source>Without a folder</source>
+        <translation>Sans dossier</translation>
+    </message>
+    <message>
+        <source>Simulated patients</source>
+        <translation>Patients simulés</translation>
+    </message>
+    <message>
+        <source>Results go to</source>
+        <translation>Les résultats vont dans</translation>
+    </message>
+    <message>
+        <source>A folder. What lies there from an earlier run of the same study is not computed again.</source>
+        <translation>Un dossier. Ce qui s’y trouve d’une exécution antérieure de la même étude n’est pas recalculé.</translation>
+    </message>
+    <message>
+        <source>...</source>
+        <translation>...</translation>
+    </message>
+    <message>
+        <source>Choose the folder for the results</source>
+        <translation>Choisir le dossier des résultats</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Commencer</translation>
+    </message>
+    <message>
+        <source>Runs beside the window; closing the window stops it. Started again, it goes on.</source>
+        <translation>Tourne à côté de la fenêtre ; la fermer l’arrête. Recommencée, elle continue.</translation>
+    </message>
+    <message>
+        <source>Follow a folder...</source>
+        <translation>Suivre un dossier...</translation>
+    </message>
+    <message>
+        <source>Shows what another program, or a cluster, writes to a study&apos;s folder</source>
+        <translation>Montre ce qu’un autre programme, ou une grappe, écrit dans le dossier d’une étude</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Arrêter</translation>
+    </message>
+    <message>
+        <source>What is done stays</source>
+        <translation>Ce qui est fait reste</translation>
+    </message>
+    <message>
+        <source>Open the page</source>
+        <translation>Ouvrir la page</translation>
+    </message>
+    <message>
+        <source>The study&apos;s report, in the browser</source>
+        <translation>Le rapport de l’étude, dans le navigateur</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::StudyPage</name>
     <message>
         <source>Study</source>
@@ -9715,6 +9908,17 @@ Module de Young %2 kPa (supposé)</translation>
     <message>
         <source>No part of the model: drawn where it was outlined, it does not move.</source>
         <translation>Ne fait pas partie du modèle : dessiné là où il a été délimité, il ne bouge pas.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::StudyRun</name>
+    <message>
+        <source>%1 could not be started: it belongs beside this program. Install Glisson again.</source>
+        <translation>%1 n’a pas pu être lancé : il doit se trouver à côté de ce programme. Réinstallez Glisson.</translation>
+    </message>
+    <message>
+        <source>The study ended without saying why. Start it again.</source>
+        <translation>L’étude s’est terminée sans dire pourquoi. Recommencez-la.</translation>
     </message>
 </context>
 <context>
@@ -10577,6 +10781,65 @@ By hand: drag with the right button</source>
     <message>
         <source>Segments</source>
         <translation>Segments</translation>
+    </message>
+</context>
+<context>
+    <name>studies</name>
+    <message>
+        <source>Landmarks under an atlas</source>
+        <translation>Repères sous un atlas</translation>
+    </message>
+    <message>
+        <source>How far a liver of one published stiffness misplaces a retracted liver&apos;s places, patient by patient (section 4.4).</source>
+        <translation>De combien un foie d’une rigidité publiée déplace les lieux d’un foie rétracté, patient par patient (section 4.4).</translation>
+    </message>
+    <message>
+        <source>Stiffness of a cohort</source>
+        <translation>Rigidité d’une cohorte</translation>
+    </message>
+    <message>
+        <source>How stiffness varies between patients and within one, against the atlas (section 4.3).</source>
+        <translation>Comment la rigidité varie entre patients et chez un seul, face à l’atlas (section 4.3).</translation>
+    </message>
+    <message>
+        <source>Beams of one liver</source>
+        <translation>Poutres d’un foie</translation>
+    </message>
+    <message>
+        <source>Beams of a case&apos;s softest, stiffest and most uneven tissue against one of its mean (table 4.1).</source>
+        <translation>Poutres du tissu le plus mou, le plus rigide et le plus inégal d’un cas face à une de sa moyenne (tableau 4.1).</translation>
+    </message>
+    <message>
+        <source>Pressed phantoms</source>
+        <translation>Fantômes pressés</translation>
+    </message>
+    <message>
+        <source>Silicone pressed by a tool: the simulated surface against the scanned one (section 4.5). Without scans, SIMULATED ones.</source>
+        <translation>Silicone pressé par un outil : la surface simulée face à la numérisée (section 4.5). Sans numérisations, des SIMULÉES.</translation>
+    </message>
+    <message>
+        <source>Stiffness against a testing machine</source>
+        <translation>Rigidité face à une machine d’essai</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus by elastography beside a testing machine&apos;s, by the dissertation&apos;s own figures (section 4.6).</source>
+        <translation>Module de Young par élastographie à côté de celui d’une machine d’essai, d’après les chiffres de la thèse (section 4.6).</translation>
+    </message>
+    <message>
+        <source>Error against resolution</source>
+        <translation>Erreur selon la résolution</translation>
+    </message>
+    <message>
+        <source>How much of a beam&apos;s deflection a coarse model misses (section 6.3.2): what Platform plans by.</source>
+        <translation>Combien de la flèche d’une poutre échappe à un modèle grossier (section 6.3.2) : ce d’après quoi Plateforme planifie.</translation>
+    </message>
+    <message>
+        <source>Matching of shapes</source>
+        <translation>Appariement de formes</translation>
+    </message>
+    <message>
+        <source>Energy, bits, memory and time of matching two surfaces (chapter 3), on SIMULATED livers.</source>
+        <translation>Énergie, bits, mémoire et temps de l’appariement de deux surfaces (chapitre 3), sur des foies SIMULÉS.</translation>
     </message>
 </context>
 <context>

@@ -20,6 +20,7 @@
 #include "widgets/segment/segment_panel.h"
 #include "widgets/settings/settings.h"
 #include "widgets/settings/window_place.h"
+#include "widgets/studies/studies_page.h"
 #include "widgets/study/study_page.h"
 #include "widgets/views/measure_list.h"
 #include "widgets/views/wave_view.h"
@@ -118,14 +119,17 @@ void MainWindow::make_workspaces() {
   add_workspace(RegisterPage::workspace(context()));
   add_workspace(platform);
   add_workspace(EvidenceView::workspace(context()));
+  add_workspace(StudiesPage::workspace());
 }
 
 void MainWindow::add_workspace(Workspace workspace) {
   const int index = static_cast<int>(workspaces_.size());
   (workspace.place == Workspace::Place::whole_window ? pages_ : panels_)->addWidget(workspace.widget);
   bar_->add(workspace);
-  const auto key = static_cast<Qt::Key>(Qt::Key_0 + (index + 1) % 10);
-  QAction* go = go_menu_->addAction({}, QKeySequence(Qt::CTRL | key), bar_, [this, index] { bar_->choose(index); });
+  // The first ten have a key.
+  const QKeySequence key =
+      index < 10 ? QKeySequence(Qt::CTRL | static_cast<Qt::Key>(Qt::Key_0 + (index + 1) % 10)) : QKeySequence();
+  QAction* go = go_menu_->addAction({}, key, bar_, [this, index] { bar_->choose(index); });
   keep_translated(go_menu_, [go, name = workspace.name] { go->setText(name()); });
   workspaces_.push_back(std::move(workspace));
 }

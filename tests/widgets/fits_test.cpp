@@ -47,8 +47,8 @@ class FitsTest : public QObject {
 
   void each_workspace_data() { sizes(); }
   void each_workspace() {
-    for (const char* workspace :
-         {"study", "segment", "model", "rehearse", "resect", "report", "guide", "register", "platform", "evidence"}) {
+    for (const char* workspace : {"study", "segment", "model", "rehearse", "resect", "report", "guide", "register",
+                                  "platform", "evidence", "studies"}) {
       window_->go_to(workspace);
       look(workspace);
     }

@@ -127,7 +127,7 @@ class LabelsTest : public QObject {
     QCOMPARE(window_->windowTitle(), QString("Glisson"));
     QVERIFY(!close->isEnabled());
     QCOMPARE(window_->findChild<QTreeWidget*>("structures")->topLevelItemCount(), 0);
-    for (const char* workspace : {"study", "segment", "model", "rehearse", "resect", "evidence", "report"}) {
+    for (const char* workspace : {"study", "segment", "model", "rehearse", "resect", "evidence", "studies", "report"}) {
       window_->go_to(workspace);
       QTest::qWait(50);
     }

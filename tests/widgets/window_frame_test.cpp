@@ -133,8 +133,8 @@ class WindowFrameTest : public QObject {
     QVERIFY(manual != nullptr);
     QCOMPARE(manual->open_page(), QString("01-start"));  // nothing is open yet
     window->show_patient(block_patient({3, 2, 2}, {}, {}));
-    for (const char* workspace :
-         {"study", "segment", "model", "rehearse", "resect", "report", "guide", "register", "platform", "evidence"}) {
+    for (const char* workspace : {"study", "segment", "model", "rehearse", "resect", "report", "guide", "register",
+                                  "platform", "evidence", "studies"}) {
       window->go_to(workspace);
       press_key(*window, Qt::Key_F1);
       QCOMPARE(manual->open_page(), manual_page_of(workspace));

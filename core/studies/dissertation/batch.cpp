@@ -16,19 +16,25 @@ namespace {
 
 fs::path row_file(const fs::path& out, const std::string& id) { return out / "patients" / (id + ".json"); }
 
-// A row that can be believed; nothing where there is none, where it is damaged, or where it was made from other input.
-std::optional<BatchRow> finished_row(const fs::path& out, const BatchPatient& patient) {
-  std::error_code problem;
-  if (!fs::exists(row_file(out, patient.id), problem)) return std::nullopt;
-  const auto document = read_json_file(row_file(out, patient.id));
-  if (!document || !says(*document, "fingerprint", patient.fingerprint)) return std::nullopt;
-  BatchRow row{patient.id, {}, string_in(*document, "error").value_or(""), true};
+// Nothing where there is none, or where it is damaged.
+std::optional<BatchRow> row_of(const Result<Json>& document, const std::string& id) {
+  if (!document) return std::nullopt;
+  BatchRow row{id, {}, string_in(*document, "error").value_or(""), true};
   const Json* values = value_in(*document, "values");
   if (values == nullptr || !values->is_object()) return std::nullopt;
   for (const auto& [name, value] : values->items()) {
     if (value.is_number()) row.values.emplace_back(name, value.get<double>());
   }
   return row;
+}
+
+// A row that can be believed: one made from other input cannot.
+std::optional<BatchRow> finished_row(const fs::path& out, const BatchPatient& patient) {
+  std::error_code problem;
+  if (!fs::exists(row_file(out, patient.id), problem)) return std::nullopt;
+  const auto document = read_json_file(row_file(out, patient.id));
+  if (!document || !says(*document, "fingerprint", patient.fingerprint)) return std::nullopt;
+  return row_of(document, patient.id);
 }
 
 Result<void> save_row(const fs::path& out, const BatchPatient& patient, const BatchRow& row) {
@@ -94,6 +100,19 @@ Result<std::vector<BatchRow>> run_batch(const fs::path& out, const std::vector<B
     if (row) finished.push_back(std::move(*row));
   }
   return finished;
+}
+
+std::vector<BatchRow> rows_in(const fs::path& out, const std::set<std::string>& but_not) {
+  std::vector<BatchRow> rows;
+  std::error_code problem;
+  for (fs::directory_iterator entry(out / "patients", problem), end; !problem && entry != end;
+       entry.increment(problem)) {
+    const std::string id = entry->path().stem().string();
+    if (entry->path().extension() != ".json" || but_not.count(id) > 0) continue;
+    if (auto row = row_of(read_json_file(entry->path()), id)) rows.push_back(std::move(*row));
+  }
+  std::sort(rows.begin(), rows.end(), [](const BatchRow& a, const BatchRow& b) { return a.id < b.id; });
+  return rows;
 }
 
 Result<void> write_batch_csv(const fs::path& file, const std::vector<BatchRow>& rows) {

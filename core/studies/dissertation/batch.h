@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -35,6 +36,11 @@ struct BatchRow {
 Result<std::vector<BatchRow>> run_batch(const std::filesystem::path& out, const std::vector<BatchPatient>& patients,
                                         const std::function<Result<NamedNumbers>(std::size_t patient)>& compute,
                                         const std::optional<std::string>& only = {}, const Progress& progress = {});
+
+// What lies in out/patients, whoever computes it, in the order of names: none of `but_not`, and none that is damaged or
+// under way. An empty or missing folder has none.
+[[nodiscard]] std::vector<BatchRow> rows_in(const std::filesystem::path& out,
+                                            const std::set<std::string>& but_not = {});
 
 // A header and a line a row: patient, the values, error.
 Result<void> write_batch_csv(const std::filesystem::path& file, const std::vector<BatchRow>& rows);
