@@ -53,7 +53,9 @@ void WorkspaceBar::word() {
     QToolButton* button = buttons_[k];
     const QString missing = workspace.missing(patient_);
     button->setText(workspace.name());
-    button->setToolTip(missing.isEmpty() ? tr("%1 (Ctrl+%2)").arg(workspace.about()).arg((k + 1) % 10) : missing);
+    // The first ten have a key (MainWindow::add_workspace).
+    const QString about = k < 10 ? tr("%1 (Ctrl+%2)").arg(workspace.about()).arg((k + 1) % 10) : workspace.about();
+    button->setToolTip(missing.isEmpty() ? about : missing);
     button->setAccessibleDescription(missing.isEmpty() ? workspace.about() : missing);
     if (button->property("waiting").toBool() == !missing.isEmpty()) continue;
     button->setProperty("waiting", !missing.isEmpty());
