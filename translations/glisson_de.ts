@@ -8787,7 +8787,7 @@ sicher %</translation>
     </message>
     <message>
         <source>Coronal</source>
-        <translation>Koronar</translation>
+        <translation>Koronal</translation>
     </message>
     <message>
         <source>Sagittal</source>
@@ -10467,7 +10467,7 @@ Von Hand: mit der rechten Taste ziehen</translation>
     </message>
     <message>
         <source>Transverse, coronal and sagittal slices again</source>
-        <translation>Wieder transversale, koronare und sagittale Schichten</translation>
+        <translation>Wieder transversale, koronale und sagittale Schichten</translation>
     </message>
     <message>
         <source>W %1  L %2</source>

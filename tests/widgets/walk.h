@@ -1,7 +1,8 @@
 #pragma once
 // A person's way through the window by mouse and keys. Every click lands where the control is drawn, through the window
 // system, and a control that cannot be seen, reached or used fails the step. After each step the window rests, nothing
-// red stands in it, its picture is kept (build/PRESET/pictures/walk-NAME-...), and time and memory are printed.
+// red stands in it, its picture is kept (build/PRESET/pictures/walk-NAME-...), and time and memory are printed. Where a
+// person would look twice, the window is held against baselines (walk_baselines.h).
 
 #include <fstream>
 #include <functional>
@@ -23,12 +24,14 @@
 
 #include "kept_pictures.h"
 #include "shown.h"
+#include "walk_baselines.h"
 
 namespace glisson::widgets {
 
 class Walk {
  public:
-  explicit Walk(QString name, const QSize& size = {1600, 1000}) : window_(shown_window(size)), name_(std::move(name)) {}
+  explicit Walk(const QString& name)
+      : window_(shown_window(WalkBaselines::size_of_walk())), name_(name), baselines_(*window_, name) {}
 
   [[nodiscard]] MainWindow& window() { return *window_; }
 
@@ -57,6 +60,17 @@ class Walk {
     if (notice->isVisible() && notice->property("kind") == "trouble") {
       fail(QString("%1: trouble is told. %2").arg(what, on_screen()));
     }
+  }
+
+  // The window as it is now, at each size in each language, for same_as_before().
+  void look(const QString& at) {
+    if (!QTest::currentTestFailed()) baselines_.take(at, [this] { return rests(); });
+  }
+  // At the end: all that was looked at is as it was when somebody last said that it is right.
+  void same_as_before() {
+    if (QTest::currentTestFailed()) return;
+    const QStringList differences = baselines_.differences();
+    if (!differences.isEmpty()) fail(differences.join('\n'));
   }
 
   // What a person sees of that name; null for nothing.
@@ -219,6 +233,7 @@ class Walk {
 
   std::unique_ptr<MainWindow> window_;
   QString name_;
+  WalkBaselines baselines_;
   int steps_ = 0;
 };
 

@@ -99,6 +99,8 @@ class WalkTest : public QObject {
     walk.step(
         "outline the liver", [&] { walk.click("next_step", "primary"); },
         [&] { return rows(walk, "structures") == 1 || !walk.text("notice_text").isEmpty(); });
+    walk.look("outlined");
+    walk.same_as_before();
   }
 
   // A brain: waves to be inverted, and no liver.
@@ -109,9 +111,12 @@ class WalkTest : public QObject {
     const auto waves = [&] { return walk.window().findChild<WaveView*>(); };
     walk.step(
         "waves", [&] { walk.click("next_waves"); }, [&] { return waves() != nullptr && waves()->has_result(); });
+    walk.look("waves");
     walk.step(
         "accept", [&] { walk.click("wave_accept"); },
         [&] { return fs::exists(hers() / "volumes/stiffness.nrrd") && walk.seen<QWidget>("next_waves") == nullptr; });
+    walk.look("stiffness");
+    walk.same_as_before();
   }
 
  private:
@@ -143,6 +148,7 @@ class WalkTest : public QObject {
   void drop_the_study(Walk& walk, int series) {
     walk.step(
         "drop the folder", [&] { walk.drop(study()); }, [&] { return rows(walk, "series") == series; });
+    walk.look("series");
   }
   void keep_it(Walk& walk) {
     walk.step(
@@ -164,6 +170,7 @@ class WalkTest : public QObject {
   static void build_the_model(Walk& walk) {
     walk.step(
         "build the model", [&] { walk.click("next_step", "primary"); }, [&] { return walk.can_press("hoist"); });
+    walk.look("model");
   }
 
   void rehearse_and_report(Walk& walk, const Eigen::Vector3d& inside_mm) {
@@ -172,6 +179,7 @@ class WalkTest : public QObject {
     walk.step(
         "pull harder", [&] { walk.type("force", "3"); },
         [&] { return walk.window().rehearsal().tools().back().force_N == 3; });
+    walk.look("retracted");
     walk.step(
         "to resect", [&] { walk.click("workspace_resect"); }, [&] { return walk.can_press("cut_through_crosshair"); });
     walk.step(
@@ -180,11 +188,13 @@ class WalkTest : public QObject {
     walk.step(
         "cut", [&] { walk.click("cut_through_crosshair"); },
         [&] { return walk.text("remnant_volume").contains("ml") && walk.can_press("keep_plan"); });
+    walk.look("resected");
     walk.step(
         "keep the plan", [&] { walk.click("keep_plan"); },
         [&] { return fs::exists(hers() / "results/resection/resection.json"); });
     walk.step(
         "report", [&] { walk.click("workspace_report"); }, [&] { return walk.can_press("report_html"); });
+    walk.look("report");
     const fs::path html = folder_->path() / "report.html";
     walk.step(
         "save the page",
@@ -205,6 +215,7 @@ class WalkTest : public QObject {
     const double parts_ml = plan.at("specimen_ml").get<double>() + plan.at("remnant_ml").get<double>();
     const auto outline = imaging::read_mask_file(hers() / "labels/liver.nrrd");
     QVERIFY(std::abs(parts_ml - segmentation::volume_ml(outline->mask)) < 0.01);
+    walk.same_as_before();
   }
 
   static int rows(const Walk& walk, const char* tree) {
