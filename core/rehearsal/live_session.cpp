@@ -24,7 +24,7 @@ struct LiveSession::Impl {
   mutable std::mutex mutex;
   std::condition_variable changed;
   std::deque<SessionCommand> waiting;
-  bool is_stepping = false;
+  bool is_stepping = false, is_settling = false;
   std::shared_ptr<const SessionState> latest;
   std::optional<Error> error;
   Recording recording;
@@ -75,6 +75,7 @@ void LiveSession::Impl::run(const std::stop_token& closing, RehearsalSetup setup
       waiting.pop_front();
       settles = 0;
     }
+    is_settling = std::holds_alternative<Settle>(command);
     is_stepping = true;
     lock.unlock();
     engine->step(command);
@@ -99,7 +100,9 @@ SessionPhase LiveSession::phase() const {
   const std::lock_guard lock(impl_->mutex);
   if (impl_->error) return SessionPhase::failed;
   if (!impl_->latest) return SessionPhase::preparing;
-  return impl_->is_stepping || !impl_->waiting.empty() ? SessionPhase::stepping : SessionPhase::ready;
+  if (!impl_->waiting.empty()) return SessionPhase::stepping;
+  if (!impl_->is_stepping) return SessionPhase::ready;
+  return impl_->is_settling ? SessionPhase::settling : SessionPhase::stepping;
 }
 
 std::shared_ptr<const SessionState> LiveSession::latest() const {
