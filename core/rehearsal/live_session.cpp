@@ -1,5 +1,6 @@
 // The thread of a live session: commands wait in a queue, states are handed over whole.
 
+#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <mutex>
@@ -66,6 +67,13 @@ void LiveSession::Impl::run(const std::stop_token& closing, RehearsalSetup setup
       may_prepare = engine->prepare_the_next_cut();
       lock.lock();
       continue;
+    }
+    // Of a hand that goes on moving the next picture is wanted, and a Settle under way would hold it up.
+    constexpr std::chrono::milliseconds rest_of_a_hand(150);
+    is_stepping = is_settling = waiting.empty();
+    if (waiting.empty() && settles == 0) {
+      changed.wait_for(lock, rest_of_a_hand, [&] { return closing.stop_requested() || !waiting.empty(); });
+      if (closing.stop_requested()) return;
     }
     SessionCommand command = Settle{};
     if (waiting.empty()) {

@@ -121,11 +121,14 @@ void draw_a_probe_at_large_deformations(glisson::widgets::MainWindow& window) {
                              place->preset.radius_mm, place->direction, 0.5};
   PlacedTool probe{
       "palpation-probe", {box.center_mm().x(), box.min_mm.y(), box.center_mm().z()}, {0, -1, 0}, 5, {0, 1, 0}, 0.3};
-  const auto until = [](const auto& done) {
-    while (!done()) QCoreApplication::processEvents(QEventLoop::AllEvents, 5);
-  };
+  constexpr double patience_s = 60;
   const auto since = [](Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
+  };
+  const auto until = [&](const auto& done) {
+    for (const auto begun = Clock::now(); !done() && since(begun) < patience_s;) {
+      QCoreApplication::processEvents(QEventLoop::AllEvents, 5);
+    }
   };
   const auto is_over = [&] {
     return rehearsal.solving() != Solving::solving && rehearsal.solving() != Solving::settling;
@@ -136,11 +139,12 @@ void draw_a_probe_at_large_deformations(glisson::widgets::MainWindow& window) {
   const auto start = Clock::now();
   rehearsal.hold(retractor);
   until([&] { return rehearsal.contact() != nullptr || rehearsal.refusal(); });
-  const double first_s = since(start);
+  const double first_s = since(start), first_mm = rehearsal.error_bound_mm().value_or(0);
   until(is_over);
-  std::printf("large deformations: retractor seen after %.2f s, %s after %.2f s, landmarks within %.2f mm\n", first_s,
-              rehearsal.solving() == Solving::solved ? "at rest" : "given up", since(start),
+  std::printf("large deformations: the retractor seen after %.2f s within %.2f mm, %s after %.2f s within %.2f mm\n",
+              first_s, first_mm, rehearsal.solving() == Solving::solved ? "at rest" : "not at rest", since(start),
               rehearsal.error_bound_mm().value_or(0));
+  std::fflush(stdout);
   rehearsal.keep_tool();
   rehearsal.hold(probe);
   until([&] { return rehearsal.track().moments().size() >= 2 || rehearsal.refusal(); });
@@ -165,7 +169,7 @@ void draw_a_probe_at_large_deformations(glisson::widgets::MainWindow& window) {
   std::printf(
       "a probe drawn: %.1f pictures/s, slowest %.0f ms, %d of %d past 0.5 mm, %d refused; %s after %.1f s more\n",
       pictures / drawn_s, 1e3 * slowest_s, over, pictures, refused,
-      rehearsal.solving() == Solving::solved ? "at rest" : "given up", since(resting));
+      rehearsal.solving() == Solving::solved ? "at rest" : "not at rest", since(resting));
   std::fflush(stdout);
 }
 
