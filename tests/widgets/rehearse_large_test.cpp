@@ -26,6 +26,7 @@ class RehearseLargeTest : public QObject {
   void are_offered_where_the_linear_answer_ends_and_give_the_shape_of_the_session() {
     auto* offer = child<QPushButton>("use_large");
     QVERIFY(!offer->isVisible());
+    QCOMPARE(child<QComboBox>("tool")->currentText(), "Palpation probe");
     QVERIFY(why().contains("Small deformations: enough"));
     bend();
     QVERIFY(rehearsal().state()->validity.largest_strain > mechanics::small_strain_limit);
@@ -35,6 +36,7 @@ class RehearseLargeTest : public QObject {
     QVERIFY(!child<QLabel>("error_bound")->isVisible());
     const rehearsal::RehearsalState linear = *rehearsal().state();
     const PlacedTool tool = rehearsal().tools().back();
+    QTest::qWait(200);
     window_->grab().save(test::kept_picture("rehearse-offers-large.png"));
 
     QTest::mouseClick(offer, Qt::LeftButton);

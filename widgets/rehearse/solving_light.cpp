@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <QVBoxLayout>
 
+#include "widgets/panels/parts.h"
 #include "widgets/theme.h"
 #include "widgets/words/keep_translated.h"
 #include "widgets/words/translated.h"
@@ -18,8 +19,7 @@ SolvingLight::SolvingLight(const LiveRehearsal& rehearsal, QWidget* parent) : QW
   figures_ = new QLabel(this);
   figures_->setObjectName("faint");
   column->addWidget(sign_);
-  bound_ = new QLabel(this);
-  bound_->setObjectName("error_bound");
+  bound_ = wrapped_label("error_bound", this);
   bound_->hide();
   column->addWidget(bound_);
   column->addWidget(figures_);
