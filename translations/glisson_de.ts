@@ -5579,6 +5579,30 @@
         <source>The hidden targets, which nothing was fitted to, are farther off with what was found ({0} mm on average) than without it ({1} mm): do not take it for the cause.</source>
         <translation>Die verborgenen Ziele, an die nichts angepasst wurde, liegen mit dem Gefundenen weiter daneben (im Mittel {0} mm) als ohne ({1} mm): Halten Sie es nicht für die Ursache.</translation>
     </message>
+    <message>
+        <source>The tool {0} spreads its force over a patch, which a session knows at large strain alone.</source>
+        <translation>Das Instrument {0} verteilt seine Kraft über eine Fläche, was eine Sitzung nur bei großen Dehnungen kennt.</translation>
+    </message>
+    <message>
+        <source>Take the material neo-hookean, or jaws that pull.</source>
+        <translation>Nehmen Sie das Material neo-hookean oder Backen, die ziehen.</translation>
+    </message>
+    <message>
+        <source>Computed with large deformations (neo-Hookean).</source>
+        <translation>Mit großen Verformungen berechnet (neo-Hookesch).</translation>
+    </message>
+    <message>
+        <source>Computed with small deformations (linear).</source>
+        <translation>Mit kleinen Verformungen berechnet (linear).</translation>
+    </message>
+    <message>
+        <source>The liver had not come to rest: landmarks are within {0} mm of it.</source>
+        <translation>Die Leber war nicht zur Ruhe gekommen: Landmarken sind höchstens {0} mm davon.</translation>
+    </message>
+    <message>
+        <source>Small or large deformations</source>
+        <translation>Kleine oder große Verformungen</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AdvanceControls</name>
@@ -5621,6 +5645,10 @@
     <message>
         <source>Plan a plane in Resect and keep the plan, to cut along it here.</source>
         <translation>Planen Sie in Resektion eine Ebene und behalten Sie den Plan, um hier daran entlang zu schneiden.</translation>
+    </message>
+    <message>
+        <source>A cut advances at small deformations only: choose them above to cut.</source>
+        <translation>Ein Schnitt geht nur bei kleinen Verformungen weiter: wählen Sie diese oben, um zu schneiden.</translation>
     </message>
 </context>
 <context>
@@ -6122,6 +6150,69 @@
     <message>
         <source>Points set: %1. Drag them in any view.</source>
         <translation>Gesetzte Punkte: %1. Sie lassen sich in jeder Ansicht ziehen.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::DeformationChoice</name>
+    <message>
+        <source>Deformations</source>
+        <translation>Verformungen</translation>
+    </message>
+    <message>
+        <source>Small (at once)</source>
+        <translation>Kleine (sofort)</translation>
+    </message>
+    <message>
+        <source>A linear liver: made for strains up to 20 %</source>
+        <translation>Eine lineare Leber: gemacht für Dehnungen bis 20 %</translation>
+    </message>
+    <message>
+        <source>Large (settles)</source>
+        <translation>Große (kommt zur Ruhe)</translation>
+    </message>
+    <message>
+        <source>A hyperelastic (neo-Hookean) liver of the same stiffness: made for larger strains too. A first picture says how far its landmarks may be from rest, and is brought to rest in the background.</source>
+        <translation>Eine hyperelastische (neo-Hookesche) Leber derselben Steifigkeit: auch für größere Dehnungen gemacht. Ein erstes Bild sagt, wie weit seine Landmarken von der Ruhelage sein können, und wird im Hintergrund zur Ruhe gebracht.</translation>
+    </message>
+    <message>
+        <source>Use large deformations</source>
+        <translation>Große Verformungen nehmen</translation>
+    </message>
+    <message>
+        <source>The tools stay where they are; what was recorded begins anew</source>
+        <translation>Die Instrumente bleiben, wo sie sind; die Aufzeichnung beginnt neu</translation>
+    </message>
+    <message>
+        <source>The liver is being prepared for large deformations.</source>
+        <translation>Die Leber wird für große Verformungen vorbereitet.</translation>
+    </message>
+    <message>
+        <source>Large deformations, as you chose.</source>
+        <translation>Große Verformungen, wie Sie gewählt haben.</translation>
+    </message>
+    <message>
+        <source>Large deformations, as you chose: strains reach %1 %, small ones would only extrapolate.</source>
+        <translation>Große Verformungen, wie Sie gewählt haben: Dehnungen erreichen %1 %, kleine würden nur extrapolieren.</translation>
+    </message>
+    <message>
+        <source>Large deformations, as you chose. Strains reach %1 %: small ones would do.</source>
+        <translation>Große Verformungen, wie Sie gewählt haben. Dehnungen erreichen %1 %: kleine würden genügen.</translation>
+    </message>
+    <message>
+        <source>Small deformations: evidence gave this liver a grain, which large ones do not know.</source>
+        <translation>Kleine Verformungen: Belege gaben dieser Leber eine Faserrichtung, die große nicht kennen.</translation>
+    </message>
+    <message>
+        <source>Small deformations: made for strains up to 20 %.</source>
+        <translation>Kleine Verformungen: gemacht für Dehnungen bis 20 %.</translation>
+    </message>
+    <message>
+        <source>Small deformations, but strains reach %1 %: beyond 20 % take large ones.</source>
+        <translation>Kleine Verformungen, doch Dehnungen erreichen %1 %: jenseits von 20 % große nehmen.</translation>
+    </message>
+    <message>
+        <source>Small deformations: enough, since strains reach %1 % only.</source>
+        <translation>Kleine Verformungen: sie genügen, denn Dehnungen erreichen nur %1 %.</translation>
     </message>
 </context>
 <context>
@@ -7560,6 +7651,10 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Griffe am Fad
         <source>%1 N</source>
         <translation>%1 N</translation>
     </message>
+    <message>
+        <source>not at rest: landmarks within %1 mm</source>
+        <translation>nicht in Ruhe: Landmarken auf %1 mm</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::NextStepBox</name>
@@ -8877,8 +8972,8 @@ sicher %</translation>
         <translation>Abstände, Weiten und Orte sind die an der Leber unter dem Werkzeug von Proben; Volumina sind in Ruhe</translation>
     </message>
     <message>
-        <source>Place a tool in Rehearse first: a patch that the model bears, not a rigid tool.</source>
-        <translation>Zuerst in Proben ein Werkzeug ansetzen: eine Fläche, die das Modell trägt, kein starres Werkzeug.</translation>
+        <source>Place a tool in Rehearse first: a patch at small deformations that the model bears, not a rigid tool.</source>
+        <translation>Setzen Sie zuerst in Proben ein Instrument an: eine Fläche bei kleinen Verformungen, die das Modell trägt, kein starres Instrument.</translation>
     </message>
 </context>
 <context>
@@ -9504,6 +9599,30 @@ sicher %</translation>
     <message>
         <source>Residual %1: how far the equations are from balance</source>
         <translation>Residuum %1: wie weit die Gleichungen vom Gleichgewicht entfernt sind</translation>
+    </message>
+    <message>
+        <source>An estimate, which holds for slow tools; past 0.5 mm the picture is said to be settling</source>
+        <translation>Eine Schätzung, die für langsame Instrumente gilt; über 0.5 mm heißt es, dass das Bild zur Ruhe kommt</translation>
+    </message>
+    <message>
+        <source>◐ Preparing</source>
+        <translation>◐ In Vorbereitung</translation>
+    </message>
+    <message>
+        <source>◐ Settling</source>
+        <translation>◐ Kommt zur Ruhe</translation>
+    </message>
+    <message>
+        <source>▲ Not at rest</source>
+        <translation>▲ Nicht in Ruhe</translation>
+    </message>
+    <message>
+        <source>Landmarks are within %1 mm of rest</source>
+        <translation>Landmarken liegen höchstens %1 mm von der Ruhelage</translation>
+    </message>
+    <message>
+        <source>This picture is not at rest, and the liver may slip farther than is shown. Press less, or move the tool a little.</source>
+        <translation>Dieses Bild ist nicht in Ruhe, und die Leber kann weiter gleiten, als gezeigt ist. Drücken Sie weniger, oder bewegen Sie das Instrument ein wenig.</translation>
     </message>
 </context>
 <context>

@@ -5579,6 +5579,30 @@
         <source>The hidden targets, which nothing was fitted to, are farther off with what was found ({0} mm on average) than without it ({1} mm): do not take it for the cause.</source>
         <translation>Los objetivos ocultos, a los que nada se ajustó, quedan más lejos con lo hallado (en promedio {0} mm) que sin ello ({1} mm): no lo tome por la causa.</translation>
     </message>
+    <message>
+        <source>The tool {0} spreads its force over a patch, which a session knows at large strain alone.</source>
+        <translation>El instrumento {0} reparte su fuerza sobre una zona, lo que una sesión conoce solo con deformaciones grandes.</translation>
+    </message>
+    <message>
+        <source>Take the material neo-hookean, or jaws that pull.</source>
+        <translation>Use el material neo-hookean, o mordazas que tiren.</translation>
+    </message>
+    <message>
+        <source>Computed with large deformations (neo-Hookean).</source>
+        <translation>Calculado con deformaciones grandes (neo-hookeano).</translation>
+    </message>
+    <message>
+        <source>Computed with small deformations (linear).</source>
+        <translation>Calculado con deformaciones pequeñas (lineal).</translation>
+    </message>
+    <message>
+        <source>The liver had not come to rest: landmarks are within {0} mm of it.</source>
+        <translation>El hígado no había llegado al reposo: los puntos de referencia están a {0} mm de él como mucho.</translation>
+    </message>
+    <message>
+        <source>Small or large deformations</source>
+        <translation>Deformaciones pequeñas o grandes</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AdvanceControls</name>
@@ -5621,6 +5645,10 @@
     <message>
         <source>Plan a plane in Resect and keep the plan, to cut along it here.</source>
         <translation>Planifique un plano en Resección y conserve el plan para cortar aquí según él.</translation>
+    </message>
+    <message>
+        <source>A cut advances at small deformations only: choose them above to cut.</source>
+        <translation>Un corte avanza solo con deformaciones pequeñas: elíjalas arriba para cortar.</translation>
     </message>
 </context>
 <context>
@@ -6122,6 +6150,69 @@
     <message>
         <source>Points set: %1. Drag them in any view.</source>
         <translation>Puntos puestos: %1. Arrástrelos en cualquier vista.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::DeformationChoice</name>
+    <message>
+        <source>Deformations</source>
+        <translation>Deformaciones</translation>
+    </message>
+    <message>
+        <source>Small (at once)</source>
+        <translation>Pequeñas (al instante)</translation>
+    </message>
+    <message>
+        <source>A linear liver: made for strains up to 20 %</source>
+        <translation>Un hígado lineal: hecho para deformaciones unitarias de hasta el 20 %</translation>
+    </message>
+    <message>
+        <source>Large (settles)</source>
+        <translation>Grandes (llega al reposo)</translation>
+    </message>
+    <message>
+        <source>A hyperelastic (neo-Hookean) liver of the same stiffness: made for larger strains too. A first picture says how far its landmarks may be from rest, and is brought to rest in the background.</source>
+        <translation>Un hígado hiperelástico (neo-hookeano) de la misma rigidez: hecho también para deformaciones unitarias mayores. Una primera imagen dice a qué distancia del reposo pueden estar sus puntos de referencia, y se lleva al reposo en segundo plano.</translation>
+    </message>
+    <message>
+        <source>Use large deformations</source>
+        <translation>Usar deformaciones grandes</translation>
+    </message>
+    <message>
+        <source>The tools stay where they are; what was recorded begins anew</source>
+        <translation>Los instrumentos se quedan donde están; lo grabado empieza de nuevo</translation>
+    </message>
+    <message>
+        <source>The liver is being prepared for large deformations.</source>
+        <translation>Se está preparando el hígado para deformaciones grandes.</translation>
+    </message>
+    <message>
+        <source>Large deformations, as you chose.</source>
+        <translation>Deformaciones grandes, como usted eligió.</translation>
+    </message>
+    <message>
+        <source>Large deformations, as you chose: strains reach %1 %, small ones would only extrapolate.</source>
+        <translation>Deformaciones grandes, como usted eligió: las deformaciones unitarias llegan al %1 %, las pequeñas solo extrapolarían.</translation>
+    </message>
+    <message>
+        <source>Large deformations, as you chose. Strains reach %1 %: small ones would do.</source>
+        <translation>Deformaciones grandes, como usted eligió. Las deformaciones unitarias llegan al %1 %: bastarían las pequeñas.</translation>
+    </message>
+    <message>
+        <source>Small deformations: evidence gave this liver a grain, which large ones do not know.</source>
+        <translation>Deformaciones pequeñas: la evidencia dio a este hígado una dirección de fibras, que las grandes no conocen.</translation>
+    </message>
+    <message>
+        <source>Small deformations: made for strains up to 20 %.</source>
+        <translation>Deformaciones pequeñas: hechas para deformaciones unitarias de hasta el 20 %.</translation>
+    </message>
+    <message>
+        <source>Small deformations, but strains reach %1 %: beyond 20 % take large ones.</source>
+        <translation>Deformaciones pequeñas, pero las deformaciones unitarias llegan al %1 %: más allá del 20 % use las grandes.</translation>
+    </message>
+    <message>
+        <source>Small deformations: enough, since strains reach %1 % only.</source>
+        <translation>Deformaciones pequeñas: bastan, pues las deformaciones unitarias llegan solo al %1 %.</translation>
     </message>
 </context>
 <context>
@@ -7562,6 +7653,10 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar. Ctrl+arrastrar: girar. Tiradores 
         <source>%1 N</source>
         <translation>%1 N</translation>
     </message>
+    <message>
+        <source>not at rest: landmarks within %1 mm</source>
+        <translation>no en reposo: puntos de referencia a %1 mm</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::NextStepBox</name>
@@ -8880,8 +8975,8 @@ seguro %</translation>
         <translation>Márgenes, anchuras y lugares son los del hígado bajo el instrumento de Ensayar; los volúmenes, en reposo</translation>
     </message>
     <message>
-        <source>Place a tool in Rehearse first: a patch that the model bears, not a rigid tool.</source>
-        <translation>Coloque antes un instrumento en Ensayar: una zona que el modelo soporte, no un instrumento rígido.</translation>
+        <source>Place a tool in Rehearse first: a patch at small deformations that the model bears, not a rigid tool.</source>
+        <translation>Coloque antes un instrumento en Ensayar: una zona con deformaciones pequeñas que el modelo soporta, no un instrumento rígido.</translation>
     </message>
 </context>
 <context>
@@ -9507,6 +9602,30 @@ seguro %</translation>
     <message>
         <source>Residual %1: how far the equations are from balance</source>
         <translation>Residuo %1: cuánto les falta a las ecuaciones para el equilibrio</translation>
+    </message>
+    <message>
+        <source>An estimate, which holds for slow tools; past 0.5 mm the picture is said to be settling</source>
+        <translation>Una estimación, válida para instrumentos lentos; por encima de 0.5 mm se dice que la imagen está llegando al reposo</translation>
+    </message>
+    <message>
+        <source>◐ Preparing</source>
+        <translation>◐ Preparando</translation>
+    </message>
+    <message>
+        <source>◐ Settling</source>
+        <translation>◐ Llegando al reposo</translation>
+    </message>
+    <message>
+        <source>▲ Not at rest</source>
+        <translation>▲ No está en reposo</translation>
+    </message>
+    <message>
+        <source>Landmarks are within %1 mm of rest</source>
+        <translation>Los puntos de referencia están a %1 mm del reposo como mucho</translation>
+    </message>
+    <message>
+        <source>This picture is not at rest, and the liver may slip farther than is shown. Press less, or move the tool a little.</source>
+        <translation>Esta imagen no está en reposo, y el hígado puede deslizarse más de lo que se muestra. Presione menos, o mueva un poco el instrumento.</translation>
     </message>
 </context>
 <context>

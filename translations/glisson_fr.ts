@@ -5579,6 +5579,30 @@
         <source>The hidden targets, which nothing was fitted to, are farther off with what was found ({0} mm on average) than without it ({1} mm): do not take it for the cause.</source>
         <translation>Les cibles cachées, auxquelles rien n&apos;a été ajusté, sont plus loin avec ce qui a été trouvé (en moyenne {0} mm) que sans cela ({1} mm) : ne le prenez pas pour la cause.</translation>
     </message>
+    <message>
+        <source>The tool {0} spreads its force over a patch, which a session knows at large strain alone.</source>
+        <translation>L’instrument {0} répartit sa force sur une surface, ce qu’une séance ne connaît qu’aux grandes déformations.</translation>
+    </message>
+    <message>
+        <source>Take the material neo-hookean, or jaws that pull.</source>
+        <translation>Prenez le matériau neo-hookean, ou des mors qui tirent.</translation>
+    </message>
+    <message>
+        <source>Computed with large deformations (neo-Hookean).</source>
+        <translation>Calculé aux grandes déformations (néo-hookéen).</translation>
+    </message>
+    <message>
+        <source>Computed with small deformations (linear).</source>
+        <translation>Calculé aux petites déformations (linéaire).</translation>
+    </message>
+    <message>
+        <source>The liver had not come to rest: landmarks are within {0} mm of it.</source>
+        <translation>Le foie n’était pas venu au repos : les repères en sont à {0} mm au plus.</translation>
+    </message>
+    <message>
+        <source>Small or large deformations</source>
+        <translation>Petites ou grandes déformations</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AdvanceControls</name>
@@ -5621,6 +5645,10 @@
     <message>
         <source>Plan a plane in Resect and keep the plan, to cut along it here.</source>
         <translation>Planifiez un plan de coupe dans Résection et gardez-le, pour couper ici en le suivant.</translation>
+    </message>
+    <message>
+        <source>A cut advances at small deformations only: choose them above to cut.</source>
+        <translation>Une coupe n’avance qu’aux petites déformations : choisissez-les plus haut pour couper.</translation>
     </message>
 </context>
 <context>
@@ -6122,6 +6150,69 @@
     <message>
         <source>Points set: %1. Drag them in any view.</source>
         <translation>Points posés&#xa0;: %1. Déplacez-les dans n’importe quelle vue.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::DeformationChoice</name>
+    <message>
+        <source>Deformations</source>
+        <translation>Déformations</translation>
+    </message>
+    <message>
+        <source>Small (at once)</source>
+        <translation>Petites (immédiat)</translation>
+    </message>
+    <message>
+        <source>A linear liver: made for strains up to 20 %</source>
+        <translation>Un foie linéaire : fait pour des déformations relatives jusqu’à 20 %</translation>
+    </message>
+    <message>
+        <source>Large (settles)</source>
+        <translation>Grandes (se stabilise)</translation>
+    </message>
+    <message>
+        <source>A hyperelastic (neo-Hookean) liver of the same stiffness: made for larger strains too. A first picture says how far its landmarks may be from rest, and is brought to rest in the background.</source>
+        <translation>Un foie hyperélastique (néo-hookéen) de même rigidité : fait aussi pour des déformations relatives plus grandes. Une première image dit à quelle distance du repos ses repères peuvent être, et elle est amenée au repos en arrière-plan.</translation>
+    </message>
+    <message>
+        <source>Use large deformations</source>
+        <translation>Prendre les grandes déformations</translation>
+    </message>
+    <message>
+        <source>The tools stay where they are; what was recorded begins anew</source>
+        <translation>Les instruments restent où ils sont ; l’enregistrement recommence</translation>
+    </message>
+    <message>
+        <source>The liver is being prepared for large deformations.</source>
+        <translation>Le foie est en préparation pour les grandes déformations.</translation>
+    </message>
+    <message>
+        <source>Large deformations, as you chose.</source>
+        <translation>Grandes déformations, comme vous l’avez choisi.</translation>
+    </message>
+    <message>
+        <source>Large deformations, as you chose: strains reach %1 %, small ones would only extrapolate.</source>
+        <translation>Grandes déformations, comme vous l’avez choisi : les déformations relatives atteignent %1 %, les petites ne feraient qu’extrapoler.</translation>
+    </message>
+    <message>
+        <source>Large deformations, as you chose. Strains reach %1 %: small ones would do.</source>
+        <translation>Grandes déformations, comme vous l’avez choisi. Les déformations relatives atteignent %1 % : les petites suffiraient.</translation>
+    </message>
+    <message>
+        <source>Small deformations: evidence gave this liver a grain, which large ones do not know.</source>
+        <translation>Petites déformations : des preuves ont donné à ce foie une direction de fibres, que les grandes ne connaissent pas.</translation>
+    </message>
+    <message>
+        <source>Small deformations: made for strains up to 20 %.</source>
+        <translation>Petites déformations : faites pour des déformations relatives jusqu’à 20 %.</translation>
+    </message>
+    <message>
+        <source>Small deformations, but strains reach %1 %: beyond 20 % take large ones.</source>
+        <translation>Petites déformations, mais les déformations relatives atteignent %1 % : au-delà de 20 %, prendre les grandes.</translation>
+    </message>
+    <message>
+        <source>Small deformations: enough, since strains reach %1 % only.</source>
+        <translation>Petites déformations : elles suffisent, car les déformations relatives n’atteignent que %1 %.</translation>
     </message>
 </context>
 <context>
@@ -7562,6 +7653,10 @@ Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: déplacer. Ctrl+glisser&#xa0;: tour
         <source>%1 N</source>
         <translation>%1 N</translation>
     </message>
+    <message>
+        <source>not at rest: landmarks within %1 mm</source>
+        <translation>pas au repos : repères à %1 mm près</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::NextStepBox</name>
@@ -8880,8 +8975,8 @@ sûr %</translation>
         <translation>Marges, largeurs et lieux sont ceux du foie sous l&apos;outil de Répéter ; les volumes sont au repos</translation>
     </message>
     <message>
-        <source>Place a tool in Rehearse first: a patch that the model bears, not a rigid tool.</source>
-        <translation>Placez d&apos;abord un outil dans Répéter : une surface que le modèle supporte, pas un outil rigide.</translation>
+        <source>Place a tool in Rehearse first: a patch at small deformations that the model bears, not a rigid tool.</source>
+        <translation>Placez d’abord un instrument dans Répéter : une surface aux petites déformations que le modèle supporte, pas un instrument rigide.</translation>
     </message>
 </context>
 <context>
@@ -9507,6 +9602,30 @@ sûr %</translation>
     <message>
         <source>Residual %1: how far the equations are from balance</source>
         <translation>Résidu %1&#xa0;: l’écart des équations à l’équilibre</translation>
+    </message>
+    <message>
+        <source>An estimate, which holds for slow tools; past 0.5 mm the picture is said to be settling</source>
+        <translation>Une estimation, valable pour des instruments lents ; au-delà de 0.5 mm, il est dit que l’image se stabilise</translation>
+    </message>
+    <message>
+        <source>◐ Preparing</source>
+        <translation>◐ En préparation</translation>
+    </message>
+    <message>
+        <source>◐ Settling</source>
+        <translation>◐ Se stabilise</translation>
+    </message>
+    <message>
+        <source>▲ Not at rest</source>
+        <translation>▲ Pas au repos</translation>
+    </message>
+    <message>
+        <source>Landmarks are within %1 mm of rest</source>
+        <translation>Les repères sont à %1 mm du repos au plus</translation>
+    </message>
+    <message>
+        <source>This picture is not at rest, and the liver may slip farther than is shown. Press less, or move the tool a little.</source>
+        <translation>Cette image n’est pas au repos, et le foie peut glisser plus loin qu’il n’est montré. Appuyez moins, ou déplacez un peu l’instrument.</translation>
     </message>
 </context>
 <context>

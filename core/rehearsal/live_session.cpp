@@ -1,5 +1,6 @@
 // The thread of a live session: commands wait in a queue, states are handed over whole.
 
+#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <mutex>
@@ -24,7 +25,7 @@ struct LiveSession::Impl {
   mutable std::mutex mutex;
   std::condition_variable changed;
   std::deque<SessionCommand> waiting;
-  bool is_stepping = false;
+  bool is_stepping = false, is_settling = false;
   std::shared_ptr<const SessionState> latest;
   std::optional<Error> error;
   Recording recording;
@@ -67,6 +68,13 @@ void LiveSession::Impl::run(const std::stop_token& closing, RehearsalSetup setup
       lock.lock();
       continue;
     }
+    // Of a hand that goes on moving the next picture is wanted, and a Settle under way would hold it up.
+    constexpr std::chrono::milliseconds rest_of_a_hand(150);
+    is_stepping = is_settling = waiting.empty();
+    if (waiting.empty() && settles == 0) {
+      changed.wait_for(lock, rest_of_a_hand, [&] { return closing.stop_requested() || !waiting.empty(); });
+      if (closing.stop_requested()) return;
+    }
     SessionCommand command = Settle{};
     if (waiting.empty()) {
       ++settles;
@@ -75,6 +83,7 @@ void LiveSession::Impl::run(const std::stop_token& closing, RehearsalSetup setup
       waiting.pop_front();
       settles = 0;
     }
+    is_settling = std::holds_alternative<Settle>(command);
     is_stepping = true;
     lock.unlock();
     engine->step(command);
@@ -99,7 +108,9 @@ SessionPhase LiveSession::phase() const {
   const std::lock_guard lock(impl_->mutex);
   if (impl_->error) return SessionPhase::failed;
   if (!impl_->latest) return SessionPhase::preparing;
-  return impl_->is_stepping || !impl_->waiting.empty() ? SessionPhase::stepping : SessionPhase::ready;
+  if (!impl_->waiting.empty()) return SessionPhase::stepping;
+  if (!impl_->is_stepping) return SessionPhase::ready;
+  return impl_->is_settling ? SessionPhase::settling : SessionPhase::stepping;
 }
 
 std::shared_ptr<const SessionState> LiveSession::latest() const {

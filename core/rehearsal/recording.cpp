@@ -14,6 +14,7 @@ using glisson::json_of;
 using mechanics::ContactTool;
 using mechanics::Grasp;
 using mechanics::Rod;
+using mechanics::ToolLoad;
 using mechanics::TouchingTool;
 
 Json json_of(const ContactTool& tool) {
@@ -26,6 +27,11 @@ Json json_of(const ContactTool& tool) {
       json["pull_mN"] = std::get<double>(grasp->drawn);
       json["direction"] = json_of(grasp->direction);
     }
+    return json;
+  }
+  if (const auto* patch = std::get_if<ToolLoad>(&tool.what)) {
+    json["patch"] = {{"center_mm", json_of(patch->center_mm)}, {"radius_mm", patch->radius_mm}};
+    json["force_mN"] = json_of(patch->force_mN);
     return json;
   }
   const auto& touching = std::get<TouchingTool>(tool.what);
@@ -79,6 +85,12 @@ ContactTool tool_from(const Json& json) {
       grasp.drawn = vector_under(json, "displacement_mm", "the tool");
     }
     return {id, grasp};
+  }
+  if (json.contains("patch")) {
+    check_keys(json, {"id", "patch", "force_mN"});
+    return {id, ToolLoad{vector_under(json["patch"], "center_mm", "the patch"),
+                         number_under(json["patch"], "radius_mm", "the patch"),
+                         vector_under(json, "force_mN", "the tool")}};
   }
   check_keys(json, {"id", "rods", "shape", "position_mm", "rotation", "direction", "push_mN"});
   TouchingTool touching;

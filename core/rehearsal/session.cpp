@@ -8,16 +8,14 @@
 
 #include "base/files.h"
 #include "rehearsal/internal/session_body.h"
+#include "rehearsal/internal/tools_between.h"
 
 namespace glisson::rehearsal {
 namespace {
 
 using Eigen::Vector3d;
 using mechanics::ContactTool;
-using mechanics::Grasp;
-using mechanics::TouchingTool;
 using Clock = std::chrono::steady_clock;
-using Tools = std::vector<ContactTool>;
 
 // All that a command starts from, and undo goes back to.
 struct Moment {
@@ -29,12 +27,6 @@ struct Moment {
   std::vector<mechanics::CutStrip> cuts = {};
 };
 
-// Between two sets of tools: those of the same id go in a straight line, the others are there at once, and what pushes
-// begins gently.
-Tools between(const Tools& from, const Tools& to, double part);
-double farthest_move_mm(const Tools& from, const Tools& to);
-double largest_change_of_push_mN(const Tools& from, const Tools& to);
-
 std::string digest_of(const Moment& moment);
 
 }  // namespace
@@ -45,7 +37,7 @@ struct SessionEngine::Impl {
   std::vector<mechanics::PointInMesh> landmark_places;
   std::vector<geometry::Surface> structures;
   std::vector<Moment> moments;  // the first untouched, the last the present
-  std::uint64_t commands = 0;
+  std::uint64_t commands = 0, settles = 0;
   std::shared_ptr<const SessionState> latest;
 
   // What `next` makes of both bodies, the reference body beside the patient's on a thread of its own.
@@ -97,6 +89,7 @@ const SessionState& SessionEngine::step(const SessionCommand& command) {
   const auto start = Clock::now();
   Impl& parts = *impl_;
   ++parts.commands;
+  parts.settles = std::holds_alternative<Settle>(command) ? parts.settles + 1 : 0;
   std::string refused;
   Tools tools = parts.moments.back().tools;
   const auto of_id = [&](const std::string& id) {
@@ -141,6 +134,7 @@ const SessionState& SessionEngine::step(const SessionCommand& command) {
   }
   SessionState state = parts.state_of(parts.moments.back());
   state.number = parts.commands;
+  state.settles = parts.settles;
   state.refused = std::move(refused);
   state.step_ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
   parts.latest = std::make_shared<SessionState>(std::move(state));
@@ -169,13 +163,15 @@ SessionState SessionEngine::settled_state() const {
 }
 
 Result<Moment> SessionEngine::Impl::moved(const Moment& from, const Tools& tools) const {
-  // A force that grows at once carries the surface past the tool that it should meet; a quarter of a newton moves a
-  // liver by some millimetres.
+  // A force that grows at once carries the surface past the tool that it should meet, and at large strain farther than
+  // one picture follows; a quarter of a newton moves a liver by some millimetres.
   constexpr double push_in_a_step_mN = 250.0;
   constexpr int maximum_steps = 200;
   const double steps_wanted =
       std::max(farthest_move_mm(from.tools, tools) / mechanics::ContactOptions().largest_move_mm,
-               largest_change_of_push_mN(from.tools, tools) / push_in_a_step_mN);
+               (law.law == mechanics::MaterialLaw::linear ? largest_change_of_push_mN(from.tools, tools)
+                                                          : largest_change_of_force_mN(from.tools, tools)) /
+                   push_in_a_step_mN);
   const int steps = static_cast<int>(std::clamp(std::ceil(steps_wanted), 1.0, double{maximum_steps}));
   return both(from, tools, [&](const SessionBody& body, const BodyState& before) -> Result<BodyState> {
     BodyState state = before;
@@ -321,59 +317,6 @@ std::optional<std::size_t> replay(SessionEngine& engine, const Recording& record
 }
 
 namespace {
-
-Tools between(const Tools& from, const Tools& to, double part) {
-  Tools tools = to;
-  for (ContactTool& tool : tools) {
-    const auto before =
-        std::find_if(from.begin(), from.end(), [&](const ContactTool& old) { return old.id == tool.id; });
-    if (auto* touching = std::get_if<TouchingTool>(&tool.what)) {
-      const auto* old = before == from.end() ? nullptr : std::get_if<TouchingTool>(&before->what);
-      if (old == nullptr || !old->push_mN) {
-        if (touching->push_mN) *touching->push_mN *= part;
-      } else if (touching->push_mN) {
-        *touching->push_mN = (1.0 - part) * *old->push_mN + part * *touching->push_mN;
-      }
-      if (old == nullptr) continue;
-      touching->pose.position_mm = (1.0 - part) * old->pose.position_mm + part * touching->pose.position_mm;
-    } else {
-      auto& grasp = std::get<Grasp>(tool.what);
-      const auto* old_grasp = before == from.end() ? nullptr : std::get_if<Grasp>(&before->what);
-      auto* drawn_mm = std::get_if<Vector3d>(&grasp.drawn);
-      if (drawn_mm == nullptr) continue;
-      const Vector3d* old_mm = old_grasp == nullptr ? nullptr : std::get_if<Vector3d>(&old_grasp->drawn);
-      *drawn_mm = (1.0 - part) * (old_mm == nullptr ? Vector3d(0, 0, 0) : *old_mm) + part * *drawn_mm;
-    }
-  }
-  return tools;
-}
-
-double farthest_move_mm(const Tools& from, const Tools& to) {
-  const Tools begin = between(from, to, 0.0);
-  double farthest_mm = 0;
-  for (std::size_t t = 0; t < to.size(); ++t) {
-    if (const auto* touching = std::get_if<TouchingTool>(&to[t].what)) {
-      const auto& old = std::get<TouchingTool>(begin[t].what);
-      farthest_mm = std::max(farthest_mm, (touching->pose.position_mm - old.pose.position_mm).norm());
-    } else if (const auto* drawn_mm = std::get_if<Vector3d>(&std::get<Grasp>(to[t].what).drawn)) {
-      farthest_mm =
-          std::max(farthest_mm, (*drawn_mm - std::get<Vector3d>(std::get<Grasp>(begin[t].what).drawn)).norm());
-    }
-  }
-  return farthest_mm;
-}
-
-double largest_change_of_push_mN(const Tools& from, const Tools& to) {
-  const Tools begin = between(from, to, 0.0);
-  double largest_mN = 0;
-  for (std::size_t t = 0; t < to.size(); ++t) {
-    const auto* touching = std::get_if<TouchingTool>(&to[t].what);
-    if (touching == nullptr || !touching->push_mN) continue;
-    const double before_mN = std::get<TouchingTool>(begin[t].what).push_mN.value_or(0.0);
-    largest_mN = std::max(largest_mN, std::abs(*touching->push_mN - before_mN));
-  }
-  return largest_mN;
-}
 
 std::string digest_of(const Moment& moment) {
   std::string bits = bits_of(moment.patient);

@@ -10,8 +10,9 @@
 // LiveSession does so by itself while nobody asks for more, and records that it did.
 //
 // The phases, and what can be asked in each: a session is `preparing` (nothing to show yet), `ready` (the latest state
-// is of all that was asked), `stepping` (it is of what came before) or `failed` (it never came to be, and says why). A
-// force without a tool, a tool without a pose or a state before the model cannot be said.
+// is of all that was asked, and stays), `settling` (it is of all that was asked, and is brought nearer to rest),
+// `stepping` (it is of what came before) or `failed` (it never came to be, and says why). A force without a tool, a
+// tool without a pose or a state before the model cannot be said.
 
 #include <cstdint>
 #include <filesystem>
@@ -55,7 +56,8 @@ struct SessionStep {
 };
 
 struct SessionState {
-  std::uint64_t number = 0;  // of the commands that led here
+  std::uint64_t number = 0;   // of the commands that led here
+  std::uint64_t settles = 0;  // of them, those since the last that was no Settle
   std::vector<mechanics::ContactTool> tools;
   RehearsalBody patient;
   std::optional<RehearsalBody> atlas;
@@ -106,7 +108,7 @@ class SessionEngine {
   std::shared_ptr<Impl> impl_;
 };
 
-enum class SessionPhase { preparing, ready, stepping, failed };
+enum class SessionPhase { preparing, ready, settling, stepping, failed };
 
 class LiveSession {
  public:

@@ -169,6 +169,7 @@ Vector3d place_mm(const ContactTool& tool, double advance_mm) {
   if (const auto* touching = std::get_if<TouchingTool>(&tool.what)) {
     return touching->pose.position_mm + advance_mm * touching->pose.forward();
   }
+  if (const auto* patch = std::get_if<mechanics::ToolLoad>(&tool.what)) return patch->center_mm;
   const auto& grasp = std::get<Grasp>(tool.what);
   const auto* drawn_mm = std::get_if<Vector3d>(&grasp.drawn);
   return grasp.at_rest_mm + (drawn_mm == nullptr ? Vector3d(0, 0, 0) : *drawn_mm);

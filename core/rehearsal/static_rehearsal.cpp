@@ -45,6 +45,7 @@ Responses responses_from(const std::vector<Vector3d>& standing, const std::array
 std::vector<Vector3d> displaced(const std::vector<Vector3d>& rest_mm, const Responses& responses,
                                 const Vector3d& force_N);
 Result<void> usable(const StaticResult& result);
+bool is_ligament(const mechanics::Support& support) { return std::holds_alternative<mechanics::Ligament>(support.how); }
 
 }  // namespace
 
@@ -87,13 +88,18 @@ struct PlacedTool::Impl {
   std::optional<BodyResponse> atlas;
 };
 
+RehearsalSetup with_law(RehearsalSetup setup, const mechanics::ChosenLaw& law) {
+  const bool was_small = setup.law.law == mechanics::MaterialLaw::linear;
+  const bool same_strain = was_small == (law.law == mechanics::MaterialLaw::linear);
+  if (!same_strain && std::any_of(setup.supports.begin(), setup.supports.end(), is_ligament)) setup.models.reset();
+  setup.law = law;
+  return setup;
+}
+
 Result<std::shared_ptr<const RehearsalModels>> rehearsal_models(const RehearsalSetup& setup, const Progress& progress) {
   if (setup.models) return setup.models;
   std::vector<mechanics::Support> supports = setup.supports;
-  if (setup.law.law != mechanics::MaterialLaw::linear) {
-    std::erase_if(supports,
-                  [](const auto& support) { return std::holds_alternative<mechanics::Ligament>(support.how); });
-  }
+  if (setup.law.law != mechanics::MaterialLaw::linear) std::erase_if(supports, is_ligament);
   auto patient = StaticModel::create(setup.mesh, setup.patient_youngs_kPa, supports, setup.options, progress);
   if (!patient) return failure(std::move(patient.error()));
   RehearsalModels made{std::move(*patient)};

@@ -42,6 +42,9 @@ struct RehearsalSetup {
   std::shared_ptr<const RehearsalModels> models = nullptr;
 };
 
+// The same by another law, with its models where they serve that law.
+[[nodiscard]] RehearsalSetup with_law(RehearsalSetup setup, const mechanics::ChosenLaw& law);
+
 // A mesh with what a scenario says of it, without a reference body; its loads stand. Failures: "not-available" (what no
 // session knows: cuts, motion, tools, the meshfree engine), those of youngs_modulus_of_cells.
 Result<RehearsalSetup> rehearsal_setup(geometry::TetMesh mesh, const mechanics::Scenario& scenario);

@@ -128,7 +128,14 @@ void add_retraction(Page& page, const Case& patient, const PatientPageContent& c
     told += " " + words.say(GLISSON_TEXT("The liver moves by up to {0} mm."),
                             {fmt::format("{:.1f}", retraction.max_displacement_mm)});
   }
-  page.blocks.push_back(Paragraph{told + " " + words.sentence(validity.sentence())});
+  told += " " + words.sentence(validity.sentence()) + " " +
+          (retraction.large_deformations ? words.say(GLISSON_TEXT("Computed with large deformations (neo-Hookean)."))
+                                         : words.say(GLISSON_TEXT("Computed with small deformations (linear).")));
+  if (retraction.error_bound_mm) {
+    told += " " + words.say(GLISSON_TEXT("The liver had not come to rest: landmarks are within {0} mm of it."),
+                            {fmt::format("{:.1f}", *retraction.error_bound_mm)});
+  }
+  page.blocks.push_back(Paragraph{told});
   if (const auto assumed = casefile::assumed_stiffness(patient)) {
     page.blocks.push_back(Paragraph{words.sentence(*assumed)});
   }

@@ -36,6 +36,8 @@ struct RehearsedRetraction {
   double max_displacement_mm = 0;
   std::vector<RehearsedLandmark> landmarks;
   mechanics::Validity validity = {};  // not usable: no figure of it is printed
+  bool large_deformations = false;
+  std::optional<double> error_bound_mm = {};  // of the landmarks, where they are not at rest
 };
 
 struct PatientPageContent {

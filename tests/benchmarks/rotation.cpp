@@ -1,5 +1,6 @@
 // How many frames a second the window draws while a hand turns the patient in space, all of it at 1600 x 1000, and how
-// much memory it takes with that patient open, compared with its reference body under a tool, and after closing:
+// much memory it takes with that patient open, compared with its reference body under a tool, rehearsed with large
+// deformations, and after closing:
 //
 //   xvfb-run -a -s "-screen 0 1600x1000x24" bench_rotation [CASE]
 //
@@ -16,6 +17,7 @@
 #include <QTemporaryDir>
 #include <string>
 
+#include "rehearsal/tool_presets.h"
 #include "widgets/main_window.h"
 #include "widgets/theme.h"
 #include "widgets/words/language.h"
@@ -105,6 +107,72 @@ void compare_under_a_tool(glisson::widgets::MainWindow& window) {
   std::printf("the first tool: the patient's answer after %.2f s, compared after %.2f s\n", first_s, since_s());
 }
 
+// A retractor holds segment VI with 0.5 N, and a probe of 0.3 N is drawn over the front, half a millimetre a picture:
+// the next place is asked for when the last is on the screen.
+void draw_a_probe_at_large_deformations(glisson::widgets::MainWindow& window) {
+  using namespace glisson::widgets;
+  using Clock = std::chrono::steady_clock;
+  auto& rehearsal = window.rehearsal();
+  if (rehearsal.body() == nullptr) return;
+  const auto place = glisson::rehearsal::hoist_segment_vi(rehearsal.body()->patient().mesh());
+  const glisson::geometry::Box box = glisson::geometry::bounding_box(rehearsal.body()->surface().points_mm);
+  if (!place) return;
+  const PlacedTool retractor{"nathanson-retractor",   place->center_mm, -place->direction,
+                             place->preset.radius_mm, place->direction, 0.5};
+  PlacedTool probe{
+      "palpation-probe", {box.center_mm().x(), box.min_mm.y(), box.center_mm().z()}, {0, -1, 0}, 5, {0, 1, 0}, 0.3};
+  constexpr double patience_s = 60;
+  const auto since = [](Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+  };
+  const auto until = [&](const auto& done) {
+    for (const auto begun = Clock::now(); !done() && since(begun) < patience_s;) {
+      QCoreApplication::processEvents(QEventLoop::AllEvents, 5);
+    }
+  };
+  const auto is_over = [&] {
+    return rehearsal.solving() != Solving::solving && rehearsal.solving() != Solving::settling;
+  };
+  rehearsal.take_tool_away();
+  rehearsal.set_touch(Touch::rigid);
+  rehearsal.set_deformations(Deformations::large);
+  const auto start = Clock::now();
+  rehearsal.hold(retractor);
+  until([&] { return rehearsal.contact() != nullptr || rehearsal.refusal(); });
+  const double first_s = since(start), first_mm = rehearsal.error_bound_mm().value_or(0);
+  until(is_over);
+  std::printf("large deformations: the retractor seen after %.2f s within %.2f mm, %s after %.2f s within %.2f mm\n",
+              first_s, first_mm, rehearsal.solving() == Solving::solved ? "at rest" : "not at rest", since(start),
+              rehearsal.error_bound_mm().value_or(0));
+  std::fflush(stdout);
+  rehearsal.keep_tool();
+  rehearsal.hold(probe);
+  until([&] { return rehearsal.track().moments().size() >= 2 || rehearsal.refusal(); });
+  constexpr int pictures = 40;
+  int over = 0, refused = 0;
+  double slowest_s = 0;
+  const auto drawn = Clock::now();
+  for (int k = 0; k < pictures; ++k) {
+    const auto asked = Clock::now();
+    probe.center_mm.x() += 0.5;
+    const std::size_t before = rehearsal.track().moments().size();
+    rehearsal.hold(probe);
+    until([&] { return rehearsal.track().moments().size() > before || rehearsal.refusal(); });
+    window.views().space().repaint();
+    slowest_s = std::max(slowest_s, since(asked));
+    over += rehearsal.error_bound_mm().value_or(0) > glisson::rehearsal::SessionEngine::shown_mm ? 1 : 0;
+    refused += rehearsal.refusal() ? 1 : 0;
+  }
+  const double drawn_s = since(drawn);
+  const auto resting = Clock::now();
+  until(is_over);
+  std::printf(
+      "a probe drawn: %.1f pictures/s, slowest %.0f ms, %d of %d past 0.5 mm, %d refused; %s after %.1f s more\n",
+      pictures / drawn_s, 1e3 * slowest_s, over, pictures, refused,
+      rehearsal.solving() == Solving::solved ? "at rest" : "not at rest", since(resting));
+  std::fflush(stdout);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -133,6 +201,10 @@ int main(int argc, char** argv) {
   print_memory("the patient open");
   compare_under_a_tool(window);
   print_memory("compared under a tool");
+  draw_a_probe_at_large_deformations(window);
+  print_memory("with large deformations");
+  window.rehearsal().set_deformations(Deformations::small);
+  window.rehearsal().take_tool_away();
   window.views().set_layout(ViewLayout::space_large);
   QApplication::processEvents();
   measure(window, "3D large");

@@ -11,6 +11,8 @@
 #include "mechanics/contact/internal/quadratic_cells.h"
 #include "mechanics/contact/large_contact.h"
 #include "mechanics/potentials/elastic.h"
+#include "mechanics/scenario/mesh_moduli.h"
+#include "mechanics/simulation.h"
 #include "mechanics/statics/displacements.h"
 
 namespace glisson::mechanics {
@@ -152,6 +154,56 @@ TEST_F(LiveBlock, JawsDrawWhatTheyHoldAndTheSameStepsGiveTheSameBits) {
   Vector3d sum = whole.fixed_reaction_mN + whole.foundation_reaction_mN + whole.applied_force_mN;
   for (const ToolContact& tool : rest.tools) sum += tool.force_mN;
   EXPECT_LT(sum.norm(), 0.02 * rest.tools[1].force_mN.norm());
+}
+
+// A force spread over a patch is a dead load: the same that a scenario's tool is, over the same faces.
+TEST_F(LiveBlock, UnderAPatchItRestsWhereTheScenarioDoes) {
+  Scenario scenario;
+  scenario.material = MaterialLaw::neo_hookean;
+  scenario.poisson_ratio = options_.poisson_ratio;
+  scenario.supports = supports_;
+  for (std::size_t w = 0; w < places_.size(); ++w) {
+    Vector3d position_mm = Vector3d::Zero();
+    for (int i = 0; i < 4; ++i) {
+      const auto cell = static_cast<std::size_t>(places_[w].cell);
+      position_mm += places_[w].barycentric[i] *
+                     mesh_.points_mm[static_cast<std::size_t>(mesh_.cells[cell][static_cast<std::size_t>(i)])];
+    }
+    scenario.landmarks.push_back({"place-" + std::to_string(w + 1), position_mm});
+  }
+  scenario.loads = loads_;
+  const ToolLoad patch{{40, 30, 30}, 14, {450, 0, -1100}};
+  scenario.loads.emplace_back(patch);
+  geometry::TetMesh mesh = mesh_;
+  mesh.cell_fields.push_back({youngs_modulus_field, 1, youngs_kPa_});
+  const Simulation exact = simulate(mesh, scenario).value();
+  ASSERT_TRUE(validity_of(exact).usable());
+  EXPECT_GT(exact.result.largest_strain, small_strain_limit);
+
+  const LiveBody block = live(neo_hookean);
+  LiveState state = block.untouched();
+  for (int step = 1; step <= 8; ++step) {
+    ToolLoad part = patch;
+    part.force_mN *= 0.125 * step;
+    state = block.step(state, {{"patch", part}}).value();
+  }
+  const LiveState rest = block.settle(state, {{"patch", patch}}).value();
+  ASSERT_TRUE(rest.settled);
+  EXPECT_LT(farthest_mm(state, rest), state.error_bound_mm);
+  for (std::size_t w = 0; w < places_.size(); ++w) {
+    const Vector3d exact_mm = exact.landmarks[w].displaced_mm - exact.landmarks[w].rest_mm;
+    EXPECT_LT((rest.watched_mm[w] - exact_mm).norm(), 0.02) << w;
+  }
+  EXPECT_NEAR(rest.report.largest_strain, exact.result.largest_strain, 0.3 * exact.result.largest_strain);
+  EXPECT_TRUE(rest.tools[0].force_mN.isApprox(patch.force_mN, 1e-9));
+  // Linear elasticity is elsewhere: what is asked here is not small.
+  scenario.material = MaterialLaw::linear;
+  const Simulation linear = simulate(mesh, scenario).value();
+  double apart_mm = 0;
+  for (std::size_t w = 0; w < places_.size(); ++w) {
+    apart_mm = std::max(apart_mm, (linear.landmarks[w].displaced_mm - exact.landmarks[w].displaced_mm).norm());
+  }
+  EXPECT_GT(apart_mm, 0.2);
 }
 
 TEST_F(LiveBlock, SaysWhatItDoesNotKnow) {

@@ -267,6 +267,58 @@ TEST(SessionAtLargeStrain, ReplaysToTheBitWithItsSettling) {
   EXPECT_FALSE(replay(again, read).has_value());
 }
 
+ContactTool patch(const Vector3d& force_mN, const Vector3d& center_mm = {35, 40, 40}) {
+  return {"patch", mechanics::ToolLoad{center_mm, 14, force_mN}};
+}
+
+// One command of a large force is followed in steps; what is let go, and what is drawn elsewhere, goes as gently.
+TEST(SessionAtLargeStrain, AForceSpreadOverAPatchMovesItAndLeavesItWhereItWas) {
+  auto engine = SessionEngine::create(soft_block()).value();
+  const RehearsalBody before = engine.state().patient;
+  ASSERT_EQ(engine.step(HoldTool{patch({0, 0, -1200})}).refused, "");
+  const SessionState pressed = engine.settled_state();
+  ASSERT_TRUE(pressed.settled);
+  EXPECT_GT(pressed.validity.largest_strain, mechanics::small_strain_limit);
+  EXPECT_EQ(pressed.validity.state(), mechanics::AnswerState::within);
+  EXPECT_NEAR(pressed.patient_step.tools[0].force_mN.z(), -1200, 1e-6);
+  ASSERT_EQ(engine.step(HoldTool{patch({0, 0, 700})}).refused, "");
+  ASSERT_EQ(engine.step(HoldTool{patch({0, 0, 700}, {25, 40, 40})}).refused, "");
+  const SessionState drawn = engine.settled_state();
+  ASSERT_TRUE(drawn.settled);
+  EXPECT_EQ(drawn.patient_step.tools.size(), 1u);
+  auto there_at_once = SessionEngine::create(soft_block()).value();
+  there_at_once.step(HoldTool{patch({0, 0, 700}, {25, 40, 40})});
+  const SessionState same = there_at_once.settled_state();
+  for (std::size_t l = 0; l < same.patient.landmarks.size(); ++l) {
+    EXPECT_LT((same.patient.landmarks[l].displaced_mm - drawn.patient.landmarks[l].displaced_mm).norm(), 0.05);
+  }
+  ASSERT_EQ(engine.step(ReleaseTool{"patch"}).refused, "");
+  const SessionState free = engine.settled_state();
+  ASSERT_TRUE(free.settled);
+  for (std::size_t l = 0; l < free.patient.landmarks.size(); ++l) {
+    EXPECT_LT((free.patient.landmarks[l].displaced_mm - before.landmarks[l].displaced_mm).norm(), 0.05);
+  }
+}
+
+TEST(SessionAtLargeStrain, APatchIsRecordedAndAtSmallStrainRefused) {
+  const Recording recording{{HoldTool{patch({12.5, -3, 250})}, ""}};
+  const auto read = parse_recording(recording_text(recording)).value();
+  const auto& again = std::get<mechanics::ToolLoad>(std::get<HoldTool>(read[0].first).tool.what);
+  EXPECT_EQ(again.force_mN, Vector3d(12.5, -3, 250));
+  EXPECT_EQ(again.radius_mm, 14);
+  auto small = SessionEngine::create(block()).value();
+  EXPECT_THAT(small.step(read[0].first).refused, HasSubstr("at large strain alone"));
+}
+
+// Which of a session's states are the same command brought nearer to rest.
+TEST(SessionAtLargeStrain, StatesSayHowOftenTheyWereSettled) {
+  auto engine = SessionEngine::create(soft_block()).value();
+  EXPECT_EQ(engine.step(HoldTool{probe({35, 40, 44})}).settles, 0u);
+  EXPECT_EQ(engine.step(Settle{}).settles, 1u);
+  EXPECT_EQ(engine.step(Settle{}).settles, 2u);
+  EXPECT_EQ(engine.step(HoldTool{probe({36, 40, 44})}).settles, 0u);
+}
+
 TEST(SessionAtLargeStrain, AStepThatWouldCrushTheBodyIsRefusedAndLeavesWhatWas) {
   auto engine = SessionEngine::create(soft_block()).value();
   const std::string before = engine.step(HoldTool{probe({35, 40, 46})}).digest;

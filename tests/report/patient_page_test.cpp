@@ -82,8 +82,20 @@ TEST_F(PatientPage, MarksLandmarksFromFiveMillimetresOn) {
       {{"retractor", 2.0, 15}}, 13.2, {{"tumour-1", 4.9, 0.2}, {"portal-vein-1", 5.0, std::nullopt}}, {true, 0.1, 0}};
   const std::string page = html(content);
   EXPECT_THAT(page, HasSubstr("retractor with 2.0 N"));
+  EXPECT_THAT(page, HasSubstr("Computed with small deformations (linear)."));
+  EXPECT_THAT(page, Not(HasSubstr("come to rest")));
   EXPECT_THAT(page, HasSubstr("<td>4.9</td>"));
   EXPECT_THAT(page, HasSubstr("<td class=\"flag\">5.0 !</td>"));
+}
+
+TEST_F(PatientPage, SaysThatALiverAtLargeDeformationsHadNotComeToRest) {
+  PatientPageContent content;
+  content.retraction = RehearsedRetraction{{{"grasper", 2.0, 6}}, 13.2, {{"tumour-1", 4.9, 0.2}}, {true, 0.3, 0, 1e9}};
+  content.retraction->large_deformations = true;
+  content.retraction->error_bound_mm = 0.84;
+  const std::string page = html(content);
+  EXPECT_THAT(page, HasSubstr("Computed with large deformations (neo-Hookean)."));
+  EXPECT_THAT(page, HasSubstr("landmarks are within 0.8 mm of it"));
 }
 
 TEST_F(PatientPage, PrintsNoFigureOfAnAnswerThatMayNotBeUsed) {

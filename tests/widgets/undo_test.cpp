@@ -108,6 +108,17 @@ class UndoTest : public QObject {
     window_->undo().redo();
     QVERIFY(becomes({first, pressed}));
     QCOMPARE(rehearsal.touch(), Touch::rigid);
+    // Large deformations are a step as well.
+    rehearsal.set_deformations(Deformations::large);
+    QVERIFY(becomes({first, pressed}));
+    QTRY_COMPARE_WITH_TIMEOUT(window_->undo().undo_action()->text(), "&Undo: Small or large deformations", patience_ms);
+    window_->undo().undo();
+    QVERIFY(becomes({first, pressed}));
+    QCOMPARE(rehearsal.deformations(), Deformations::small);
+    window_->undo().redo();
+    QVERIFY(becomes({first, pressed}));
+    QCOMPARE(rehearsal.deformations(), Deformations::large);
+    QCOMPARE(rehearsal.touch(), Touch::rigid);
   }
 
  private:

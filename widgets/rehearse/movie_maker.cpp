@@ -19,8 +19,14 @@ vision::Frame frame_of(const QImage& picture) {
 }
 
 // The force, and what the answer is worth: whoever sees the movie sees no panel.
-QString caption_of(const rehearsal::RehearsalState& state) {
-  return MovieMaker::tr("%1 N").arg(state.force_N.norm(), 0, 'f', 1) + "  ·  " + translated(state.validity.sentence());
+QString caption_of(const LiveRehearsal& rehearsal) {
+  const rehearsal::RehearsalState& state = *rehearsal.state();
+  QString caption =
+      MovieMaker::tr("%1 N").arg(state.force_N.norm(), 0, 'f', 1) + "  ·  " + translated(state.validity.sentence());
+  if (const auto bound_mm = rehearsal.error_bound_mm(); bound_mm && rehearsal.solving() != Solving::solved) {
+    caption += "  ·  " + MovieMaker::tr("not at rest: landmarks within %1 mm").arg(*bound_mm, 0, 'f', 1);
+  }
+  return caption;
 }
 
 void write_below(QImage& picture, const QString& words) {
@@ -68,7 +74,7 @@ void MovieMaker::next_picture() {
   if (rehearsal_.solving() == Solving::solving) return;  // the shape of this moment is on its way
   const double length_s = rehearsal_.track().length_s();
   QImage picture = grab_();
-  if (rehearsal_.state()) write_below(picture, caption_of(*rehearsal_.state()));
+  if (rehearsal_.state()) write_below(picture, caption_of(rehearsal_));
   auto done = writer_->add(frame_of(picture));
   time_s_ += 1 / frames_per_second;
   Q_EMIT progressed(length_s > 0 ? std::min(1.0, time_s_ / length_s) : 1.0);

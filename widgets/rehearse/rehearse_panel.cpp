@@ -11,6 +11,7 @@
 #include "meshing/image_end.h"
 #include "widgets/panels/ask_path.h"
 #include "widgets/panels/parts.h"
+#include "widgets/rehearse/deformation_choice.h"
 #include "widgets/words/keep_translated.h"
 #include "widgets/words/paths.h"
 #include "widgets/words/translated.h"
@@ -40,6 +41,7 @@ RehearsePanel::RehearsePanel(LiveRehearsal& rehearsal, QWidget* parent) : QWidge
   inner->setSpacing(7);
   tool_ = new ToolControls(rehearsal, this);
   inner->addWidget(tool_);
+  inner->addWidget(new DeformationChoice(rehearsal, this));
   light_ = new SolvingLight(rehearsal, this);
   inner->addWidget(light_);
   on_cap_ = wrapped_label("tool_on_cap", this);

@@ -1,5 +1,6 @@
 #pragma once
-// How the last answer came about: a sign and a word (never a colour alone), the residual and the time that it took.
+// How the last answer came about: a sign and a word (never a colour alone), how far from rest its landmarks may be, the
+// residual and the time that it took.
 
 #include <QLabel>
 #include <QWidget>
@@ -18,10 +19,14 @@ class SolvingLight : public QWidget {
 
  private:
   void show_state();
+  void show_sign();
+  void show_bound();
+  [[nodiscard]] QString trouble() const;
 
   const LiveRehearsal& rehearsal_;
   double drawing_ms_ = 0;
   QLabel* sign_;
+  QLabel* bound_;
   QLabel* figures_;
   QLabel* trouble_;
 };

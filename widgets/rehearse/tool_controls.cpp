@@ -30,7 +30,7 @@ ToolControls::ToolControls(LiveRehearsal& rehearsal, QWidget* parent)
   tool_ = new QComboBox(this);
   tool_->setObjectName("tool");
   for (const rehearsal::ToolPreset& preset : rehearsal::tool_presets()) {
-    tool_->addItem({}, QString::fromStdString(preset.id));
+    tool_->addItem(QString(), QVariant(QString::fromStdString(preset.id)));  // {} would be an icon, the id its text
   }
   auto* tool_name = new QLabel(this);
   form->addRow(tool_name, tool_);

@@ -32,6 +32,8 @@ std::optional<report::RehearsedRetraction> retraction_of(const LiveRehearsal& re
   const auto& state = rehearsal.state();
   if (!state) return {};
   report::RehearsedRetraction made{{}, state->patient.max_displacement_mm, {}, state->validity};
+  made.large_deformations = rehearsal.deformations() == Deformations::large;
+  if (rehearsal.solving() != Solving::solved) made.error_bound_mm = rehearsal.error_bound_mm();
   for (const PlacedTool& tool : rehearsal.tools()) made.tools.push_back({tool.preset, tool.force_N, tool.radius_mm});
   for (std::size_t k = 0; k < state->patient.landmarks.size(); ++k) {
     const auto& landmark = state->patient.landmarks[k];

@@ -281,7 +281,8 @@ std::optional<casefile::PlannedCut> ResectPanel::cut_of_mesh() const {
 std::optional<LiveResection::Holding> ResectPanel::holding() const {
   const LiveRehearsal& rehearsal = context_.rehearsal;
   const auto& state = rehearsal.state();
-  if (!state || !state->validity.usable() || rehearsal.touch() != Touch::patch || !rehearsal.has_tool()) return {};
+  const bool at_once = rehearsal.touch() == Touch::patch && rehearsal.deformations() == Deformations::small;
+  if (!state || !state->validity.usable() || !at_once || !rehearsal.has_tool()) return {};
   const PlacedTool& tool = rehearsal.tools().back();
   return LiveResection::Holding{tool.center_mm, tool.radius_mm, state->force_N};
 }
@@ -301,7 +302,8 @@ void ResectPanel::describe_holding() {
   as_held_->setToolTip(
       holding()
           ? tr("Margins, widths and places are those on the liver under the tool of Rehearse; volumes are at rest")
-          : tr("Place a tool in Rehearse first: a patch that the model bears, not a rigid tool."));
+          : tr("Place a tool in Rehearse first: a patch at small deformations that the model bears, not a rigid "
+               "tool."));
 }
 
 void ResectPanel::cut_changed() {

@@ -11,6 +11,14 @@ constexpr int look_every_ms = 15;
 
 std::string session_id(int number) { return "tool-" + std::to_string(number); }
 
+// Near enough to be shown as it is; one that was settled to no end is not.
+bool is_as_it_rests(const rehearsal::SessionState& state) {
+  using rehearsal::SessionEngine;
+  if (state.settled) return true;
+  const bool gave_up = state.settles >= static_cast<std::uint64_t>(SessionEngine::most_settles);
+  return !gave_up && !state.patient.landmarks.empty() && *state.error_bound_mm <= SessionEngine::shown_mm;
+}
+
 // A session waits for the step under way when it ends; the window does not.
 void end_elsewhere(std::unique_ptr<rehearsal::LiveSession> session) {
   if (!session) return;
@@ -35,6 +43,7 @@ void LiveRehearsal::set_body(std::shared_ptr<const rehearsal::StaticRehearsal> b
   placed_.clear();
   ++body_count_;
   touch_ = Touch::patch;
+  deformations_ = Deformations::small;
   start_anew();
 }
 
@@ -70,8 +79,11 @@ void LiveRehearsal::exchange_body(std::shared_ptr<const rehearsal::StaticRehears
   const std::vector<PlacedTool> tools = tools_;
   const RehearsalTrack track = renamed_to(setup->landmarks, setup_->landmarks, track_);
   const Touch touch = touch_;
+  const bool large = deformations_ == Deformations::large;
   set_body(std::move(body), std::move(setup));
-  set_touch(touch);
+  touch_ = touch;
+  if (large && knows_large_deformations()) deformations_ = Deformations::large;
+  if (in_session()) start_anew();
   track_ = track;
   Q_EMIT track_changed();
   hold_all(tools);
@@ -83,6 +95,14 @@ void LiveRehearsal::set_touch(Touch touch) {
   const std::optional<PlacedTool> current = tools_.empty() ? std::nullopt : std::optional(tools_.back());
   start_anew();
   if (current) hold(*current);
+}
+
+void LiveRehearsal::set_deformations(Deformations deformations) {
+  if (deformations == deformations_ || (deformations == Deformations::large && !knows_large_deformations())) return;
+  deformations_ = deformations;
+  const std::vector<PlacedTool> tools = tools_;
+  start_anew();
+  hold_all(tools);
 }
 
 void LiveRehearsal::start_anew() {
@@ -97,10 +117,13 @@ void LiveRehearsal::start_anew() {
   session_timer_.stop();
   end_elsewhere(std::move(session_));
   session_.reset();
-  session_number_ = 0;
+  session_number_.reset();
+  contact_.reset();
   cut_steps_ = cuts_since_tool_ = 0;
-  if (touch_ == Touch::rigid) {
-    session_ = std::make_unique<rehearsal::LiveSession>(*setup_);
+  if (setup_ && in_session()) {
+    const bool large = deformations_ == Deformations::large;
+    session_ = std::make_unique<rehearsal::LiveSession>(
+        rehearsal::with_law(*setup_, large ? mechanics::MaterialLaw::neo_hookean : mechanics::MaterialLaw::linear));
     session_timer_.start();
   }
   clear_track();
@@ -123,10 +146,11 @@ void LiveRehearsal::hold(const PlacedTool& tool) {
     tools_.back() = tool;
   }
   takes_another_ = false;
-  if (touch_ == Touch::rigid) {
+  if (session_) {
     // A tool that jumps is another one: on its way it would go through the liver.
     constexpr double jump_mm = 20;
-    if (was && (was->preset != tool.preset || (was->center_mm - tool.center_mm).norm() > jump_mm)) {
+    if (was && touch_ == Touch::rigid &&
+        (was->preset != tool.preset || (was->center_mm - tool.center_mm).norm() > jump_mm)) {
       session_->post(rehearsal::ReleaseTool{session_id(numbers_.back())});
       numbers_.back() = next_number_++;
     }
@@ -137,7 +161,7 @@ void LiveRehearsal::hold(const PlacedTool& tool) {
 }
 
 void LiveRehearsal::hold_within_the_model(const PlacedTool& tool) {
-  eases_ = touch_ == Touch::patch;
+  eases_ = !session_;
   hold(tool);
 }
 
@@ -236,7 +260,7 @@ Eigen::Vector3d LiveRehearsal::tool_center_mm() const {
 }
 
 void LiveRehearsal::post_tool() {
-  auto hand = contact_tool(tools_.back(), session_id(numbers_.back()));
+  auto hand = contact_tool(tools_.back(), session_id(numbers_.back()), touch_);
   if (!hand) {
     refuse(hand.error());
     return;
@@ -247,10 +271,22 @@ void LiveRehearsal::post_tool() {
   Q_EMIT state_changed();
 }
 
+// What only came nearer to rest takes the place of its first picture.
 void LiveRehearsal::record(std::shared_ptr<const rehearsal::SessionState> contact) {
-  Moment moment = moment_of(tools_, *state_);
-  moment.contact = std::move(contact);
-  track_.add(std::move(moment), 1e-3 * static_cast<double>(clock_.elapsed()));
+  Moment moment = moment_of(tools_, contact ? state_of(*contact) : *state_);
+  const auto asked = [](const rehearsal::SessionState& state) { return state.number - state.settles; };
+  const auto* last = track_.empty() ? nullptr : track_.moments().back().contact.get();
+  if (contact && contact->settles > 0 && last != nullptr && asked(*last) == asked(*contact)) {
+    moment.tools = track_.moments().back().tools;
+    moment.contact = std::move(contact);
+    track_.replace_last(std::move(moment));
+  } else {
+    moment.contact = std::move(contact);
+    const std::size_t before = track_.moments().size();
+    track_.add(std::move(moment), 1e-3 * static_cast<double>(clock_.elapsed()));
+    const bool oldest_went = track_.moments().size() == before;
+    if (oldest_went && shown_moment_ && *shown_moment_ > 0) --*shown_moment_;
+  }
   Q_EMIT track_changed();
 }
 
@@ -265,7 +301,8 @@ void LiveRehearsal::show_moment(std::size_t index) {
   shown_moment_ = index;
   const Moment& moment = track_.moments()[index];
   if (moment.contact) {
-    show_contact(moment.contact, Solving::solved);
+    refusal_.reset();
+    show_contact(moment.contact, is_as_it_rests(*moment.contact) ? Solving::solved : Solving::unsettled);
   } else if (!moment.tools.empty()) {
     const PlacedTool& tool = moment.tools.back();
     if (const rehearsal::PlacedTool* placed = remembered(tool)) {

@@ -5,8 +5,10 @@
 // The reference body is made when the first tool is placed: until it is there, answers are of the patient alone, and
 // more is being solved for.
 //
-// A tool either spreads its force over a patch (one tool; every answer exact and in a millisecond), or is the rigid
-// thing itself in contact (several tools; rehearsal/session.h).
+// A tool either spreads its force over a patch (one tool), or is the rigid thing itself in contact (several tools). At
+// small deformations every answer to a patch is exact and comes in a millisecond; all else is answered by a session
+// (rehearsal/session.h). At large ones its first pictures are brought to rest in the background: the picture of a
+// moment is replaced by one nearer to rest, and each says how far from rest its landmarks may be.
 
 #include <deque>
 #include <Eigen/Core>
@@ -22,8 +24,9 @@
 
 namespace glisson::widgets {
 
-enum class Touch { patch, rigid };
-enum class Solving { no_tool, solving, solved, refused };
+enum class Deformations { small, large };
+// Settling: what was asked is answered, and is being brought to rest. Unsettled: it did not come there.
+enum class Solving { no_tool, solving, settling, solved, unsettled, refused };
 
 class LiveRehearsal : public QObject {
   Q_OBJECT
@@ -46,10 +49,16 @@ class LiveRehearsal : public QObject {
   void set_touch(Touch touch);
   [[nodiscard]] Touch touch() const { return touch_; }
 
+  // The liver linear, or neo-Hookean with the same stiffness. Starts anew with the same tools.
+  void set_deformations(Deformations deformations);
+  [[nodiscard]] Deformations deformations() const { return deformations_; }
+  // Tissue with a grain is known at small ones alone.
+  [[nodiscard]] bool knows_large_deformations() const { return setup_ && !setup_->options.anisotropy; }
+
   // Puts the tool there. A later call supersedes this one: of several on the way, only the last is solved for.
   void hold(const PlacedTool& tool);
   // The same with no more force than leaves the answer within the model, in steps of 0.1 N: for a force that nobody
-  // has chosen. A rigid tool, whose answer is not known beforehand, keeps its force.
+  // has chosen. A rigid tool, whose answer is not known beforehand, keeps its force; so does any at large deformations.
   void hold_within_the_model(const PlacedTool& tool);
   void set_force_N(double force_N);
   void set_direction(const Eigen::Vector3d& unit);  // of the force
@@ -81,10 +90,16 @@ class LiveRehearsal : public QObject {
   [[nodiscard]] const std::optional<rehearsal::RehearsalState>& state() const { return state_; }
 
   [[nodiscard]] Solving solving() const { return solving_; }
+  // A session is on its way that has nothing to show yet.
+  [[nodiscard]] bool preparing() const { return session_ && !session_number_ && !refusal_; }
+  // What is shown, where a session answered it; nullptr otherwise.
+  [[nodiscard]] const rehearsal::SessionState* contact() const { return state_ ? contact_.get() : nullptr; }
+  // How far the landmarks that are shown may be from rest; nothing at small deformations or without landmarks.
+  [[nodiscard]] std::optional<double> error_bound_mm() const;
   // Why the last command was not carried out; the state is of what was before it.
   [[nodiscard]] const std::optional<Error>& refusal() const { return refusal_; }
   // The largest force along the present direction that stays within the model, at most `maximum_N`; known of a patch
-  // alone.
+  // at small deformations alone.
   [[nodiscard]] std::optional<double> force_within_the_model_N(double maximum_N) const;
 
   [[nodiscard]] const RehearsalTrack& track() const { return track_; }
@@ -112,6 +127,7 @@ class LiveRehearsal : public QObject {
   void look_for_contact();
   void post_tool();
   void record(std::shared_ptr<const rehearsal::SessionState> contact);
+  [[nodiscard]] bool in_session() const { return touch_ == Touch::rigid || deformations_ == Deformations::large; }
   void set_solving(Solving solving);
   void refuse(const Error& error);
   void start_anew();
@@ -120,6 +136,7 @@ class LiveRehearsal : public QObject {
   std::shared_ptr<const rehearsal::StaticRehearsal> body_;
   std::shared_ptr<const rehearsal::RehearsalSetup> setup_;
   Touch touch_ = Touch::patch;
+  Deformations deformations_ = Deformations::small;
   bool frozen_ = false;
   double force_N_ = 0;
   Eigen::Vector3d direction_{0, -1, 0};
@@ -150,7 +167,8 @@ class LiveRehearsal : public QObject {
   mutable std::optional<Within> within_;
 
   std::unique_ptr<rehearsal::LiveSession> session_;
-  std::uint64_t session_number_ = 0;
+  std::optional<std::uint64_t> session_number_;  // of the last state seen
+  std::shared_ptr<const rehearsal::SessionState> contact_;
   int cut_steps_ = 0;
   int cuts_since_tool_ = 0;
   QTimer session_timer_;

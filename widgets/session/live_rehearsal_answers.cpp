@@ -18,6 +18,13 @@ bool is_a_first_answer(const rehearsal::PlacedTool& placed, const rehearsal::Sta
   return body.has_reference() && !placed.compared();
 }
 
+Solving how_it_stands(const rehearsal::SessionState& state, rehearsal::SessionPhase phase) {
+  using rehearsal::SessionPhase;
+  if (phase == SessionPhase::stepping) return Solving::solving;
+  if (state.settled) return Solving::solved;
+  return phase == SessionPhase::settling ? Solving::settling : Solving::unsettled;
+}
+
 }  // namespace
 
 // Of a place that is known at once, else after a solve for it.
@@ -48,7 +55,7 @@ void LiveRehearsal::ease(const rehearsal::PlacedTool& placed) {
 }
 
 std::optional<double> LiveRehearsal::force_within_the_model_N(double maximum_N) const {
-  if (touch_ == Touch::rigid || !has_tool()) return {};
+  if (in_session() || !has_tool()) return {};
   const rehearsal::PlacedTool* placed = remembered(tools().back());
   if (placed == nullptr) return {};
   PlacedTool asked = tools().back();
@@ -123,6 +130,7 @@ void LiveRehearsal::make_reference() {
 
 void LiveRehearsal::show_answer(const rehearsal::PlacedTool& placed, const PlacedTool& tool) {
   state_ = placed.answer(tool.pull_N());
+  contact_.reset();
   refusal_.reset();
   set_solving(is_a_first_answer(placed, *body_) ? Solving::solving : Solving::solved);
   Q_EMIT state_changed();
@@ -135,45 +143,57 @@ void LiveRehearsal::look_for_contact() {
     return;
   }
   // Asked before the state is taken: of a session that waits, that state is the answer to all that was posted.
-  const bool all_answered = session_->phase() == rehearsal::SessionPhase::ready;
+  const rehearsal::SessionPhase phase = session_->phase();
   const auto state = session_->latest();
   if (!state) return;
-  const bool is_new = state->number != session_number_;
+  const bool is_new = state->number != session_number_.value_or(0);
+  if (!session_number_) Q_EMIT solving_changed();  // prepared
   session_number_ = state->number;
   if (is_new) {
     const int steps = state->cut ? static_cast<int>(state->cut->advances) : 0;
     if (!state->refused.empty() && cuts_since_tool_ > 0 && steps == cut_steps_) --cuts_since_tool_;
     cut_steps_ = steps;
   }
+  const bool holds_something = !tools_.empty() || state->cut;
+  if (is_new && holds_something && state->refused.empty()) record(state);
   if (shown_moment_) return;
-  if (tools_.empty() && !state->cut) {
+  if (!holds_something) {
     if (!state_) return;
     state_.reset();  // the cut was taken back, and nothing holds the liver
     set_solving(Solving::no_tool);
     Q_EMIT state_changed();
     return;
   }
+  const Solving now = how_it_stands(*state, phase);
   if (is_new) {
-    show_contact(state, all_answered ? Solving::solved : Solving::solving);
-    if (state->refused.empty()) record(state);
-  } else if (all_answered && solving_ == Solving::solving) {
-    set_solving(Solving::solved);
+    show_contact(state, now);
+  } else if (solving_ != Solving::refused && phase != rehearsal::SessionPhase::stepping && solving_ != now) {
+    set_solving(now);
   }
+}
+
+std::optional<double> LiveRehearsal::error_bound_mm() const {
+  const rehearsal::SessionState* shown = contact();
+  return shown == nullptr || shown->patient.landmarks.empty() ? std::nullopt : shown->error_bound_mm;
 }
 
 void LiveRehearsal::show_contact(const std::shared_ptr<const rehearsal::SessionState>& state, Solving solving) {
   state_ = state_of(*state);
-  solids_ = solids_of(*state);
-  refusal_.reset();
-  if (!state->refused.empty()) {
-    refuse(Error{"not-converged",
-                 GLISSON_TEXT("The liver's shape with the tools there was not found: {0}"),
-                 {state->refused},
-                 GLISSON_TEXT("Press less, or move the tool by smaller steps."),
-                 {}});
-    return;
+  contact_ = state;
+  if (touch_ == Touch::rigid) solids_ = solids_of(*state);
+  const bool stays_refused = state->settles > 0 && refusal_;  // it only comes nearer to rest
+  if (!stays_refused) {
+    refusal_.reset();
+    if (!state->refused.empty() && state->settles == 0) {
+      refuse(Error{"not-converged",
+                   GLISSON_TEXT("The liver's shape with the tools there was not found: {0}"),
+                   {state->refused},
+                   GLISSON_TEXT("Press less, or move the tool by smaller steps."),
+                   {}});
+      return;
+    }
+    set_solving(solving);
   }
-  set_solving(solving);
   Q_EMIT state_changed();
 }
 

@@ -19,6 +19,12 @@ void RehearsalTrack::add(Moment moment, double clock_s) {
   if (static_cast<std::size_t>(contacts) > maximum_contacts) moments_.erase(moments_.begin());
 }
 
+void RehearsalTrack::replace_last(Moment moment) {
+  GLISSON_ASSERT(!moments_.empty());
+  moment.time_s = moments_.back().time_s;
+  moments_.back() = std::move(moment);
+}
+
 std::size_t RehearsalTrack::at(double time_s) const {
   GLISSON_ASSERT(!moments_.empty());
   const auto after = std::upper_bound(moments_.begin(), moments_.end(), time_s,
@@ -29,7 +35,7 @@ std::size_t RehearsalTrack::at(double time_s) const {
 std::string RehearsalTrack::csv(const std::vector<std::string>& landmark_ids) const {
   std::string text = "time_s,tools,force_N,max_displacement_mm,atlas_off_mm";
   for (const std::string& id : landmark_ids) text += "," + id + "_mm";
-  text += ",state,largest_strain,inverted_cells\n";
+  text += ",state,largest_strain,inverted_cells,error_bound_mm\n";
   for (const Moment& moment : moments_) {
     std::string tools;
     for (const PlacedTool& tool : moment.tools) {
@@ -47,8 +53,8 @@ std::string RehearsalTrack::csv(const std::vector<std::string>& landmark_ids) co
     text += fmt::format("{:.3f},{},{:.4f}", moment.time_s, tools, moment.force_N);
     text += figure(moment.max_displacement_mm) + figure(moment.atlas_off_mm);
     for (const double displacement_mm : moment.landmarks_mm) text += figure(displacement_mm);
-    text +=
-        fmt::format(",{},{:.4f},{}\n", to_string(validity.state()), validity.largest_strain, validity.inverted_cells);
+    text += fmt::format(",{},{:.4f},{}", to_string(validity.state()), validity.largest_strain, validity.inverted_cells);
+    text += figure(moment.contact ? moment.contact->error_bound_mm : std::nullopt) + "\n";
   }
   return text;
 }

@@ -19,7 +19,8 @@ struct Moment {
       {};                             // the largest over the liver's surface, where there is an atlas to compare with
   std::vector<double> landmarks_mm;   // how far each one moves
   mechanics::Validity validity = {};  // what these figures are worth
-  // With rigid tools, the shape depends on the way to it and is kept; without, it is answered anew, to the same bit.
+  // With rigid tools and at large deformations the shape depends on the way to it and is kept; else it is answered
+  // anew, to the same bit.
   std::shared_ptr<const rehearsal::SessionState> contact;
 };
 
@@ -31,6 +32,8 @@ class RehearsalTrack {
   void clear();
   // `clock_s` runs from anywhere and never back.
   void add(Moment moment, double clock_s);
+  // The last one is replaced, at its time; there must be one.
+  void replace_last(Moment moment);
 
   [[nodiscard]] const std::vector<Moment>& moments() const { return moments_; }
   [[nodiscard]] bool empty() const { return moments_.empty(); }
@@ -38,8 +41,8 @@ class RehearsalTrack {
   // The last one at or before that time; there must be one.
   [[nodiscard]] std::size_t at(double time_s) const;
 
-  // One line a moment: time, tools with places and forces, figures, landmarks, and what they are worth; no figures of
-  // an answer that is not usable.
+  // One line a moment: time, tools with places and forces, figures, landmarks, and what they are worth, at large
+  // deformations with the bound of its error; no figures of an answer that is not usable.
   [[nodiscard]] std::string csv(const std::vector<std::string>& landmark_ids) const;
 
  private:

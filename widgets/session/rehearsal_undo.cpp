@@ -9,6 +9,8 @@ namespace {
 constexpr int rest_ms = 400;
 constexpr const char* key = "rehearse/tool";
 constexpr const char* rigid = "rigid";
+constexpr const char* deformations = "deformations";
+constexpr const char* large = "large";
 
 QJsonArray json_of(const Eigen::Vector3d& vector) { return {vector.x(), vector.y(), vector.z()}; }
 
@@ -40,6 +42,9 @@ PlacedTool tool_of(const QJsonObject& json) {
 Sentence name_of(const QJsonObject& before, const QJsonObject& after) {
   const QJsonArray were = before["tools"].toArray(), are = after["tools"].toArray();
   if (before["touch"] != after["touch"]) return {GLISSON_TEXT("Another way of touching"), {}};
+  if ((before[deformations] == large) != (after[deformations] == large)) {
+    return {GLISSON_TEXT("Small or large deformations"), {}};
+  }
   if (were.isEmpty()) return {GLISSON_TEXT("Place the tool"), {}};
   if (were.size() < are.size()) return {GLISSON_TEXT("Place another tool"), {}};
   if (were.size() > are.size()) return {GLISSON_TEXT("Take the tool away"), {}};
@@ -66,7 +71,9 @@ void RehearsalUndo::begin() {
 QJsonValue RehearsalUndo::state() const {
   QJsonArray tools;
   for (const PlacedTool& tool : rehearsal_.tools()) tools.append(json_of(tool));
-  return QJsonObject{{"touch", rehearsal_.touch() == Touch::rigid ? rigid : "patch"}, {"tools", tools}};
+  return QJsonObject{{"touch", rehearsal_.touch() == Touch::rigid ? rigid : "patch"},
+                     {deformations, rehearsal_.deformations() == Deformations::large ? large : "small"},
+                     {"tools", tools}};
 }
 
 void RehearsalUndo::note() {
@@ -85,9 +92,11 @@ void RehearsalUndo::apply(const QJsonValue& wanted) {
   for (const auto& tool : state["tools"].toArray()) tools.push_back(tool_of(tool.toObject()));
   if (state.contains("preset")) tools.push_back(tool_of(state));  // a history from when there was one tool
   const Touch touch = state["touch"].toString() == rigid ? Touch::rigid : Touch::patch;
-  if (touch != rehearsal_.touch()) {
+  const Deformations kind = state[deformations].toString() == large ? Deformations::large : Deformations::small;
+  if (touch != rehearsal_.touch() || kind != rehearsal_.deformations()) {
     rehearsal_.hold_all({});
     rehearsal_.set_touch(touch);
+    rehearsal_.set_deformations(kind);
   }
   rehearsal_.hold_all(tools);
 }

@@ -14,8 +14,11 @@ constexpr double blade_gap_mm = 12;  // the blade is flat, the organ is not
 
 }  // namespace
 
-Result<mechanics::ContactTool> contact_tool(const PlacedTool& tool, const std::string& id) {
+Result<mechanics::ContactTool> contact_tool(const PlacedTool& tool, const std::string& id, Touch touch) {
   const double force_mN = units::mN_from_N(tool.force_N);
+  if (touch == Touch::patch) {
+    return mechanics::ContactTool{id, mechanics::ToolLoad{tool.center_mm, tool.radius_mm, force_mN * tool.direction}};
+  }
   if (tool.preset == "grasper") {
     return mechanics::ContactTool{id, mechanics::Grasp{tool.center_mm, tool.radius_mm, force_mN, tool.direction}};
   }

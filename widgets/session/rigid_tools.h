@@ -10,6 +10,8 @@
 
 namespace glisson::widgets {
 
+enum class Touch { patch, rigid };
+
 struct PlacedTool {
   std::string preset;                   // rehearsal/tool_presets.h
   Eigen::Vector3d center_mm{0, 0, 0};   // on the liver's surface, at rest
@@ -24,14 +26,14 @@ struct PlacedTool {
   bool operator==(const PlacedTool&) const = default;
 };
 
-// The grasper holds its patch; the others are solids that come from outside along the force until the organ pushes
-// back. They cannot pull: failure "tool-cannot-pull".
-Result<mechanics::ContactTool> contact_tool(const PlacedTool& tool, const std::string& id);
+// As a patch the force is spread over what it touches. Of rigid ones the grasper holds its patch; the others are solids
+// that come from outside along the force until the organ pushes back. They cannot pull: failure "tool-cannot-pull".
+Result<mechanics::ContactTool> contact_tool(const PlacedTool& tool, const std::string& id, Touch touch);
 
 // A session's state in the terms of the rehearsal without contact: the force is that of all tools.
 [[nodiscard]] rehearsal::RehearsalState state_of(const rehearsal::SessionState& state);
 
-// Each tool where it is now, in patient coordinates; nothing for a grasper.
+// Each tool where it is now, in patient coordinates; nothing for a grasper or a patch.
 [[nodiscard]] std::vector<mechanics::ToolShape> solids_of(const rehearsal::SessionState& state);
 
 }  // namespace glisson::widgets

@@ -46,9 +46,10 @@ struct Grasp {
   Eigen::Vector3d direction{0, 0, 1};
 };
 
+// A force spread over a patch is a dead load (scenario.h) that live_body.h alone takes in hand.
 struct ContactTool {
   std::string id;
-  std::variant<TouchingTool, Grasp> what;
+  std::variant<TouchingTool, Grasp, ToolLoad> what;
 };
 
 struct ContactOptions {
@@ -114,7 +115,7 @@ class ContactBody {
   // With the tools, beginning from another state (its forces and advances are a guess). The same beginning and tools
   // give the same bits. A state that did not converge says so and must not be shown as right. Failures: "tool-invalid",
   // "tool-touches-nothing" (a pushed tool that meets no surface on its way; jaws that hold no point), "not-converged"
-  // (a solve that may not be used).
+  // (a solve that may not be used), "not-available" (a force spread over a patch).
   [[nodiscard]] Result<ContactState> solve(const ContactState& from, const std::vector<ContactTool>& tools,
                                            const ContactOptions& options = {}) const;
 

@@ -15,7 +15,7 @@
 //
 // A tool presses by p = max(0, m - k g) at each place with gap g, as in large_contact.h; a step moves the multipliers m
 // on once, settling until no tool enters the surface by more than the tolerance. A pushed tool's advance is one unknown
-// more.
+// more. A force spread over a patch is a dead load, as in statics.
 //
 // Lengths mm, forces mN, patient coordinates (LPS).
 

@@ -33,6 +33,7 @@ Result<AugmentedLagrangian> AugmentedLagrangian::create(const Body& body, const 
     }
     lagrangian.walls_ = CutSelfContact(lagrangian.surface_, lagrangian.node_of_point_, wall_points);
   }
+  if (auto checked = check_no_patch(tools); !checked) return failure(std::move(checked.error()));
   for (std::size_t t = 0; t < tools.size(); ++t) {
     if (const auto* touching = std::get_if<TouchingTool>(&tools[t].what)) {
       if (auto checked = check_tool(touching->shape, touching->pose); !checked) {

@@ -160,4 +160,17 @@ Result<Gripped> grip(const geometry::Surface& surface, std::size_t index, const 
   return gripped;
 }
 
+Result<void> check_no_patch(const std::vector<ContactTool>& tools) {
+  for (const ContactTool& tool : tools) {
+    if (!std::holds_alternative<ToolLoad>(tool.what)) continue;
+    return failure(Error{"not-available",
+                         GLISSON_TEXT("The tool {0} spreads its force over a patch, which a session knows at large "
+                                      "strain alone."),
+                         {tool.id},
+                         GLISSON_TEXT("Take the material neo-hookean, or jaws that pull."),
+                         {}});
+  }
+  return {};
+}
+
 }  // namespace glisson::mechanics

@@ -62,4 +62,7 @@ struct Gripped {
 // "tool-touches-nothing".
 Result<Gripped> grip(const geometry::Surface& surface, std::size_t index, const Grasp& grasp);
 
+// "not-available" where one of them spreads a force over a patch.
+Result<void> check_no_patch(const std::vector<ContactTool>& tools);
+
 }  // namespace glisson::mechanics

@@ -45,6 +45,7 @@ Result<void> ContactSearch::begin_from(const ContactState& before) { return hold
 
 // Takes the tools in hand, with the forces and advances of the state before for those that were there.
 Result<void> ContactSearch::hold(const ContactState& before) {
+  if (auto checked = check_no_patch(tools_); !checked) return checked;
   force_mN_ = before.force_mN;
   wall_mN_ = before.wall_mN;
   std::vector<int> asked;

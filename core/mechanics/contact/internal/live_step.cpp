@@ -88,6 +88,10 @@ Result<void> LiveStep::take_tools(const LiveState& from) {
       }
       continue;
     }
+    if (const auto* patch = std::get_if<ToolLoad>(&tools_[t].what)) {
+      if (auto taken = take_patch(t, *patch); !taken) return taken;
+      continue;
+    }
     const auto& grasp = std::get<Grasp>(tools_[t].what);
     auto gripped = grip(parts_.surface, t, grasp);
     if (!gripped) return failure(std::move(gripped.error()));
@@ -107,6 +111,20 @@ Result<void> LiveStep::take_tools(const LiveState& from) {
     grips_.push_back(std::move(*gripped));
   }
   place_rods();
+  return {};
+}
+
+Result<void> LiveStep::take_patch(std::size_t tool, const ToolLoad& patch) {
+  const auto force_mN = load_vector(parts_.body.mesh, parts_.body.layout, parts_.body.boundary,
+                                    parts_.body.options.density_kg_mm3, {patch});
+  if (!force_mN) return failure(force_mN.error());
+  dead_mN_ += *force_mN;
+  Spread spread{tool, {}};
+  for (int node = 0; node < parts_.body.layout.nodes(); ++node) {
+    const Vector3d on_node = force_mN->segment<3>(3 * node);
+    if (!on_node.isZero(0)) spread.force_mN.emplace_back(node, on_node);
+  }
+  patches_.push_back(std::move(spread));
   return {};
 }
 
@@ -380,6 +398,16 @@ LiveState LiveStep::finished(const Stopwatch& watch) {
       const Vector3d at_mm = parts_.surface.points_mm[static_cast<std::size_t>(point)] +
                              state_.u_mm.segment<3>(3 * parts_.node_of_point[static_cast<std::size_t>(point)]);
       state_.moment_uJ += at_mm.cross(gripped.weights[i] * contact.force_mN);
+    }
+  }
+  for (const Spread& patch : patches_) {
+    ToolContact& contact = state_.tools[patch.tool];
+    contact.contacts = static_cast<int>(patch.force_mN.size());
+    for (const auto& [node, force] : patch.force_mN) {
+      const Vector3d at_mm =
+          parts_.body.layout.positions_mm[static_cast<std::size_t>(node)] + state_.u_mm.segment<3>(3 * node);
+      contact.force_mN += force;
+      state_.moment_uJ += at_mm.cross(force);
     }
   }
   ContactReport& report = state_.report;

@@ -80,6 +80,11 @@ class LiveStep {
     Eigen::Vector3d wanted_mm;
     std::size_t tool;
   };
+  // A force spread over a patch: what it puts on the nodes.
+  struct Spread {
+    std::size_t tool;
+    std::vector<std::pair<int, Eigen::Vector3d>> force_mN;
+  };
   // What a curved tool adds to the tangent at a place that it presses on: it may slide off.
   struct Bend {
     const ContactConstraint* place;
@@ -89,6 +94,7 @@ class LiveStep {
   };
 
   Result<void> take_tools(const LiveState& from);
+  Result<void> take_patch(std::size_t tool, const ToolLoad& patch);
   void find_places();
   void place_rods();
   [[nodiscard]] Pose pose_of(std::size_t tool) const;
@@ -112,7 +118,7 @@ class LiveStep {
   const std::vector<ContactTool>& tools_;
   const LiveOptions& options_;
   Eigen::Index n_;
-  Eigen::VectorXd dead_mN_;  // standing loads, and jaws that pull
+  Eigen::VectorXd dead_mN_;  // standing loads, patches, and jaws that pull
   LiveState state_;
   Unbalanced now_;
   std::vector<int> further_of_;  // of each tool its unknown; -1: it stays where it is
@@ -120,6 +126,7 @@ class LiveStep {
   Eigen::VectorXd advance_mm_;  // one a tool
   std::vector<Jaws> jaws_;
   std::vector<Gripped> grips_;
+  std::vector<Spread> patches_;
   std::vector<ContactConstraint> places_;
   std::vector<StiffRow> rows_;
   std::vector<Bend> bends_;
