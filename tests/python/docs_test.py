@@ -129,6 +129,24 @@ class Docs(Case):
             self.assertEqual(len(glisson.read_surface(cloud).points_mm), int(figures["points"]["text"].replace(",", "")))
         self.assertIn(f"{figures['points']['text']} points, {figures['seen']['text']} % seen", said)
 
+    def test_a_liver_is_registered_as_the_page_says(self):
+        liver = self.data("pbsm_liver_insilico") / "Liver1"
+        said = self.said_by("register_liver.py", *(liver / f"{name}.ply" for name in ("src", "tgt", "gt")), "icp")
+        page = (ROOT / "docs" / "real-data.md").read_text()
+        error_mm = re.search(r"icp: ([\d.]+) mm", said).group(1)
+        self.assertIn(f"the truth; {error_mm} (", page)
+
+    def test_a_camera_is_calibrated_as_the_page_says(self):
+        pairs = sorted(self.data("ucl_stereo_laparoscope_calib").glob("08_*"))
+        with tempfile.TemporaryDirectory() as folder:
+            made = pathlib.Path(folder) / "camera.json"
+            said = self.said_by("calibrate_camera.py", 25, 18, 5, made, *pairs)
+            self.assertAlmostEqual(glisson.read_calibration(made).baseline_mm, 4.7, delta=0.05)
+        error_px, baseline_mm = re.search(r"off by ([\d.]+) px; the eyes are ([\d.]+) mm", said).groups()
+        page = (ROOT / "docs" / "real-data.md").read_text()
+        self.assertIn(f"reprojection error {error_px} px", page)
+        self.assertIn(f"baseline {baseline_mm} mm", page)
+
 
 if __name__ == "__main__":
     unittest.main()
