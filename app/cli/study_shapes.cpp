@@ -62,6 +62,11 @@ void add_study_shapes(CLI::App& study, Action& chosen) {
   command->add_option("--only", options->only, "This liver's correspondence alone: one job of many");
   command->add_flag("--spacing-is-true", options->study.believe_unit_spacing,
                     "Believe labels of 1 x 1 x 1 mm, which are refused as having lost their spacing");
+  command
+      ->add_option("--reference-spacing-mm", options->study.reference_spacing_mm,
+                   "Of the points of the surface that every liver is described by")
+      ->capture_default_str()
+      ->check(CLI::Range(4.0, 20.0));
   shapes::FitOptions& fit = options->study.fit;
   command->add_option("--noise-mm", fit.noise_mm, "Of seen places, across the surface")->capture_default_str();
   command->add_option("--along-mm", fit.along_mm, "Of seen places, along it")->capture_default_str();

@@ -15,7 +15,7 @@ struct Completion {
   double seen_fraction = 0;  // of the area
 };
 
-// Refuses with "shapes-outside" what is not as the model's livers are (more than 6 mm left between both, or
+// Refuses with "shapes-outside" what is not as the model's livers are (more than 8 mm left between both, or
 // coefficients far outside): what the model would add to that is worth nothing.
 Result<void> check_inside(const ShapeModel& model, const ShapeFit& fit);
 

@@ -21,7 +21,7 @@ namespace glisson::shapes {
 
 struct FitOptions {
   double noise_mm = 1.5;  // of seen places, across the surface
-  double along_mm = 8;    // and along it
+  double along_mm = 15;   // and along it
   int independent =
       300;  // seen points are many and lie close: they count as this many on a whole liver, fewer on a part
   int iterations = 40;

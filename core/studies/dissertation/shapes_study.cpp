@@ -161,8 +161,10 @@ Result<NamedNumbers> judge_liver(const shapes::AlignedShapes& all, const shapes:
   const shapes::ShapeModel model = shapes::calibrated(shapes::model_of(all, ranks.rank, {left_out}), ranks, left_out);
   // Nothing is to be guessed of a liver that is seen whole: as near as the sample's own modes come.
   shapes::FitOptions whole = options;
-  whole.independent = 1500;
-  whole.along_mm = 8;
+  whole.independent = 3000;
+  whole.iterations = 60;
+  whole.noise_mm = 0.5;
+  whole.along_mm = 25;
   const auto fit = shapes::fit_model(shapes::model_of(all, ranks.rank, {left_out}), outline, whole);
   if (!fit) return failure(fit.error());
   NamedNumbers row{{"generalisation_mm", geometry::gap_between(fit->surface, outline, 4).mean_mm},
