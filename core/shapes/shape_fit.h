@@ -22,8 +22,9 @@ namespace glisson::shapes {
 struct FitOptions {
   double noise_mm = 1.5;  // of seen places, across the surface
   double along_mm = 15;   // and along it
-  int independent =
-      300;  // seen points are many and lie close: they count as this many on a whole liver, fewer on a part
+  // Seen points are many and lie close, and no model is right: a whole liver counts as so many, a part as fewer. Fewer
+  // make the answer less sure. Chosen on 41 real livers, of whose missing parts 85 % then lay within 1.96 deviations.
+  int independent = 15;
   int iterations = 40;
   std::optional<Eigen::Isometry3d> pose = {};  // from the model to the patient, at first; else by the middles
 };

@@ -368,7 +368,7 @@ Result<ShapesStudy> run_shapes(const fs::path& folder, const fs::path& out, cons
                   score_of(study.judged, "dome_residual_mm", "left between what is seen and the model"),
                   score_of(study.judged, "dome_outside", "share refused as no liver of the model's"),
                   score_of(study.judged, "dome_mirrored_ratio",
-                           "how much worse its mirror image fits; below 1 it is refused", true)};
+                           "how much worse its mirror image fits; below 0.9 it is refused", true)};
   return write_together([&] {
            return shapes::write_model(out / "model.vtp", model)
                .and_then([&] { return write_batch_csv(out / "livers.csv", study.livers); })
