@@ -172,7 +172,7 @@ void prepare_room(const fs::path& room) {
   run({"register", "@stl/liver.stl", "@stl/liver.stl", "--method", "icp", "--out", "@moved.ply"});
   run({"study", "anatomy", "--seed", "7", "--tumour", "20", "--label-spacing-mm", "8", "--out", "@patient"});
   fs::create_directories(room / "livers");
-  fs::copy_file(room / "patient" / "liver.nrrd", room / "livers" / "p_liver.nrrd");
+  fs::copy_file(room / "patient" / "labels" / "liver.nrrd", room / "livers" / "p_liver.nrrd");
 }
 
 std::vector<WritingCommand> writing_commands() {
