@@ -5580,6 +5580,106 @@
         <translation>Die verborgenen Ziele, an die nichts angepasst wurde, liegen mit dem Gefundenen weiter daneben (im Mittel {0} mm) als ohne ({1} mm): Halten Sie es nicht für die Ursache.</translation>
     </message>
     <message>
+        <source>This is no liver as the model&apos;s {0}: {1} mm are left between both, and its modes are {2} standard deviations out on average.</source>
+        <translation>Das ist keine Leber wie die {0} des Modells: {1} mm bleiben zwischen beiden, und ihre Moden liegen im Mittel {2} Standardabweichungen außerhalb.</translation>
+    </message>
+    <message>
+        <source>Look at spacing and affine; a resected or transplanted liver cannot be completed by a model of whole ones.</source>
+        <translation>Voxelabstand und affine Abbildung prüfen; eine resezierte oder transplantierte Leber kann ein Modell ganzer Lebern nicht ergänzen.</translation>
+    </message>
+    <message>
+        <source>The model&apos;s livers come nearer to this one&apos;s mirror image: left and right are exchanged, or the patient is a rare one.</source>
+        <translation>Die Lebern des Modells kommen dem Spiegelbild näher: Links und rechts sind vertauscht, oder der Patient ist ein seltener Fall.</translation>
+    </message>
+    <message>
+        <source>Look at the file&apos;s affine: which way its first axis runs.</source>
+        <translation>Die affine Abbildung der Datei prüfen: wohin ihre erste Achse läuft.</translation>
+    </message>
+    <message>
+        <source>The liver&apos;s mirror image is more like a liver ({0} mm from a typical one, against {1} mm): left and right are exchanged, or the patient is a rare one.</source>
+        <translation>Das Spiegelbild der Leber gleicht eher einer Leber ({0} mm von einer typischen gegen {1} mm): Links und rechts sind vertauscht, oder der Patient ist ein seltener Fall.</translation>
+    </message>
+    <message>
+        <source>A typical liver cannot be bent onto this one: {0} mm are left on average.</source>
+        <translation>Eine typische Leber lässt sich nicht auf diese biegen: {0} mm bleiben im Mittel.</translation>
+    </message>
+    <message>
+        <source>Look whether the labels are one whole liver, neither resected nor transplanted.</source>
+        <translation>Prüfen, ob die Labels eine ganze Leber sind, weder reseziert noch transplantiert.</translation>
+    </message>
+    <message>
+        <source>No liver of {0} drawn from the model is a body of 400 to 5000 ml.</source>
+        <translation>Keine von {0} aus dem Modell gezogenen Lebern ist ein Körper von 400 bis 5000 ml.</translation>
+    </message>
+    <message>
+        <source>The liver has {0} ml, which no adult&apos;s liver has.</source>
+        <translation>Die Leber hat {0} ml, was keine Leber eines Erwachsenen hat.</translation>
+    </message>
+    <message>
+        <source>Look whether the labels&apos; spacing is the scan&apos;s and all of them are liver.</source>
+        <translation>Prüfen, ob der Voxelabstand der Labels der des Scans ist und alle Leber sind.</translation>
+    </message>
+    <message>
+        <source>All voxels are said to be 1 x 1 x 1 mm, as in files that have lost their spacing; the liver&apos;s size would be a guess.</source>
+        <translation>Alle Voxel sollen 1 x 1 x 1 mm groß sein, wie in Dateien, die ihren Voxelabstand verloren haben; die Größe der Leber wäre geraten.</translation>
+    </message>
+    <message>
+        <source>Write the scan&apos;s spacing into the labels, or say that it is true.</source>
+        <translation>Den Voxelabstand des Scans in die Labels schreiben oder sagen, dass er stimmt.</translation>
+    </message>
+    <message>
+        <source>No voxel of the labels is a liver&apos;s.</source>
+        <translation>Kein Voxel der Labels gehört zu einer Leber.</translation>
+    </message>
+    <message>
+        <source>The liver lies in pieces that do not touch; the second of them holds {0} %.</source>
+        <translation>Die Leber liegt in Stücken, die sich nicht berühren; das zweite enthält {0} %.</translation>
+    </message>
+    <message>
+        <source>Mend the labels, or take the piece that is the liver.</source>
+        <translation>Die Labels ausbessern oder das Stück nehmen, das die Leber ist.</translation>
+    </message>
+    <message>
+        <source>The file is no shape model: its point array {0} is missing or damaged.</source>
+        <translation>Die Datei ist kein Formmodell: Ihr Punktfeld {0} fehlt oder ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>Give a model.vtp that &quot;study shapes&quot; has made.</source>
+        <translation>Eine model.vtp angeben, die &quot;study shapes&quot; gemacht hat.</translation>
+    </message>
+    <message>
+        <source>fitting the shape</source>
+        <translation>Form wird angepasst</translation>
+    </message>
+    <message>
+        <source>What is seen of the liver does not come to lie on the model anywhere.</source>
+        <translation>Was von der Leber zu sehen ist, kommt nirgends auf dem Modell zu liegen.</translation>
+    </message>
+    <message>
+        <source>Look whether it is in the patient&apos;s frame (LPS, mm) and is a liver.</source>
+        <translation>Prüfen, ob es im Koordinatensystem des Patienten liegt (LPS, mm) und eine Leber ist.</translation>
+    </message>
+    <message>
+        <source>A shape model needs {0} shapes or more; there are {1}.</source>
+        <translation>Ein Formmodell braucht {0} Formen oder mehr; es gibt {1}.</translation>
+    </message>
+    <message>
+        <source>The shapes have different points or triangles.</source>
+        <translation>Die Formen haben verschiedene Punkte oder Dreiecke.</translation>
+    </message>
+    <message>
+        <source>The image cuts the liver off towards {0}: a model learns from whole ones.</source>
+        <translation>Das Bild schneidet die Leber ab, Richtung: {0}. Ein Modell lernt aus ganzen.</translation>
+    </message>
+    <message>
+        <source>The folder holds no label maps of livers.</source>
+        <translation>Der Ordner enthält keine Labelkarten von Lebern.</translation>
+    </message>
+    <message>
+        <source>Give one with a file a liver, as ID_liver.nii.gz.</source>
+        <translation>Einen mit einer Datei je Leber angeben, wie ID_liver.nii.gz.</translation>
+    </message>
+    <message>
         <source>The tool {0} spreads its force over a patch, which a session knows at large strain alone.</source>
         <translation>Das Instrument {0} verteilt seine Kraft über eine Fläche, was eine Sitzung nur bei großen Dehnungen kennt.</translation>
     </message>
@@ -8018,12 +8118,20 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Griffe am Fad
         <translation>zu heiß</translation>
     </message>
     <message>
+        <source>✕ fails: %1</source>
+        <translation>✕ reicht nicht: %1</translation>
+    </message>
+    <message>
         <source>heat</source>
         <translation>Wärme</translation>
     </message>
     <message>
         <source>speed</source>
         <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>✓ holds; next limit: %1</source>
+        <translation>✓ hält; nächste Grenze: %1</translation>
     </message>
     <message>
         <source>Platform</source>
@@ -8111,14 +8219,6 @@ figures</source>
     <message>
         <source>%1 of %2</source>
         <translation>%1 von %2</translation>
-    </message>
-    <message>
-        <source>✕ fails: %1</source>
-        <translation>✕ reicht nicht: %1</translation>
-    </message>
-    <message>
-        <source>✓ holds; next limit: %1</source>
-        <translation>✓ hält; nächste Grenze: %1</translation>
     </message>
     <message>
         <source>Sure to
@@ -8386,6 +8486,10 @@ sicher %</translation>
         <translation>Was berechnet wird</translation>
     </message>
     <message>
+        <source>The dissertation&apos;s product</source>
+        <translation>Das Produkt der Dissertation</translation>
+    </message>
+    <message>
         <source>A frame of it: %1 MB to move, %2 million operations.</source>
         <translation>Ein Bild davon: %1 MB zu bewegen, %2 Millionen Rechenschritte.</translation>
     </message>
@@ -8412,10 +8516,6 @@ sicher %</translation>
     <message>
         <source>Match: a registration of 128 points</source>
         <translation>Zuordnen: eine Registrierung von 128 Punkten</translation>
-    </message>
-    <message>
-        <source>The dissertation&apos;s product</source>
-        <translation>Das Produkt der Dissertation</translation>
     </message>
 </context>
 <context>
@@ -8882,7 +8982,7 @@ sicher %</translation>
     </message>
     <message>
         <source>Coronal</source>
-        <translation>Koronal</translation>
+        <translation>Koronar</translation>
     </message>
     <message>
         <source>Sagittal</source>
@@ -9885,6 +9985,14 @@ sicher %</translation>
         <source>The study&apos;s report, in the browser</source>
         <translation>Der Bericht der Studie, im Browser</translation>
     </message>
+    <message>
+        <source>Of the livers in</source>
+        <translation>An den Lebern in</translation>
+    </message>
+    <message>
+        <source>Choose a folder of label maps</source>
+        <translation>Wählen Sie einen Ordner mit Label-Karten</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::StudyPage</name>
@@ -10586,7 +10694,7 @@ Von Hand: mit der rechten Taste ziehen</translation>
     </message>
     <message>
         <source>Transverse, coronal and sagittal slices again</source>
-        <translation>Wieder transversale, koronale und sagittale Schichten</translation>
+        <translation>Wieder transversale, koronare und sagittale Schichten</translation>
     </message>
     <message>
         <source>W %1  L %2</source>
@@ -10956,6 +11064,14 @@ Von Hand: mit der rechten Taste ziehen</translation>
     <message>
         <source>Energy, bits, memory and time of matching two surfaces (chapter 3), on SIMULATED livers.</source>
         <translation>Energie, Bits, Speicher und Zeit beim Zuordnen zweier Oberflächen (Kapitel 3), an SIMULIERTEN Lebern.</translation>
+    </message>
+    <message>
+        <source>Shapes of livers</source>
+        <translation>Formen von Lebern</translation>
+    </message>
+    <message>
+        <source>A mean liver and its modes, from a folder of segmented livers, judged on livers left out.</source>
+        <translation>Eine mittlere Leber und ihre Moden, aus einem Ordner segmentierter Lebern, beurteilt an ausgelassenen Lebern.</translation>
     </message>
 </context>
 <context>

@@ -5580,6 +5580,106 @@
         <translation>Los objetivos ocultos, a los que nada se ajustó, quedan más lejos con lo hallado (en promedio {0} mm) que sin ello ({1} mm): no lo tome por la causa.</translation>
     </message>
     <message>
+        <source>This is no liver as the model&apos;s {0}: {1} mm are left between both, and its modes are {2} standard deviations out on average.</source>
+        <translation>No es un hígado como los {0} del modelo: quedan {1} mm entre ambos, y sus modos están de media a {2} desviaciones típicas.</translation>
+    </message>
+    <message>
+        <source>Look at spacing and affine; a resected or transplanted liver cannot be completed by a model of whole ones.</source>
+        <translation>Revise el espaciado y la matriz afín; un hígado resecado o trasplantado no puede completarse con un modelo de hígados enteros.</translation>
+    </message>
+    <message>
+        <source>The model&apos;s livers come nearer to this one&apos;s mirror image: left and right are exchanged, or the patient is a rare one.</source>
+        <translation>Los hígados del modelo se acercan más a la imagen especular de este: izquierda y derecha están intercambiadas, o el paciente es un caso raro.</translation>
+    </message>
+    <message>
+        <source>Look at the file&apos;s affine: which way its first axis runs.</source>
+        <translation>Revise la matriz afín del archivo: hacia dónde va su primer eje.</translation>
+    </message>
+    <message>
+        <source>The liver&apos;s mirror image is more like a liver ({0} mm from a typical one, against {1} mm): left and right are exchanged, or the patient is a rare one.</source>
+        <translation>La imagen especular del hígado se parece más a un hígado ({0} mm de uno típico, frente a {1} mm): izquierda y derecha están intercambiadas, o el paciente es un caso raro.</translation>
+    </message>
+    <message>
+        <source>A typical liver cannot be bent onto this one: {0} mm are left on average.</source>
+        <translation>Un hígado típico no puede doblarse hasta este: quedan {0} mm de media.</translation>
+    </message>
+    <message>
+        <source>Look whether the labels are one whole liver, neither resected nor transplanted.</source>
+        <translation>Revise si las etiquetas son un hígado entero, ni resecado ni trasplantado.</translation>
+    </message>
+    <message>
+        <source>No liver of {0} drawn from the model is a body of 400 to 5000 ml.</source>
+        <translation>Ninguno de los {0} hígados extraídos del modelo es un cuerpo de 400 a 5000 ml.</translation>
+    </message>
+    <message>
+        <source>The liver has {0} ml, which no adult&apos;s liver has.</source>
+        <translation>El hígado tiene {0} ml, lo que no tiene el de ningún adulto.</translation>
+    </message>
+    <message>
+        <source>Look whether the labels&apos; spacing is the scan&apos;s and all of them are liver.</source>
+        <translation>Revise si el espaciado de las etiquetas es el del estudio y todas son hígado.</translation>
+    </message>
+    <message>
+        <source>All voxels are said to be 1 x 1 x 1 mm, as in files that have lost their spacing; the liver&apos;s size would be a guess.</source>
+        <translation>Todos los vóxeles dicen ser de 1 x 1 x 1 mm, como en los archivos que perdieron su espaciado; el tamaño del hígado sería una suposición.</translation>
+    </message>
+    <message>
+        <source>Write the scan&apos;s spacing into the labels, or say that it is true.</source>
+        <translation>Escriba el espaciado del estudio en las etiquetas, o diga que es cierto.</translation>
+    </message>
+    <message>
+        <source>No voxel of the labels is a liver&apos;s.</source>
+        <translation>Ningún vóxel de las etiquetas es de un hígado.</translation>
+    </message>
+    <message>
+        <source>The liver lies in pieces that do not touch; the second of them holds {0} %.</source>
+        <translation>El hígado está en trozos que no se tocan; el segundo contiene el {0} %.</translation>
+    </message>
+    <message>
+        <source>Mend the labels, or take the piece that is the liver.</source>
+        <translation>Corrija las etiquetas, o tome el trozo que es el hígado.</translation>
+    </message>
+    <message>
+        <source>The file is no shape model: its point array {0} is missing or damaged.</source>
+        <translation>El archivo no es un modelo de forma: su campo de puntos {0} falta o está dañado.</translation>
+    </message>
+    <message>
+        <source>Give a model.vtp that &quot;study shapes&quot; has made.</source>
+        <translation>Dé un model.vtp hecho por &quot;study shapes&quot;.</translation>
+    </message>
+    <message>
+        <source>fitting the shape</source>
+        <translation>ajustando la forma</translation>
+    </message>
+    <message>
+        <source>What is seen of the liver does not come to lie on the model anywhere.</source>
+        <translation>Lo que se ve del hígado no llega a coincidir con el modelo en ninguna parte.</translation>
+    </message>
+    <message>
+        <source>Look whether it is in the patient&apos;s frame (LPS, mm) and is a liver.</source>
+        <translation>Revise si está en el sistema del paciente (LPS, mm) y es un hígado.</translation>
+    </message>
+    <message>
+        <source>A shape model needs {0} shapes or more; there are {1}.</source>
+        <translation>Un modelo de forma necesita {0} formas o más; hay {1}.</translation>
+    </message>
+    <message>
+        <source>The shapes have different points or triangles.</source>
+        <translation>Las formas tienen puntos o triángulos distintos.</translation>
+    </message>
+    <message>
+        <source>The image cuts the liver off towards {0}: a model learns from whole ones.</source>
+        <translation>La imagen corta el hígado (lado: {0}): un modelo aprende de hígados enteros.</translation>
+    </message>
+    <message>
+        <source>The folder holds no label maps of livers.</source>
+        <translation>La carpeta no contiene mapas de etiquetas de hígados.</translation>
+    </message>
+    <message>
+        <source>Give one with a file a liver, as ID_liver.nii.gz.</source>
+        <translation>Dé una con un archivo por hígado, como ID_liver.nii.gz.</translation>
+    </message>
+    <message>
         <source>The tool {0} spreads its force over a patch, which a session knows at large strain alone.</source>
         <translation>El instrumento {0} reparte su fuerza sobre una zona, lo que una sesión conoce solo con deformaciones grandes.</translation>
     </message>
@@ -8020,12 +8120,20 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar. Ctrl+arrastrar: girar. Tiradores 
         <translation>calor</translation>
     </message>
     <message>
+        <source>✕ fails: %1</source>
+        <translation>✕ no sirve: %1</translation>
+    </message>
+    <message>
         <source>heat</source>
         <translation>calor</translation>
     </message>
     <message>
         <source>speed</source>
         <translation>velocidad</translation>
+    </message>
+    <message>
+        <source>✓ holds; next limit: %1</source>
+        <translation>✓ aguanta; límite: %1</translation>
     </message>
     <message>
         <source>Platform</source>
@@ -8114,14 +8222,6 @@ supuestas</translation>
     <message>
         <source>%1 of %2</source>
         <translation>%1 de %2</translation>
-    </message>
-    <message>
-        <source>✕ fails: %1</source>
-        <translation>✕ no basta: %1</translation>
-    </message>
-    <message>
-        <source>✓ holds; next limit: %1</source>
-        <translation>✓ basta; siguiente límite: %1</translation>
     </message>
     <message>
         <source>Sure to
@@ -8389,6 +8489,10 @@ seguro %</translation>
         <translation>Qué se calcula</translation>
     </message>
     <message>
+        <source>The dissertation&apos;s product</source>
+        <translation>El producto de la tesis</translation>
+    </message>
+    <message>
         <source>A frame of it: %1 MB to move, %2 million operations.</source>
         <translation>Un fotograma: %1 MB que mover, %2 millones de operaciones.</translation>
     </message>
@@ -8415,10 +8519,6 @@ seguro %</translation>
     <message>
         <source>Match: a registration of 128 points</source>
         <translation>Emparejar: un registro de 128 puntos</translation>
-    </message>
-    <message>
-        <source>The dissertation&apos;s product</source>
-        <translation>El producto de la tesis</translation>
     </message>
 </context>
 <context>
@@ -9888,6 +9988,14 @@ seguro %</translation>
         <source>The study&apos;s report, in the browser</source>
         <translation>El informe del estudio, en el navegador</translation>
     </message>
+    <message>
+        <source>Of the livers in</source>
+        <translation>De los hígados en</translation>
+    </message>
+    <message>
+        <source>Choose a folder of label maps</source>
+        <translation>Elija una carpeta de mapas de etiquetas</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::StudyPage</name>
@@ -10959,6 +11067,14 @@ A mano: arrastre con el botón derecho</translation>
     <message>
         <source>Energy, bits, memory and time of matching two surfaces (chapter 3), on SIMULATED livers.</source>
         <translation>Energía, bits, memoria y tiempo del emparejamiento de dos superficies (capítulo 3), con hígados SIMULADOS.</translation>
+    </message>
+    <message>
+        <source>Shapes of livers</source>
+        <translation>Formas de hígados</translation>
+    </message>
+    <message>
+        <source>A mean liver and its modes, from a folder of segmented livers, judged on livers left out.</source>
+        <translation>Un hígado medio y sus modos, de una carpeta de hígados segmentados, juzgado en hígados dejados fuera.</translation>
     </message>
 </context>
 <context>

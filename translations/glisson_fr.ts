@@ -5580,6 +5580,106 @@
         <translation>Les cibles cachées, auxquelles rien n&apos;a été ajusté, sont plus loin avec ce qui a été trouvé (en moyenne {0} mm) que sans cela ({1} mm) : ne le prenez pas pour la cause.</translation>
     </message>
     <message>
+        <source>This is no liver as the model&apos;s {0}: {1} mm are left between both, and its modes are {2} standard deviations out on average.</source>
+        <translation>Ce n&apos;est pas un foie comme les {0} du modèle : il reste {1} mm entre les deux, et ses modes sont en moyenne à {2} écarts types.</translation>
+    </message>
+    <message>
+        <source>Look at spacing and affine; a resected or transplanted liver cannot be completed by a model of whole ones.</source>
+        <translation>Vérifiez l&apos;espacement et la matrice affine ; un foie réséqué ou transplanté ne peut être complété par un modèle de foies entiers.</translation>
+    </message>
+    <message>
+        <source>The model&apos;s livers come nearer to this one&apos;s mirror image: left and right are exchanged, or the patient is a rare one.</source>
+        <translation>Les foies du modèle sont plus proches de l&apos;image miroir de celui-ci : la gauche et la droite sont échangées, ou le patient est un cas rare.</translation>
+    </message>
+    <message>
+        <source>Look at the file&apos;s affine: which way its first axis runs.</source>
+        <translation>Vérifiez la matrice affine du fichier : dans quel sens va son premier axe.</translation>
+    </message>
+    <message>
+        <source>The liver&apos;s mirror image is more like a liver ({0} mm from a typical one, against {1} mm): left and right are exchanged, or the patient is a rare one.</source>
+        <translation>L&apos;image miroir du foie ressemble davantage à un foie ({0} mm d&apos;un foie typique, contre {1} mm) : la gauche et la droite sont échangées, ou le patient est un cas rare.</translation>
+    </message>
+    <message>
+        <source>A typical liver cannot be bent onto this one: {0} mm are left on average.</source>
+        <translation>Un foie typique ne peut être déformé jusqu&apos;à celui-ci : il reste {0} mm en moyenne.</translation>
+    </message>
+    <message>
+        <source>Look whether the labels are one whole liver, neither resected nor transplanted.</source>
+        <translation>Vérifiez que les étiquettes sont un foie entier, ni réséqué ni transplanté.</translation>
+    </message>
+    <message>
+        <source>No liver of {0} drawn from the model is a body of 400 to 5000 ml.</source>
+        <translation>Aucun des {0} foies tirés du modèle n&apos;est un corps de 400 à 5000 ml.</translation>
+    </message>
+    <message>
+        <source>The liver has {0} ml, which no adult&apos;s liver has.</source>
+        <translation>Le foie fait {0} ml, ce que ne fait celui d&apos;aucun adulte.</translation>
+    </message>
+    <message>
+        <source>Look whether the labels&apos; spacing is the scan&apos;s and all of them are liver.</source>
+        <translation>Vérifiez que l&apos;espacement des étiquettes est celui de l&apos;examen et qu&apos;elles sont toutes du foie.</translation>
+    </message>
+    <message>
+        <source>All voxels are said to be 1 x 1 x 1 mm, as in files that have lost their spacing; the liver&apos;s size would be a guess.</source>
+        <translation>Tous les voxels seraient de 1 x 1 x 1 mm, comme dans les fichiers qui ont perdu leur espacement ; la taille du foie serait devinée.</translation>
+    </message>
+    <message>
+        <source>Write the scan&apos;s spacing into the labels, or say that it is true.</source>
+        <translation>Écrivez l&apos;espacement de l&apos;examen dans les étiquettes, ou dites qu&apos;il est vrai.</translation>
+    </message>
+    <message>
+        <source>No voxel of the labels is a liver&apos;s.</source>
+        <translation>Aucun voxel des étiquettes n&apos;est d&apos;un foie.</translation>
+    </message>
+    <message>
+        <source>The liver lies in pieces that do not touch; the second of them holds {0} %.</source>
+        <translation>Le foie est en morceaux qui ne se touchent pas ; le deuxième en contient {0} %.</translation>
+    </message>
+    <message>
+        <source>Mend the labels, or take the piece that is the liver.</source>
+        <translation>Corrigez les étiquettes, ou prenez le morceau qui est le foie.</translation>
+    </message>
+    <message>
+        <source>The file is no shape model: its point array {0} is missing or damaged.</source>
+        <translation>Le fichier n&apos;est pas un modèle de forme : son champ de points {0} manque ou est endommagé.</translation>
+    </message>
+    <message>
+        <source>Give a model.vtp that &quot;study shapes&quot; has made.</source>
+        <translation>Donnez un model.vtp fait par &quot;study shapes&quot;.</translation>
+    </message>
+    <message>
+        <source>fitting the shape</source>
+        <translation>ajustement de la forme</translation>
+    </message>
+    <message>
+        <source>What is seen of the liver does not come to lie on the model anywhere.</source>
+        <translation>Ce qui est vu du foie ne vient se poser nulle part sur le modèle.</translation>
+    </message>
+    <message>
+        <source>Look whether it is in the patient&apos;s frame (LPS, mm) and is a liver.</source>
+        <translation>Vérifiez qu&apos;il est dans le repère du patient (LPS, mm) et que c&apos;est un foie.</translation>
+    </message>
+    <message>
+        <source>A shape model needs {0} shapes or more; there are {1}.</source>
+        <translation>Un modèle de forme demande {0} formes ou plus ; il y en a {1}.</translation>
+    </message>
+    <message>
+        <source>The shapes have different points or triangles.</source>
+        <translation>Les formes ont des points ou des triangles différents.</translation>
+    </message>
+    <message>
+        <source>The image cuts the liver off towards {0}: a model learns from whole ones.</source>
+        <translation>L&apos;image coupe le foie (côté : {0}) : un modèle apprend de foies entiers.</translation>
+    </message>
+    <message>
+        <source>The folder holds no label maps of livers.</source>
+        <translation>Le dossier ne contient pas de cartes d&apos;étiquettes de foies.</translation>
+    </message>
+    <message>
+        <source>Give one with a file a liver, as ID_liver.nii.gz.</source>
+        <translation>Donnez-en un avec un fichier par foie, comme ID_liver.nii.gz.</translation>
+    </message>
+    <message>
         <source>The tool {0} spreads its force over a patch, which a session knows at large strain alone.</source>
         <translation>L’instrument {0} répartit sa force sur une surface, ce qu’une séance ne connaît qu’aux grandes déformations.</translation>
     </message>
@@ -8020,12 +8120,20 @@ Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: déplacer. Ctrl+glisser&#xa0;: tour
         <translation>trop chaud</translation>
     </message>
     <message>
+        <source>✕ fails: %1</source>
+        <translation>✕ échoue&#xa0;:&#xa0;%1</translation>
+    </message>
+    <message>
         <source>heat</source>
         <translation>chaleur</translation>
     </message>
     <message>
         <source>speed</source>
         <translation>vitesse</translation>
+    </message>
+    <message>
+        <source>✓ holds; next limit: %1</source>
+        <translation>✓ tient&#xa0;; limite&#xa0;:&#xa0;%1</translation>
     </message>
     <message>
         <source>Platform</source>
@@ -8114,14 +8222,6 @@ supposés</translation>
     <message>
         <source>%1 of %2</source>
         <translation>%1 sur&#xa0;%2</translation>
-    </message>
-    <message>
-        <source>✕ fails: %1</source>
-        <translation>✕ ne suffit pas : %1</translation>
-    </message>
-    <message>
-        <source>✓ holds; next limit: %1</source>
-        <translation>✓ suffit ; limite suivante : %1</translation>
     </message>
     <message>
         <source>Sure to
@@ -8389,6 +8489,10 @@ sûr %</translation>
         <translation>Ce qui est calculé</translation>
     </message>
     <message>
+        <source>The dissertation&apos;s product</source>
+        <translation>Le produit de la thèse</translation>
+    </message>
+    <message>
         <source>A frame of it: %1 MB to move, %2 million operations.</source>
         <translation>Une image : %1 Mo à déplacer, %2 millions d’opérations.</translation>
     </message>
@@ -8415,10 +8519,6 @@ sûr %</translation>
     <message>
         <source>Match: a registration of 128 points</source>
         <translation>Apparier : un recalage de 128 points</translation>
-    </message>
-    <message>
-        <source>The dissertation&apos;s product</source>
-        <translation>Le produit de la thèse</translation>
     </message>
 </context>
 <context>
@@ -9888,6 +9988,14 @@ sûr %</translation>
         <source>The study&apos;s report, in the browser</source>
         <translation>Le rapport de l’étude, dans le navigateur</translation>
     </message>
+    <message>
+        <source>Of the livers in</source>
+        <translation>Des foies dans</translation>
+    </message>
+    <message>
+        <source>Choose a folder of label maps</source>
+        <translation>Choisissez un dossier de cartes d’étiquettes</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::StudyPage</name>
@@ -10959,6 +11067,14 @@ By hand: drag with the right button</source>
     <message>
         <source>Energy, bits, memory and time of matching two surfaces (chapter 3), on SIMULATED livers.</source>
         <translation>Énergie, bits, mémoire et temps de l’appariement de deux surfaces (chapitre 3), sur des foies SIMULÉS.</translation>
+    </message>
+    <message>
+        <source>Shapes of livers</source>
+        <translation>Formes de foies</translation>
+    </message>
+    <message>
+        <source>A mean liver and its modes, from a folder of segmented livers, judged on livers left out.</source>
+        <translation>Un foie moyen et ses modes, d’un dossier de foies segmentés, jugé sur des foies laissés de côté.</translation>
     </message>
 </context>
 <context>

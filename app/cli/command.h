@@ -49,6 +49,7 @@ void add_sirgn(CLI::App& app, Action& chosen);
 void add_review(CLI::App& app, Action& chosen);
 void add_gate(CLI::App& app, Action& chosen);
 void add_study(CLI::App& app, Action& chosen);
+void add_shapes(CLI::App& app, Action& chosen);
 void add_platform(CLI::App& app, Action& chosen);
 void add_deidentify(CLI::App& app, Action& chosen);
 void add_explain(CLI::App& app, Action& chosen);

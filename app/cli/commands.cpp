@@ -33,6 +33,7 @@ void add_commands(CLI::App& app, Action& chosen) {
   add_gate(app, chosen);
   add_gate_cases(app, chosen);
   add_study(app, chosen);
+  add_shapes(app, chosen);
   add_platform(app, chosen);
   add_explain(app, chosen);
   add_predict(app, chosen);

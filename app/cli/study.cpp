@@ -16,6 +16,7 @@ void add_study(CLI::App& app, Action& chosen) {
   add_study_landmarks(*study, chosen);
   add_study_matching(*study, chosen);
   add_study_palpation(*study, chosen);
+  add_study_shapes(*study, chosen);
   add_study_validate_stiffness(*study, chosen);
   // --json and the other common options stand after the subcommand as well.
   for (CLI::App* subcommand : study->get_subcommands({})) subcommand->fallthrough();

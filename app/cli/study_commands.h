@@ -13,6 +13,7 @@ void add_study_example_sequence(CLI::App& study, Action& chosen);
 void add_study_landmarks(CLI::App& study, Action& chosen);
 void add_study_matching(CLI::App& study, Action& chosen);
 void add_study_palpation(CLI::App& study, Action& chosen);
+void add_study_shapes(CLI::App& study, Action& chosen);
 void add_study_validate_stiffness(CLI::App& study, Action& chosen);
 
 }  // namespace glisson::cli

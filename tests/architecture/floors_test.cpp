@@ -24,9 +24,9 @@ const std::map<std::string, int> floor_of = {
     {"segmentation", 2}, {"elastography", 2}, {"mechanics", 2},    {"hardware", 2},
     {"meshing", 3},      {"anatomy", 3},      {"registration", 3}, {"registration_quality", 4},
     {"rehearsal", 4},    {"guidance", 4},     {"closedloop", 4},   {"vasculature", 3},
-    {"planning", 4},     {"casefile", 5},     {"scene", 6},        {"report", 6},
-    {"studies", 7},      {"cli", 8},          {"widgets", 8},      {"desktop", 9},
-    {"python", 9},
+    {"planning", 4},     {"shapes", 4},       {"casefile", 5},     {"scene", 6},
+    {"report", 6},       {"studies", 7},      {"cli", 8},          {"widgets", 8},
+    {"desktop", 9},      {"python", 9},
 };
 
 // Rooms with folders inside: a folder includes only those that stand before it. What lies in no folder is "", last.

@@ -9,6 +9,9 @@
 
 #include "base/files.h"
 #include "base/json.h"
+#include "geometry/mesh_file.h"
+#include "shapes/ellipsoids.h"
+#include "shapes/model_file.h"
 #include "support/dicom_files.h"
 #include "support/process.h"
 #include "support/small_liver.h"
@@ -70,6 +73,17 @@ void write_vessels(const fs::path& room) {
         {{{0, -5, 48}, {0, -5, 25}, 7}, {{0, -5, 25}, {-40, -5, 12}, 5}, {{0, -5, 25}, {40, -5, 12}, 5}});
 }
 
+// A model of ellipsoids, and one of them without its dome.
+void write_shapes(const fs::path& room) {
+  EXPECT_TRUE(shapes::write_model(room / "shapes.vtp", shapes::honest_model(ellipsoids(12)).value()));
+  geometry::Surface cut = ellipsoid({1, 0, -1});
+  std::erase_if(cut.triangles, [&](const std::array<int, 3>& triangle) {
+    return std::any_of(triangle.begin(), triangle.end(),
+                       [&](int p) { return cut.points_mm[static_cast<std::size_t>(p)].z() > 25; });
+  });
+  EXPECT_TRUE(geometry::write_surface(room / "cut_off.vtp", cut));
+}
+
 // Six pairs of a surface that breathes, with spots to follow.
 void write_stereo_video(const fs::path& room) {
   vision::Frame texture{320, 240, std::vector<std::uint8_t>(std::size_t{3} * 320 * 240)};
@@ -114,6 +128,7 @@ void prepare_room(const fs::path& room) {
   save_stack(room / "study", 3);
   write_vessels(room);
   write_stereo_video(room);
+  write_shapes(room);
   write("pull.json", R"({"loads": [{"tool": {"center_mm": [0, -50, 0], "radius_mm": 15, "force_N": [0, -0.5, 0]}}]})");
   write("push.json", R"({"loads": [{"tool": {"center_mm": [0, -50, 0], "radius_mm": 15, "force_N": [0, 0.1, 0]}}]})");
   write("hook.json", R"({"format": "glisson-session/1", "commands": [{"hold": {"id": "hook",
@@ -156,6 +171,8 @@ void prepare_room(const fs::path& room) {
   run({"sirgn", "@video/sequence.json", "--method", "given", "--out", "@quality"});
   run({"register", "@stl/liver.stl", "@stl/liver.stl", "--method", "icp", "--out", "@moved.ply"});
   run({"study", "anatomy", "--seed", "7", "--tumour", "20", "--label-spacing-mm", "8", "--out", "@patient"});
+  fs::create_directories(room / "livers");
+  fs::copy_file(room / "patient" / "labels" / "liver.nrrd", room / "livers" / "p_liver.nrrd");
 }
 
 std::vector<WritingCommand> writing_commands() {
@@ -176,8 +193,7 @@ std::vector<WritingCommand> writing_commands() {
       {"plan-add", {"plan", "@small.glisson", "--add", "@right.json"}},
       {"plan-drop", {"plan", "@small.glisson", "--drop", "wedge"}},
       {"plan-compare", {"plan", "@small.glisson", "--compare", "--out", "@plans"}},
-      {"session-orders",
-       {"session", "@small.glisson", "--commands", "@hook.json", "@hook.json", "--out", "@orders"}},
+      {"session-orders", {"session", "@small.glisson", "--commands", "@hook.json", "@hook.json", "--out", "@orders"}},
       {"session-folder", {"session", "@small.glisson", "--commands", "@hook.json", "--out", "@rehearsed"}},
       {"session", {"session", "@small.glisson", "--commands", "@hook.json", "--out", "@recorded.json"}},
       {"accept", {"accept", "@small.glisson", "@model.json", "--of-this-patient"}},
@@ -208,6 +224,13 @@ std::vector<WritingCommand> writing_commands() {
        false,
        true},
       {"study-sequence", {"study", "example-sequence", "--frames", "3", "--out", "@example"}},
+      {"study-shapes",
+       {"study", "shapes", "@livers", "--only", "p", "--reference-spacing-mm", "20", "--out", "@shapes"},
+       true},
+      {"shapes-complete", {"shapes", "complete", "@shapes.vtp", "@cut_off.vtp", "--out", "@whole.vtp"}},
+      {"shapes-draw",
+       {"shapes", "draw", "@shapes.vtp", "--count", "1", "--target-cells", "400", "--out", "@drawn"},
+       true},
       {"study-stiffness", {"study", "validate-stiffness", "--out", "@validation"}},
       {"study-cohort", {"study", "cohort", "--simulated", "2", "--out", "@cohort"}, true},
       {"study-landmarks",

@@ -75,17 +75,19 @@ void StudiesPage::choose_kind() {
   simulated_row_->setVisible(kind.of == StudyOf::patients && input_.isEmpty());
   input_name_->setText(kind.of == StudyOf::patients   ? tr("Of the patients in")
                        : kind.of == StudyOf::one_case ? tr("Of the case")
+                       : kind.of == StudyOf::livers   ? tr("Of the livers in")
                                                       : tr("Of the scans in"));
   input_told_->setText(!input_.isEmpty()              ? QDir::toNativeSeparators(input_)
                        : kind.of == StudyOf::patients ? tr("No folder: simulated patients")
                        : kind.of == StudyOf::one_case ? tr("Open a case, or choose one")
+                       : kind.of == StudyOf::livers   ? tr("Choose a folder of label maps")
                                                       : tr("No folder: simulated scans"));
   drop_input_->setVisible(!input_.isEmpty());
   // What a person typed stays; a proposal follows the study.
   const bool proposed = std::any_of(study_kinds().begin(), study_kinds().end(),
                                     [this](const StudyKind& each) { return results_->text() == usual_results(each); });
   if (results_->text().isEmpty() || proposed) results_->setText(usual_results(kind));
-  start_->setEnabled(!run_.running() && !(kind.of == StudyOf::one_case && input_.isEmpty()));
+  start_->setEnabled(!run_.running() && !(needs_folder(kind.of) && input_.isEmpty()));
 }
 
 void StudiesPage::choose_input() {

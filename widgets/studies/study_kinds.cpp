@@ -26,6 +26,10 @@ const std::vector<StudyKind>& study_kinds() {
            QT_TRANSLATE_NOOP("studies",
                              "Beams of a case's softest, stiffest and most uneven tissue against one of its mean "
                              "(table 4.1).")),
+      kind("shapes", StudyOf::livers, QT_TRANSLATE_NOOP("studies", "Shapes of livers"),
+           QT_TRANSLATE_NOOP("studies",
+                             "A mean liver and its modes, from a folder of segmented livers, judged on livers left "
+                             "out.")),
       kind("palpation", StudyOf::scans, QT_TRANSLATE_NOOP("studies", "Pressed phantoms"),
            QT_TRANSLATE_NOOP("studies",
                              "Silicone pressed by a tool: the simulated surface against the scanned one (section 4.5). "

@@ -9,9 +9,10 @@
 
 namespace glisson::widgets {
 
-// What a study is made of: patients (simulated, or a folder of cases or stiffness maps), one case, scans if there are
-// any, or nothing that somebody has to bring.
-enum class StudyOf { patients, one_case, scans, nothing };
+// What a study is made of: patients (simulated, or a folder of cases or stiffness maps), one case, a folder of segmented
+// livers, scans if there are any, or nothing that somebody has to bring.
+enum class StudyOf { patients, one_case, livers, scans, nothing };
+[[nodiscard]] inline bool needs_folder(StudyOf of) { return of == StudyOf::one_case || of == StudyOf::livers; }
 
 struct StudyKind {
   QString id;  // as glisson-cli study has it

@@ -11,6 +11,8 @@
 #include "base/json_forward.h"
 #include "base/progress.h"
 #include "base/result.h"
+#include "geometry/surface.h"
+#include "imaging/image.h"
 #include "studies/dissertation/batch.h"
 
 namespace glisson::studies {
@@ -63,6 +65,9 @@ Json summary_json(const CohortSummary& summary);
 // within a liver growing from 0.95 kPa in proportion to the mean. (A mean of 2.1 kPa, which the section reports too,
 // cannot be had with both: it is taken for the typical patient's.) The same seed gives the same cohort.
 Result<void> write_simulated_cohort(const std::filesystem::path& folder, int patients, unsigned seed = 1);
+
+// One such SIMULATED map of shear stiffness within a liver of any shape: mean and spread drawn as above.
+imaging::Volume simulated_liver_map(const geometry::Surface& liver, unsigned seed);
 
 // What every report on the folder's patients must say: the text of SIMULATED.txt in it, which write_simulated_cohort
 // leaves there; empty without one.

@@ -88,6 +88,12 @@ imaging::Volume liver_map(const geometry::Surface& liver, double mean_kPa, std::
 
 }  // namespace
 
+imaging::Volume simulated_liver_map(const geometry::Surface& liver, unsigned seed) {
+  std::mt19937 random(seed);
+  const double mean_kPa = mean_stiffness_kPa(random);
+  return liver_map(liver, mean_kPa, random);
+}
+
 Result<void> write_simulated_cohort(const std::filesystem::path& folder, int patients, unsigned seed) {
   std::mt19937 random(seed);
   std::error_code problem;

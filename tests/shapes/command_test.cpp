@@ -1,0 +1,92 @@
+// glisson-cli shapes: a cut-off ellipsoid completed, livers drawn and taken up again, and what is refused.
+
+#include <gmock/gmock.h>
+#include <filesystem>
+
+#include "base/files.h"
+#include "base/json.h"
+#include "ellipsoids.h"
+#include "geometry/mesh_file.h"
+#include "shapes/model_file.h"
+#include "support/process.h"
+
+namespace glisson::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+class ShapesCommand : public testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_TRUE(shapes::write_model(model(), shapes::honest_model(ellipsoids(30)).value()));
+    geometry::Surface cut = ellipsoid({1, 0, -1});
+    for (Eigen::Vector3d& point : cut.points_mm) point.z() = std::min(point.z(), 25.0);
+    ASSERT_TRUE(geometry::write_surface(room_.path() / "cut.vtp", cut));
+  }
+  [[nodiscard]] std::string model() const { return (room_.path() / "model.vtp").string(); }
+  [[nodiscard]] std::string file(const char* name) const { return (room_.path() / name).string(); }
+
+ private:
+  TemporaryFolder room_;
+};
+
+}  // namespace
+
+TEST_F(ShapesCommand, CompletesAFlatEnd) {
+  const Finished done =
+      glisson_cli({"shapes", "complete", model(), file("cut.vtp"), "--out", file("whole.vtp"), "--json"});
+  ASSERT_EQ(done.exit_code, 0) << done.err;
+  const Json document = Json::parse(done.out);
+  const double true_ml = geometry::volume_mm3(ellipsoid({1, 0, -1})) / 1000;
+  EXPECT_NEAR(document["volume_ml"].get<double>(), true_ml, 0.06 * true_ml);
+  EXPECT_GT(document["unseen_mean_sd_mm"].get<double>(), 1);
+  EXPECT_LT(document["seen_fraction"].get<double>(), 0.9);
+  const auto whole = geometry::read_surface(file("whole.vtp")).value();
+  EXPECT_TRUE(is_watertight(whole));
+  EXPECT_NE(geometry::find_field(whole.point_fields, "sd_mm"), nullptr);
+}
+
+TEST_F(ShapesCommand, RefusesWhatIsNoModelAndWhatIsNoLiverOfIt) {
+  const Finished no_model =
+      glisson_cli({"shapes", "complete", file("cut.vtp"), file("cut.vtp"), "--out", file("whole.vtp")});
+  EXPECT_EQ(no_model.exit_code, 1);
+  EXPECT_THAT(no_model.err, HasSubstr("no shape model"));
+  geometry::Surface flat = unit_sphere();
+  for (Eigen::Vector3d& point : flat.points_mm) point = {150 * point.x(), 25 * point.y(), 110 * point.z()};
+  ASSERT_TRUE(geometry::write_surface(file("flat.vtp"), flat));
+  const Finished outside = glisson_cli({"shapes", "complete", model(), file("flat.vtp"), "--out", file("whole.vtp")});
+  EXPECT_EQ(outside.exit_code, 1);
+  EXPECT_THAT(outside.err, HasSubstr("flat.vtp"));
+  EXPECT_FALSE(fs::exists(file("whole.vtp")));
+}
+
+TEST_F(ShapesCommand, DrawsSimulatedLiversAndGoesOn) {
+  const std::vector<std::string> words{"shapes", "draw",           model(), "--count", "2",           "--seed",
+                                       "3",      "--target-cells", "800",   "--out",   file("drawn"), "--json"};
+  const Finished done = glisson_cli(words);
+  ASSERT_EQ(done.exit_code, 0) << done.err;
+  EXPECT_EQ(Json::parse(done.out)["livers"], 2);
+  EXPECT_EQ(Json::parse(done.out)["simulated"], true);
+  EXPECT_THAT(read_text_file(fs::path(file("drawn")) / "SIMULATED.txt").value(), HasSubstr("SIMULATED"));
+  const fs::path second = fs::path(file("drawn")) / "simulated-00002.vtu";
+  const auto mesh = geometry::read_tetrahedra(second).value();
+  const geometry::Field* stiffness = geometry::find_field(mesh.cell_fields, "youngs_modulus_kPa");
+  ASSERT_NE(stiffness, nullptr);
+  for (const double kPa : stiffness->values) EXPECT_GT(kPa, 0);
+  const std::string before = sha256_of_file(second).value();
+  fs::remove(second);
+  const Finished again = glisson_cli(words);
+  ASSERT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_EQ(Json::parse(again.out)["reused"], 1);
+  EXPECT_EQ(sha256_of_file(second).value(), before);
+}
+
+TEST_F(ShapesCommand, AFolderWithoutLiversIsSaid) {
+  fs::create_directories(file("empty"));
+  const Finished none = glisson_cli({"study", "shapes", file("empty"), "--out", file("out")});
+  EXPECT_EQ(none.exit_code, 1);
+  EXPECT_THAT(none.err, HasSubstr("no label maps"));
+}
+
+}  // namespace glisson::test
