@@ -5579,6 +5579,89 @@
         <source>The hidden targets, which nothing was fitted to, are farther off with what was found ({0} mm on average) than without it ({1} mm): do not take it for the cause.</source>
         <translation>Die verborgenen Ziele, an die nichts angepasst wurde, liegen mit dem Gefundenen weiter daneben (im Mittel {0} mm) als ohne ({1} mm): Halten Sie es nicht für die Ursache.</translation>
     </message>
+    <message>
+        <source>Copy the plan {0}</source>
+        <translation>Plan {0} kopieren</translation>
+    </message>
+    <message>
+        <source>Set an ablation zone</source>
+        <translation>Ablationszone setzen</translation>
+    </message>
+    <message>
+        <source>Cut around a tumour</source>
+        <translation>Schnitt um einen Tumor</translation>
+    </message>
+    <message>
+        <source>Cut along a territory</source>
+        <translation>Schnitt entlang eines Versorgungsgebiets</translation>
+    </message>
+    <message>
+        <source>Cut by segments</source>
+        <translation>Schnitt nach Segmenten</translation>
+    </message>
+    <message>
+        <source>Change an ablation zone</source>
+        <translation>Ablationszone ändern</translation>
+    </message>
+    <message>
+        <source>Give back what was to go</source>
+        <translation>Zurückgeben, was wegfallen sollte</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::AblationControls</name>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Probe</source>
+        <translation>Sonde</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Diameter of the zone along the probe</source>
+        <translation>Durchmesser der Zone längs der Sonde</translation>
+    </message>
+    <message>
+        <source>Diameter of the zone across the probe</source>
+        <translation>Durchmesser der Zone quer zur Sonde</translation>
+    </message>
+    <message>
+        <source>from the side</source>
+        <translation>von der Seite</translation>
+    </message>
+    <message>
+        <source>from the front</source>
+        <translation>von vorn</translation>
+    </message>
+    <message>
+        <source>from below</source>
+        <translation>von unten</translation>
+    </message>
+    <message>
+        <source>At the crosshair</source>
+        <translation>Am Fadenkreuz</translation>
+    </message>
+    <message>
+        <source>Sets a zone of this size about the crosshair</source>
+        <translation>Setzt eine Zone dieser Größe um das Fadenkreuz</translation>
+    </message>
+    <message>
+        <source>Over this tumour</source>
+        <translation>Über diesen Tumor</translation>
+    </message>
+    <message>
+        <source>Sets the smallest ball that holds the tumour chosen above with its margin</source>
+        <translation>Setzt die kleinste Kugel, die den oben gewählten Tumor mit seinem Abstand fasst</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AdvanceControls</name>
@@ -6591,6 +6674,14 @@ Keine Messungen zur Hand? Probieren Sie das Beispiel: eine simulierte Gewebeprob
     <message>
         <source>Files written: %1, in %2</source>
         <translation>Geschriebene Dateien: %1, in %2</translation>
+    </message>
+    <message>
+        <source>Outlines, remnant and specimen as DICOM SEG</source>
+        <translation>Umrisse, Rest und Resektat als DICOM SEG</translation>
+    </message>
+    <message>
+        <source>No plan is kept: keep one in Resect</source>
+        <translation>Kein Plan ist behalten: Behalten Sie einen in Resektion</translation>
     </message>
 </context>
 <context>
@@ -7736,68 +7827,16 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Griffe am Fad
         <translation>Was davon ohne ihn im Patienten bleibt</translation>
     </message>
     <message>
-        <source>Plans</source>
-        <translation>Pläne</translation>
-    </message>
-    <message>
-        <source>Plan</source>
-        <translation>Plan</translation>
-    </message>
-    <message>
         <source>Stays</source>
         <translation>Bleibt</translation>
-    </message>
-    <message>
-        <source>Alive</source>
-        <translation>Lebend</translation>
-    </message>
-    <message>
-        <source>Margin</source>
-        <translation>Abstand</translation>
-    </message>
-    <message>
-        <source>Cut</source>
-        <translation>Äste</translation>
-    </message>
-    <message>
-        <source>Of the liver without its tumours</source>
-        <translation>Von der Leber ohne ihre Tumoren</translation>
-    </message>
-    <message>
-        <source>What stays perfused and drained, of the same</source>
-        <translation>Was durchblutet und drainiert bleibt, ebenso</translation>
-    </message>
-    <message>
-        <source>Branches that are cut</source>
-        <translation>Äste, die durchtrennt werden</translation>
-    </message>
-    <message>
-        <source>Name of the plan</source>
-        <translation>Name des Plans</translation>
-    </message>
-    <message>
-        <source>Keep this plan</source>
-        <translation>Diesen Plan behalten</translation>
     </message>
     <message>
         <source>Keeps it in the case under this name, beside the others</source>
         <translation>Hält ihn im Fall unter diesem Namen, neben den anderen</translation>
     </message>
     <message>
-        <source>Drop</source>
-        <translation>Verwerfen</translation>
-    </message>
-    <message>
-        <source>Takes the plan that is marked out of the case</source>
-        <translation>Nimmt den markierten Plan aus dem Fall</translation>
-    </message>
-    <message>
         <source>Finding vessels and segments</source>
         <translation>Gefäße und Segmente werden bestimmt</translation>
-    </message>
-    <message>
-        <source>Plan %1</source>
-        <translation>Plan %1</translation>
     </message>
     <message>
         <source>Looking at the liver&apos;s anatomy...</source>
@@ -7844,10 +7883,6 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Griffe am Fad
         <translation>Was bleibt, hat %1 kPa; %2 % davon wurden gemessen.</translation>
     </message>
     <message>
-        <source>What it was made from has changed since; the figures are those of now.</source>
-        <translation>Woraus er gemacht wurde, hat sich seither geändert; die Zahlen sind die von jetzt.</translation>
-    </message>
-    <message>
         <source>Removed</source>
         <translation>Entfernt</translation>
     </message>
@@ -7876,8 +7911,186 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Griffe am Fad
         <translation>Behält ihn im Fall unter diesem Namen, neben den anderen; Proben, Führen und der Bericht folgen ihm dann</translation>
     </message>
     <message>
+        <source>The cut unrolled flat</source>
+        <translation>Der Schnitt, flach ausgerollt</translation>
+    </message>
+    <message>
+        <source>%1 (%2 ml)</source>
+        <translation>%1 (%2 ml)</translation>
+    </message>
+    <message>
+        <source>%1 ml of what goes are ablated.</source>
+        <translation>%1 ml von dem, was wegfällt, werden abladiert.</translation>
+    </message>
+    <message>
+        <source>No tumour is outlined: the map shows the vessels alone.</source>
+        <translation>Kein Tumor ist umrissen: Die Karte zeigt nur die Gefäße.</translation>
+    </message>
+    <message>
+        <source>No tumour within %1 mm of the cut.</source>
+        <translation>Kein Tumor näher als %1 mm am Schnitt.</translation>
+    </message>
+    <message>
+        <source>▲ The cut goes through a tumour.</source>
+        <translation>▲ Der Schnitt geht durch einen Tumor.</translation>
+    </message>
+    <message>
+        <source>At the nearest the cut is %1 mm from a tumour.</source>
+        <translation>Am nächsten kommt der Schnitt einem Tumor auf %1 mm.</translation>
+    </message>
+    <message>
+        <source>Along this territory</source>
+        <translation>Entlang dieses Gebiets</translation>
+    </message>
+    <message>
+        <source>Removes all that this branch feeds or drains, with what grows from it. Proposed: the smallest portal territory that holds the tumour above</source>
+        <translation>Entfernt alles, was dieser Ast versorgt oder entwässert, mit dem, was aus ihm wächst. Vorgeschlagen: das kleinste portale Gebiet, das den Tumor oben ganz enthält</translation>
+    </message>
+    <message>
+        <source>Ablation</source>
+        <translation>Ablation</translation>
+    </message>
+    <message>
+        <source>%1 with %2 mm around it needs a zone %3 mm wide; %4 mm is the widest. Set several.</source>
+        <translation>%1 mit %2 mm ringsum braucht eine %3 mm breite Zone; %4 mm ist die breiteste. Setzen Sie mehrere.</translation>
+    </message>
+    <message>
+        <source>✕ gives it back</source>
+        <translation>✕ gibt es zurück</translation>
+    </message>
+    <message>
+        <source>Segments: %1</source>
+        <translation>Segmente: %1</translation>
+    </message>
+    <message>
+        <source>Territory: %1</source>
+        <translation>Gebiet: %1</translation>
+    </message>
+    <message>
+        <source>%1 with %2 mm around it</source>
+        <translation>%1 mit %2 mm ringsum</translation>
+    </message>
+    <message>
+        <source>Ablation, %1 × %2 mm</source>
+        <translation>Ablation, %1 × %2 mm</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::PlanList</name>
+    <message>
+        <source>Plan %1</source>
+        <translation>Plan %1</translation>
+    </message>
+    <message>
+        <source>Plans</source>
+        <translation>Pläne</translation>
+    </message>
+    <message>
+        <source>as they were kept</source>
+        <translation>wie sie behalten wurden</translation>
+    </message>
+    <message>
+        <source>widest margin first</source>
+        <translation>breitester Abstand zuerst</translation>
+    </message>
+    <message>
+        <source>most tissue alive first</source>
+        <translation>meistes lebendes Gewebe zuerst</translation>
+    </message>
+    <message>
+        <source>least tissue cut off first</source>
+        <translation>am wenigsten abgeschnitten zuerst</translation>
+    </message>
+    <message>
+        <source>Plans that leave a tumour, or cut through one, come after those that do not</source>
+        <translation>Pläne, die einen Tumor zurücklassen oder durchschneiden, kommen nach den anderen</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>Stays</source>
+        <translation>Bleibt</translation>
+    </message>
+    <message>
+        <source>Alive</source>
+        <translation>Lebend</translation>
+    </message>
+    <message>
+        <source>Margin</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Äste</translation>
+    </message>
+    <message>
+        <source>Of the liver without its tumours</source>
+        <translation>Von der Leber ohne ihre Tumoren</translation>
+    </message>
+    <message>
+        <source>What stays perfused and drained, of the same</source>
+        <translation>Was durchblutet und drainiert bleibt, ebenso</translation>
+    </message>
+    <message>
+        <source>Branches that are cut</source>
+        <translation>Äste, die durchtrennt werden</translation>
+    </message>
+    <message>
+        <source>A ring: another plan is no worse in margin, living tissue and tumours, and better in one.</source>
+        <translation>Ein Ring: Ein anderer Plan ist in Abstand, lebendem Gewebe und Tumoren nicht schlechter und in einem besser.</translation>
+    </message>
+    <message>
+        <source>Name of the plan</source>
+        <translation>Name des Plans</translation>
+    </message>
+    <message>
+        <source>Keep this plan</source>
+        <translation>Diesen Plan behalten</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Keeps the plan that is marked a second time, to be changed</source>
+        <translation>Behält den markierten Plan ein zweites Mal, um ihn zu ändern</translation>
+    </message>
+    <message>
+        <source>Drop</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Takes the plan that is marked out of the case</source>
+        <translation>Nimmt den markierten Plan aus dem Fall</translation>
+    </message>
+    <message>
         <source>Rehearse, Guide and the report follow this plan</source>
         <translation>Proben, Führen und der Bericht folgen diesem Plan</translation>
+    </message>
+    <message>
+        <source>What it was made from has changed since; the figures are those of now.</source>
+        <translation>Woraus er gemacht wurde, hat sich seither geändert; die Zahlen sind die von jetzt.</translation>
+    </message>
+    <message>
+        <source>No worse in anything, and better in something: %1</source>
+        <translation>In nichts schlechter und in etwas besser: %1</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::PlanPlot</name>
+    <message>
+        <source>smallest margin, mm</source>
+        <translation>kleinster Abstand, mm</translation>
+    </message>
+    <message>
+        <source>stays alive, ml</source>
+        <translation>bleibt lebend, ml</translation>
+    </message>
+    <message>
+        <source>Plans by margin and by what stays alive</source>
+        <translation>Pläne nach Abstand und nach dem, was lebend bleibt</translation>
     </message>
 </context>
 <context>
@@ -8920,6 +9133,45 @@ figures</source>
     <message>
         <source>With the tool %1 goes by %2 mm; its margin there is %3 mm.</source>
         <translation>Mit dem Werkzeug geht %1 um %2 mm mit; der Abstand dort ist %3 mm.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::ResectogramView</name>
+    <message>
+        <source>20 mm</source>
+        <translation>20 mm</translation>
+    </message>
+    <message>
+        <source>%1, %2 mm wide</source>
+        <translation>%1, %2 mm weit</translation>
+    </message>
+    <message>
+        <source>In a tumour</source>
+        <translation>In einem Tumor</translation>
+    </message>
+    <message>
+        <source>No tumour within %1 mm</source>
+        <translation>Kein Tumor näher als %1 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm from a tumour</source>
+        <translation>%1 mm von einem Tumor</translation>
+    </message>
+    <message>
+        <source>tumour</source>
+        <translation>Tumor</translation>
+    </message>
+    <message>
+        <source>under %1 mm</source>
+        <translation>unter %1 mm</translation>
+    </message>
+    <message>
+        <source>clear</source>
+        <translation>frei</translation>
+    </message>
+    <message>
+        <source>○ portal, □ hepatic vein cut</source>
+        <translation>○ Pfortader, □ Lebervene durchtrennt</translation>
     </message>
 </context>
 <context>

@@ -5579,6 +5579,89 @@
         <source>The hidden targets, which nothing was fitted to, are farther off with what was found ({0} mm on average) than without it ({1} mm): do not take it for the cause.</source>
         <translation>Los objetivos ocultos, a los que nada se ajustó, quedan más lejos con lo hallado (en promedio {0} mm) que sin ello ({1} mm): no lo tome por la causa.</translation>
     </message>
+    <message>
+        <source>Copy the plan {0}</source>
+        <translation>Copiar el plan {0}</translation>
+    </message>
+    <message>
+        <source>Set an ablation zone</source>
+        <translation>Poner una zona de ablación</translation>
+    </message>
+    <message>
+        <source>Cut around a tumour</source>
+        <translation>Sección alrededor de un tumor</translation>
+    </message>
+    <message>
+        <source>Cut along a territory</source>
+        <translation>Sección a lo largo de un territorio</translation>
+    </message>
+    <message>
+        <source>Cut by segments</source>
+        <translation>Sección por segmentos</translation>
+    </message>
+    <message>
+        <source>Change an ablation zone</source>
+        <translation>Cambiar una zona de ablación</translation>
+    </message>
+    <message>
+        <source>Give back what was to go</source>
+        <translation>Devolver lo que se iba a quitar</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::AblationControls</name>
+    <message>
+        <source>Length</source>
+        <translation>Longitud</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Anchura</translation>
+    </message>
+    <message>
+        <source>Probe</source>
+        <translation>Sonda</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Diameter of the zone along the probe</source>
+        <translation>Diámetro de la zona a lo largo de la sonda</translation>
+    </message>
+    <message>
+        <source>Diameter of the zone across the probe</source>
+        <translation>Diámetro de la zona a través de la sonda</translation>
+    </message>
+    <message>
+        <source>from the side</source>
+        <translation>desde el lado</translation>
+    </message>
+    <message>
+        <source>from the front</source>
+        <translation>desde delante</translation>
+    </message>
+    <message>
+        <source>from below</source>
+        <translation>desde abajo</translation>
+    </message>
+    <message>
+        <source>At the crosshair</source>
+        <translation>En la cruz</translation>
+    </message>
+    <message>
+        <source>Sets a zone of this size about the crosshair</source>
+        <translation>Pone una zona de este tamaño alrededor de la cruz</translation>
+    </message>
+    <message>
+        <source>Over this tumour</source>
+        <translation>Sobre este tumor</translation>
+    </message>
+    <message>
+        <source>Sets the smallest ball that holds the tumour chosen above with its margin</source>
+        <translation>Pone la menor esfera que contiene el tumor elegido arriba con su margen</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AdvanceControls</name>
@@ -6591,6 +6674,14 @@ Glisson dice cuánto se equivoca el modelo declarado, qué le falta y con qué c
     <message>
         <source>Files written: %1, in %2</source>
         <translation>Archivos escritos: %1, en %2</translation>
+    </message>
+    <message>
+        <source>Outlines, remnant and specimen as DICOM SEG</source>
+        <translation>Contornos, remanente y pieza como DICOM SEG</translation>
+    </message>
+    <message>
+        <source>No plan is kept: keep one in Resect</source>
+        <translation>No hay ningún plan conservado: conserve uno en Resección</translation>
     </message>
 </context>
 <context>
@@ -7738,68 +7829,16 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar. Ctrl+arrastrar: girar. Tiradores 
         <translation>Lo que de ello queda en el paciente sin ella</translation>
     </message>
     <message>
-        <source>Plans</source>
-        <translation>Planes</translation>
-    </message>
-    <message>
-        <source>Plan</source>
-        <translation>Plan</translation>
-    </message>
-    <message>
         <source>Stays</source>
         <translation>Queda</translation>
-    </message>
-    <message>
-        <source>Alive</source>
-        <translation>Vivo</translation>
-    </message>
-    <message>
-        <source>Margin</source>
-        <translation>Margen</translation>
-    </message>
-    <message>
-        <source>Cut</source>
-        <translation>Cortes</translation>
-    </message>
-    <message>
-        <source>Of the liver without its tumours</source>
-        <translation>Del hígado sin sus tumores</translation>
-    </message>
-    <message>
-        <source>What stays perfused and drained, of the same</source>
-        <translation>Lo que queda perfundido y drenado, igualmente</translation>
-    </message>
-    <message>
-        <source>Branches that are cut</source>
-        <translation>Ramas que se seccionan</translation>
-    </message>
-    <message>
-        <source>Name of the plan</source>
-        <translation>Nombre del plan</translation>
-    </message>
-    <message>
-        <source>Keep this plan</source>
-        <translation>Conservar este plan</translation>
     </message>
     <message>
         <source>Keeps it in the case under this name, beside the others</source>
         <translation>Lo conserva en el caso con este nombre, junto a los demás</translation>
     </message>
     <message>
-        <source>Drop</source>
-        <translation>Descartar</translation>
-    </message>
-    <message>
-        <source>Takes the plan that is marked out of the case</source>
-        <translation>Saca del caso el plan marcado</translation>
-    </message>
-    <message>
         <source>Finding vessels and segments</source>
         <translation>Hallando vasos y segmentos</translation>
-    </message>
-    <message>
-        <source>Plan %1</source>
-        <translation>Plan %1</translation>
     </message>
     <message>
         <source>Looking at the liver&apos;s anatomy...</source>
@@ -7846,10 +7885,6 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar. Ctrl+arrastrar: girar. Tiradores 
         <translation>Lo que queda tiene %1 kPa; se midió el %2 %.</translation>
     </message>
     <message>
-        <source>What it was made from has changed since; the figures are those of now.</source>
-        <translation>Aquello de lo que se hizo ha cambiado desde entonces; las cifras son las de ahora.</translation>
-    </message>
-    <message>
         <source>Removed</source>
         <translation>Extirpado</translation>
     </message>
@@ -7878,8 +7913,186 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar. Ctrl+arrastrar: girar. Tiradores 
         <translation>Lo conserva en el caso con este nombre, junto a los otros; Ensayar, Guiar y el informe lo siguen entonces</translation>
     </message>
     <message>
+        <source>The cut unrolled flat</source>
+        <translation>La sección desplegada en plano</translation>
+    </message>
+    <message>
+        <source>%1 (%2 ml)</source>
+        <translation>%1 (%2 ml)</translation>
+    </message>
+    <message>
+        <source>%1 ml of what goes are ablated.</source>
+        <translation>%1 ml de lo que se quita se ablacionan.</translation>
+    </message>
+    <message>
+        <source>No tumour is outlined: the map shows the vessels alone.</source>
+        <translation>Ningún tumor está delimitado: el mapa muestra solo los vasos.</translation>
+    </message>
+    <message>
+        <source>No tumour within %1 mm of the cut.</source>
+        <translation>Ningún tumor a menos de %1 mm de la sección.</translation>
+    </message>
+    <message>
+        <source>▲ The cut goes through a tumour.</source>
+        <translation>▲ La sección atraviesa un tumor.</translation>
+    </message>
+    <message>
+        <source>At the nearest the cut is %1 mm from a tumour.</source>
+        <translation>En su punto más próximo, la sección queda a %1 mm de un tumor.</translation>
+    </message>
+    <message>
+        <source>Along this territory</source>
+        <translation>Por este territorio</translation>
+    </message>
+    <message>
+        <source>Removes all that this branch feeds or drains, with what grows from it. Proposed: the smallest portal territory that holds the tumour above</source>
+        <translation>Extirpa todo lo que esta rama irriga o drena, con lo que crece de ella. Propuesto: el menor territorio portal que contiene el tumor de arriba</translation>
+    </message>
+    <message>
+        <source>Ablation</source>
+        <translation>Ablación</translation>
+    </message>
+    <message>
+        <source>%1 with %2 mm around it needs a zone %3 mm wide; %4 mm is the widest. Set several.</source>
+        <translation>%1 con %2 mm alrededor necesita una zona de %3 mm de ancho; %4 mm es la más ancha. Ponga varias.</translation>
+    </message>
+    <message>
+        <source>✕ gives it back</source>
+        <translation>✕ lo devuelve</translation>
+    </message>
+    <message>
+        <source>Segments: %1</source>
+        <translation>Segmentos: %1</translation>
+    </message>
+    <message>
+        <source>Territory: %1</source>
+        <translation>Territorio: %1</translation>
+    </message>
+    <message>
+        <source>%1 with %2 mm around it</source>
+        <translation>%1 con %2 mm alrededor</translation>
+    </message>
+    <message>
+        <source>Ablation, %1 × %2 mm</source>
+        <translation>Ablación, %1 × %2 mm</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::PlanList</name>
+    <message>
+        <source>Plan %1</source>
+        <translation>Plan %1</translation>
+    </message>
+    <message>
+        <source>Plans</source>
+        <translation>Planes</translation>
+    </message>
+    <message>
+        <source>as they were kept</source>
+        <translation>como se conservaron</translation>
+    </message>
+    <message>
+        <source>widest margin first</source>
+        <translation>mayor margen primero</translation>
+    </message>
+    <message>
+        <source>most tissue alive first</source>
+        <translation>más tejido vivo primero</translation>
+    </message>
+    <message>
+        <source>least tissue cut off first</source>
+        <translation>menos tejido cortado primero</translation>
+    </message>
+    <message>
+        <source>Plans that leave a tumour, or cut through one, come after those that do not</source>
+        <translation>Los planes que dejan un tumor, o lo atraviesan, van después de los demás</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>Stays</source>
+        <translation>Queda</translation>
+    </message>
+    <message>
+        <source>Alive</source>
+        <translation>Vivo</translation>
+    </message>
+    <message>
+        <source>Margin</source>
+        <translation>Margen</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Cortes</translation>
+    </message>
+    <message>
+        <source>Of the liver without its tumours</source>
+        <translation>Del hígado sin sus tumores</translation>
+    </message>
+    <message>
+        <source>What stays perfused and drained, of the same</source>
+        <translation>Lo que queda perfundido y drenado, igualmente</translation>
+    </message>
+    <message>
+        <source>Branches that are cut</source>
+        <translation>Ramas que se seccionan</translation>
+    </message>
+    <message>
+        <source>A ring: another plan is no worse in margin, living tissue and tumours, and better in one.</source>
+        <translation>Un anillo: otro plan no es peor en margen, tejido vivo y tumores, y es mejor en uno.</translation>
+    </message>
+    <message>
+        <source>Name of the plan</source>
+        <translation>Nombre del plan</translation>
+    </message>
+    <message>
+        <source>Keep this plan</source>
+        <translation>Conservar este plan</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Copiar</translation>
+    </message>
+    <message>
+        <source>Keeps the plan that is marked a second time, to be changed</source>
+        <translation>Conserva el plan marcado por segunda vez, para cambiarlo</translation>
+    </message>
+    <message>
+        <source>Drop</source>
+        <translation>Descartar</translation>
+    </message>
+    <message>
+        <source>Takes the plan that is marked out of the case</source>
+        <translation>Saca del caso el plan marcado</translation>
+    </message>
+    <message>
         <source>Rehearse, Guide and the report follow this plan</source>
         <translation>Ensayar, Guiar y el informe siguen este plan</translation>
+    </message>
+    <message>
+        <source>What it was made from has changed since; the figures are those of now.</source>
+        <translation>Aquello de lo que se hizo ha cambiado desde entonces; las cifras son las de ahora.</translation>
+    </message>
+    <message>
+        <source>No worse in anything, and better in something: %1</source>
+        <translation>No es peor en nada, y es mejor en algo: %1</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::PlanPlot</name>
+    <message>
+        <source>smallest margin, mm</source>
+        <translation>menor margen, mm</translation>
+    </message>
+    <message>
+        <source>stays alive, ml</source>
+        <translation>queda vivo, ml</translation>
+    </message>
+    <message>
+        <source>Plans by margin and by what stays alive</source>
+        <translation>Planes por margen y por lo que queda vivo</translation>
     </message>
 </context>
 <context>
@@ -8923,6 +9136,45 @@ supuestas</translation>
     <message>
         <source>With the tool %1 goes by %2 mm; its margin there is %3 mm.</source>
         <translation>Con el instrumento %1 se desplaza %2 mm; su margen allí es de %3 mm.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::ResectogramView</name>
+    <message>
+        <source>20 mm</source>
+        <translation>20 mm</translation>
+    </message>
+    <message>
+        <source>%1, %2 mm wide</source>
+        <translation>%1, %2 mm de ancho</translation>
+    </message>
+    <message>
+        <source>In a tumour</source>
+        <translation>En un tumor</translation>
+    </message>
+    <message>
+        <source>No tumour within %1 mm</source>
+        <translation>Ningún tumor a menos de %1 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm from a tumour</source>
+        <translation>a %1 mm de un tumor</translation>
+    </message>
+    <message>
+        <source>tumour</source>
+        <translation>tumor</translation>
+    </message>
+    <message>
+        <source>under %1 mm</source>
+        <translation>menos de %1 mm</translation>
+    </message>
+    <message>
+        <source>clear</source>
+        <translation>libre</translation>
+    </message>
+    <message>
+        <source>○ portal, □ hepatic vein cut</source>
+        <translation>○ vena porta, □ vena hepática seccionada</translation>
     </message>
 </context>
 <context>

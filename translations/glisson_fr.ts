@@ -5579,6 +5579,89 @@
         <source>The hidden targets, which nothing was fitted to, are farther off with what was found ({0} mm on average) than without it ({1} mm): do not take it for the cause.</source>
         <translation>Les cibles cachées, auxquelles rien n&apos;a été ajusté, sont plus loin avec ce qui a été trouvé (en moyenne {0} mm) que sans cela ({1} mm) : ne le prenez pas pour la cause.</translation>
     </message>
+    <message>
+        <source>Copy the plan {0}</source>
+        <translation>Copier le plan {0}</translation>
+    </message>
+    <message>
+        <source>Set an ablation zone</source>
+        <translation>Placer une zone d’ablation</translation>
+    </message>
+    <message>
+        <source>Cut around a tumour</source>
+        <translation>Section autour d’une tumeur</translation>
+    </message>
+    <message>
+        <source>Cut along a territory</source>
+        <translation>Section le long d’un territoire</translation>
+    </message>
+    <message>
+        <source>Cut by segments</source>
+        <translation>Section par segments</translation>
+    </message>
+    <message>
+        <source>Change an ablation zone</source>
+        <translation>Modifier une zone d’ablation</translation>
+    </message>
+    <message>
+        <source>Give back what was to go</source>
+        <translation>Rendre ce qui devait partir</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::AblationControls</name>
+    <message>
+        <source>Length</source>
+        <translation>Longueur</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Largeur</translation>
+    </message>
+    <message>
+        <source>Probe</source>
+        <translation>Sonde</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Diameter of the zone along the probe</source>
+        <translation>Diamètre de la zone le long de la sonde</translation>
+    </message>
+    <message>
+        <source>Diameter of the zone across the probe</source>
+        <translation>Diamètre de la zone en travers de la sonde</translation>
+    </message>
+    <message>
+        <source>from the side</source>
+        <translation>par le côté</translation>
+    </message>
+    <message>
+        <source>from the front</source>
+        <translation>par l’avant</translation>
+    </message>
+    <message>
+        <source>from below</source>
+        <translation>par le bas</translation>
+    </message>
+    <message>
+        <source>At the crosshair</source>
+        <translation>Au réticule</translation>
+    </message>
+    <message>
+        <source>Sets a zone of this size about the crosshair</source>
+        <translation>Place une zone de cette taille autour du réticule</translation>
+    </message>
+    <message>
+        <source>Over this tumour</source>
+        <translation>Sur cette tumeur</translation>
+    </message>
+    <message>
+        <source>Sets the smallest ball that holds the tumour chosen above with its margin</source>
+        <translation>Place la plus petite boule qui contient la tumeur choisie ci-dessus avec sa marge</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AdvanceControls</name>
@@ -6591,6 +6674,14 @@ Pas de mesures sous la main&#xa0;? Essayez l’exemple&#xa0;: un échantillon de
     <message>
         <source>Files written: %1, in %2</source>
         <translation>Fichiers écrits : %1, dans %2</translation>
+    </message>
+    <message>
+        <source>Outlines, remnant and specimen as DICOM SEG</source>
+        <translation>Contours, foie restant et pièce en DICOM SEG</translation>
+    </message>
+    <message>
+        <source>No plan is kept: keep one in Resect</source>
+        <translation>Aucun plan n’est gardé : gardez-en un dans Résection</translation>
     </message>
 </context>
 <context>
@@ -7738,68 +7829,16 @@ Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: déplacer. Ctrl+glisser&#xa0;: tour
         <translation>Ce qui en reste dans le patient sans elle</translation>
     </message>
     <message>
-        <source>Plans</source>
-        <translation>Plans</translation>
-    </message>
-    <message>
-        <source>Plan</source>
-        <translation>Plan</translation>
-    </message>
-    <message>
         <source>Stays</source>
         <translation>Reste</translation>
-    </message>
-    <message>
-        <source>Alive</source>
-        <translation>Vivant</translation>
-    </message>
-    <message>
-        <source>Margin</source>
-        <translation>Marge</translation>
-    </message>
-    <message>
-        <source>Cut</source>
-        <translation>Coupées</translation>
-    </message>
-    <message>
-        <source>Of the liver without its tumours</source>
-        <translation>Du foie sans ses tumeurs</translation>
-    </message>
-    <message>
-        <source>What stays perfused and drained, of the same</source>
-        <translation>Ce qui reste perfusé et drainé, de même</translation>
-    </message>
-    <message>
-        <source>Branches that are cut</source>
-        <translation>Branches qui sont coupées</translation>
-    </message>
-    <message>
-        <source>Name of the plan</source>
-        <translation>Nom du plan</translation>
-    </message>
-    <message>
-        <source>Keep this plan</source>
-        <translation>Garder ce plan</translation>
     </message>
     <message>
         <source>Keeps it in the case under this name, beside the others</source>
         <translation>Le garde dans le cas sous ce nom, à côté des autres</translation>
     </message>
     <message>
-        <source>Drop</source>
-        <translation>Écarter</translation>
-    </message>
-    <message>
-        <source>Takes the plan that is marked out of the case</source>
-        <translation>Ôte du cas le plan marqué</translation>
-    </message>
-    <message>
         <source>Finding vessels and segments</source>
         <translation>Recherche des vaisseaux et des segments</translation>
-    </message>
-    <message>
-        <source>Plan %1</source>
-        <translation>Plan %1</translation>
     </message>
     <message>
         <source>Looking at the liver&apos;s anatomy...</source>
@@ -7846,10 +7885,6 @@ Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: déplacer. Ctrl+glisser&#xa0;: tour
         <translation>Ce qui reste a %1 kPa ; %2 % en ont été mesurés.</translation>
     </message>
     <message>
-        <source>What it was made from has changed since; the figures are those of now.</source>
-        <translation>Ce dont il a été fait a changé depuis ; les chiffres sont ceux de maintenant.</translation>
-    </message>
-    <message>
         <source>Removed</source>
         <translation>Retiré</translation>
     </message>
@@ -7878,8 +7913,186 @@ Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: déplacer. Ctrl+glisser&#xa0;: tour
         <translation>Le garde dans le cas sous ce nom, à côté des autres ; Répéter, Guider et le rapport le suivent alors</translation>
     </message>
     <message>
+        <source>The cut unrolled flat</source>
+        <translation>La section déroulée à plat</translation>
+    </message>
+    <message>
+        <source>%1 (%2 ml)</source>
+        <translation>%1 (%2 ml)</translation>
+    </message>
+    <message>
+        <source>%1 ml of what goes are ablated.</source>
+        <translation>%1 ml de ce qui part sont détruits par ablation.</translation>
+    </message>
+    <message>
+        <source>No tumour is outlined: the map shows the vessels alone.</source>
+        <translation>Aucune tumeur n’est délimitée : la carte ne montre que les vaisseaux.</translation>
+    </message>
+    <message>
+        <source>No tumour within %1 mm of the cut.</source>
+        <translation>Aucune tumeur à moins de %1 mm de la section.</translation>
+    </message>
+    <message>
+        <source>▲ The cut goes through a tumour.</source>
+        <translation>▲ La section traverse une tumeur.</translation>
+    </message>
+    <message>
+        <source>At the nearest the cut is %1 mm from a tumour.</source>
+        <translation>Au plus près, la section est à %1 mm d’une tumeur.</translation>
+    </message>
+    <message>
+        <source>Along this territory</source>
+        <translation>Le long de ce territoire</translation>
+    </message>
+    <message>
+        <source>Removes all that this branch feeds or drains, with what grows from it. Proposed: the smallest portal territory that holds the tumour above</source>
+        <translation>Retire tout ce que cette branche irrigue ou draine, avec ce qui en part. Proposé : le plus petit territoire portal qui contient la tumeur ci-dessus</translation>
+    </message>
+    <message>
+        <source>Ablation</source>
+        <translation>Ablation</translation>
+    </message>
+    <message>
+        <source>%1 with %2 mm around it needs a zone %3 mm wide; %4 mm is the widest. Set several.</source>
+        <translation>%1 avec %2 mm autour demande une zone large de %3 mm ; %4 mm est la plus large. Placez-en plusieurs.</translation>
+    </message>
+    <message>
+        <source>✕ gives it back</source>
+        <translation>✕ le rend</translation>
+    </message>
+    <message>
+        <source>Segments: %1</source>
+        <translation>Segments : %1</translation>
+    </message>
+    <message>
+        <source>Territory: %1</source>
+        <translation>Territoire : %1</translation>
+    </message>
+    <message>
+        <source>%1 with %2 mm around it</source>
+        <translation>%1 avec %2 mm autour</translation>
+    </message>
+    <message>
+        <source>Ablation, %1 × %2 mm</source>
+        <translation>Ablation, %1 × %2 mm</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::PlanList</name>
+    <message>
+        <source>Plan %1</source>
+        <translation>Plan %1</translation>
+    </message>
+    <message>
+        <source>Plans</source>
+        <translation>Plans</translation>
+    </message>
+    <message>
+        <source>as they were kept</source>
+        <translation>dans l’ordre où ils furent gardés</translation>
+    </message>
+    <message>
+        <source>widest margin first</source>
+        <translation>plus grande marge d’abord</translation>
+    </message>
+    <message>
+        <source>most tissue alive first</source>
+        <translation>plus de tissu vivant d’abord</translation>
+    </message>
+    <message>
+        <source>least tissue cut off first</source>
+        <translation>moins de tissu coupé d’abord</translation>
+    </message>
+    <message>
+        <source>Plans that leave a tumour, or cut through one, come after those that do not</source>
+        <translation>Les plans qui laissent une tumeur, ou la traversent, viennent après les autres</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>Stays</source>
+        <translation>Reste</translation>
+    </message>
+    <message>
+        <source>Alive</source>
+        <translation>Vivant</translation>
+    </message>
+    <message>
+        <source>Margin</source>
+        <translation>Marge</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Coupées</translation>
+    </message>
+    <message>
+        <source>Of the liver without its tumours</source>
+        <translation>Du foie sans ses tumeurs</translation>
+    </message>
+    <message>
+        <source>What stays perfused and drained, of the same</source>
+        <translation>Ce qui reste perfusé et drainé, de même</translation>
+    </message>
+    <message>
+        <source>Branches that are cut</source>
+        <translation>Branches qui sont coupées</translation>
+    </message>
+    <message>
+        <source>A ring: another plan is no worse in margin, living tissue and tumours, and better in one.</source>
+        <translation>Un anneau : un autre plan n’est pas moins bon en marge, tissu vivant et tumeurs, et meilleur en l’un.</translation>
+    </message>
+    <message>
+        <source>Name of the plan</source>
+        <translation>Nom du plan</translation>
+    </message>
+    <message>
+        <source>Keep this plan</source>
+        <translation>Garder ce plan</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Copier</translation>
+    </message>
+    <message>
+        <source>Keeps the plan that is marked a second time, to be changed</source>
+        <translation>Garde une seconde fois le plan marqué, pour le modifier</translation>
+    </message>
+    <message>
+        <source>Drop</source>
+        <translation>Écarter</translation>
+    </message>
+    <message>
+        <source>Takes the plan that is marked out of the case</source>
+        <translation>Ôte du cas le plan marqué</translation>
+    </message>
+    <message>
         <source>Rehearse, Guide and the report follow this plan</source>
         <translation>Répéter, Guider et le rapport suivent ce plan</translation>
+    </message>
+    <message>
+        <source>What it was made from has changed since; the figures are those of now.</source>
+        <translation>Ce dont il a été fait a changé depuis ; les chiffres sont ceux de maintenant.</translation>
+    </message>
+    <message>
+        <source>No worse in anything, and better in something: %1</source>
+        <translation>Moins bon en rien, et meilleur en quelque chose : %1</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::PlanPlot</name>
+    <message>
+        <source>smallest margin, mm</source>
+        <translation>plus petite marge, mm</translation>
+    </message>
+    <message>
+        <source>stays alive, ml</source>
+        <translation>reste vivant, ml</translation>
+    </message>
+    <message>
+        <source>Plans by margin and by what stays alive</source>
+        <translation>Plans selon la marge et ce qui reste vivant</translation>
     </message>
 </context>
 <context>
@@ -8923,6 +9136,45 @@ supposés</translation>
     <message>
         <source>With the tool %1 goes by %2 mm; its margin there is %3 mm.</source>
         <translation>Avec l&apos;outil, %1 se déplace de %2 mm ; sa marge y est de %3 mm.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::ResectogramView</name>
+    <message>
+        <source>20 mm</source>
+        <translation>20 mm</translation>
+    </message>
+    <message>
+        <source>%1, %2 mm wide</source>
+        <translation>%1, large de %2 mm</translation>
+    </message>
+    <message>
+        <source>In a tumour</source>
+        <translation>Dans une tumeur</translation>
+    </message>
+    <message>
+        <source>No tumour within %1 mm</source>
+        <translation>Aucune tumeur à moins de %1 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm from a tumour</source>
+        <translation>à %1 mm d’une tumeur</translation>
+    </message>
+    <message>
+        <source>tumour</source>
+        <translation>tumeur</translation>
+    </message>
+    <message>
+        <source>under %1 mm</source>
+        <translation>moins de %1 mm</translation>
+    </message>
+    <message>
+        <source>clear</source>
+        <translation>libre</translation>
+    </message>
+    <message>
+        <source>○ portal, □ hepatic vein cut</source>
+        <translation>○ veine porte, □ veine hépatique coupée</translation>
     </message>
 </context>
 <context>

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <QObject>
@@ -15,18 +16,27 @@
 
 namespace glisson::widgets {
 
+// What a named branch and all that grows from it feed or drain, without tumours.
+struct NamedTerritory {
+  std::string branch;  // "portal/right/posterior"
+  double ml = 0;
+};
+
 // One state of a case, opened for planning.
 struct OpenedAnatomy {
   planning::Planner planner;
   std::vector<Sentence> remarks;
   bool has_segments = false, has_trees = false;
   std::array<std::shared_ptr<const geometry::Surface>, 9> segments;  // to be drawn; null where there is none
+  std::vector<NamedTerritory> territories;                           // those with a name of their own, by name
+  std::map<std::string, std::string> territory_around;               // by tumour: the smallest portal one that holds it
 };
 
 struct LivePlanResult {
   std::vector<planning::Cut> cuts;  // of which this is the answer
   planning::PlanAnswer answer;
   std::shared_ptr<const geometry::Surface> removed, left;  // to be drawn, where the cut is no surface
+  std::vector<planning::Resectogram> resectograms;         // of each plane and sheet, where asked for
 };
 
 struct KeptPlanAnswer {
@@ -46,6 +56,8 @@ class LivePlan : public QObject {
   void open(const std::filesystem::path& case_folder);
   void set_cuts(const std::vector<planning::Cut>& cuts);  // none: nothing is cut
   void read_kept();
+  // Whether each answer comes with its planes and sheets unrolled.
+  void set_unrolling(bool unrolling);
 
   [[nodiscard]] const std::shared_ptr<const OpenedAnatomy>& anatomy() const { return anatomy_; }
   [[nodiscard]] bool opening() const { return opening_; }
@@ -69,7 +81,7 @@ class LivePlan : public QObject {
   std::vector<KeptPlanAnswer> kept_;
   int openings_ = 0;  // counts them, so that an answer of an older one is known when it arrives
   int asked_ = 0;
-  bool opening_ = false, computing_ = false;
+  bool opening_ = false, computing_ = false, unrolling_ = false;
 };
 
 }  // namespace glisson::widgets
