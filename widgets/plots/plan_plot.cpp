@@ -3,7 +3,9 @@
 
 #include <qcustomplot.h>
 #include <algorithm>
+#include <cmath>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "widgets/plots/themed_plot.h"
 #include "widgets/theme.h"
@@ -86,7 +88,13 @@ void PlanPlot::draw() {
     constexpr int widest_px = 110;
     name->setText(QFontMetrics(name->font()).elidedText(plan.name, Qt::ElideRight, widest_px));
     const bool to_the_left = plan.margin_mm > 0.65 * widest_mm;
-    name->setPositionAlignment((to_the_left ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignBottom);
+    const bool below = std::any_of(plans_.begin(), plans_.end(), [&](const PlottedPlan& other) {
+      const bool near = std::abs(other.margin_mm - plan.margin_mm) < 0.3 * widest_mm &&
+                        std::abs(other.living_ml - plan.living_ml) < 0.2 * (most_ml - least_ml + spare_ml);
+      return near && std::pair(other.living_ml, &other) > std::pair(plan.living_ml, &plan);  // whose name stands above
+    });
+    name->setPositionAlignment((to_the_left ? Qt::AlignRight : Qt::AlignLeft) |
+                               (below ? Qt::AlignTop : Qt::AlignBottom));
     name->setPadding({7, 0, 7, 1});
     name->position->setCoords(plan.margin_mm, plan.living_ml);
   }

@@ -47,6 +47,7 @@ PlanByAnatomy::PlanByAnatomy(WorkspaceContext context, QWidget* parent)
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 6, 0, 0);
   column->setSpacing(8);
+  column->addWidget(make_unrolled());
   column->addWidget(make_anatomy());
   column->addWidget(make_answer());
   make_plans();
@@ -142,7 +143,6 @@ QWidget* PlanByAnatomy::make_answer() {
   column->setContentsMargins(0, 0, 0, 0);
   alive_ = wrapped_label("alive_told", answer_);
   column->addWidget(alive_);
-  column->addWidget(make_unrolled());
   branches_title_ = heading(answer_);
   column->addWidget(branches_title_);
   branches_ = small_table("branches_cut", 4, answer_);
