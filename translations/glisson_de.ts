@@ -5607,6 +5607,18 @@
         <source>Give back what was to go</source>
         <translation>Zurückgeben, was wegfallen sollte</translation>
     </message>
+    <message>
+        <source>No branch is named that is to be embolised.</source>
+        <translation>Kein Ast ist genannt, der embolisiert werden soll.</translation>
+    </message>
+    <message>
+        <source>A growth of {0} % is not between 0 and {1} %.</source>
+        <translation>Ein Wachstum von {0} % liegt nicht zwischen 0 und {1} %.</translation>
+    </message>
+    <message>
+        <source>{0} is no branch of the portal vein.</source>
+        <translation>{0} ist kein Ast der Pfortader.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

@@ -5607,6 +5607,18 @@
         <source>Give back what was to go</source>
         <translation>Devolver lo que se iba a quitar</translation>
     </message>
+    <message>
+        <source>No branch is named that is to be embolised.</source>
+        <translation>No se nombra ninguna rama que embolizar.</translation>
+    </message>
+    <message>
+        <source>A growth of {0} % is not between 0 and {1} %.</source>
+        <translation>Un crecimiento de {0} % no está entre 0 y {1} %.</translation>
+    </message>
+    <message>
+        <source>{0} is no branch of the portal vein.</source>
+        <translation>{0} no es una rama de la vena porta.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

@@ -5607,6 +5607,18 @@
         <source>Give back what was to go</source>
         <translation>Rendre ce qui devait partir</translation>
     </message>
+    <message>
+        <source>No branch is named that is to be embolised.</source>
+        <translation>Aucune branche à emboliser n’est nommée.</translation>
+    </message>
+    <message>
+        <source>A growth of {0} % is not between 0 and {1} %.</source>
+        <translation>Une croissance de {0} % n’est pas entre 0 et {1} %.</translation>
+    </message>
+    <message>
+        <source>{0} is no branch of the portal vein.</source>
+        <translation>{0} n’est pas une branche de la veine porte.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>
