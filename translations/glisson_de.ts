@@ -7986,6 +7986,10 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Griffe am Fad
         <source>Ablation, %1 × %2 mm</source>
         <translation>Ablation, %1 × %2 mm</translation>
     </message>
+    <message>
+        <source>Two stages</source>
+        <translation>Zwei Schritte</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::PlanList</name>
@@ -10376,6 +10380,45 @@ Elastizitätsmodul %2 kPa (angenommen)</translation>
     <message>
         <source>Each frame of the whole registration. Left: how far registered landmarks are from where they are on the model, mm, with the tolerance as a dash-dotted line. Right: how far the registered cloud is from the model (root mean square), mm</source>
         <translation>Jedes Bild der ganzen Registrierung. Links: wie weit registrierte Landmarken von ihrem Ort auf dem Modell entfernt sind, mm, mit der Toleranz als strichpunktierter Linie. Rechts: wie weit die registrierte Punktwolke vom Modell entfernt ist (quadratisches Mittel), mm</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::TwoStageControls</name>
+    <message>
+        <source>Embolised</source>
+        <translation>Embolisiert</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>The rest grows</source>
+        <translation>Der Rest wächst</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>By how much what keeps its portal inflow grows until the cut. On average it was 37.9 % in 44 studies (van Lienden et al. 2013), less in a cirrhotic liver</source>
+        <translation>Um wie viel bis zum Schnitt wächst, was seinen portalen Zufluss behält. Im Mittel waren es in 44 Studien 37.9 % (van Lienden et al. 2013), bei Zirrhose weniger</translation>
+    </message>
+    <message>
+        <source>%1 ml lose their portal inflow and shrink.</source>
+        <translation>%1 ml verlieren ihren portalen Zufluss und schrumpfen.</translation>
+    </message>
+    <message>
+        <source>%1 ml of what stays grow to &lt;b&gt;%2 ml&lt;/b&gt;: %3 % of the liver without tumours, %4 % now.</source>
+        <translation>%1 ml von dem, was bleibt, wachsen auf &lt;b&gt;%2 ml&lt;/b&gt;: %3 % der Leber ohne Tumoren, jetzt %4 %.</translation>
+    </message>
+    <message>
+        <source>▲ %1 ml of the embolised tissue stay in the patient and are not counted.</source>
+        <translation>▲ %1 ml des embolisierten Gewebes bleiben im Patienten und sind nicht gezählt.</translation>
+    </message>
+    <message>
+        <source>An estimate by the growth above, not a forecast.</source>
+        <translation>Eine Schätzung nach dem Wachstum oben, keine Vorhersage.</translation>
     </message>
 </context>
 <context>

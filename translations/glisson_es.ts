@@ -7988,6 +7988,10 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar. Ctrl+arrastrar: girar. Tiradores 
         <source>Ablation, %1 × %2 mm</source>
         <translation>Ablación, %1 × %2 mm</translation>
     </message>
+    <message>
+        <source>Two stages</source>
+        <translation>Dos tiempos</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::PlanList</name>
@@ -10379,6 +10383,45 @@ Módulo de Young %2 kPa (supuesto)</translation>
     <message>
         <source>Each frame of the whole registration. Left: how far registered landmarks are from where they are on the model, mm, with the tolerance as a dash-dotted line. Right: how far the registered cloud is from the model (root mean square), mm</source>
         <translation>Cada fotograma de todo el registro. Izquierda: a qué distancia están los puntos de referencia registrados de su lugar en el modelo, mm, con la tolerancia como línea de trazo y punto. Derecha: a qué distancia está la nube registrada del modelo (media cuadrática), mm</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::TwoStageControls</name>
+    <message>
+        <source>Embolised</source>
+        <translation>Embolizada</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nada</translation>
+    </message>
+    <message>
+        <source>The rest grows</source>
+        <translation>El resto crece</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>By how much what keeps its portal inflow grows until the cut. On average it was 37.9 % in 44 studies (van Lienden et al. 2013), less in a cirrhotic liver</source>
+        <translation>Cuánto crece hasta la sección lo que conserva su aporte portal. De media fue 37.9 % en 44 estudios (van Lienden et al. 2013), menos en un hígado cirrótico</translation>
+    </message>
+    <message>
+        <source>%1 ml lose their portal inflow and shrink.</source>
+        <translation>%1 ml pierden su aporte portal y se encogen.</translation>
+    </message>
+    <message>
+        <source>%1 ml of what stays grow to &lt;b&gt;%2 ml&lt;/b&gt;: %3 % of the liver without tumours, %4 % now.</source>
+        <translation>%1 ml de lo que queda crecen hasta &lt;b&gt;%2 ml&lt;/b&gt;: %3 % del hígado sin tumores, ahora %4 %.</translation>
+    </message>
+    <message>
+        <source>▲ %1 ml of the embolised tissue stay in the patient and are not counted.</source>
+        <translation>▲ %1 ml del tejido embolizado quedan en el paciente y no se cuentan.</translation>
+    </message>
+    <message>
+        <source>An estimate by the growth above, not a forecast.</source>
+        <translation>Una estimación según el crecimiento de arriba, no un pronóstico.</translation>
     </message>
 </context>
 <context>

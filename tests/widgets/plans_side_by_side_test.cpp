@@ -169,6 +169,34 @@ class PlansSideBySideTest : public QObject {
     press("no_cut");
   }
 
+  // As planning::two_stages says of the same cut, for the branch that is chosen and the growth that is typed.
+  void tells_what_is_left_after_an_embolisation() {
+    press("take_around");
+    QTRY_VERIFY_WITH_TIMEOUT(answer_of(1) != nullptr, patience_ms);
+    QVERIFY(!live().result()->stages);
+    press("staging");
+    auto* embolised = child<QComboBox>("embolised");
+    embolised->setFocus();
+    QTest::keyClick(embolised, Qt::Key_Down);
+    QTRY_VERIFY_WITH_TIMEOUT(live().result()->stages.has_value(), patience_ms);
+    auto* growth = child<QDoubleSpinBox>("growth");
+    growth->setValue(50);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        std::abs(live().result()->stages->grown_ml - 1.5 * live().result()->stages->grows_ml) < 1e-9, patience_ms);
+    const auto wanted = planning::two_stages(live().anatomy()->planner,
+                                             {embolised->currentData().toString().toStdString()}, taken(), 50);
+    QVERIFY(wanted && wanted->embolised_ml > 10);
+    QCOMPARE(live().result()->stages->grown_percent, wanted->grown_percent);
+    const QString told = child<QLabel>("two_stages_told")->text();
+    QVERIFY2(told.contains(QString::number(wanted->grown_ml, 'f', 0) + " ml"), qPrintable(told));
+    keep_pictures("growth", "two-stages");
+    embolised->setFocus();
+    QTest::keyClick(embolised, Qt::Key_Up);
+    QTRY_VERIFY_WITH_TIMEOUT(!live().result()->stages, patience_ms);
+    press("staging");
+    press("no_cut");
+  }
+
   void puts_plans_in_the_order_that_is_asked_for() {
     QTRY_COMPARE_WITH_TIMEOUT(child<QTableWidget>("plans")->rowCount(), 3, patience_ms);
     QCOMPARE(names(), (QStringList{"Territory", "Around", "Ablation"}));

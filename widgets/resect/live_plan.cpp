@@ -108,7 +108,8 @@ bool is_a_surface(const planning::Cut& cut) {
 }
 
 Result<std::shared_ptr<const LivePlanResult>> answered(const OpenedAnatomy& anatomy,
-                                                       const std::vector<planning::Cut>& cuts, bool unrolling) {
+                                                       const std::vector<planning::Cut>& cuts, bool unrolling,
+                                                       const std::optional<Embolisation>& embolisation) {
   using planning::Planner;
   auto answer = unrolling ? anatomy.planner.answer_unrolled(cuts)
                           : anatomy.planner.answer(cuts).map([](const planning::PlanAnswer& plain) {
@@ -116,7 +117,15 @@ Result<std::shared_ptr<const LivePlanResult>> answered(const OpenedAnatomy& anat
                             });
   if (!answer) return failure(std::move(answer.error()));
   auto result = std::make_shared<LivePlanResult>(
-      LivePlanResult{cuts, std::move(answer->answer), {}, {}, std::move(answer->resectograms)});
+      LivePlanResult{cuts, std::move(answer->answer), {}, {}, std::move(answer->resectograms), {}, {}});
+  if (embolisation) {
+    const auto stages =
+        planning::two_stages(anatomy.planner, {embolisation->branch}, cuts, embolisation->growth_percent);
+    if (stages)
+      result->stages = *stages;
+    else
+      result->stages_problem = stages.error();
+  }
   if (cuts.size() == 1 && is_a_surface(cuts.front())) return result;
   const auto parts = anatomy.planner.parts(cuts);
   if (!parts) return failure(parts.error());
@@ -174,12 +183,20 @@ void LivePlan::set_unrolling(bool unrolling) {
   compute();
 }
 
+void LivePlan::set_embolisation(const std::optional<Embolisation>& embolisation) {
+  embolisation_ = embolisation;
+  ++asked_;
+  compute();
+}
+
 void LivePlan::compute() {
   if (computing_ || wanted_.empty() || !anatomy_) return;
   computing_ = true;
   run_in_background(
       this,
-      [anatomy = anatomy_, cuts = wanted_, unrolling = unrolling_] { return answered(*anatomy, cuts, unrolling); },
+      [anatomy = anatomy_, cuts = wanted_, unrolling = unrolling_, embolisation = embolisation_] {
+        return answered(*anatomy, cuts, unrolling, embolisation);
+      },
       [this, asked = asked_, opening = openings_](const Result<std::shared_ptr<const LivePlanResult>>& result) {
         computing_ = false;
         if (asked != asked_) compute();

@@ -13,6 +13,7 @@
 
 #include "casefile/plans.h"
 #include "geometry/surface.h"
+#include "planning/two_stage.h"
 
 namespace glisson::widgets {
 
@@ -37,6 +38,14 @@ struct LivePlanResult {
   planning::PlanAnswer answer;
   std::shared_ptr<const geometry::Surface> removed, left;  // to be drawn, where the cut is no surface
   std::vector<planning::Resectogram> resectograms;         // of each plane and sheet, where asked for
+  std::optional<planning::TwoStages> stages;               // where a branch is embolised before
+  std::optional<Error> stages_problem;                     // why they cannot be told
+};
+
+// A portal branch that is embolised before the cut, and by how much the rest then grows.
+struct Embolisation {
+  std::string branch;
+  double growth_percent = planning::mean_growth_percent;
 };
 
 struct KeptPlanAnswer {
@@ -58,6 +67,7 @@ class LivePlan : public QObject {
   void read_kept();
   // Whether each answer comes with its planes and sheets unrolled.
   void set_unrolling(bool unrolling);
+  void set_embolisation(const std::optional<Embolisation>& embolisation);
 
   [[nodiscard]] const std::shared_ptr<const OpenedAnatomy>& anatomy() const { return anatomy_; }
   [[nodiscard]] bool opening() const { return opening_; }
@@ -76,6 +86,7 @@ class LivePlan : public QObject {
   std::filesystem::path folder_;
   std::shared_ptr<const OpenedAnatomy> anatomy_;
   std::vector<planning::Cut> wanted_;
+  std::optional<Embolisation> embolisation_;
   std::shared_ptr<const LivePlanResult> result_;
   std::optional<Error> problem_;
   std::vector<KeptPlanAnswer> kept_;

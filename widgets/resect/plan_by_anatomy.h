@@ -19,6 +19,7 @@
 #include "widgets/resect/live_resection.h"
 #include "widgets/resect/plan_list.h"
 #include "widgets/resect/resectogram_view.h"
+#include "widgets/resect/two_stage_controls.h"
 #include "widgets/words/number_box.h"
 #include "widgets/workspaces/workspace.h"
 
@@ -112,6 +113,8 @@ class PlanByAnatomy : public QWidget {
   Fold* ablating_;
   AblationControls* ablation_;
   QLabel* taken_told_;
+  Fold* staging_;
+  TwoStageControls* stages_;
   QWidget* answer_;
   QLabel* alive_;
   QLabel* branches_title_;

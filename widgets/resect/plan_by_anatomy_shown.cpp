@@ -70,6 +70,7 @@ void PlanByAnatomy::show_anatomy() {
   anatomy_->setVisible(segments);
   around_->setVisible(anatomy && !anatomy->planner.tumours().empty());
   along_->setVisible(anatomy && !anatomy->territories.empty());
+  staging_->setVisible(anatomy && !anatomy->territories.empty());
   ablating_->setVisible(anatomy != nullptr);
   if (!anatomy) return;
   const QString before = tumour_->currentData().toString();
@@ -80,6 +81,8 @@ void PlanByAnatomy::show_anatomy() {
   tumour_->setCurrentIndex(std::max(0, tumour_->findData(before)));
   const bool has_tumours = !anatomy->planner.tumours().empty();
   ablation_->allow_tumour(has_tumours);
+  stages_->offer(anatomy->territories);
+  live_->set_embolisation(stages_->embolisation());
   const QString territory_before = territory_->currentData().toString();
   territory_->clear();
   for (const NamedTerritory& territory : anatomy->territories) {
@@ -125,6 +128,7 @@ void PlanByAnatomy::show_answer() {
   const auto& result = live_->result();
   answer_->setVisible(result || (live_->problem() && !cuts().empty()));
   show_keeping();
+  stages_->show(result.get());
   const planning::PlanAnswer* answer = result ? &result->answer : nullptr;
   for (int row = 0; row < segments_->rowCount(); ++row) {
     const int s = segments_->item(row, segment_column)->data(Qt::UserRole).toInt();

@@ -57,6 +57,10 @@ QWidget* PlanByAnatomy::make_territory_and_ablation() {
   ablation_ = new AblationControls;
   ablating_ = new Fold("ablating", ablation_, Fold::At::closed, group);
   column->addWidget(ablating_);
+  stages_ = new TwoStageControls;
+  staging_ = new Fold("staging", stages_, Fold::At::closed, group);
+  column->addWidget(staging_);
+  connect(stages_, &TwoStageControls::changed, this, [this] { live_->set_embolisation(stages_->embolisation()); });
   taken_told_ = wrapped_label("taken_told", group);
   taken_told_->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
   column->addWidget(taken_told_);
@@ -73,6 +77,7 @@ QWidget* PlanByAnatomy::make_territory_and_ablation() {
         tr("Removes all that this branch feeds or drains, with what grows from it. Proposed: "
            "the smallest portal territory that holds the tumour above"));
     ablating_->set_title(tr("Ablation"));
+    staging_->set_title(tr("Two stages"));
   });
   return group;
 }
