@@ -5580,6 +5580,66 @@
         <translation>Les cibles cachées, auxquelles rien n&apos;a été ajusté, sont plus loin avec ce qui a été trouvé (en moyenne {0} mm) que sans cela ({1} mm) : ne le prenez pas pour la cause.</translation>
     </message>
     <message>
+        <source>Copy the plan {0}</source>
+        <translation>Copier le plan {0}</translation>
+    </message>
+    <message>
+        <source>Set an ablation zone</source>
+        <translation>Placer une zone d’ablation</translation>
+    </message>
+    <message>
+        <source>Cut around a tumour</source>
+        <translation>Section autour d’une tumeur</translation>
+    </message>
+    <message>
+        <source>Cut along a territory</source>
+        <translation>Section le long d’un territoire</translation>
+    </message>
+    <message>
+        <source>Cut by segments</source>
+        <translation>Section par segments</translation>
+    </message>
+    <message>
+        <source>Change an ablation zone</source>
+        <translation>Modifier une zone d’ablation</translation>
+    </message>
+    <message>
+        <source>Give back what was to go</source>
+        <translation>Rendre ce qui devait partir</translation>
+    </message>
+    <message>
+        <source>No branch is named that is to be embolised.</source>
+        <translation>Aucune branche à emboliser n’est nommée.</translation>
+    </message>
+    <message>
+        <source>A growth of {0} % is not between 0 and {1} %.</source>
+        <translation>Une croissance de {0} % n’est pas entre 0 et {1} %.</translation>
+    </message>
+    <message>
+        <source>{0} is no branch of the portal vein.</source>
+        <translation>{0} n’est pas une branche de la veine porte.</translation>
+    </message>
+    <message>
+        <source>The tool {0} spreads its force over a patch, which a session knows at large strain alone.</source>
+        <translation>L’instrument {0} répartit sa force sur une surface, ce qu’une séance ne connaît qu’aux grandes déformations.</translation>
+    </message>
+    <message>
+        <source>Take the material neo-hookean, or jaws that pull.</source>
+        <translation>Prenez le matériau neo-hookean, ou des mors qui tirent.</translation>
+    </message>
+    <message>
+        <source>Computed with large deformations (neo-Hookean).</source>
+        <translation>Calculé aux grandes déformations (néo-hookéen).</translation>
+    </message>
+    <message>
+        <source>Computed with small deformations (linear).</source>
+        <translation>Calculé aux petites déformations (linéaire).</translation>
+    </message>
+    <message>
+        <source>The liver had not come to rest: landmarks are within {0} mm of it.</source>
+        <translation>Le foie n’était pas venu au repos : les repères en sont à {0} mm au plus.</translation>
+    </message>
+    <message>
         <source>This is no liver as the model&apos;s {0}: {1} mm are left between both, and its modes are {2} standard deviations out on average.</source>
         <translation>Ce n&apos;est pas un foie comme les {0} du modèle : il reste {1} mm entre les deux, et ses modes sont en moyenne à {2} écarts types.</translation>
     </message>
@@ -5680,28 +5740,63 @@
         <translation>Donnez-en un avec un fichier par foie, comme ID_liver.nii.gz.</translation>
     </message>
     <message>
-        <source>The tool {0} spreads its force over a patch, which a session knows at large strain alone.</source>
-        <translation>L’instrument {0} répartit sa force sur une surface, ce qu’une séance ne connaît qu’aux grandes déformations.</translation>
-    </message>
-    <message>
-        <source>Take the material neo-hookean, or jaws that pull.</source>
-        <translation>Prenez le matériau neo-hookean, ou des mors qui tirent.</translation>
-    </message>
-    <message>
-        <source>Computed with large deformations (neo-Hookean).</source>
-        <translation>Calculé aux grandes déformations (néo-hookéen).</translation>
-    </message>
-    <message>
-        <source>Computed with small deformations (linear).</source>
-        <translation>Calculé aux petites déformations (linéaire).</translation>
-    </message>
-    <message>
-        <source>The liver had not come to rest: landmarks are within {0} mm of it.</source>
-        <translation>Le foie n’était pas venu au repos : les repères en sont à {0} mm au plus.</translation>
-    </message>
-    <message>
         <source>Small or large deformations</source>
         <translation>Petites ou grandes déformations</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::AblationControls</name>
+    <message>
+        <source>Length</source>
+        <translation>Longueur</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Largeur</translation>
+    </message>
+    <message>
+        <source>Probe</source>
+        <translation>Sonde</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Diameter of the zone along the probe</source>
+        <translation>Diamètre de la zone le long de la sonde</translation>
+    </message>
+    <message>
+        <source>Diameter of the zone across the probe</source>
+        <translation>Diamètre de la zone en travers de la sonde</translation>
+    </message>
+    <message>
+        <source>from the side</source>
+        <translation>par le côté</translation>
+    </message>
+    <message>
+        <source>from the front</source>
+        <translation>par l’avant</translation>
+    </message>
+    <message>
+        <source>from below</source>
+        <translation>par le bas</translation>
+    </message>
+    <message>
+        <source>At the crosshair</source>
+        <translation>Au réticule</translation>
+    </message>
+    <message>
+        <source>Sets a zone of this size about the crosshair</source>
+        <translation>Place une zone de cette taille autour du réticule</translation>
+    </message>
+    <message>
+        <source>Over this tumour</source>
+        <translation>Sur cette tumeur</translation>
+    </message>
+    <message>
+        <source>Sets the smallest ball that holds the tumour chosen above with its margin</source>
+        <translation>Place la plus petite boule qui contient la tumeur choisie ci-dessus avec sa marge</translation>
     </message>
 </context>
 <context>
@@ -6782,6 +6877,14 @@ Pas de mesures sous la main&#xa0;? Essayez l’exemple&#xa0;: un échantillon de
     <message>
         <source>Files written: %1, in %2</source>
         <translation>Fichiers écrits : %1, dans %2</translation>
+    </message>
+    <message>
+        <source>Outlines, remnant and specimen as DICOM SEG</source>
+        <translation>Contours, foie restant et pièce en DICOM SEG</translation>
+    </message>
+    <message>
+        <source>No plan is kept: keep one in Resect</source>
+        <translation>Aucun plan n’est gardé : gardez-en un dans Résection</translation>
     </message>
 </context>
 <context>
@@ -7933,68 +8036,16 @@ Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: déplacer. Ctrl+glisser&#xa0;: tour
         <translation>Ce qui en reste dans le patient sans elle</translation>
     </message>
     <message>
-        <source>Plans</source>
-        <translation>Plans</translation>
-    </message>
-    <message>
-        <source>Plan</source>
-        <translation>Plan</translation>
-    </message>
-    <message>
         <source>Stays</source>
         <translation>Reste</translation>
-    </message>
-    <message>
-        <source>Alive</source>
-        <translation>Vivant</translation>
-    </message>
-    <message>
-        <source>Margin</source>
-        <translation>Marge</translation>
-    </message>
-    <message>
-        <source>Cut</source>
-        <translation>Coupées</translation>
-    </message>
-    <message>
-        <source>Of the liver without its tumours</source>
-        <translation>Du foie sans ses tumeurs</translation>
-    </message>
-    <message>
-        <source>What stays perfused and drained, of the same</source>
-        <translation>Ce qui reste perfusé et drainé, de même</translation>
-    </message>
-    <message>
-        <source>Branches that are cut</source>
-        <translation>Branches qui sont coupées</translation>
-    </message>
-    <message>
-        <source>Name of the plan</source>
-        <translation>Nom du plan</translation>
-    </message>
-    <message>
-        <source>Keep this plan</source>
-        <translation>Garder ce plan</translation>
     </message>
     <message>
         <source>Keeps it in the case under this name, beside the others</source>
         <translation>Le garde dans le cas sous ce nom, à côté des autres</translation>
     </message>
     <message>
-        <source>Drop</source>
-        <translation>Écarter</translation>
-    </message>
-    <message>
-        <source>Takes the plan that is marked out of the case</source>
-        <translation>Ôte du cas le plan marqué</translation>
-    </message>
-    <message>
         <source>Finding vessels and segments</source>
         <translation>Recherche des vaisseaux et des segments</translation>
-    </message>
-    <message>
-        <source>Plan %1</source>
-        <translation>Plan %1</translation>
     </message>
     <message>
         <source>Looking at the liver&apos;s anatomy...</source>
@@ -8041,10 +8092,6 @@ Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: déplacer. Ctrl+glisser&#xa0;: tour
         <translation>Ce qui reste a %1 kPa ; %2 % en ont été mesurés.</translation>
     </message>
     <message>
-        <source>What it was made from has changed since; the figures are those of now.</source>
-        <translation>Ce dont il a été fait a changé depuis ; les chiffres sont ceux de maintenant.</translation>
-    </message>
-    <message>
         <source>Removed</source>
         <translation>Retiré</translation>
     </message>
@@ -8073,8 +8120,190 @@ Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: déplacer. Ctrl+glisser&#xa0;: tour
         <translation>Le garde dans le cas sous ce nom, à côté des autres ; Répéter, Guider et le rapport le suivent alors</translation>
     </message>
     <message>
+        <source>The cut unrolled flat</source>
+        <translation>La section déroulée à plat</translation>
+    </message>
+    <message>
+        <source>%1 (%2 ml)</source>
+        <translation>%1 (%2 ml)</translation>
+    </message>
+    <message>
+        <source>%1 ml of what goes are ablated.</source>
+        <translation>%1 ml de ce qui part sont détruits par ablation.</translation>
+    </message>
+    <message>
+        <source>No tumour is outlined: the map shows the vessels alone.</source>
+        <translation>Aucune tumeur n’est délimitée : la carte ne montre que les vaisseaux.</translation>
+    </message>
+    <message>
+        <source>No tumour within %1 mm of the cut.</source>
+        <translation>Aucune tumeur à moins de %1 mm de la section.</translation>
+    </message>
+    <message>
+        <source>▲ The cut goes through a tumour.</source>
+        <translation>▲ La section traverse une tumeur.</translation>
+    </message>
+    <message>
+        <source>At the nearest the cut is %1 mm from a tumour.</source>
+        <translation>Au plus près, la section est à %1 mm d’une tumeur.</translation>
+    </message>
+    <message>
+        <source>Along this territory</source>
+        <translation>Le long de ce territoire</translation>
+    </message>
+    <message>
+        <source>Removes all that this branch feeds or drains, with what grows from it. Proposed: the smallest portal territory that holds the tumour above</source>
+        <translation>Retire tout ce que cette branche irrigue ou draine, avec ce qui en part. Proposé : le plus petit territoire portal qui contient la tumeur ci-dessus</translation>
+    </message>
+    <message>
+        <source>Ablation</source>
+        <translation>Ablation</translation>
+    </message>
+    <message>
+        <source>%1 with %2 mm around it needs a zone %3 mm wide; %4 mm is the widest. Set several.</source>
+        <translation>%1 avec %2 mm autour demande une zone large de %3 mm ; %4 mm est la plus large. Placez-en plusieurs.</translation>
+    </message>
+    <message>
+        <source>✕ gives it back</source>
+        <translation>✕ le rend</translation>
+    </message>
+    <message>
+        <source>Segments: %1</source>
+        <translation>Segments : %1</translation>
+    </message>
+    <message>
+        <source>Territory: %1</source>
+        <translation>Territoire : %1</translation>
+    </message>
+    <message>
+        <source>%1 with %2 mm around it</source>
+        <translation>%1 avec %2 mm autour</translation>
+    </message>
+    <message>
+        <source>Ablation, %1 × %2 mm</source>
+        <translation>Ablation, %1 × %2 mm</translation>
+    </message>
+    <message>
+        <source>Two stages</source>
+        <translation>Deux temps</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::PlanList</name>
+    <message>
+        <source>Plan %1</source>
+        <translation>Plan %1</translation>
+    </message>
+    <message>
+        <source>Plans</source>
+        <translation>Plans</translation>
+    </message>
+    <message>
+        <source>as they were kept</source>
+        <translation>dans l’ordre où ils furent gardés</translation>
+    </message>
+    <message>
+        <source>widest margin first</source>
+        <translation>plus grande marge d’abord</translation>
+    </message>
+    <message>
+        <source>most tissue alive first</source>
+        <translation>plus de tissu vivant d’abord</translation>
+    </message>
+    <message>
+        <source>least tissue cut off first</source>
+        <translation>moins de tissu coupé d’abord</translation>
+    </message>
+    <message>
+        <source>Plans that leave a tumour, or cut through one, come after those that do not</source>
+        <translation>Les plans qui laissent une tumeur, ou la traversent, viennent après les autres</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>Stays</source>
+        <translation>Reste</translation>
+    </message>
+    <message>
+        <source>Alive</source>
+        <translation>Vivant</translation>
+    </message>
+    <message>
+        <source>Margin</source>
+        <translation>Marge</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Coupées</translation>
+    </message>
+    <message>
+        <source>Of the liver without its tumours</source>
+        <translation>Du foie sans ses tumeurs</translation>
+    </message>
+    <message>
+        <source>What stays perfused and drained, of the same</source>
+        <translation>Ce qui reste perfusé et drainé, de même</translation>
+    </message>
+    <message>
+        <source>Branches that are cut</source>
+        <translation>Branches qui sont coupées</translation>
+    </message>
+    <message>
+        <source>A ring: another plan is no worse in margin, living tissue and tumours, and better in one.</source>
+        <translation>Un anneau : un autre plan n’est pas moins bon en marge, tissu vivant et tumeurs, et meilleur en l’un.</translation>
+    </message>
+    <message>
+        <source>Name of the plan</source>
+        <translation>Nom du plan</translation>
+    </message>
+    <message>
+        <source>Keep this plan</source>
+        <translation>Garder ce plan</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Copier</translation>
+    </message>
+    <message>
+        <source>Keeps the plan that is marked a second time, to be changed</source>
+        <translation>Garde une seconde fois le plan marqué, pour le modifier</translation>
+    </message>
+    <message>
+        <source>Drop</source>
+        <translation>Écarter</translation>
+    </message>
+    <message>
+        <source>Takes the plan that is marked out of the case</source>
+        <translation>Ôte du cas le plan marqué</translation>
+    </message>
+    <message>
         <source>Rehearse, Guide and the report follow this plan</source>
         <translation>Répéter, Guider et le rapport suivent ce plan</translation>
+    </message>
+    <message>
+        <source>What it was made from has changed since; the figures are those of now.</source>
+        <translation>Ce dont il a été fait a changé depuis ; les chiffres sont ceux de maintenant.</translation>
+    </message>
+    <message>
+        <source>No worse in anything, and better in something: %1</source>
+        <translation>Moins bon en rien, et meilleur en quelque chose : %1</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::PlanPlot</name>
+    <message>
+        <source>smallest margin, mm</source>
+        <translation>plus petite marge, mm</translation>
+    </message>
+    <message>
+        <source>stays alive, ml</source>
+        <translation>reste vivant, ml</translation>
+    </message>
+    <message>
+        <source>Plans by margin and by what stays alive</source>
+        <translation>Plans selon la marge et ce qui reste vivant</translation>
     </message>
 </context>
 <context>
@@ -9167,6 +9396,45 @@ sûr %</translation>
     </message>
 </context>
 <context>
+    <name>glisson::widgets::ResectogramView</name>
+    <message>
+        <source>20 mm</source>
+        <translation>20 mm</translation>
+    </message>
+    <message>
+        <source>%1, %2 mm wide</source>
+        <translation>%1, large de %2 mm</translation>
+    </message>
+    <message>
+        <source>In a tumour</source>
+        <translation>Dans une tumeur</translation>
+    </message>
+    <message>
+        <source>No tumour within %1 mm</source>
+        <translation>Aucune tumeur à moins de %1 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm from a tumour</source>
+        <translation>à %1 mm d’une tumeur</translation>
+    </message>
+    <message>
+        <source>tumour</source>
+        <translation>tumeur</translation>
+    </message>
+    <message>
+        <source>under %1 mm</source>
+        <translation>moins de %1 mm</translation>
+    </message>
+    <message>
+        <source>clear</source>
+        <translation>libre</translation>
+    </message>
+    <message>
+        <source>○ portal, □ hepatic vein cut</source>
+        <translation>○ veine porte, □ veine hépatique coupée</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::SegmentPanel</name>
     <message>
         <source>Segment</source>
@@ -9861,6 +10129,10 @@ sûr %</translation>
         <translation>Du cas</translation>
     </message>
     <message>
+        <source>Of the livers in</source>
+        <translation>Des foies dans</translation>
+    </message>
+    <message>
         <source>Of the scans in</source>
         <translation>Des numérisations dans</translation>
     </message>
@@ -9871,6 +10143,10 @@ sûr %</translation>
     <message>
         <source>Open a case, or choose one</source>
         <translation>Ouvrez un cas ou choisissez-en un</translation>
+    </message>
+    <message>
+        <source>Choose a folder of label maps</source>
+        <translation>Choisissez un dossier de cartes d’étiquettes</translation>
     </message>
     <message>
         <source>No folder: simulated scans</source>
@@ -9987,14 +10263,6 @@ sûr %</translation>
     <message>
         <source>The study&apos;s report, in the browser</source>
         <translation>Le rapport de l’étude, dans le navigateur</translation>
-    </message>
-    <message>
-        <source>Of the livers in</source>
-        <translation>Des foies dans</translation>
-    </message>
-    <message>
-        <source>Choose a folder of label maps</source>
-        <translation>Choisissez un dossier de cartes d’étiquettes</translation>
     </message>
 </context>
 <context>
@@ -10549,6 +10817,45 @@ Module de Young %2 kPa (supposé)</translation>
     </message>
 </context>
 <context>
+    <name>glisson::widgets::TwoStageControls</name>
+    <message>
+        <source>Embolised</source>
+        <translation>Embolisée</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>rien</translation>
+    </message>
+    <message>
+        <source>The rest grows</source>
+        <translation>Le reste croît</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>By how much what keeps its portal inflow grows until the cut. On average it was 37.9 % in 44 studies (van Lienden et al. 2013), less in a cirrhotic liver</source>
+        <translation>De combien croît, jusqu’à la section, ce qui garde son apport porte. En moyenne 37.9 % dans 44 études (van Lienden et al. 2013), moins dans un foie cirrhotique</translation>
+    </message>
+    <message>
+        <source>%1 ml lose their portal inflow and shrink.</source>
+        <translation>%1 ml perdent leur apport porte et rétrécissent.</translation>
+    </message>
+    <message>
+        <source>%1 ml of what stays grow to &lt;b&gt;%2 ml&lt;/b&gt;: %3 % of the liver without tumours, %4 % now.</source>
+        <translation>%1 ml de ce qui reste croissent à &lt;b&gt;%2 ml&lt;/b&gt; : %3 % du foie sans tumeurs, %4 % maintenant.</translation>
+    </message>
+    <message>
+        <source>▲ %1 ml of the embolised tissue stay in the patient and are not counted.</source>
+        <translation>▲ %1 ml du tissu embolisé restent dans le patient et ne sont pas comptés.</translation>
+    </message>
+    <message>
+        <source>An estimate by the growth above, not a forecast.</source>
+        <translation>Une estimation selon la croissance ci-dessus, pas une prévision.</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::Undo</name>
     <message>
         <source>Undone: %1</source>
@@ -11037,6 +11344,14 @@ By hand: drag with the right button</source>
         <translation>Poutres du tissu le plus mou, le plus rigide et le plus inégal d’un cas face à une de sa moyenne (tableau 4.1).</translation>
     </message>
     <message>
+        <source>Shapes of livers</source>
+        <translation>Formes de foies</translation>
+    </message>
+    <message>
+        <source>A mean liver and its modes, from a folder of segmented livers, judged on livers left out.</source>
+        <translation>Un foie moyen et ses modes, d’un dossier de foies segmentés, jugé sur des foies laissés de côté.</translation>
+    </message>
+    <message>
         <source>Pressed phantoms</source>
         <translation>Fantômes pressés</translation>
     </message>
@@ -11067,14 +11382,6 @@ By hand: drag with the right button</source>
     <message>
         <source>Energy, bits, memory and time of matching two surfaces (chapter 3), on SIMULATED livers.</source>
         <translation>Énergie, bits, mémoire et temps de l’appariement de deux surfaces (chapitre 3), sur des foies SIMULÉS.</translation>
-    </message>
-    <message>
-        <source>Shapes of livers</source>
-        <translation>Formes de foies</translation>
-    </message>
-    <message>
-        <source>A mean liver and its modes, from a folder of segmented livers, judged on livers left out.</source>
-        <translation>Un foie moyen et ses modes, d’un dossier de foies segmentés, jugé sur des foies laissés de côté.</translation>
     </message>
 </context>
 <context>

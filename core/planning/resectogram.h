@@ -2,6 +2,7 @@
 // The surface of a cut unrolled flat, with how near the tumours are at each place of it: a resectogram.
 
 #include <cstddef>
+#include <Eigen/Core>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@ namespace glisson::planning {
 struct Resectogram {
   double step_mm = 1;
   int columns = 0, rows = 0;
+  Eigen::Vector3d along_row{1, 0, 0}, along_column{0, 1, 0};  // u and v, unit, patient coordinates
   // From the place to the border of the nearest tumour, mm, row by row; NaN beside the liver, 0 in a tumour,
   // largest_margin_mm where there is none that near.
   std::vector<double> margin_mm;

@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <Eigen/Geometry>
+#include <iterator>
 #include <limits>
+#include <tuple>
+
+#include "base/parallel.h"
 
 namespace glisson::planning {
 namespace {
@@ -39,15 +43,15 @@ using Surfaces = std::vector<const geometry::CutSurface*>;
 // Of each surface the branches that it cuts.
 std::vector<Vessels> shared_out(const Vessels& cut, const Surfaces& surfaces, const vasculature::VesselTrees& trees);
 
-// Of each voxel of the organ's box, how far the nearest tumour is; NaN beside the organ.
-struct MarginImage {
-  imaging::Grid grid;
-  std::vector<std::int32_t> numbers;  // of each voxel of the box
-  std::vector<float> distance_mm;     // of each voxel of the organ
+// How far the nearest tumour is, anywhere; NaN beside the organ. The box around the organ is never filled, so that a
+// map costs little while its cut is dragged.
+struct Margins {
+  const Organ& organ;
+  std::vector<float> distance_mm;  // of each voxel of the organ
   [[nodiscard]] double at(const Vector3d& place_mm) const;
 };
 
-Resectogram margins_over(const geometry::CutSurface& surface, const MarginImage& margins, const Vector2d& first_mm,
+Resectogram margins_over(const geometry::CutSurface& surface, const Margins& margins, const Vector2d& first_mm,
                          const Vector2d& reach_mm, double step_mm);
 
 // Without the empty rows and columns around what is known.
@@ -62,7 +66,7 @@ std::vector<Resectogram> unrolled(const std::vector<PreparedCut>& cuts, const Cu
     if (cut.surface) surfaces.push_back(&*cut.surface);
   }
   if (surfaces.empty()) return {};
-  const MarginImage margins{liver.organ.grid, numbers_in(liver.organ), distances_mm(liver.organ, liver.tumours)};
+  const Margins margins{liver.organ, distances_mm(liver.organ, liver.tumours)};
   const std::vector<Vessels> vessels = shared_out(off.cut, surfaces, liver.trees);
   std::vector<Resectogram> maps;
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
@@ -96,25 +100,40 @@ std::vector<Vessels> shared_out(const Vessels& cut, const Surfaces& surfaces, co
   return shares;
 }
 
-double MarginImage::at(const Vector3d& place_mm) const {
-  const Eigen::Vector3i voxel = (grid.index_of(place_mm).array() + 0.5).floor().cast<int>();
-  const std::int32_t number =
-      grid.contains(voxel.x(), voxel.y(), voxel.z()) ? numbers[grid.offset(voxel.x(), voxel.y(), voxel.z())] : -1;
-  return number < 0 ? std::numeric_limits<double>::quiet_NaN()
-                    : static_cast<double>(distance_mm[static_cast<std::size_t>(number)]);
+// Runs lie in the order of their voxels: that which begins at the voxel or before it on its row holds it, or none does.
+double Margins::at(const Vector3d& place_mm) const {
+  const Eigen::Vector3i voxel = (organ.grid.index_of(place_mm).array() + 0.5).floor().cast<int>();
+  const auto order = [](const Run& run) { return std::tuple(run.k, run.j, run.i); };
+  const auto after = std::upper_bound(organ.runs.begin(), organ.runs.end(), std::tuple(voxel.z(), voxel.y(), voxel.x()),
+                                      [&](const auto& wanted, const Run& run) { return wanted < order(run); });
+  constexpr double beside = std::numeric_limits<double>::quiet_NaN();
+  if (after == organ.runs.begin()) return beside;
+  const Run& run = *std::prev(after);
+  if (run.k != voxel.z() || run.j != voxel.y() || voxel.x() >= run.i + run.length) return beside;
+  return static_cast<double>(distance_mm[run.first + static_cast<std::size_t>(voxel.x() - run.i)]);
 }
 
-Resectogram margins_over(const geometry::CutSurface& surface, const MarginImage& margins, const Vector2d& first_mm,
+Resectogram margins_over(const geometry::CutSurface& surface, const Margins& margins, const Vector2d& first_mm,
                          const Vector2d& reach_mm, double step_mm) {
   Resectogram map;
   map.step_mm = step_mm;
+  const auto axis = [&](const Vector2d& across_mm) -> Vector3d {
+    const Vector3d way_mm = surface.on_surface_mm(across_mm) - surface.on_surface_mm({0, 0});
+    return (way_mm - way_mm.dot(surface.normal()) * surface.normal()).normalized();
+  };
+  map.along_row = axis({1, 0}), map.along_column = axis({0, 1});
   map.columns = static_cast<int>(reach_mm.x() / step_mm) + 1;
   map.rows = static_cast<int>(reach_mm.y() / step_mm) + 1;
-  for (int row = 0; row < map.rows; ++row) {
-    for (int column = 0; column < map.columns; ++column) {
-      map.margin_mm.push_back(margins.at(surface.on_surface_mm(first_mm + step_mm * Vector2d(column, row))));
+  map.margin_mm.resize(static_cast<std::size_t>(map.rows) * static_cast<std::size_t>(map.columns));
+  parallel_for(static_cast<std::size_t>(map.rows), 16, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t row = begin; row < end; ++row) {
+      for (int column = 0; column < map.columns; ++column) {
+        const Vector2d across_mm = first_mm + step_mm * Vector2d(column, static_cast<double>(row));
+        map.margin_mm[row * static_cast<std::size_t>(map.columns) + static_cast<std::size_t>(column)] =
+            margins.at(surface.on_surface_mm(across_mm));
+      }
     }
-  }
+  });
   return map;
 }
 
@@ -127,7 +146,13 @@ Resectogram trimmed(const Resectogram& whole) {
       low = std::min(low, row), high = std::max(high, row);
     }
   }
-  Resectogram part{whole.step_mm, std::max(0, right - left + 1), std::max(0, high - low + 1), {}, whole.vessels};
+  Resectogram part{whole.step_mm,
+                   std::max(0, right - left + 1),
+                   std::max(0, high - low + 1),
+                   whole.along_row,
+                   whole.along_column,
+                   {},
+                   whole.vessels};
   for (int row = low; row <= high; ++row) {
     for (int column = left; column <= right; ++column) part.margin_mm.push_back(whole.at(column, row));
   }

@@ -150,6 +150,18 @@ BENCHMARK_CAPTURE(drag, plane_and_two_tumours,
                    planning::MarginCut{"tumour-2", 10}, planning::MarginCut{"tumour-3", 20}})
     ->Apply(fastest_of<15>);
 
+// The same plane with its surface unrolled, as Resect shows it while it is dragged.
+void drag_unrolled(benchmark::State& state) {
+  planning::PlaneCut plane{{0, 0, 0}, {1, 0.2, 0.1}, planning::Removed::smaller};
+  for (auto _ : state) {
+    plane.point_mm.x() += 0.5;
+    auto answer = opened().answer_unrolled({plane});
+    if (!answer) state.SkipWithError(answer.error().message().c_str());
+    benchmark::DoNotOptimize(answer);
+  }
+}
+BENCHMARK(drag_unrolled)->Apply(fastest_of<15>);
+
 }  // namespace
 
 BENCHMARK_MAIN();

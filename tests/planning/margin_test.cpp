@@ -92,6 +92,16 @@ TEST(Margins, AreUnrolledWithTheirCut) {
       }
     }
     EXPECT_NEAR(closest_mm, nearest_mm, 1);
+    // Its axes lie across the surface's normal, as places a millimetre on along them do.
+    for (const auto& [axis, across] :
+         {std::pair{map.along_row, Eigen::Vector2d(1, 0)}, std::pair{map.along_column, Eigen::Vector2d(0, 1)}}) {
+      EXPECT_NEAR(axis.norm(), 1, 1e-12);
+      EXPECT_NEAR(axis.dot(surfaces[n].normal()), 0, 1e-12);
+      EXPECT_LT((surfaces[n].across_mm(surfaces[n].point_mm() + axis) - surfaces[n].across_mm(surfaces[n].point_mm()) -
+                 across)
+                    .norm(),
+                1e-9);
+    }
     const double disc_mm2 = 3.14159265 * (40 * 40 - 9);
     EXPECT_NEAR(area_mm2, disc_mm2, (n == 0 ? 0.02 : 0.1) * disc_mm2);
     EXPECT_EQ(map.vessels.size(), found->answer.branches.size());

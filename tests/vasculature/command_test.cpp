@@ -164,6 +164,14 @@ TEST_F(GeneratedCase, GoesFromVesselsToTreesToSegments) {
   const Json of_body = answer({"plan", patient(), "--compare", "--body-weight-kg", "80"}).at("plans")[0];
   EXPECT_NEAR(of_body.at("living_percent_of_body_weight"), of_body.at("living_ml").get<double>() / 800, 1e-9);
   EXPECT_EQ(glisson_cli({"plan", patient(), "--compare", "--body-weight-kg", "0"}).exit_code, 2);
+  const Json after = answer({"plan", patient(), "--compare", "--embolise", "portal/right", "--growth-percent", "40"})
+                         .at("plans")[0]
+                         .at("after_embolisation");
+  EXPECT_GT(after.at("embolised_ml"), 100.0);
+  EXPECT_NEAR(after.at("grown_ml"), 1.4 * after.at("grows_ml").get<double>(), 1e-6);
+  EXPECT_EQ(glisson_cli({"plan", patient(), "--list", "--embolise", "portal/right"}).exit_code, 2);
+  EXPECT_THAT(answer({"plan", patient(), "--compare", "--embolise", "hepatic"}).at("plans")[0].at("remarks").dump(),
+              testing::HasSubstr("no branch of the portal vein"));
   const auto csv = read_text_file(file("compared/plans.csv"));
   ASSERT_TRUE(csv);
   EXPECT_EQ(std::count(csv->begin(), csv->end(), '\n'), 3);  // a head and two plans

@@ -118,7 +118,7 @@ class PlanByAnatomyTest : public QObject {
     const auto followed = planned_course(patient_);
     QVERIFY(followed.course);
     QVERIFY(std::abs(followed.course->surface.normal().dot(panel_->plane()->normal())) > 1 - 1e-9);
-    QVERIFY(child<QTableWidget>("plans")->item(0, PlanByAnatomy::name_column)->font().bold());
+    QVERIFY(child<QTableWidget>("plans")->item(0, PlanList::name_column)->font().bold());
     child<QPushButton>("no_cut")->click();
     QTRY_VERIFY(!live().result());
   }
@@ -152,8 +152,8 @@ class PlanByAnatomyTest : public QObject {
     auto* plans = child<QTableWidget>("plans");
     QTRY_COMPARE(plans->rowCount(), 2);
     for (int row = 0; row < 2; ++row) {
-      QVERIFY(plans->item(row, PlanByAnatomy::stays_percent_column)->text().endsWith("%"));
-      QVERIFY(plans->item(row, PlanByAnatomy::alive_column)->text().endsWith("%"));
+      QVERIFY(plans->item(row, PlanList::stays_percent_column)->text().endsWith("%"));
+      QVERIFY(plans->item(row, PlanList::alive_column)->text().endsWith("%"));
     }
     QTest::qWait(300);
     Q_EMIT plans->cellClicked(0, 0);

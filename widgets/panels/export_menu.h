@@ -16,14 +16,17 @@ class ExportMenu : public QMenu {
   ExportMenu(const WorkspaceContext& context, QWidget* parent);
 
   // Without a question, for who knows where to.
-  void write(casefile::ExportFormat format, const std::filesystem::path& out);
+  void write(casefile::ExportFormat format, const std::filesystem::path& out,
+             const casefile::SegmentationExport& with = {});
 
  private:
-  void ask(casefile::ExportFormat format);
+  void ask(casefile::ExportFormat format, const casefile::SegmentationExport& with = {});
+  void list_plans();
   void word();
 
   WorkspaceContext context_;
   std::vector<std::pair<QAction*, casefile::ExportFormat>> formats_;
+  QMenu* with_plan_;  // the plans of the case, each exported with the outlines and segments
 };
 
 }  // namespace glisson::widgets

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "casefile/vascular.h"
 #include "meshing/mask_surface.h"
@@ -36,6 +37,46 @@ std::shared_ptr<const geometry::Surface> surface_of(const imaging::Image<Value>&
   return surface ? std::make_shared<const geometry::Surface>(std::move(*surface)) : nullptr;
 }
 
+// By name, those that surgeons name: a branch of a segment counted "2" has none of its own.
+std::vector<NamedTerritory> named_territories(const planning::Planner& planner) {
+  std::map<std::string, double> ml;
+  const auto tissue = planner.branches();
+  for (std::size_t b = 0; b < tissue.size(); ++b) {
+    const std::string& name = planner.trees().branches[b].name;
+    for (std::size_t from = name.find('/'); from != std::string::npos;) {
+      const std::size_t to = name.find('/', from + 1);
+      const std::string part = name.substr(from + 1, to - from - 1);
+      const bool has_name = !part.empty() && part != "stem" && part.find_first_of("0123456789") == std::string::npos;
+      if (!has_name) break;
+      ml[name.substr(0, to)] += tissue[b].ml;
+      from = to;
+    }
+  }
+  std::vector<NamedTerritory> named;
+  for (const auto& [branch, volume_ml] : ml) {
+    if (volume_ml >= 1) named.push_back({branch, volume_ml});
+  }
+  return named;
+}
+
+// Of each tumour the smallest portal territory that takes all of it.
+std::map<std::string, std::string> territories_around(const planning::Planner& planner,
+                                                      std::vector<NamedTerritory> territories) {
+  std::map<std::string, std::string> around;
+  std::sort(territories.begin(), territories.end(),
+            [](const NamedTerritory& a, const NamedTerritory& b) { return a.ml < b.ml; });
+  for (const NamedTerritory& territory : territories) {
+    if (around.size() == planner.tumours().size()) break;
+    if (territory.branch.rfind("portal/", 0) != 0) continue;
+    const auto answer = planner.answer({planning::TerritoryCut{territory.branch}});
+    if (!answer) continue;
+    for (const planning::MarginAnswer& tumour : answer->tumours) {
+      if (tumour.side == planning::Side::removed) around.try_emplace(tumour.tumour, territory.branch);
+    }
+  }
+  return around;
+}
+
 Result<std::shared_ptr<const OpenedAnatomy>> opened_anatomy(const std::filesystem::path& folder) {
   using casefile::SegmentsBy;
   const auto patient = casefile::Case::open(folder);
@@ -51,7 +92,9 @@ Result<std::shared_ptr<const OpenedAnatomy>> opened_anatomy(const std::filesyste
   auto opened = casefile::open_planner(*patient, found);
   if (!opened) return failure(std::move(opened.error()));
   auto anatomy = std::make_shared<OpenedAnatomy>(
-      OpenedAnatomy{std::move(opened->planner), std::move(opened->remarks), false, has_trees, {}});
+      OpenedAnatomy{std::move(opened->planner), std::move(opened->remarks), false, has_trees, {}, {}, {}});
+  anatomy->territories = named_territories(anatomy->planner);
+  anatomy->territory_around = territories_around(anatomy->planner, anatomy->territories);
   const imaging::LabelMap& segments = found.couinaud.segment;
   anatomy->has_segments = !segments.values.empty();
   for (std::size_t s = 1; s <= 8 && anatomy->has_segments; ++s) {
@@ -65,10 +108,24 @@ bool is_a_surface(const planning::Cut& cut) {
 }
 
 Result<std::shared_ptr<const LivePlanResult>> answered(const OpenedAnatomy& anatomy,
-                                                       const std::vector<planning::Cut>& cuts) {
-  auto answer = anatomy.planner.answer(cuts);
+                                                       const std::vector<planning::Cut>& cuts, bool unrolling,
+                                                       const std::optional<Embolisation>& embolisation) {
+  using planning::Planner;
+  auto answer = unrolling ? anatomy.planner.answer_unrolled(cuts)
+                          : anatomy.planner.answer(cuts).map([](const planning::PlanAnswer& plain) {
+                              return Planner::Unrolled{plain, {}};
+                            });
   if (!answer) return failure(std::move(answer.error()));
-  auto result = std::make_shared<LivePlanResult>(LivePlanResult{cuts, std::move(*answer), {}, {}});
+  auto result = std::make_shared<LivePlanResult>(
+      LivePlanResult{cuts, std::move(answer->answer), {}, {}, std::move(answer->resectograms), {}, {}});
+  if (embolisation) {
+    const auto stages =
+        planning::two_stages(anatomy.planner, {embolisation->branch}, cuts, embolisation->growth_percent);
+    if (stages)
+      result->stages = *stages;
+    else
+      result->stages_problem = stages.error();
+  }
   if (cuts.size() == 1 && is_a_surface(cuts.front())) return result;
   const auto parts = anatomy.planner.parts(cuts);
   if (!parts) return failure(parts.error());
@@ -120,11 +177,26 @@ void LivePlan::set_cuts(const std::vector<planning::Cut>& cuts) {
   compute();
 }
 
+void LivePlan::set_unrolling(bool unrolling) {
+  if (std::exchange(unrolling_, unrolling) == unrolling || !unrolling) return;
+  ++asked_;
+  compute();
+}
+
+void LivePlan::set_embolisation(const std::optional<Embolisation>& embolisation) {
+  embolisation_ = embolisation;
+  ++asked_;
+  compute();
+}
+
 void LivePlan::compute() {
   if (computing_ || wanted_.empty() || !anatomy_) return;
   computing_ = true;
   run_in_background(
-      this, [anatomy = anatomy_, cuts = wanted_] { return answered(*anatomy, cuts); },
+      this,
+      [anatomy = anatomy_, cuts = wanted_, unrolling = unrolling_, embolisation = embolisation_] {
+        return answered(*anatomy, cuts, unrolling, embolisation);
+      },
       [this, asked = asked_, opening = openings_](const Result<std::shared_ptr<const LivePlanResult>>& result) {
         computing_ = false;
         if (asked != asked_) compute();

@@ -31,6 +31,14 @@ Result<void> find_anatomy(const std::filesystem::path& folder, const Progress& p
   return found ? Result<void>() : failure(found.error());
 }
 
+Result<void> keep_in(const std::filesystem::path& folder, const planning::Plan& plan,
+                     const planning::PlanAnswer& answer, const OpenedAnatomy& anatomy) {
+  auto patient = casefile::Case::open(folder);
+  if (!patient) return failure(std::move(patient.error()));
+  const auto id = casefile::keep_plan(*patient, plan, answer, anatomy.planner.trees());
+  return id ? Result<void>() : failure(id.error());
+}
+
 }  // namespace
 
 PlanByAnatomy::PlanByAnatomy(WorkspaceContext context, QWidget* parent)
@@ -39,12 +47,14 @@ PlanByAnatomy::PlanByAnatomy(WorkspaceContext context, QWidget* parent)
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 6, 0, 0);
   column->setSpacing(8);
+  column->addWidget(make_unrolled());
   column->addWidget(make_anatomy());
   column->addWidget(make_answer());
-  column->addWidget(make_plans());
+  make_plans();
+  column->addWidget(plans_);
   connect(live_, &LivePlan::opened, this, &PlanByAnatomy::show_anatomy);
   connect(live_, &LivePlan::changed, this, &PlanByAnatomy::show_answer);
-  connect(live_, &LivePlan::kept_changed, this, &PlanByAnatomy::show_plans);
+  connect(live_, &LivePlan::kept_changed, this, [this] { plans_->show_plans(live_->kept()); });
   connect(&context_.undo, &Undo::entries_moved, this, [this](const QStringList& ids) {
     const bool plans = std::any_of(ids.begin(), ids.end(), [](const QString& id) {
       return id.startsWith("plans/") || id.startsWith("results/");  // the list, and which of them is followed
@@ -54,8 +64,10 @@ PlanByAnatomy::PlanByAnatomy(WorkspaceContext context, QWidget* parent)
   keep_translated(this, [this] {
     show_anatomy();
     show_answer();
-    show_plans();
+    show_keeping();
+    show_taken();
   });
+  keep_taken();
 }
 
 QWidget* PlanByAnatomy::make_anatomy() {
@@ -99,6 +111,7 @@ QWidget* PlanByAnatomy::make_anatomy() {
   around->addWidget(margin_);
   around->addWidget(take_around_, 1);
   column->addWidget(around_);
+  column->addWidget(make_territory_and_ablation());
 
   connect(find_, &QPushButton::clicked, this, &PlanByAnatomy::find_segments);
   connect(take_segments_, &QPushButton::clicked, this, &PlanByAnatomy::take_segments);
@@ -144,61 +157,40 @@ QWidget* PlanByAnatomy::make_answer() {
   return answer_;
 }
 
-QWidget* PlanByAnatomy::make_plans() {
-  plans_box_ = new QWidget(this);
-  auto* column = new QVBoxLayout(plans_box_);
+QWidget* PlanByAnatomy::make_unrolled() {
+  auto* held = new QWidget;
+  auto* column = new QVBoxLayout(held);
   column->setContentsMargins(0, 0, 0, 0);
-  QLabel* title = heading(plans_box_);
-  column->addWidget(title);
-  plans_ = small_table("plans", 5, plans_box_);
-  plans_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  plans_->setSelectionMode(QAbstractItemView::SingleSelection);
-  column->addWidget(plans_);
-  name_ = new QLineEdit(plans_box_);
-  name_->setObjectName("plan_name");
-  keep_ = named_button("keep_plan", plans_box_);
-  drop_ = named_button("drop_plan", plans_box_);
-  auto* row = new QHBoxLayout;
-  row->addWidget(name_, 1);
-  row->addWidget(keep_);
-  row->addWidget(drop_);
-  column->addLayout(row);
-  connect(plans_, &QTableWidget::cellClicked, this, [this](int plan) {
-    if (plan < 0 || static_cast<std::size_t>(plan) >= live_->kept().size()) return;
-    const planning::Plan& chosen = live_->kept()[static_cast<std::size_t>(plan)].kept.plan;
-    taken_.clear();
-    for (const planning::Cut& cut : chosen.cuts) {
-      if (!std::holds_alternative<planning::PlaneCut>(cut) && !std::holds_alternative<planning::SheetCut>(cut)) {
-        taken_.push_back(cut);
-      }
-    }
-    name_->setText(QString::fromStdString(chosen.name));
-    Q_EMIT plan_chosen(chosen);
-    cuts_changed();
+  column->setSpacing(4);
+  resectogram_ = new ResectogramView(held);
+  column->addWidget(resectogram_);
+  nearest_ = wrapped_label("unrolled_told", held);
+  column->addWidget(nearest_);
+  resectogram_key_ = wrapped_label("faint", held);
+  column->addWidget(resectogram_key_);
+  unrolled_ = new Fold("unrolled", held, Fold::At::open, this);
+  live_->set_unrolling(true);
+  connect(unrolled_, &Fold::toggled, live_, &LivePlan::set_unrolling);
+  keep_translated(unrolled_, [this] {
+    unrolled_->set_title(tr("The cut unrolled flat"));
+    resectogram_key_->setText(resectogram_key());
   });
-  connect(plans_, &QTableWidget::itemSelectionChanged, this,
-          [this] { drop_->setEnabled(!plans_->selectedItems().isEmpty()); });
-  connect(keep_, &QPushButton::clicked, this, &PlanByAnatomy::keep);
-  connect(drop_, &QPushButton::clicked, this, &PlanByAnatomy::drop);
-  keep_translated(plans_box_, [=, this] {
-    title->setText(tr("Plans"));
-    plans_->setHorizontalHeaderLabels({tr("Plan"), tr("Stays"), tr("Alive"), tr("Margin"), tr("Cut")});
-    plans_->horizontalHeaderItem(stays_percent_column)->setToolTip(tr("Of the liver without its tumours"));
-    plans_->horizontalHeaderItem(alive_column)->setToolTip(tr("What stays perfused and drained, of the same"));
-    plans_->horizontalHeaderItem(cut_branches_column)->setToolTip(tr("Branches that are cut"));
-    name_->setPlaceholderText(tr("Name of the plan"));
-    keep_->setText(tr("Keep this plan"));
-    show_keeping();
-    drop_->setText(tr("Drop"));
-    drop_->setToolTip(tr("Takes the plan that is marked out of the case"));
-  });
-  return plans_box_;
+  return unrolled_;
+}
+
+void PlanByAnatomy::make_plans() {
+  plans_ = new PlanList(this);
+  connect(plans_, &PlanList::chosen, this, [this](std::size_t plan) { take_up(live_->kept()[plan].kept.plan); });
+  connect(plans_, &PlanList::keep_wanted, this, &PlanByAnatomy::keep);
+  connect(plans_, &PlanList::copy_wanted, this, &PlanByAnatomy::copy);
+  connect(plans_, &PlanList::drop_wanted, this, &PlanByAnatomy::drop);
 }
 
 void PlanByAnatomy::show_patient(const Patient& patient) {
   if (patient.folder != folder_) {
     taken_.clear();
-    name_->clear();
+    plans_->set_name({});
+    show_taken();
   }
   folder_ = patient.folder;
   by_anatomy_->setVisible(!folder_.empty());
@@ -216,11 +208,6 @@ void PlanByAnatomy::set_resection(const std::shared_ptr<const LiveResectionResul
   show_keeping();
 }
 
-void PlanByAnatomy::clear() {
-  taken_.clear();
-  cuts_changed();
-}
-
 std::vector<planning::Cut> PlanByAnatomy::cuts() const {
   std::vector<planning::Cut> all = taken_;
   const bool at_rest = surface_ && surface_->liver == casefile::PlannedCut::Liver::at_rest;
@@ -229,6 +216,7 @@ std::vector<planning::Cut> PlanByAnatomy::cuts() const {
 }
 
 void PlanByAnatomy::cuts_changed() {
+  show_taken();
   live_->set_cuts(cuts());
   Q_EMIT taken_changed();
 }
@@ -240,28 +228,6 @@ void PlanByAnatomy::find_segments() {
   });
 }
 
-std::vector<int> PlanByAnatomy::ticked() const {
-  std::vector<int> numbers;
-  for (int row = 0; row < segments_->rowCount(); ++row) {
-    const QTableWidgetItem* item = segments_->item(row, segment_column);
-    if (item != nullptr && item->checkState() == Qt::Checked) numbers.push_back(item->data(Qt::UserRole).toInt());
-  }
-  return numbers;
-}
-
-// One cut of its kind at a time; kinds add to each other.
-void PlanByAnatomy::take(const planning::Cut& cut) {
-  std::erase_if(taken_, [&](const planning::Cut& other) { return other.index() == cut.index(); });
-  taken_.push_back(cut);
-  cuts_changed();
-}
-
-void PlanByAnatomy::take_segments() { take(planning::SegmentsCut{ticked()}); }
-
-void PlanByAnatomy::take_around() {
-  take(planning::MarginCut{tumour_->currentData().toString().toStdString(), margin_->value()});
-}
-
 bool PlanByAnatomy::complete() const {
   const std::vector<planning::Cut> wanted = cuts();
   if (folder_.empty() || live_->opening() || (wanted.empty() && !divides_liver())) return false;
@@ -270,22 +236,18 @@ bool PlanByAnatomy::complete() const {
   return live_->result() && live_->result()->cuts == wanted;
 }
 
-void PlanByAnatomy::keep() {
+void PlanByAnatomy::keep(const QString& name) {
   if (!complete() || !context_.may_change()) return;
   const auto resection = divides_liver() ? resection_ : nullptr;
   const auto anatomy = live_->anatomy();
   const auto answered = anatomy && !cuts().empty() ? live_->result() : nullptr;
-  QString name = name_->text().trimmed();
-  if (name.isEmpty()) name = tr("Plan %1").arg(live_->kept().size() + 1);
   context_.undo.change(
       {GLISSON_TEXT("Keep the plan {0}"), {name.toStdString()}}, {},
       [folder = folder_, name = name.toStdString(), resection, anatomy, answered]() -> Result<void> {
         if (answered) {
-          auto patient = casefile::Case::open(folder);
-          if (!patient) return failure(std::move(patient.error()));
           const planning::Plan plan{name, answered->cuts};
-          const auto id = casefile::keep_plan(*patient, plan, answered->answer, anatomy->planner.trees());
-          if (!id) return failure(id.error());
+          auto kept = keep_in(folder, plan, answered->answer, *anatomy);
+          if (!kept || !resection) return kept;
         }
         if (!resection) return {};
         return casefile::write_resection(folder / "results" / "resection", resection->cut, resection->plan);
@@ -299,13 +261,34 @@ void PlanByAnatomy::keep() {
         }
         live_->read_kept();
       });
-  name_->clear();
 }
 
-void PlanByAnatomy::drop() {
-  const int row = plans_->currentRow();
-  if (row < 0 || static_cast<std::size_t>(row) >= live_->kept().size() || !context_.may_change()) return;
-  const std::string name = live_->kept()[static_cast<std::size_t>(row)].kept.plan.name;
+// "Right hemihepatectomy (2)", or as far as one must count.
+void PlanByAnatomy::copy(std::size_t number) {
+  if (number >= live_->kept().size() || !context_.may_change()) return;
+  const KeptPlanAnswer original = live_->kept()[number];
+  if (!original.answer) return context_.tell_error(*original.problem);
+  planning::Plan plan = original.kept.plan;
+  const auto is_kept = [&](const std::string& name) {
+    return std::any_of(live_->kept().begin(), live_->kept().end(),
+                       [&](const KeptPlanAnswer& other) { return other.kept.plan.name == name; });
+  };
+  for (int n = 2; is_kept(plan.name); ++n) plan.name = original.kept.plan.name + " (" + std::to_string(n) + ")";
+  take_up(plan);
+  context_.undo.change(
+      {GLISSON_TEXT("Copy the plan {0}"), {original.kept.plan.name}}, {},
+      [folder = folder_, plan, answer = *original.answer, anatomy = live_->anatomy()] {
+        return keep_in(folder, plan, answer, *anatomy);
+      },
+      [this](const Result<void>& kept) {
+        if (!kept) context_.tell_error(kept.error());
+        live_->read_kept();
+      });
+}
+
+void PlanByAnatomy::drop(std::size_t number) {
+  if (number >= live_->kept().size() || !context_.may_change()) return;
+  const std::string name = live_->kept()[number].kept.plan.name;
   context_.undo.change(
       {GLISSON_TEXT("Drop the plan {0}"), {name}}, {},
       [folder = folder_, name]() -> Result<void> {

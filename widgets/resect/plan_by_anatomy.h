@@ -1,21 +1,25 @@
 #pragma once
-// The part of Resect that knows the liver's anatomy: its segments as a list and in colours, "take these segments" and
-// "around this tumour" as cuts of one click, what a cut leaves alive and which branches it takes, and the plans that
-// the case keeps, side by side. The one that is kept last, where it is a plane or sheet, is also what Rehearse, Guide
-// and the report follow (results/resection).
+// The part of Resect that knows the liver's anatomy: its segments as a list and in colours, cuts of one click
+// (segments, around a tumour, along a territory, ablation zones), what a cut leaves alive and which branches it takes,
+// its surface unrolled flat, and the plans that the case keeps, side by side. The one that is kept last, where it is a
+// plane or sheet, is also what Rehearse, Guide and the report follow (results/resection).
 
 #include <optional>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
-#include <QLineEdit>
 #include <QPushButton>
 #include <QTableWidget>
 #include <QWidget>
 #include <vector>
 
+#include "widgets/panels/fold.h"
+#include "widgets/resect/ablation_controls.h"
 #include "widgets/resect/live_plan.h"
 #include "widgets/resect/live_resection.h"
+#include "widgets/resect/plan_list.h"
+#include "widgets/resect/resectogram_view.h"
+#include "widgets/resect/two_stage_controls.h"
 #include "widgets/words/number_box.h"
 #include "widgets/workspaces/workspace.h"
 
@@ -27,7 +31,6 @@ class PlanByAnatomy : public QWidget {
  public:
   enum SegmentColumn { segment_column, whole_column, stays_column, stiffness_column };
   enum BranchColumn { branch_column, width_column, beyond_column, left_column };
-  enum PlanColumn { name_column, stays_percent_column, alive_column, plan_margin_column, cut_branches_column };
 
   PlanByAnatomy(WorkspaceContext context, QWidget* parent = nullptr);
 
@@ -54,20 +57,34 @@ class PlanByAnatomy : public QWidget {
  private:
   QWidget* make_anatomy();
   QWidget* make_answer();
-  QWidget* make_plans();
+  QWidget* make_territory_and_ablation();
+  QWidget* make_unrolled();
+  void make_plans();
   void find_segments();
   void take_segments();
   void take_around();
+  void take_territory();
+  void ablate_tumour();
+  // One cut of its kind at a time, but any number of ablations; kinds add to each other. A step of undo.
   void take(const planning::Cut& cut);
+  void resize_last_ablation();
+  void give_back(std::size_t cut);
+  enum class Step { of_its_own, joins_the_last };
+  void keep_taken();
+  void set_taken(const Sentence& step, std::vector<planning::Cut> taken, Step which = Step::of_its_own);
+  void take_up(const planning::Plan& plan);
+  void show_taken();
+  void suggest_territory();
   void cuts_changed();
   void show_anatomy();
   void show_answer();
-  void show_plans();
+  void show_unrolled();
   // Whether all is known of the cut as it is now set, so that it can be kept.
   [[nodiscard]] bool complete() const;
   void show_keeping();
-  void keep();
-  void drop();
+  void keep(const QString& name);
+  void copy(std::size_t plan);
+  void drop(std::size_t plan);
   [[nodiscard]] std::vector<planning::Cut> cuts() const;
   // Whether the liver itself is divided by the cut: by a plane or sheet alone.
   [[nodiscard]] bool divides_liver() const { return surface_ && taken_.empty(); }
@@ -90,15 +107,23 @@ class PlanByAnatomy : public QWidget {
   QComboBox* tumour_;
   NumberBox* margin_;
   QPushButton* take_around_;
+  QWidget* along_;
+  QComboBox* territory_;
+  QPushButton* take_territory_;
+  Fold* ablating_;
+  AblationControls* ablation_;
+  QLabel* taken_told_;
+  Fold* staging_;
+  TwoStageControls* stages_;
   QWidget* answer_;
   QLabel* alive_;
   QLabel* branches_title_;
   QTableWidget* branches_;
-  QWidget* plans_box_;
-  QTableWidget* plans_;
-  QLineEdit* name_;
-  QPushButton* keep_;
-  QPushButton* drop_;
+  Fold* unrolled_;
+  ResectogramView* resectogram_;
+  QLabel* nearest_;
+  QLabel* resectogram_key_;
+  PlanList* plans_;
 };
 
 // "Portal vein, right, posterior, VI, 2" of portal/right/posterior/VI/2.

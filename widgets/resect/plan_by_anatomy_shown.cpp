@@ -69,6 +69,9 @@ void PlanByAnatomy::show_anatomy() {
   find_->setVisible(anatomy && (!segments || !anatomy->remarks.empty()));
   anatomy_->setVisible(segments);
   around_->setVisible(anatomy && !anatomy->planner.tumours().empty());
+  along_->setVisible(anatomy && !anatomy->territories.empty());
+  staging_->setVisible(anatomy && !anatomy->territories.empty());
+  ablating_->setVisible(anatomy != nullptr);
   if (!anatomy) return;
   const QString before = tumour_->currentData().toString();
   tumour_->clear();
@@ -76,6 +79,20 @@ void PlanByAnatomy::show_anatomy() {
     tumour_->addItem(structure_label(name), QString::fromStdString(name));
   }
   tumour_->setCurrentIndex(std::max(0, tumour_->findData(before)));
+  const bool has_tumours = !anatomy->planner.tumours().empty();
+  ablation_->allow_tumour(has_tumours);
+  stages_->offer(anatomy->territories);
+  live_->set_embolisation(stages_->embolisation());
+  const QString territory_before = territory_->currentData().toString();
+  territory_->clear();
+  for (const NamedTerritory& territory : anatomy->territories) {
+    territory_->addItem(tr("%1 (%2 ml)").arg(branch_label(territory.branch), number(territory.ml, 0)),
+                        QString::fromStdString(territory.branch));
+  }
+  if (const int same = territory_->findData(territory_before); same >= 0)
+    territory_->setCurrentIndex(same);
+  else
+    suggest_territory();
   if (!segments) return;
   const std::vector<int> before_ticked = ticked();
   const QSignalBlocker quiet(segments_);
@@ -111,6 +128,7 @@ void PlanByAnatomy::show_answer() {
   const auto& result = live_->result();
   answer_->setVisible(result || (live_->problem() && !cuts().empty()));
   show_keeping();
+  stages_->show(result.get());
   const planning::PlanAnswer* answer = result ? &result->answer : nullptr;
   for (int row = 0; row < segments_->rowCount(); ++row) {
     const int s = segments_->item(row, segment_column)->data(Qt::UserRole).toInt();
@@ -125,6 +143,7 @@ void PlanByAnatomy::show_answer() {
   branches_->setVisible(answer && !answer->branches.empty());
   if (answer == nullptr) {
     alive_->setText(live_->problem() ? translated(*live_->problem()) : QString());
+    unrolled_->hide();
     Q_EMIT drawing_changed();
     return;
   }
@@ -138,6 +157,7 @@ void PlanByAnatomy::show_answer() {
                  .arg(number(answer->removed_ml, 0), number(answer->remnant_ml, 0),
                       of_liver(answer->remnant_percent()));
   }
+  if (answer->ablated_ml > 0) lines << tr("%1 ml of what goes are ablated.").arg(number(answer->ablated_ml, 0));
   if (answer->living_ml) {
     lines << tr("<b>%1 ml</b> of it stay alive, perfused and drained (%2 %); without inflow %3 ml, without outflow %4 "
                 "ml.")
@@ -160,6 +180,7 @@ void PlanByAnatomy::show_answer() {
                  .arg(number(*answer->left.mean_kPa, 1), number(100 * answer->left.confident_share, 0));
   }
   alive_->setText(lines.join("<br>"));
+  show_unrolled();
   constexpr double worth_a_row_ml = 1;
   constexpr int most_rows = 12;
   branches_->setRowCount(0);
@@ -178,51 +199,33 @@ void PlanByAnatomy::show_answer() {
 }
 
 void PlanByAnatomy::show_keeping() {
-  keep_->setEnabled(complete());
   const bool held_aside = surface_ && surface_->liver == casefile::PlannedCut::Liver::held_aside;
-  keep_->setToolTip(folder_.empty()                      ? tr("This patient is not kept in a case folder")
-                    : !divides_liver() && taken_.empty() ? tr("Needs a cut through the liver")
-                    : !divides_liver()                   ? tr("Keeps it in the case under this name, beside the others")
-                    : held_aside
-                        ? tr("Keeps the cut on the liver held aside, for the report; the table is of plans at rest")
-                        : tr("Keeps it in the case under this name, beside the others; Rehearse, Guide and the "
-                             "report then follow it"));
+  plans_->allow_keeping(complete(),
+                        folder_.empty()                      ? tr("This patient is not kept in a case folder")
+                        : !divides_liver() && taken_.empty() ? tr("Needs a cut through the liver")
+                        : !divides_liver() ? tr("Keeps it in the case under this name, beside the others")
+                        : held_aside
+                            ? tr("Keeps the cut on the liver held aside, for the report; the table is of plans at rest")
+                            : tr("Keeps it in the case under this name, beside the others; Rehearse, Guide and the "
+                                 "report then follow it"));
 }
 
-void PlanByAnatomy::show_plans() {
-  plans_->setVisible(!live_->kept().empty());
-  drop_->setVisible(!live_->kept().empty());
-  plans_->clearSelection();
-  plans_->setRowCount(static_cast<int>(live_->kept().size()));
-  drop_->setEnabled(false);
-  int row = 0;
-  for (const KeptPlanAnswer& plan : live_->kept()) {
-    const auto text = [&](auto value) { return plan.answer ? value(*plan.answer) : QString("–"); };
-    QTableWidgetItem* name = put(*plans_, row, name_column, QString::fromStdString(plan.kept.plan.name));
-    if (!plan.kept.remarks.empty() || plan.problem) {
-      name->setText("▲ " + name->text());
-      name->setToolTip(plan.problem ? translated(*plan.problem)
-                                    : tr("What it was made from has changed since; the figures are those of now."));
-    }
-    if (plan.followed) {
-      QFont bold = name->font();
-      bold.setBold(true);
-      name->setFont(bold);
-      if (name->toolTip().isEmpty()) name->setToolTip(tr("Rehearse, Guide and the report follow this plan"));
-    }
-    const auto percent = [](double value) { return number(value, 0) + " %"; };
-    put(*plans_, row, stays_percent_column,
-        text([&](const auto& answer) { return percent(answer.remnant_percent()); }));
-    put(*plans_, row, alive_column,
-        text([&](const auto& answer) { return answer.living_ml ? percent(answer.living_percent()) : QString("–"); }));
-    put(*plans_, row, plan_margin_column, text([&](const auto& answer) {
-      return answer.margin_mm ? (answer.margin_is_at_least ? "≥ " : "") + number(*answer.margin_mm, 1) : QString("–");
-    }));
-    put(*plans_, row, cut_branches_column,
-        text([](const auto& answer) { return QString::number(answer.branches.size()); }));
-    ++row;
-  }
-  fit_height(*plans_);
+void PlanByAnatomy::show_unrolled() {
+  const auto& result = live_->result();
+  const auto is_surface = [](const planning::Cut& cut) {
+    return std::holds_alternative<planning::PlaneCut>(cut) || std::holds_alternative<planning::SheetCut>(cut);
+  };
+  const bool has_surface = result && std::any_of(result->cuts.begin(), result->cuts.end(), is_surface);
+  unrolled_->setVisible(has_surface);
+  if (!has_surface || result->resectograms.empty()) return;
+  const planning::Resectogram& map = result->resectograms.front();
+  resectogram_->show_map(map);
+  const auto nearest = nearest_mm(map);
+  const bool has_tumours = !result->answer.tumours.empty();
+  nearest_->setText(!has_tumours    ? tr("No tumour is outlined: the map shows the vessels alone.")
+                    : !nearest      ? tr("No tumour within %1 mm of the cut.").arg(planning::largest_margin_mm)
+                    : *nearest <= 0 ? tr("▲ The cut goes through a tumour.")
+                                    : tr("At the nearest the cut is %1 mm from a tumour.").arg(number(*nearest, 1)));
 }
 
 bool PlanByAnatomy::draws_liver() const {

@@ -155,7 +155,8 @@ void ResectionResults::fill_crossings(const rehearsal::Resection& plan) {
         ->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
     ++row;
   }
-  fit_height(*crossings_);
+  constexpr int most_rows = 8;  // the widest; the others are scrolled to
+  fit_height(*crossings_, most_rows);
 }
 
 }  // namespace glisson::widgets

@@ -30,8 +30,9 @@ QTableWidgetItem* put_text(QTableWidget& table, int row, int column, const QStri
   return cell;
 }
 
-void fit_height(QTableWidget& table) {
-  table.setFixedHeight(table.horizontalHeader()->sizeHint().height() + 24 * std::max(1, table.rowCount()) + 4);
+void fit_height(QTableWidget& table, int most_rows) {
+  const int rows = std::clamp(table.rowCount(), 1, most_rows);
+  table.setFixedHeight(table.horizontalHeader()->sizeHint().height() + 24 * rows + 4);
 }
 
 }  // namespace glisson::widgets

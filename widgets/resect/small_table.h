@@ -10,6 +10,7 @@ namespace glisson::widgets {
 // Sets the text of a cell, made where it is not there yet, in the usual colour.
 QTableWidgetItem* put_text(QTableWidget& table, int row, int column, const QString& text);
 
-void fit_height(QTableWidget& table);
+// As high as its rows, or as that many, beyond which it scrolls.
+void fit_height(QTableWidget& table, int most_rows = 100);
 
 }  // namespace glisson::widgets
