@@ -201,9 +201,6 @@ int main(int argc, char** argv) {
   print_memory("the patient open");
   compare_under_a_tool(window);
   print_memory("compared under a tool");
-  draw_a_probe_at_large_deformations(window);
-  print_memory("with large deformations");
-  window.rehearsal().set_deformations(Deformations::small);
   window.rehearsal().take_tool_away();
   window.views().set_layout(ViewLayout::space_large);
   QApplication::processEvents();
@@ -213,6 +210,8 @@ int main(int argc, char** argv) {
   window.views().set_layout(ViewLayout::one);
   QApplication::processEvents();
   measure(window, "3D alone");
+  draw_a_probe_at_large_deformations(window);
+  print_memory("with large deformations");
   patient = glisson::widgets::Patient{};
   window.show_patient({});
   for (const auto closed = std::chrono::steady_clock::now();
