@@ -18,6 +18,7 @@
 #include "base/json.h"
 #include "casefile/case.h"
 #include "closedloop/explain.h"
+#include "closedloop/hardware/model.h"
 #include "closedloop/palpation/model.h"
 #include "closedloop/palpation_bodies.h"
 #include "geometry/mesh_file.h"
@@ -333,15 +334,17 @@ class EvidenceTest : public QObject {
     QCOMPARE(child<QLabel>("next_measurement")->text(), english_next);
   }
 
-  // Whatever trial Glisson proposes next, of tissue in a testing machine or under a finger, is told in German too: its
-  // figures as they are, its words not in English, and what it would tell apart by the names in the window.
+  // Whatever trial Glisson proposes next, of tissue in a machine, under a finger or of a battery, is told in German
+  // too: its figures as they are, its words not in English, and what it would tell apart by the names in the window.
   void proposes_every_next_trial_in_german() {
     const auto tissue = closedloop::read_experiment(*resource_folder() / "examples" / "tissue" / "experiment.json");
     QVERIFY(bool(tissue));
     std::vector<Sentence> proposals = closedloop::forward_model(*tissue).value()->further_trials();
     const auto palpation = closedloop::palpation_model(closedloop::test::pad({.bricks = {4, 4, 2}, .markers = 24}));
     for (const Sentence& proposal : (*palpation)->further_trials()) proposals.push_back(proposal);
-    QCOMPARE(proposals.size(), std::size_t{10});
+    const auto hardware = closedloop::platform_model(cell_at_2_A());
+    for (const Sentence& proposal : (*hardware)->further_trials()) proposals.push_back(proposal);
+    QCOMPARE(proposals.size(), std::size_t{13});
 
     const fs::path kept = folder_ / "next";
     fs::copy(view_->record()->folder, kept, fs::copy_options::recursive);
@@ -362,7 +365,7 @@ class EvidenceTest : public QObject {
       choose_language("de");
       QTest::qWait(20);
       const QString german = label->text();
-      for (const char* word : {"Press", "Pull", "hold", "Deform", "Load", "trial", "It would", "with"}) {
+      for (const char* word : {"Press", "Pull", "hold", "Deform", "Load", "Repeat", "trial", "It would", "with"}) {
         QVERIFY2(!german.contains(word), qPrintable(german));
       }
       for (const std::string& figure : proposal.arguments) {
@@ -387,6 +390,20 @@ class EvidenceTest : public QObject {
   void shuts_down_cleanly() { window_.reset(); }
 
  private:
+  // A cell of 3.6 V and 3 Ah, emptied for a minute.
+  static closedloop::Platform cell_at_2_A() {
+    closedloop::Platform platform;
+    platform.nominal_voltage_V = 3.6;
+    platform.capacity_Ah = 3;
+    platform.noise_V = 0.01;
+    closedloop::PlatformTrial trial;
+    trial.id = "2 A";
+    trial.time_s = Eigen::VectorXd::LinSpaced(61, 0, 60);
+    trial.current_A = Eigen::VectorXd::Constant(61, 2);
+    trial.voltage_V = Eigen::VectorXd::Constant(61, 3.5);
+    platform.trials.push_back(trial);
+    return platform;
+  }
   template <typename Widget>
   Widget* child(const char* name) {
     return child_of<Widget>(*view_, name);
