@@ -131,6 +131,12 @@ Raises glisson.Error: registration-no-pairs, registration-mirrored, registration
       .def_property_readonly(
           "target_points", [](const SurfaceMatch& self) { return handed_over(self.target_points); },
           "int32, (matches,).")
+      .def_property_readonly(
+          "target_samples", [](const SurfaceMatch& self) { return handed_over(self.target_samples.points); },
+          "int32, (samples,): the target's points among which it chose.")
+      .def_property_readonly(
+          "target_distances_mm", [](const SurfaceMatch& self) { return self.target_samples.to_surface_mm; },
+          "float64, (samples, points of the target): along the surface; a copy.")
       .def_readonly("orientation_kept", &SurfaceMatch::orientation_kept,
                     "Share of neighbours that turn the same way: 1 for a good match, 0 for a mirrored one.")
       .def_property_readonly(

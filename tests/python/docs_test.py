@@ -136,6 +136,13 @@ class Docs(Case):
         error_mm = re.search(r"icp: ([\d.]+) mm", said).group(1)
         self.assertIn(f"the truth; {error_mm} (", page)
 
+    def test_a_shape_is_matched_in_another_pose_as_the_page_says(self):
+        wolf = self.data("tosca_nonrigid_shapes")
+        said = self.said_by("match_poses.py", wolf / "wolf1.off", wolf / "wolf2.off")
+        off, sampling, within = re.search(r"([\d.]+) %, sampling ([\d.]+) %, within (.*)", said).groups()
+        row = f"| wolf 1 to 2 | {off} % | {sampling} % | {' | '.join(within.split())} |"
+        self.assertIn(row, (ROOT / "docs" / "real-data.md").read_text())
+
     def test_a_camera_is_calibrated_as_the_page_says(self):
         pairs = sorted(self.data("ucl_stereo_laparoscope_calib").glob("08_*"))
         with tempfile.TemporaryDirectory() as folder:

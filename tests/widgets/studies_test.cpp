@@ -66,13 +66,13 @@ class StudiesTest : public QObject {
 
   void what_was_stopped_goes_on() {
     const fs::path out = folder_->path() / "landmarks";
-    begin("landmarks", 4, out);
+    begin("landmarks", 12, out);
     QTRY_VERIFY_WITH_TIMEOUT(rows()->done() >= 1, 120'000);
     QTest::mouseClick(child<QPushButton>("stop_study"), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(!studies().run().running(), 150'000);
     QCOMPARE(child<QLabel>("study_stage")->text(), QString("Stopped. Started again, it goes on from there."));
     const int done = rows()->done();
-    QVERIFY(done >= 1 && done < 4);
+    QVERIFY(done >= 1 && done < 12);
     const fs::path first = out / "patients" / (rows()->item(0, 0)->text().toStdString() + ".json");
     const auto written = fs::last_write_time(first);
     QTest::mouseClick(child<QPushButton>("primary"), Qt::LeftButton);

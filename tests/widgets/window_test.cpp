@@ -101,7 +101,8 @@ class WindowTest : public QObject {
     QStringList names;
     for (const QToolButton* button : window_->findChild<WorkspaceBar*>()->findChildren<QToolButton*>())
       names << button->objectName().section('_', 1);
-    QCOMPARE(names.join(' '), QString("study segment model rehearse resect report guide register platform evidence"));
+    QCOMPARE(names.join(' '),
+             QString("study segment model rehearse resect report guide register platform evidence studies"));
     const auto* group = child<QLabel>("research_group");
     QVERIFY(child<QToolButton>("workspace_report")->geometry().right() < group->x());
     QVERIFY(group->geometry().right() < child<QToolButton>("workspace_register")->x() + 1);

@@ -705,8 +705,16 @@ class SurfaceMatch:
         """int32, (matches,)."""
 
     @property
+    def target_distances_mm(self) -> numpy.typing.NDArray[Any]:
+        """float64, (samples, points of the target): along the surface; a copy."""
+
+    @property
     def target_points(self) -> numpy.typing.NDArray[Any]:
         """int32, (matches,)."""
+
+    @property
+    def target_samples(self) -> numpy.typing.NDArray[Any]:
+        """int32, (samples,): the target's points among which it chose."""
 
 class TetMesh:
     """A body of tetrahedra in patient coordinates (LPS, mm), with quantities on its points and cells.
