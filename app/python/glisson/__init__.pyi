@@ -705,7 +705,7 @@ class SurfaceMatch:
         """int32, (matches,)."""
 
     @property
-    def target_distances_mm(self) -> numpy.typing.NDArray[Any]:
+    def target_distances_mm(self) -> numpy.typing.NDArray[numpy.float64]:
         """float64, (samples, points of the target): along the surface; a copy."""
 
     @property
