@@ -1,6 +1,6 @@
 #pragma once
-// How far the liver may be strained: small deformations (at once, up to 20 % strain) or large ones (beyond that too, and
-// settling). Says which is at work and why, and offers the large ones where strains ask for them.
+// How far the liver may be strained: small deformations (at once, up to 20 % strain) or large ones (beyond that too,
+// and settling). Says which is at work and why, and offers the large ones where strains ask for them.
 
 #include <QComboBox>
 #include <QLabel>

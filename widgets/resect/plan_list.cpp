@@ -152,7 +152,7 @@ void PlanList::fill() {
     std::stable_partition(order_.begin(), order_.end(),
                           [this](std::size_t plan) { return kept_[plan].answer.has_value(); });
     const auto ranked = planning::ranked(answers, static_cast<RankBy>(by));
-    std::transform(ranked.begin(), ranked.end(), order_.begin(), [&](std::size_t n) { return hold[n]; });
+    std::transform(ranked.begin(), ranked.end(), order_.begin(), [&hold = hold](std::size_t n) { return hold[n]; });
   }
   plans_->clearSelection();
   plans_->setRowCount(static_cast<int>(kept_.size()));
