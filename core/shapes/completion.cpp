@@ -115,7 +115,7 @@ Result<double> mirrored_ratio(const ShapeModel& model, const Surface& seen, cons
 
 Result<void> check_not_mirrored(const ShapeModel& model, const Surface& seen, const ShapeFit& fit) {
   const auto ratio = mirrored_ratio(model, seen, fit);
-  constexpr double clearly = 0.9;              // 1.3 was the least on 41 real livers
+  constexpr double clearly = 0.9;              // 1.3 was the minimum on 41 real livers
   if (!ratio || *ratio >= clearly) return {};  // a mirror image that finds no place is no rival
   return failure(Error{"shapes-mirrored",
                        GLISSON_TEXT("The model's livers come nearer to this one's mirror image: left and right are "

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <Eigen/Eigenvalues>
 #include <limits>
-#include <mutex>
 
 #include "base/noise.h"
 #include "base/parallel.h"
@@ -54,10 +53,10 @@ Components components_of(const MatrixXd& shapes, const std::vector<int>& left_ou
   differences.colwise() -= found.mean;
   const auto freedom = static_cast<double>(kept.size() - 1);
   const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(differences.transpose() * differences / freedom);
-  const double least = 1e-10 * std::max(solver.eigenvalues().maxCoeff(), 1e-30);
+  const double negligible = 1e-10 * std::max(solver.eigenvalues().maxCoeff(), 1e-30);
   std::vector<Index> used;
   for (Index k = solver.eigenvalues().size() - 1; k >= 0 && used.size() + 1 < kept.size(); --k) {
-    if (solver.eigenvalues()[k] > least) used.push_back(k);
+    if (solver.eigenvalues()[k] > negligible) used.push_back(k);
   }
   found.directions.resize(shapes.rows(), static_cast<Index>(used.size()));
   found.variances.resize(static_cast<Index>(used.size()));
@@ -180,10 +179,8 @@ ShapeModel calibrated(ShapeModel model, const RanksJudged& judged, int without) 
 
 double specificity_mm(const ShapeModel& model, const AlignedShapes& shapes, int draws, std::uint64_t seed) {
   const VectorXd mean = column_of(model.mean);
-  double sum = 0;
-  std::mutex adding;
+  VectorXd nearest_mm(draws);
   parallel_for(static_cast<std::size_t>(draws), 4, [&](std::size_t begin, std::size_t end) {
-    double mine = 0;
     for (std::size_t draw = begin; draw < end; ++draw) {
       VectorXd coefficients(model.rank());
       for (Index k = 0; k < coefficients.size(); ++k) {
@@ -194,12 +191,10 @@ double specificity_mm(const ShapeModel& model, const AlignedShapes& shapes, int 
       for (Index i = 0; i < shapes.shapes_mm.cols(); ++i) {
         nearest = std::min(nearest, mean_point_distance(drawn - shapes.shapes_mm.col(i)));
       }
-      mine += nearest;
+      nearest_mm[static_cast<Index>(draw)] = nearest;
     }
-    const std::lock_guard lock(adding);
-    sum += mine;
   });
-  return sum / draws;
+  return nearest_mm.mean();
 }
 
 Result<ShapeModel> honest_model(const std::vector<Surface>& corresponding, const Progress& progress) {
