@@ -10174,14 +10174,6 @@ sicher %</translation>
         <translation>Beginnen Sie eine Studie, oder folgen Sie einem Ordner, den ein anderes Programm füllt.</translation>
     </message>
     <message>
-        <source>, less than a minute left</source>
-        <translation>, noch weniger als eine Minute</translation>
-    </message>
-    <message>
-        <source>, about %1 min left</source>
-        <translation>, noch etwa %1 min</translation>
-    </message>
-    <message>
         <source>Stopping...</source>
         <translation>Wird angehalten...</translation>
     </message>
@@ -10260,6 +10252,10 @@ sicher %</translation>
     <message>
         <source>The study&apos;s report, in the browser</source>
         <translation>Der Bericht der Studie, im Browser</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
     </message>
 </context>
 <context>

@@ -10177,14 +10177,6 @@ seguro %</translation>
         <translation>Empiece un estudio, o siga una carpeta que otro programa llena.</translation>
     </message>
     <message>
-        <source>, less than a minute left</source>
-        <translation>, queda menos de un minuto</translation>
-    </message>
-    <message>
-        <source>, about %1 min left</source>
-        <translation>, quedan unos %1 min</translation>
-    </message>
-    <message>
         <source>Stopping...</source>
         <translation>Parando...</translation>
     </message>
@@ -10263,6 +10255,10 @@ seguro %</translation>
     <message>
         <source>The study&apos;s report, in the browser</source>
         <translation>El informe del estudio, en el navegador</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
     </message>
 </context>
 <context>

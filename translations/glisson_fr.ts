@@ -10177,14 +10177,6 @@ sûr %</translation>
         <translation>Commencez une étude, ou suivez un dossier qu’un autre programme remplit.</translation>
     </message>
     <message>
-        <source>, less than a minute left</source>
-        <translation>, encore moins d’une minute</translation>
-    </message>
-    <message>
-        <source>, about %1 min left</source>
-        <translation>, encore %1 min environ</translation>
-    </message>
-    <message>
         <source>Stopping...</source>
         <translation>Arrêt...</translation>
     </message>
@@ -10263,6 +10255,10 @@ sûr %</translation>
     <message>
         <source>The study&apos;s report, in the browser</source>
         <translation>Le rapport de l’étude, dans le navigateur</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
     </message>
 </context>
 <context>

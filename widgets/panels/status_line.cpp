@@ -7,17 +7,13 @@
 #include "widgets/words/translated.h"
 
 namespace glisson::widgets {
-namespace {
 
-// "about 2 min left"; nothing where it should have been done by now.
 QString time_left(double left_ms) {
   const int left_s = static_cast<int>(std::ceil(1e-3 * left_ms));
   if (left_s <= 0) return {};
   return left_s < 60 ? StatusLine::tr("about %1 s left").arg(left_s)
                      : StatusLine::tr("about %1 min left").arg((left_s + 30) / 60);
 }
-
-}  // namespace
 
 StatusLine::StatusLine(BackgroundWork& work, QWidget* parent) : QStatusBar(parent), work_(work) {
   since_.start();

@@ -13,6 +13,9 @@
 
 namespace glisson::widgets {
 
+// "about 2 min left"; nothing where it should have been done by now.
+[[nodiscard]] QString time_left(double left_ms);
+
 class StatusLine : public QStatusBar {
   Q_OBJECT
 

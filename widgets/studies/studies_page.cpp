@@ -1,7 +1,6 @@
 #include "widgets/studies/studies_page.h"
 
 #include <algorithm>
-#include <cmath>
 #include <QDesktopServices>
 #include <QDir>
 #include <QStandardPaths>
@@ -9,6 +8,7 @@
 
 #include "widgets/panels/ask_path.h"
 #include "widgets/panels/parts.h"
+#include "widgets/panels/status_line.h"
 #include "widgets/studies/study_kinds.h"
 #include "widgets/words/keep_translated.h"
 #include "widgets/words/paths.h"
@@ -165,10 +165,10 @@ void StudiesPage::word_state() {
     case State::nothing: break;
     case State::running: {
       stage = translated_stage(stage_);
-      const double elapsed_s = 1e-3 * static_cast<double>(since_.elapsed());
-      if (fraction_ >= 0.05 && elapsed_s > 5) {
-        const double left_min = elapsed_s * (1 - fraction_) / fraction_ / 60;
-        stage += left_min < 1 ? tr(", less than a minute left") : tr(", about %1 min left").arg(std::lround(left_min));
+      const auto elapsed_ms = static_cast<double>(since_.elapsed());
+      if (fraction_ >= 0.05 && elapsed_ms > 5000) {
+        const QString left = time_left(elapsed_ms * (1 - fraction_) / fraction_);
+        if (!left.isEmpty()) stage = tr("%1, %2").arg(stage, left);
       }
       break;
     }
