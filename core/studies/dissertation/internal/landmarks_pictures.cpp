@@ -59,22 +59,13 @@ Result<LandmarksPictures> draw_landmarks_pictures(const std::vector<Subject>& su
 
 namespace {
 
-// The patients of figure 4.12: the median one, and those nearest to one, two, ... standard deviations above the mean.
+// The patients of figure 4.12.
 std::vector<std::size_t> example_rows(const LandmarksSummary& summary, int count) {
-  const elastography::RegionStatistics& mm = summary.between[1].mm;
   std::vector<std::size_t> chosen;
-  for (int n = 0; n < count; ++n) {
-    const double wanted_mm = n == 0 ? mm.median : mm.mean + n * mm.sd;
-    std::optional<std::size_t> nearest;
-    double minimum_mm = 0;
-    for (std::size_t r = 0; r < summary.rows.size(); ++r) {
-      if (!summary.rows[r].error.empty() || std::find(chosen.begin(), chosen.end(), r) != chosen.end()) continue;
-      const double away_mm = std::abs(column_of({summary.rows[r]}, "atlas_near_tool_mm").front() - wanted_mm);
-      if (nearest && away_mm >= minimum_mm) continue;
-      nearest = r;
-      minimum_mm = away_mm;
-    }
-    if (nearest) chosen.push_back(*nearest);
+  for (const std::string& id : summary.between[1].examples) {
+    if (static_cast<int>(chosen.size()) == count) break;
+    const auto row = std::find_if(summary.rows.begin(), summary.rows.end(), [&](const auto& r) { return r.id == id; });
+    chosen.push_back(static_cast<std::size_t>(row - summary.rows.begin()));
   }
   return chosen;
 }
