@@ -121,7 +121,7 @@ TEST(RealLiversLandmarks, RowsHoldForksWhereThereAreVesselsAndAreNotMadeTwice) {
   options.livers_seed = 1;
   options.retraction.target_cells = 3000;
   options.retraction.law = RetractionLaw::by_strain;
-  options.pictures = 0;
+  options.pictures = 1;
   const auto summary = run_landmarks(folder.path() / "livers", folder.path() / "out", options);
   ASSERT_TRUE(summary) << summary.error().message();
   ASSERT_EQ(summary->rows.size(), 3u);
@@ -138,6 +138,9 @@ TEST(RealLiversLandmarks, RowsHoldForksWhereThereAreVesselsAndAreNotMadeTwice) {
   EXPECT_EQ(summary->groups[0].mm.voxels, 1u);  // patients who have it
   EXPECT_THAT(summary->groups[0].examples, testing::ElementsAre(with_vessels));
 
+  // The median patient by forks, whose vessels are drawn.
+  EXPECT_TRUE(fs::exists(folder.path() / "out" / "examples" / with_vessels / "atlas-and-mre.png"));
+
   // What linear elasticity strains by more than 20 % is answered by another law, or said not to be.
   for (const std::size_t row : {0, 1}) {
     const auto value = [&](const char* column) { return column_of({summary->rows[row]}, column).at(0); };
@@ -151,6 +154,7 @@ TEST(RealLiversLandmarks, RowsHoldForksWhereThereAreVesselsAndAreNotMadeTwice) {
   const auto again = run_landmarks(folder.path() / "livers", folder.path() / "out", options);
   ASSERT_TRUE(again);
   EXPECT_EQ(again->reused, 2u);
+  options.pictures = 0;
   options.livers_seed = 2;
   options.only = without_vessels;
   const auto other = run_landmarks(folder.path() / "livers", folder.path() / "out", options);

@@ -6,6 +6,7 @@
 #include "anatomy/level_surface.h"
 #include "base/noise.h"
 #include "imaging/volume_file.h"
+#include "meshing/mask_surface.h"
 #include "segmentation/rasterise.h"
 #include "shapes/liver_outline.h"
 #include "studies/dissertation/cohort.h"
@@ -58,6 +59,15 @@ Result<MeasuredLiver> read_liver(const Subject& subject) {
   if (subject.drawn->vessels.empty()) return liver;
   if (auto added = add_forks(subject.drawn->vessels, *labels, liver); !added) return failure(added.error());
   return liver;
+}
+
+Result<std::optional<geometry::Surface>> vessels_of(const Subject& subject) {
+  if (!subject.drawn || subject.drawn->vessels.empty()) return std::nullopt;
+  const auto labels = imaging::read_labels_file(subject.drawn->vessels);
+  if (!labels) return failure(labels.error());
+  auto surface = meshing::mask_surface(voxels_of(*labels));
+  if (!surface) return failure(surface.error());
+  return std::move(*surface);
 }
 
 namespace {

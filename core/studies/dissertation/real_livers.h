@@ -2,9 +2,11 @@
 // Real livers as a cohort's subjects: shape and vessels are the patients' own, the stiffness is drawn.
 
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "base/result.h"
+#include "geometry/surface.h"
 #include "studies/dissertation/subjects.h"
 
 namespace glisson::studies {
@@ -25,5 +27,8 @@ Result<std::vector<Subject>> find_livers(const std::filesystem::path& folder, un
 // Without a vessel mask there are none. Fails as outline_of, center_lines and explain_vessels do, and with
 // "shapes-cut-off" where the image ends before the liver does.
 Result<MeasuredLiver> read_liver(const Subject& subject);
+
+// The outline of its vessels, for pictures; nothing without a vessel mask. Fails where that cannot be read.
+Result<std::optional<geometry::Surface>> vessels_of(const Subject& subject);
 
 }  // namespace glisson::studies

@@ -132,7 +132,8 @@ report::Page landmarks_page(const LandmarksSummary& summary, const LandmarksOpti
       "the middle half of the patients, whiskers 5 to 95 % (fig. 4.10).",
       summary.between));
   page.blocks.emplace_back(report::Paragraph{
-      "The median patient, and those nearest to one, two and three standard deviations above the mean (fig. 4.12):"});
+      "The median patient, and those nearest to one, two and three standard deviations above the mean (fig. 4.12), by "
+      "the landmark that is farthest off, or at the tool where none are known:"});
   page.blocks.emplace_back(report::FigureRow{pictures.between});
   add_groups(summary, page);
   page.blocks.emplace_back(report::Heading{"Within a liver"});
