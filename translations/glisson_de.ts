@@ -5743,6 +5743,10 @@
         <source>Small or large deformations</source>
         <translation>Kleine oder große Verformungen</translation>
     </message>
+    <message>
+        <source>The image cuts the liver off towards {0}: only whole ones can be retracted.</source>
+        <translation>Das Bild schneidet die Leber ab, Richtung: {0}. Nur ganze lassen sich anheben.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

@@ -5743,6 +5743,10 @@
         <source>Small or large deformations</source>
         <translation>Deformaciones pequeñas o grandes</translation>
     </message>
+    <message>
+        <source>The image cuts the liver off towards {0}: only whole ones can be retracted.</source>
+        <translation>La imagen corta el hígado (lado: {0}): solo se retraen hígados enteros.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

@@ -5743,6 +5743,10 @@
         <source>Small or large deformations</source>
         <translation>Petites ou grandes déformations</translation>
     </message>
+    <message>
+        <source>The image cuts the liver off towards {0}: only whole ones can be retracted.</source>
+        <translation>L&apos;image coupe le foie (côté : {0}) : seuls des foies entiers peuvent être rétractés.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

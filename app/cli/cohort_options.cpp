@@ -14,7 +14,7 @@ void add_cohort_options(CLI::App& command, CohortChoice& choice) {
   command.add_option("--simulated", choice.simulated, "Instead of a folder: a SIMULATED cohort of so many patients")
       ->check(CLI::Range(1, 100000))
       ->excludes(folder);
-  command.add_option("--seed", choice.seed, "Of the simulated cohort")->capture_default_str();
+  command.add_option("--seed", choice.seed, "Of what is simulated")->capture_default_str();
   command.add_option("--patient", choice.only, "Compute this patient alone: one job of many");
   command.add_flag("--list", choice.list, "Compute nothing: name the patients");
 }

@@ -1,10 +1,12 @@
-// glisson-cli study landmarks FOLDER --out DIR: how far an atlas, or one stiffness, misplaces landmarks over a cohort.
+// glisson-cli study landmarks FOLDER --out DIR: how far an atlas, or one stiffness, misplaces landmarks over a cohort,
+// or over real livers whose stiffness is drawn (--livers).
 
 #include <fmt/format.h>
 
 #include "cohort_options.h"
 #include "studies/dissertation/cohort.h"
 #include "studies/dissertation/landmarks.h"
+#include "studies/dissertation/real_livers.h"
 #include "study_commands.h"
 
 namespace glisson::cli {
@@ -12,15 +14,18 @@ namespace {
 
 struct Options {
   CohortChoice patients;
+  std::string livers;
   studies::LandmarksOptions landmarks;
 };
 
 std::string described(const std::string& title, const std::vector<studies::LandmarksSpread>& spreads) {
-  std::string text =
-      fmt::format("{:28} {:>8} {:>8} {:>8} {:>13}\n", title + " (mm)", "mean", "median", "largest", "5 mm or more");
+  if (spreads.empty()) return {};
+  std::string text = fmt::format("{:28} {:>8} {:>8} {:>8} {:>8} {:>13}\n", title + " (mm)", "patients", "mean",
+                                 "median", "largest", "5 mm or more");
   for (const studies::LandmarksSpread& spread : spreads) {
-    text += fmt::format("  {:26} {:8.1f} {:8.1f} {:8.1f} {:11.0f} %\n", spread.says, spread.mm.mean, spread.mm.median,
-                        spread.mm.max, 100 * spread.significant_fraction);
+    text += fmt::format("  {:26} {:8} {:8.1f} {:8.1f} {:8.1f} {:4.0f} % ({:.0f} to {:.0f})\n", spread.says,
+                        spread.mm.voxels, spread.mm.mean, spread.mm.median, spread.mm.max,
+                        100 * spread.significant.fraction, 100 * spread.significant.low, 100 * spread.significant.high);
   }
   return text;
 }
@@ -30,14 +35,35 @@ Outcome describe(const studies::LandmarksSummary& summary) {
       studies::summary_json(summary),
       fmt::format("{} patients ({} from an earlier run), {} could not be used; {:.1f} s at most a patient\n",
                   summary.patients, summary.reused, summary.failed, summary.slowest_s) +
-          described("Between patients", summary.between) + described("Within a liver", summary.within) +
+          described("Between patients", summary.between) + described("Landmarks", summary.groups) +
+          described("What moves landmarks", summary.sensitivity) + described("Within a liver", summary.within) +
           fmt::format("In {:.0f} % of the patients one of the three regions at least is 5 mm off\n",
                       100 * summary.any_region_fraction)};
   add_rows(summary.rows, outcome);
   return outcome;
 }
 
+Result<Outcome> run_on_livers(const Options& options, const Progress& progress) {
+  if (options.patients.list) {
+    return studies::find_livers(options.livers, options.patients.seed).map([](const auto& livers) {
+      Outcome outcome{{{"ids", Json::array()}}, {}};
+      for (const studies::Subject& liver : livers) {
+        outcome.document["ids"].push_back(liver.id);
+        outcome.text += liver.id + "\n";
+      }
+      return outcome;
+    });
+  }
+  studies::LandmarksOptions chosen = options.landmarks;
+  chosen.livers_seed = options.patients.seed;
+  chosen.retraction.law = studies::RetractionLaw::by_strain;
+  chosen.only = options.patients.only;
+  chosen.warning = studies::drawn_stiffness_warning;
+  return studies::run_landmarks(options.livers, options.patients.out, chosen, progress).map(describe);
+}
+
 Result<Outcome> run(const Options& options, const Progress& progress) {
+  if (!options.livers.empty()) return run_on_livers(options, progress);
   return run_over_cohort(options.patients, options.landmarks, [&](const std::string& folder, const auto& chosen) {
     return studies::run_landmarks(folder, options.patients.out, chosen, progress).map(describe);
   });
@@ -52,6 +78,13 @@ void add_study_landmarks(CLI::App& study, Action& chosen) {
                            "most uneven tissue (section 4.4); run again, it goes on");
   auto options = std::make_shared<Options>();
   add_cohort_options(*command, options->patients);
+  command
+      ->add_option(
+          "--livers", options->livers,
+          "Instead of a folder: label maps of real livers, as study shapes takes them, with ID_vessels.* beside "
+          "them where known; their stiffness is SIMULATED (--seed), their vessels' forks are the landmarks")
+      ->excludes("folder")
+      ->excludes("--simulated");
   studies::RetractionOptions& retraction = options->landmarks.retraction;
   command->add_option("--atlas-kPa", retraction.atlas_kPa, "Mean shear stiffness of the atlas")
       ->capture_default_str()

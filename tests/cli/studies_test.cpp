@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "base/files.h"
+#include "support/data.h"
 #include "support/folders.h"
 #include "support/process.h"
 
@@ -99,6 +100,23 @@ TEST(Study, LandmarksRunInTheSameWorkflow) {
   EXPECT_EQ(summary.at("reused"), 2);
   EXPECT_EQ(summary.at("intra_organ").size(), 3u);
   EXPECT_TRUE(fs::exists(out / "landmarks.csv"));
+}
+
+// Real livers whose stiffness is drawn are no cohort of maps.
+TEST(Study, LandmarksAreAskedOfLiversOrOfACohortAndNotOfBoth) {
+  const TemporaryFolder folder;
+  const std::string out = (folder.path() / "out").string(), livers = (folder.path() / "livers").string();
+  fs::create_directories(livers);
+  const Finished empty = glisson_cli({"study", "landmarks", "--livers", livers, "--out", out, "--json", "--quiet"});
+  EXPECT_EQ(empty.exit_code, 1);
+  EXPECT_EQ(empty.json().at("error").at("code"), "shapes-no-livers");
+  EXPECT_EQ(glisson_cli({"study", "landmarks", livers, "--livers", livers, "--out", out}).exit_code, 2);
+  EXPECT_EQ(glisson_cli({"study", "landmarks", "--simulated", "2", "--livers", livers, "--out", out}).exit_code, 2);
+  EXPECT_FALSE(fs::exists(out));
+  GLISSON_NEEDS_DATA("livers_couinaud");
+  const Json real =
+      answer({"study", "landmarks", "--livers", (shared_data() / "livers_couinaud").string(), "--out", out, "--list"});
+  EXPECT_EQ(real.at("ids").size(), 82u);
 }
 
 TEST(Study, ValidatingStiffnessWithoutFilesUsesTheDissertationsFigures) {

@@ -91,5 +91,14 @@ TEST(Batch, OnePatientAloneIsOneJobOfMany) {
   EXPECT_EQ(run_batch(folder.path(), {}, doubling.compute).error().code, "batch-no-patients");
 }
 
+TEST(Batch, ATableHasAllColumnsAndEmptyCellsWhereAPatientLacksOne) {
+  const TemporaryFolder folder;
+  const auto file = folder.path() / "rows.csv";
+  ASSERT_TRUE(write_batch_csv(file, {{"p1", {{"a_mm", 1}, {"seconds", 3}}, {}, false},
+                                     {"p2", {{"a_mm", 2}, {"b_mm", 4}, {"seconds", 5}}, {}, false},
+                                     {"p3", {}, "It failed.", false}}));
+  EXPECT_EQ(read_text_file(file).value(), "patient,a_mm,seconds,b_mm,error\np1,1,3,,\np2,2,5,4,\np3,,,,It failed.\n");
+}
+
 }  // namespace
 }  // namespace glisson::studies

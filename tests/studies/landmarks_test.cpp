@@ -3,6 +3,7 @@
 #include "studies/dissertation/landmarks.h"
 
 #include <gmock/gmock.h>
+#include <cmath>
 
 #include "base/files.h"
 #include "imaging/volume_file.h"
@@ -65,7 +66,7 @@ TEST(Landmarks, AreMisplacedWhereALiverIsNotLikeTheAtlas) {
 
   // One box a distance, with the 5 mm line; the share counts patients.
   EXPECT_EQ(summary->within.size(), 3u);
-  EXPECT_NEAR(summary->within[0].significant_fraction, value(halves, "soft_max_mm") >= 5 ? 1.0 / 3 : 0, 1e-12);
+  EXPECT_NEAR(summary->within[0].significant.fraction, value(halves, "soft_max_mm") >= 5 ? 1.0 / 3 : 0, 1e-12);
   const std::string page = read_text_file(folder.path() / "out" / "report.html").value();
   EXPECT_THAT(page, HasSubstr("SIMULATED ellipsoids"));
   EXPECT_THAT(page, HasSubstr("5 mm: matters"));
@@ -102,6 +103,25 @@ TEST(Landmarks, APatientWhoseLiverIsTooSmallStopsNobody) {
   EXPECT_EQ(summary->failed, 1u);
   EXPECT_FALSE(summary->rows[0].error.empty());
   EXPECT_EQ(summary->patients, 1u);
+}
+
+// Wilson's bounds are the probabilities whose own 1.96 standard deviations just reach what was seen.
+TEST(Landmarks, AShareHasTheIntervalThatItsDefinitionGives) {
+  for (const auto& [patients, all] : {std::pair{0, 30}, {1, 30}, {17, 30}, {30, 30}, {59, 81}, {1, 1}}) {
+    const Share share = share_of(static_cast<std::size_t>(patients), static_cast<std::size_t>(all));
+    const double seen = static_cast<double>(patients) / all;
+    const auto reaches = [&](double p) { return std::abs(seen - p) <= 1.959964 * std::sqrt(p * (1 - p) / all); };
+    double low = 1, high = 0;
+    for (int step = 0; step <= 100000; ++step) {
+      const double p = step * 1e-5;
+      if (!reaches(p)) continue;
+      low = std::min(low, p);
+      high = std::max(high, p);
+    }
+    EXPECT_DOUBLE_EQ(share.fraction, seen);
+    EXPECT_NEAR(share.low, low, 2e-5) << patients << " of " << all;
+    EXPECT_NEAR(share.high, high, 2e-5) << patients << " of " << all;
+  }
 }
 
 }  // namespace

@@ -118,16 +118,19 @@ std::vector<BatchRow> rows_in(const fs::path& out, const std::set<std::string>& 
 Result<void> write_batch_csv(const fs::path& file, const std::vector<BatchRow>& rows) {
   std::vector<std::string> names;
   for (const BatchRow& row : rows) {
-    if (!names.empty()) break;
-    for (const auto& [name, value] : row.values) names.push_back(name);
+    for (const auto& [name, value] : row.values) {
+      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    }
   }
   std::string text = "patient";
   for (const std::string& name : names) text += "," + name;
   text += ",error\n";
   for (const BatchRow& row : rows) {
     text += csv_text(row.id);
-    for (std::size_t n = 0; n < names.size(); ++n) {
-      text += row.values.empty() ? "," : fmt::format(",{:.6g}", row.values[n].second);
+    for (const std::string& name : names) {
+      const auto of_name = [&](const auto& value) { return value.first == name; };
+      const auto value = std::find_if(row.values.begin(), row.values.end(), of_name);
+      text += value == row.values.end() ? "," : fmt::format(",{:.6g}", value->second);
     }
     text += "," + csv_text(row.error) + "\n";
   }

@@ -24,7 +24,7 @@ using NamedNumbers = std::vector<std::pair<std::string, double>>;
 
 struct BatchRow {
   std::string id;
-  NamedNumbers values;  // the same names for every patient; empty where it failed
+  NamedNumbers values;  // empty where it failed; a patient may lack what others have
   std::string error;    // one sentence; empty where it did not
   bool reused = false;  // from an earlier run
 };
@@ -42,10 +42,10 @@ Result<std::vector<BatchRow>> run_batch(const std::filesystem::path& out, const 
 [[nodiscard]] std::vector<BatchRow> rows_in(const std::filesystem::path& out,
                                             const std::set<std::string>& but_not = {});
 
-// A header and a line a row: patient, the values, error.
+// A header and a line a row: patient, the values of all names that any row has, error.
 Result<void> write_batch_csv(const std::filesystem::path& file, const std::vector<BatchRow>& rows);
 
-// The column of that name over the rows that did not fail.
+// The column of that name over the rows that have it.
 [[nodiscard]] std::vector<double> column_of(const std::vector<BatchRow>& rows, const std::string& name);
 
 }  // namespace glisson::studies

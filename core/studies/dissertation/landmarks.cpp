@@ -17,24 +17,40 @@
 #include "rehearsal/comparison.h"
 #include "segmentation/resample.h"
 #include "studies/dissertation/internal/landmarks_pictures.h"
+#include "studies/dissertation/real_livers.h"
 #include "studies/dissertation/subjects.h"
 
 namespace glisson::studies {
 namespace fs = std::filesystem;
 namespace {
 
+using Eigen::Vector3d;
 using rehearsal::significant_mm;
+
+constexpr std::size_t most_examples = 4;
+
+// How columns of a group begin, and what a legend calls it.
+constexpr std::array<std::pair<const char*, const char*>, 8> landmark_groups{
+    {{"landmarks", "landmarks"},
+     {"near_tool_landmarks", "near the tool"},
+     {"forks", "forks"},
+     {"portal_forks", "portal forks"},
+     {"hepatic_forks", "hepatic forks"},
+     {"wide_forks", "forks of 6 mm"},
+     {"narrow_forks", "forks below 6 mm"},
+     {"near_tool_forks", "forks at the tool"}}};
 
 std::string fingerprint_of(const LandmarksOptions& options);
 mechanics::VoxelBody trusted_tissue(const MeasuredLiver& liver, double poisson_ratio);
 Result<NamedNumbers> misplacements_in(const Subject& subject, const LandmarksOptions& options);
+void add_landmarks(const MeasuredLiver& liver, const Retraction& retraction, NamedNumbers& row);
 void summarise(LandmarksSummary& summary);
 
 }  // namespace
 
 Result<LandmarksSummary> run_landmarks(const fs::path& folder, const fs::path& out, const LandmarksOptions& options,
                                        const Progress& progress) {
-  const auto subjects = find_subjects(folder);
+  const auto subjects = options.livers_seed ? find_livers(folder, *options.livers_seed) : find_subjects(folder);
   if (!subjects) return failure(subjects.error());
   std::vector<BatchPatient> patients;
   for (const Subject& subject : *subjects) {
@@ -75,12 +91,23 @@ Result<BeamRow> beams_of(const std::string& patient, const MeasuredLiver& liver,
                        units::youngs_from_shear(mean_shear_kPa, poisson_ratio), options.beams);
 }
 
+Share share_of(std::size_t patients, std::size_t of_all) {
+  GLISSON_ASSERT(of_all > 0 && patients <= of_all);
+  constexpr double z = 1.959964;  // of the normal distribution, 95 % within
+  const auto n = static_cast<double>(of_all);
+  const double p = static_cast<double>(patients) / n;
+  const double middle = (p + z * z / (2 * n)) / (1 + z * z / n);
+  const double half = z / (1 + z * z / n) * std::sqrt(p * (1 - p) / n + z * z / (4 * n * n));
+  return {p, std::max(0.0, middle - half), std::min(1.0, middle + half)};
+}
+
 Json summary_json(const LandmarksSummary& summary) {
   const auto json_of = [](const std::vector<LandmarksSpread>& spreads) {
     Json list = Json::array();
     for (const LandmarksSpread& spread : spreads) {
       list.push_back({{"column", spread.column},
                       {"says", spread.says},
+                      {"patients", spread.mm.voxels},
                       {"mean_mm", spread.mm.mean},
                       {"sd_mm", spread.mm.sd},
                       {"percentile_5_mm", spread.mm.percentile_5},
@@ -89,7 +116,9 @@ Json summary_json(const LandmarksSummary& summary) {
                       {"percentile_75_mm", spread.mm.percentile_75},
                       {"percentile_95_mm", spread.mm.percentile_95},
                       {"max_mm", spread.mm.max},
-                      {"significant_fraction", spread.significant_fraction}});
+                      {"significant_fraction", spread.significant.fraction},
+                      {"significant_interval", {spread.significant.low, spread.significant.high}},
+                      {"median_and_outer_patients", spread.examples}});
     }
     return list;
   };
@@ -100,6 +129,10 @@ Json summary_json(const LandmarksSummary& summary) {
                       {"inter_patient", json_of(summary.between)},
                       {"intra_organ", json_of(summary.within)},
                       {"intra_organ_any_region_significant_fraction", summary.any_region_fraction},
+                      {"landmark_groups", json_of(summary.groups)},
+                      {"sensitivity", json_of(summary.sensitivity)},
+                      {"at_large_strain", summary.at_large_strain},
+                      {"beyond_linear", summary.beyond_linear},
                       {"slowest_patient_s", summary.slowest_s}};
   return null_where_not_finite(std::move(document));
 }
@@ -109,8 +142,9 @@ namespace {
 std::string fingerprint_of(const LandmarksOptions& options) {
   const RetractionOptions& r = options.retraction;
   const BeamOptions& b = options.beams;
-  return fmt::format("landmarks/1 {:g} {:g} {:g} {} {:g} {:g} {} {}", r.atlas_kPa, r.force_N, r.poisson_ratio,
-                     r.target_cells, b.force_N, b.foundation_kPa_per_mm, static_cast<int>(b.engine), b.nodes);
+  return fmt::format("landmarks/2 {:g} {:g} {:g} {} {} {:g} {:g} {} {}", r.atlas_kPa, r.force_N, r.poisson_ratio,
+                     r.target_cells, static_cast<int>(r.law), b.force_N, b.foundation_kPa_per_mm,
+                     static_cast<int>(b.engine), b.nodes);
 }
 
 // The liver as cubes along the patient's axes, without what the map is not to be trusted in: unconfident voxels, and
@@ -196,9 +230,93 @@ Result<NamedNumbers> misplacements_in(const Subject& subject, const LandmarksOpt
     row.emplace_back(name + "_mean_mm", region.mean_mm);
     row.emplace_back(name + "_max_mm", region.max_mm);
   }
+  if (options.retraction.law == RetractionLaw::by_strain) {
+    row.emplace_back("linear_strain", retraction->linear_strain);
+    row.emplace_back("at_large_strain", retraction->answered == Retraction::Answered::neo_hookean ? 1 : 0);
+    row.emplace_back("beyond_linear", retraction->answered == Retraction::Answered::linear_beyond_it ? 1 : 0);
+    row.emplace_back("linear_atlas_near_tool_mm",
+                     retraction->linear_measured_against_atlas.max_near_tool_mm.value_or(0));
+  }
+  if (!liver->landmarks.empty()) add_landmarks(*liver, *retraction, row);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   row.emplace_back("seconds", taken.count());
   return row;
+}
+
+// A group without a member has no columns but its number.
+void add_landmarks(const MeasuredLiver& liver, const Retraction& retraction, NamedNumbers& row) {
+  std::vector<LandmarkGroup> groups = liver.groups;
+  groups.push_back({"near_tool_" + groups.front().name, {}});
+  const auto& tool = std::get<mechanics::ToolLoad>(retraction.measured.scenario.loads.front());
+  for (const std::size_t landmark : groups.front().members) {
+    const Vector3d& rest_mm = liver.landmarks[landmark].position_mm;
+    if ((rest_mm - tool.center_mm).norm() <= 2 * tool.radius_mm) groups.back().members.push_back(landmark);
+  }
+  const auto mean_of = [](const std::vector<rehearsal::LandmarkDifference>& all, const auto& value_of) {
+    double sum = 0;
+    for (const rehearsal::LandmarkDifference& one : all) sum += value_of(one);
+    return sum / static_cast<double>(all.size());
+  };
+  const auto apart = [](const rehearsal::LandmarkDifference& one) { return one.difference_mm; };
+  const auto farthest = [&](const rehearsal::Comparison& compared, const LandmarkGroup& group) {
+    double mm = 0;
+    for (const std::size_t landmark : group.members) mm = std::max(mm, compared.landmarks[landmark].difference_mm);
+    return mm;
+  };
+  for (const LandmarkGroup& group : groups) {
+    row.emplace_back(group.name + "_count", static_cast<double>(group.members.size()));
+    if (group.members.empty()) continue;
+    double sum_mm = 0;
+    for (const std::size_t landmark : group.members) {
+      sum_mm += retraction.measured_against_atlas.landmarks[landmark].difference_mm;
+    }
+    row.emplace_back(group.name + "_mean_mm", sum_mm / static_cast<double>(group.members.size()));
+    row.emplace_back(group.name + "_max_mm", farthest(retraction.measured_against_atlas, group));
+  }
+  const rehearsal::Comparison& linear = retraction.linear_measured_against_atlas;
+  row.emplace_back("linear_landmarks_max_mm", farthest(linear, groups.front()));
+  row.emplace_back("moved_mm", mean_of(linear.landmarks, [](const auto& one) { return one.displacement_a_mm; }));
+  row.emplace_back("atlas_moved_mm", mean_of(linear.landmarks, [](const auto& one) { return one.displacement_b_mm; }));
+  row.emplace_back("by_stiffness_mm", mean_of(retraction.mean_against_atlas.landmarks, apart));
+  row.emplace_back("by_texture_mm", mean_of(retraction.measured_against_mean.landmarks, apart));
+  row.emplace_back("by_supports_mm", mean_of(retraction.soft_against_stiff_wall->landmarks, apart));
+}
+
+std::optional<LandmarksSpread> spread_over(const std::vector<BatchRow>& rows, const std::string& column,
+                                           std::string says) {
+  const std::vector<double> values = column_of(rows, column);
+  const auto found = elastography::statistics_of(values);
+  if (!found) return std::nullopt;
+  const auto matters = std::count_if(values.begin(), values.end(), [](double mm) { return mm >= significant_mm; });
+  LandmarksSpread spread{
+      column, std::move(says), *found, share_of(static_cast<std::size_t>(matters), values.size()), {}};
+  for (std::size_t n = 0; n < most_examples && n < values.size(); ++n) {
+    const double wanted_mm = n == 0 ? found->median : found->mean + static_cast<double>(n) * found->sd;
+    const BatchRow* nearest = nullptr;
+    double minimum_mm = 0;
+    for (const BatchRow& row : rows) {
+      const std::vector<double> value = column_of({row}, column);
+      if (value.empty() || std::count(spread.examples.begin(), spread.examples.end(), row.id) > 0) continue;
+      const double away_mm = std::abs(value.front() - wanted_mm);
+      if (nearest != nullptr && away_mm >= minimum_mm) continue;
+      nearest = &row;
+      minimum_mm = away_mm;
+    }
+    spread.examples.push_back(nearest->id);
+  }
+  return spread;
+}
+
+// With a column of how far landmarks move in the atlas's body of this shape, off what they do on average over shapes.
+std::vector<BatchRow> with_shape(std::vector<BatchRow> rows) {
+  const std::vector<double> moved_mm = column_of(rows, "atlas_moved_mm");
+  double mean_mm = 0;
+  for (const double mm : moved_mm) mean_mm += mm / static_cast<double>(moved_mm.size());
+  for (BatchRow& row : rows) {
+    const std::vector<double> mm = column_of({row}, "atlas_moved_mm");
+    if (!mm.empty()) row.values.emplace_back("by_shape_mm", std::abs(mm.front() - mean_mm));
+  }
+  return rows;
 }
 
 void summarise(LandmarksSummary& summary) {
@@ -207,12 +325,7 @@ void summarise(LandmarksSummary& summary) {
     summary.reused += row.reused ? 1 : 0;
   }
   const auto spread_of = [&](const std::string& column, std::string says) -> std::optional<LandmarksSpread> {
-    std::vector<double> values = column_of(summary.rows, column);
-    const auto matters = std::count_if(values.begin(), values.end(), [](double mm) { return mm >= significant_mm; });
-    const auto found = elastography::statistics_of(values);
-    if (!found) return std::nullopt;
-    return LandmarksSpread{column, std::move(says), *found,
-                           static_cast<double>(matters) / static_cast<double>(values.size())};
+    return spread_over(summary.rows, column, std::move(says));
   };
   const auto add = [](std::vector<LandmarksSpread>& list, std::optional<LandmarksSpread> spread) {
     if (spread) list.push_back(std::move(*spread));
@@ -224,6 +337,19 @@ void summarise(LandmarksSummary& summary) {
   for (const char* region : region_columns) {
     add(summary.within, spread_of(fmt::format("{}_max_mm", region), fmt::format("{} region", region)));
   }
+  for (const auto& [name, says] : landmark_groups) {
+    add(summary.groups, spread_of(fmt::format("{}_mean_mm", name), fmt::format("{}, on average", says)));
+    add(summary.groups, spread_of(fmt::format("{}_max_mm", name), fmt::format("{}, the farthest", says)));
+  }
+  if (!summary.groups.empty()) {
+    add(summary.groups, spread_of("linear_landmarks_max_mm", "the farthest of all, linear"));
+    add(summary.sensitivity, spread_of("by_stiffness_mm", "own mean, not the atlas"));
+    add(summary.sensitivity, spread_of("by_texture_mm", "own map, not its mean"));
+    add(summary.sensitivity, spread_of("by_supports_mm", "wall of 30 mm, not 15"));
+    add(summary.sensitivity, spread_over(with_shape(summary.rows), "by_shape_mm", "own shape, not all's mean"));
+  }
+  for (const double one : column_of(summary.rows, "at_large_strain")) summary.at_large_strain += one > 0 ? 1 : 0;
+  for (const double one : column_of(summary.rows, "beyond_linear")) summary.beyond_linear += one > 0 ? 1 : 0;
   const auto slowest = column_of(summary.rows, "seconds");
   if (slowest.empty()) return;
   summary.slowest_s = *std::max_element(slowest.begin(), slowest.end());

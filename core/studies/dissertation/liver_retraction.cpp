@@ -1,10 +1,11 @@
 #include "studies/dissertation/liver_retraction.h"
 
-#include <numeric>
+#include <algorithm>
 
 #include "base/units.h"
 #include "elastography/cell_stiffness.h"
 #include "mechanics/scenario/mesh_moduli.h"
+#include "mechanics/statics/validity.h"
 #include "meshing/mesh_labels.h"
 #include "rehearsal/liver_supports.h"
 #include "rehearsal/tool_presets.h"
@@ -37,6 +38,10 @@ Result<double> set_measured_stiffness(geometry::TetMesh& mesh, const MeasuredLiv
   return stiffness->mean_kPa;
 }
 
+Result<rehearsal::Comparison> soft_against_stiff_wall(const geometry::TetMesh& mesh, mechanics::Scenario scenario);
+// Puts both bodies and their comparison in place of the linear ones, where equilibria are found.
+Result<void> answer_at_large_strain(const geometry::TetMesh& mesh, Retraction& retraction, const Progress& progress);
+
 }  // namespace
 
 Result<Retraction> retract(const MeasuredLiver& liver, const RetractionOptions& options, const Progress& progress) {
@@ -52,13 +57,14 @@ Result<Retraction> retract(const MeasuredLiver& liver, const RetractionOptions& 
   scenario.supports = rehearsal::usual_supports();
   scenario.landmarks = liver.landmarks;
   scenario.loads = {rehearsal::tool_load(*placement, options.force_N)};
-  auto measured = mechanics::simulate(*mesh, scenario, {}, progress.part(0.5, 0.65));
+  mechanics::Scenario of_atlas = scenario, of_mean = scenario;
+  of_atlas.youngs_modulus = units::youngs_from_shear(options.atlas_kPa, options.poisson_ratio);
+  of_mean.youngs_modulus = *mean_youngs_kPa;
+  auto measured = mechanics::simulate(*mesh, scenario, {}, progress.part(0.5, 0.6));
   if (!measured) return failure(measured.error());
-  scenario.youngs_modulus = *mean_youngs_kPa;
-  const auto mean = mechanics::simulate(*mesh, scenario, {}, progress.part(0.65, 0.8));
+  const auto mean = mechanics::simulate(*mesh, of_mean, {}, progress.part(0.6, 0.65));
   if (!mean) return failure(mean.error());
-  scenario.youngs_modulus = units::youngs_from_shear(options.atlas_kPa, options.poisson_ratio);
-  auto atlas = mechanics::simulate(*mesh, scenario, {}, progress.part(0.8, 0.95));
+  auto atlas = mechanics::simulate(*mesh, of_atlas, {}, progress.part(0.65, 0.7));
   if (!atlas) return failure(atlas.error());
 
   auto measured_against_atlas = rehearsal::compare(*measured, *atlas);
@@ -67,13 +73,67 @@ Result<Retraction> retract(const MeasuredLiver& liver, const RetractionOptions& 
   if (!mean_against_atlas) return failure(mean_against_atlas.error());
   auto measured_against_mean = rehearsal::compare(*measured, *mean);
   if (!measured_against_mean) return failure(measured_against_mean.error());
-  return Retraction{std::move(*measured),
-                    std::move(*atlas),
-                    std::move(*measured_against_atlas),
-                    std::move(*mean_against_atlas),
-                    std::move(*measured_against_mean),
-                    mesh->cells.size(),
-                    units::ml_from_mm3(geometry::volume_mm3(*mesh))};
+  Retraction retraction{.measured = std::move(*measured),
+                        .atlas = std::move(*atlas),
+                        .measured_against_atlas = *measured_against_atlas,
+                        .linear_measured_against_atlas = std::move(*measured_against_atlas),
+                        .mean_against_atlas = std::move(*mean_against_atlas),
+                        .measured_against_mean = std::move(*measured_against_mean),
+                        .cells = mesh->cells.size(),
+                        .volume_ml = units::ml_from_mm3(geometry::volume_mm3(*mesh))};
+  if (!liver.landmarks.empty()) {
+    auto walls = soft_against_stiff_wall(*mesh, scenario);
+    if (!walls) return failure(walls.error());
+    retraction.soft_against_stiff_wall = std::move(*walls);
+  }
+  retraction.linear_strain =
+      std::max(retraction.measured.result.largest_strain, retraction.atlas.result.largest_strain);
+  if (options.law == RetractionLaw::linear || retraction.linear_strain <= mechanics::small_strain_limit) {
+    return retraction;
+  }
+  if (auto answered = answer_at_large_strain(*mesh, retraction, progress.part(0.75, 1)); !answered) {
+    return failure(answered.error());
+  }
+  return retraction;
 }
 
+namespace {
+
+Result<rehearsal::Comparison> soft_against_stiff_wall(const geometry::TetMesh& mesh, mechanics::Scenario scenario) {
+  const auto on_wall = [&](double thinner) {
+    scenario.supports = rehearsal::usual_supports();
+    for (mechanics::Support& support : scenario.supports) {
+      if (auto* wall = std::get_if<mechanics::Foundation>(&support.how)) wall->stiffness_kPa_per_mm *= thinner;
+    }
+    return mechanics::simulate(mesh, scenario);
+  };
+  const auto soft = on_wall(20.0 / 30), stiff = on_wall(20.0 / 15);
+  if (!soft) return failure(soft.error());
+  if (!stiff) return failure(stiff.error());
+  return rehearsal::compare(*soft, *stiff);
+}
+
+Result<void> answer_at_large_strain(const geometry::TetMesh& mesh, Retraction& retraction, const Progress& progress) {
+  retraction.answered = Retraction::Answered::linear_beyond_it;
+  const auto answer = [&](const mechanics::Simulation& linear, const Progress& of) {
+    mechanics::Scenario scenario = linear.scenario;
+    scenario.material = mechanics::MaterialLaw::neo_hookean;
+    return mechanics::simulate(mesh, scenario, {}, of);
+  };
+  auto measured = answer(retraction.measured, progress.part(0, 0.5));
+  if (!measured) return failure(measured.error());
+  if (!mechanics::validity_of(*measured).usable()) return {};
+  auto atlas = answer(retraction.atlas, progress.part(0.5, 1));
+  if (!atlas) return failure(atlas.error());
+  if (!mechanics::validity_of(*atlas).usable()) return {};
+  auto compared = rehearsal::compare(*measured, *atlas);
+  if (!compared) return failure(compared.error());
+  retraction.measured = std::move(*measured);
+  retraction.atlas = std::move(*atlas);
+  retraction.measured_against_atlas = std::move(*compared);
+  retraction.answered = Retraction::Answered::neo_hookean;
+  return {};
+}
+
+}  // namespace
 }  // namespace glisson::studies

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <set>
 #include <tuple>
 
@@ -13,6 +14,7 @@
 #include "imaging/read_series.h"
 #include "imaging/stiffness_map.h"
 #include "segmentation/resample.h"
+#include "studies/dissertation/real_livers.h"
 
 namespace glisson::studies {
 namespace fs = std::filesystem;
@@ -40,6 +42,10 @@ Result<MeasuredLiver> case_without_map(const casefile::Case& patient) {
   const auto structures = casefile::read_structures(patient);
   if (!structures) return failure(structures.error());
   liver.landmarks = casefile::landmarks_of(*structures);
+  if (!liver.landmarks.empty()) {
+    liver.groups = {{"landmarks", std::vector<std::size_t>(liver.landmarks.size())}};
+    std::iota(liver.groups[0].members.begin(), liver.groups[0].members.end(), std::size_t{0});
+  }
   return liver;
 }
 
@@ -73,10 +79,16 @@ Result<std::vector<Subject>> find_subjects(const fs::path& folder) {
 }
 
 std::string fingerprint_of(const Subject& subject) {
+  if (subject.drawn) {
+    const auto sum = [](const fs::path& file) { return sha256_of_file(file).value_or("unreadable"); };
+    const fs::path& vessels = subject.drawn->vessels;
+    return fmt::format("{} {} {}", sum(subject.path), vessels.empty() ? "none" : sum(vessels), subject.drawn->seed);
+  }
   return sha256_of_file(subject.series ? subject.path : subject.path / "case.json").value_or("unreadable");
 }
 
 Result<MeasuredLiver> read_subject(const Subject& subject) {
+  if (subject.drawn) return read_liver(subject);
   MeasuredLiver liver;
   Result<imaging::Volume> stored = tl::unexpected(Error{});
   if (subject.series) {

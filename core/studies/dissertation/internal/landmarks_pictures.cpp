@@ -5,9 +5,11 @@
 #include <cmath>
 
 #include "casefile/result_folder.h"
+#include "mechanics/elements/point_location.h"
 #include "rehearsal/comparison.h"
 #include "scene/case_scenes.h"
 #include "scene/composite.h"
+#include "studies/dissertation/real_livers.h"
 
 namespace glisson::studies {
 namespace fs = std::filesystem;
@@ -19,7 +21,7 @@ constexpr int width_px = 900, height_px = 675;
 
 std::vector<std::size_t> example_rows(const LandmarksSummary& summary, int count);
 std::vector<std::size_t> rows_where_one_region_agrees(const LandmarksSummary& summary);
-Result<void> draw_livers(const MeasuredLiver& liver, const fs::path& folder, const fs::path& picture,
+Result<void> draw_livers(const Subject& subject, const fs::path& folder, const fs::path& picture,
                          const LandmarksOptions& options);
 Result<void> draw_beams(const BeamRow& beams, const fs::path& picture, const std::string& warning);
 
@@ -27,26 +29,27 @@ Result<void> draw_beams(const BeamRow& beams, const fs::path& picture, const std
 
 Result<LandmarksPictures> draw_landmarks_pictures(const std::vector<Subject>& subjects, const fs::path& out,
                                                   const LandmarksSummary& summary, const LandmarksOptions& options) {
-  const auto liver_of = [&](const BatchRow& row) {
+  const auto subject_of = [&](const BatchRow& row) {
     const auto subject = std::find_if(subjects.begin(), subjects.end(), [&](const auto& s) { return s.id == row.id; });
     GLISSON_ASSERT(subject != subjects.end());
-    return read_subject(*subject);
+    return *subject;
   };
   LandmarksPictures pictures;
   for (const std::size_t r : example_rows(summary, options.pictures)) {
     const BatchRow& row = summary.rows[r];
     const fs::path folder = out / "examples" / row.id;
     const fs::path picture = folder / "atlas-and-mre.png";
-    const auto drawn = liver_of(row).and_then(
-        [&](const MeasuredLiver& liver) { return draw_livers(liver, folder, picture, options); });
+    const auto drawn = draw_livers(subject_of(row), folder, picture, options);
     if (!drawn) return failure(drawn.error());
-    pictures.between.push_back({picture, fmt::format("{}: {:.1f} mm apart at the tool; atlas in red, MRE in blue",
-                                                     row.id, column_of({row}, "atlas_near_tool_mm").front())});
+    std::string apart = fmt::format("{:.1f} mm apart at the tool", column_of({row}, "atlas_near_tool_mm").front());
+    for (const double mm : column_of({row}, "forks_max_mm")) apart += fmt::format(", a fork by {:.1f} mm", mm);
+    pictures.between.push_back({picture, fmt::format("{}: {}; atlas in red, {} in blue", row.id, apart,
+                                                     options.livers_seed ? "drawn stiffness" : "MRE")});
   }
   for (const std::size_t r : rows_where_one_region_agrees(summary)) {
     const BatchRow& row = summary.rows[r];
     const fs::path picture = out / "examples" / row.id / "beams.png";
-    const auto drawn = liver_of(row)
+    const auto drawn = read_subject(subject_of(row))
                            .and_then([&](const MeasuredLiver& liver) {
                              return beams_of(row.id, liver, column_of({row}, "mean_kPa").front(), options);
                            })
@@ -59,22 +62,13 @@ Result<LandmarksPictures> draw_landmarks_pictures(const std::vector<Subject>& su
 
 namespace {
 
-// The patients of figure 4.12: the median one, and those nearest to one, two, ... standard deviations above the mean.
+// The patients of figure 4.12, by their landmark that is farthest off where there are any.
 std::vector<std::size_t> example_rows(const LandmarksSummary& summary, int count) {
-  const elastography::RegionStatistics& mm = summary.between[1].mm;
   std::vector<std::size_t> chosen;
-  for (int n = 0; n < count; ++n) {
-    const double wanted_mm = n == 0 ? mm.median : mm.mean + n * mm.sd;
-    std::optional<std::size_t> nearest;
-    double minimum_mm = 0;
-    for (std::size_t r = 0; r < summary.rows.size(); ++r) {
-      if (!summary.rows[r].error.empty() || std::find(chosen.begin(), chosen.end(), r) != chosen.end()) continue;
-      const double away_mm = std::abs(column_of({summary.rows[r]}, "atlas_near_tool_mm").front() - wanted_mm);
-      if (nearest && away_mm >= minimum_mm) continue;
-      nearest = r;
-      minimum_mm = away_mm;
-    }
-    if (nearest) chosen.push_back(*nearest);
+  for (const std::string& id : (summary.groups.empty() ? summary.between : summary.groups)[1].examples) {
+    if (static_cast<int>(chosen.size()) == count) break;
+    const auto row = std::find_if(summary.rows.begin(), summary.rows.end(), [&](const auto& r) { return r.id == id; });
+    chosen.push_back(static_cast<std::size_t>(row - summary.rows.begin()));
   }
   return chosen;
 }
@@ -103,16 +97,48 @@ std::vector<std::size_t> rows_where_one_region_agrees(const LandmarksSummary& su
   return chosen;
 }
 
-Result<void> draw_livers(const MeasuredLiver& liver, const fs::path& folder, const fs::path& picture,
+// Where the simulation brings it, as the corners of each cell go.
+geometry::Surface moved(geometry::Surface surface, const mechanics::Simulation& simulation) {
+  const geometry::TetMesh& mesh = simulation.mesh;
+  const geometry::Field* field = geometry::find_field(mesh.point_fields, mechanics::displacement_field);
+  const std::vector<mechanics::PointInMesh> places = mechanics::locate_points(mesh, surface.points_mm);
+  for (std::size_t p = 0; p < places.size(); ++p) {
+    for (std::size_t c = 0; c < 4; ++c) {
+      const int corner = mesh.cells[static_cast<std::size_t>(places[p].cell)][c];
+      surface.points_mm[p] += places[p].barycentric[static_cast<Eigen::Index>(c)] *
+                              Eigen::Map<const Eigen::Vector3d>(field->values.data() + 3 * std::ptrdiff_t{corner});
+    }
+  }
+  return surface;
+}
+
+Result<void> draw_livers(const Subject& subject, const fs::path& folder, const fs::path& picture,
                          const LandmarksOptions& options) {
-  const auto retraction = retract(liver, options.retraction);
+  const auto liver = read_subject(subject);
+  if (!liver) return failure(liver.error());
+  const auto vessels = vessels_of(subject);
+  if (!vessels) return failure(vessels.error());
+  const auto retraction = retract(*liver, options.retraction);
   if (!retraction) return failure(retraction.error());
   auto saved = casefile::write_result(folder / "measured", retraction->measured).and_then([&] {
     return casefile::write_result(folder / "atlas", retraction->atlas);
   });
   if (!saved) return saved;
-  auto scene = scene::comparison_scene(folder / "atlas", "Atlas", folder / "measured", "MRE");
+  const std::string own = subject.drawn ? "Drawn stiffness" : "MRE";
+  auto scene = scene::comparison_scene(folder / "atlas", "Atlas", folder / "measured", own);
   if (!scene) return failure(scene.error());
+  if (*vessels) {
+    for (auto& [shown, simulation] :
+         {std::pair<scene::Scene&, const mechanics::Simulation&>{scene->in_red, retraction->atlas},
+          {scene->in_blue, retraction->measured}}) {
+      shown.surfaces.front().opacity = 0.25;
+      scene::SurfaceItem item;
+      item.name = "vessels";
+      item.surface = std::make_shared<const geometry::Surface>(moved(**vessels, simulation));
+      item.colour = {1, 1, 1};
+      shown.surfaces.push_back(std::move(item));
+    }
+  }
   scene->in_blue.annotations.warning = options.warning;
   // The tool pulls to the front and the head, which is seen from the side.
   scene->in_blue.camera =

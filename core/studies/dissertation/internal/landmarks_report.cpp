@@ -17,6 +17,7 @@ report::Plot box_plot(const std::string& caption, const std::vector<LandmarksSpr
                           spread.mm.percentile_75, spread.mm.percentile_95});
   }
   plot.rules.push_back({report::Rule::Along::y, significant_mm, "5 mm: matters to a surgeon"});
+  plot.rules.push_back({report::Rule::Along::y, imperceptible_mm, "1.65 mm: a voxel of the dissertation's maps"});
   return plot;
 }
 
@@ -37,18 +38,50 @@ report::Plot soft_against_stiff(const LandmarksSummary& summary) {
 }
 
 report::Table shares(const LandmarksSummary& summary) {
-  report::Table table{
-      "In how many patients it matters.", {"Distance", "Mean", "Median", "Largest", "5 mm or more"}, {}};
-  for (const auto* spreads : {&summary.between, &summary.within}) {
+  report::Table table{"In how many patients it matters.",
+                      {"Distance", "Patients", "Mean", "Median", "Largest", "5 mm or more", "95 % interval"},
+                      {}};
+  for (const auto* spreads : {&summary.between, &summary.groups, &summary.sensitivity, &summary.within}) {
     for (const LandmarksSpread& spread : *spreads) {
-      table.rows.push_back({{spread.says},
-                            {fmt::format("{:.1f} mm", spread.mm.mean)},
-                            {fmt::format("{:.1f} mm", spread.mm.median)},
-                            {fmt::format("{:.1f} mm", spread.mm.max)},
-                            {fmt::format("{:.0f} %", 100 * spread.significant_fraction)}});
+      table.rows.push_back(
+          {{spread.says},
+           {std::to_string(spread.mm.voxels)},
+           {fmt::format("{:.1f} mm", spread.mm.mean)},
+           {fmt::format("{:.1f} mm", spread.mm.median)},
+           {fmt::format("{:.1f} mm", spread.mm.max)},
+           {fmt::format("{:.0f} %", 100 * spread.significant.fraction)},
+           {fmt::format("{:.0f} to {:.0f} %", 100 * spread.significant.low, 100 * spread.significant.high)}});
     }
   }
   return table;
+}
+
+std::string law_of(const LandmarksSummary& summary, const LandmarksOptions& options) {
+  if (options.retraction.law == RetractionLaw::linear) {
+    return "Small strain is an extrapolation where the liver is lifted far.";
+  }
+  return fmt::format(
+      "Neo-Hookean bodies answer for {} patients, whom linear elasticity strains by more than 20 %; in {} more no "
+      "equilibrium was found at large strain, and the linear one stands.",
+      summary.at_large_strain, summary.beyond_linear);
+}
+
+void add_groups(const LandmarksSummary& summary, report::Page& page) {
+  if (summary.groups.empty()) return;
+  page.blocks.emplace_back(
+      box_plot("How far landmarks are from where the atlas has them (fig. 4.10).", summary.groups));
+  const std::vector<std::string>& examples = summary.groups[1].examples;
+  std::string outer;
+  for (std::size_t n = 1; n < examples.size(); ++n) outer += (n > 1 ? ", " : "") + examples[n];
+  page.blocks.emplace_back(report::Paragraph{
+      fmt::format("By the landmark that is farthest off the median patient is {}; nearest to one and more standard "
+                  "deviations above the mean: {}.",
+                  examples.front(), outer)});
+  page.blocks.emplace_back(box_plot(
+      "What moves landmarks, on average over a patient's, by linear elasticity: his mean stiffness in place of "
+      "the atlas's; his map in place of his mean; an abdominal wall of 30 mm in place of 15 mm; his shape in "
+      "place of all patients' mean, both with the atlas's stiffness.",
+      summary.sensitivity));
 }
 
 report::Table patients(const LandmarksSummary& summary) {
@@ -88,10 +121,10 @@ report::Page landmarks_page(const LandmarksSummary& summary, const LandmarksOpti
   page.blocks.emplace_back(report::Heading{"Between patients"});
   page.blocks.emplace_back(report::Paragraph{fmt::format(
       "A Nathanson retractor hoists segment VI with {:.2g} N. Each liver is simulated with the stiffness that was "
-      "measured in it and with the atlas's {:.2g} kPa (shear). Retractor and force are our assumption, small strain is "
-      "an extrapolation where the liver is lifted far. At the tool the two differ by 5 mm or more in {:.0f} % of the "
+      "measured in it and with the atlas's {:.2g} kPa (shear). Retractor and force are our assumption. {} At the tool "
+      "the two differ by 5 mm or more in {:.0f} % of the "
       "patients; by {:.1f} mm on average over the surface.",
-      retraction.force_N, retraction.atlas_kPa, 100 * summary.between[1].significant_fraction,
+      retraction.force_N, retraction.atlas_kPa, law_of(summary, options), 100 * summary.between[1].significant.fraction,
       summary.between[0].mm.mean)});
   page.blocks.emplace_back(box_plot(
       "How far the liver as measured is from the atlas's, on average over the surface and at the tool; the "
@@ -99,8 +132,10 @@ report::Page landmarks_page(const LandmarksSummary& summary, const LandmarksOpti
       "the middle half of the patients, whiskers 5 to 95 % (fig. 4.10).",
       summary.between));
   page.blocks.emplace_back(report::Paragraph{
-      "The median patient, and those nearest to one, two and three standard deviations above the mean (fig. 4.12):"});
+      "The median patient, and those nearest to one, two and three standard deviations above the mean (fig. 4.12), by "
+      "the landmark that is farthest off, or at the tool where none are known:"});
   page.blocks.emplace_back(report::FigureRow{pictures.between});
+  add_groups(summary, page);
   page.blocks.emplace_back(report::Heading{"Within a liver"});
   page.blocks.emplace_back(report::Paragraph{fmt::format(
       "Beams of 50 x 10 x 10 mm from where a liver is softest, stiffest and most uneven, lifted by {:.2g} N, against a "
