@@ -16,6 +16,7 @@
 #include <QSettings>
 #include <QTemporaryDir>
 #include <string>
+#include <thread>
 
 #include "rehearsal/tool_presets.h"
 #include "widgets/main_window.h"
@@ -46,7 +47,10 @@ void wait_until_idle() {
     }
     const auto start = Clock::now();
     const double cpu_before = cpu_s();
-    while (seconds_since(start) < pause_s) QCoreApplication::processEvents(QEventLoop::AllEvents, 20);
+    while (seconds_since(start) < pause_s) {
+      QCoreApplication::processEvents();
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
     busy = (cpu_s() - cpu_before) / seconds_since(start);
   }
 }
@@ -147,8 +151,9 @@ void draw_a_probe_at_large_deformations(glisson::widgets::MainWindow& window) {
     return std::chrono::duration<double>(Clock::now() - start).count();
   };
   const auto until = [&](const auto& done) {
+    // Asleep between events, as the window is: a session's timer is one of them.
     for (const auto begun = Clock::now(); !done() && since(begun) < patience_s;) {
-      QCoreApplication::processEvents(QEventLoop::AllEvents, 5);
+      QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
     }
   };
   const auto is_over = [&] {
