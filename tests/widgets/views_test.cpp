@@ -81,6 +81,23 @@ class ViewsTest : public QObject {
     QVERIFY(!button->isEnabled());
   }
 
+  // However coarse it was drawn while it moved.
+  void a_shape_that_came_to_rest_is_drawn_finely() {
+    views().set_layout(ViewLayout::one);
+    views().space().setFocus();
+    views().set_layout(ViewLayout::one);
+    QTest::qWait(50);
+    SpaceView& space = views().space();
+    const QImage before = space.picture();
+    for (int k = 0; k < 5; ++k) {
+      space.shape_moved();
+      space.redraw();
+      QTest::qWait(20);
+    }
+    QTest::qWait(600);
+    QVERIFY(space.picture() == before);
+  }
+
   void measures_a_distance_in_a_slice_by_two_clicks() {
     key(Qt::Key_D);
     click_at({40, 20, 40});

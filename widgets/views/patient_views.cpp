@@ -130,6 +130,7 @@ void PatientViews::take_tubes() {
 
 void PatientViews::show_state(const rehearsal::RehearsalState* state, const std::vector<ToolInView>& tools) {
   const bool had_figures = has_figures();
+  const bool moves = state != nullptr && state_ && state->patient.surface_mm != state_->patient.surface_mm;
   state_ = state != nullptr ? std::optional(*state) : std::nullopt;
   tools_ = tools;
   const double largest_mm = state_ ? state_->patient.max_displacement_mm : 0;
@@ -143,6 +144,9 @@ void PatientViews::show_state(const rehearsal::RehearsalState* state, const std:
     colour_range_mm_ = round_range_mm(largest_mm);
     rebuild_space();
     return;
+  }
+  if (moves) {
+    for (SpaceView* space : {&views_.space(), &views_.second_space()}) space->shape_moved();
   }
   apply_state();
 }

@@ -43,6 +43,11 @@ void SpaceView::hurry() {
   if (coarse_) calm_.start();
 }
 
+void SpaceView::shape_moved() {
+  if (since_moved_.isValid() && since_moved_.elapsed() < calm_after_ms) hurry();
+  since_moved_.start();
+}
+
 int SpaceView::shrink() const {
   constexpr int many_pixels = 250000;
   return coarse_ && device_width() * device_height() > many_pixels ? 2 : 1;

@@ -3,6 +3,7 @@
 // or the right button; a click without a drag picks what is under it. A tool in it is moved by its ends.
 
 #include <optional>
+#include <QElapsedTimer>
 #include <QPointF>
 #include <QTimer>
 
@@ -21,6 +22,8 @@ class SpaceView : public RenderWidget {
   // Replaces what is shown; the camera stays.
   void show_scene(const scene::Scene& scene);
   // Keeps everything in view, from the surgeon's side, until the person moves the camera.
+  // What is shown has been moved: one of many in a row is drawn coarser, as while the camera moves.
+  void shape_moved();
   void frame_all();
   // As the other view of the same patient looks; says nothing of it.
   void follow(const scene::Camera& camera);
@@ -65,6 +68,7 @@ class SpaceView : public RenderWidget {
   QPointF last_;
   // Full detail again once nothing has moved for a moment.
   QTimer calm_;
+  QElapsedTimer since_moved_;
   double full_frame_ms_ = 0;
   bool coarse_ = false;
   bool dragged_ = false;

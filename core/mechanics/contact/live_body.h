@@ -52,6 +52,7 @@ struct LivePlace {
 
 struct LiveState {
   Eigen::VectorXd u_mm;                      // of all nodes
+  Eigen::VectorXd resisting_mN;              // what body and supports resist with there; empty: not computed yet
   std::map<std::string, double> advance_mm;  // of pushed tools
   std::vector<LivePlace> places;
   std::vector<Eigen::Vector3d> surface_mm;  // displacement of each point of LiveBody::surface()

@@ -9,6 +9,22 @@
 #include "mechanics/elements/shape_functions.h"
 
 namespace glisson::mechanics {
+namespace {
+
+FaceMass unit_face_mass(ElementOrder order) {
+  const int count = order == ElementOrder::linear ? 3 : 6;
+  FaceMass mass = FaceMass::Zero(count, count);
+  for (const TrianglePoint& point : triangle_points_degree_4()) {
+    const Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 6, 1> values =
+        order == ElementOrder::linear
+            ? Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 6, 1>(point.barycentric)
+            : Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 6, 1>(quadratic_triangle_values(point.barycentric));
+    mass += point.weight * values * values.transpose();
+  }
+  return mass;
+}
+
+}  // namespace
 
 std::vector<BoundaryFace> boundary_faces(const geometry::TetMesh& mesh, const NodeLayout& layout) {
   const geometry::Surface surface = geometry::boundary_surface(mesh);
@@ -68,16 +84,9 @@ void add_traction(const BoundaryFace& face, const Eigen::Vector3d& traction_kPa,
 }
 
 FaceMass face_mass_mm2(const BoundaryFace& face, ElementOrder order) {
-  const int count = order == ElementOrder::linear ? 3 : 6;
-  FaceMass mass = FaceMass::Zero(count, count);
-  for (const TrianglePoint& point : triangle_points_degree_4()) {
-    const Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 6, 1> values =
-        order == ElementOrder::linear
-            ? Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 6, 1>(point.barycentric)
-            : Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 6, 1>(quadratic_triangle_values(point.barycentric));
-    mass += point.weight * face.area_mm2 * values * values.transpose();
-  }
-  return mass;
+  static const FaceMass of_linear = unit_face_mass(ElementOrder::linear);
+  static const FaceMass of_quadratic = unit_face_mass(ElementOrder::quadratic);
+  return face.area_mm2 * (order == ElementOrder::linear ? of_linear : of_quadratic);
 }
 
 }  // namespace glisson::mechanics

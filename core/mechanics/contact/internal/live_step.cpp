@@ -26,13 +26,15 @@ Result<LiveState> LiveStep::run(const LiveState& from, Until until) {
   if (auto taken = take_tools(from); !taken) return failure(std::move(taken.error()));
   const bool settling = until == Until::settled;
   const int most_rounds = settling ? options_.settling_rounds : options_.most_rounds;
-  now_ = unbalanced(state_.u_mm);
+  now_ = from.resisting_mN.size() == n_ ? under_loads(from.resisting_mN, from.report.inverted_cells)
+                                        : unbalanced(state_.u_mm);
   for (int round = 0;; ++round) {
     find_places();
     const VectorXd r_mN = with_tools(now_, state_.u_mm);
     look_at_rows(state_.u_mm);
     const SplineLevels::WithRows levels(parts_.levels, rows_, further_, alone(now_));
-    const double left_mm = estimate(levels, r_mN);
+    // Nobody is told how good the picture was that a step begins with.
+    const double left_mm = settling || round > 0 ? estimate(levels) : 0.0;
     state_.report.relative_residual = r_mN.norm() / (dead_mN_.norm() + tools_mN_ + parts_.k_mN_mm * hair_mm);
     const double deepest = deepest_mm();
     state_.error_bound_mm = of_residual * left_mm + of_penetration * deepest + beside_mm;
@@ -161,9 +163,15 @@ Pose LiveStep::pose_of(std::size_t tool) const {
 }
 
 Unbalanced LiveStep::unbalanced(const VectorXd& u_mm) {
-  Unbalanced balance{dead_mN_};
-  for (const auto& term : parts_.around) term->add_force(u_mm, balance.body_mN);
-  balance.inverted_points = parts_.cells.add_force(u_mm, balance.body_mN, squared_).inverted_points;
+  VectorXd resisting_mN = VectorXd::Zero(n_);
+  for (const auto& term : parts_.around) term->add_force(u_mm, resisting_mN);
+  const int inverted_points = parts_.cells.add_force(u_mm, resisting_mN, squared_).inverted_points;
+  return under_loads(std::move(resisting_mN), inverted_points);
+}
+
+Unbalanced LiveStep::under_loads(VectorXd resisting_mN, int inverted_points) const {
+  Unbalanced balance{std::move(resisting_mN), {}, inverted_points};
+  balance.body_mN = dead_mN_ + balance.resisting_mN;
   parts_.free(balance.body_mN);
   return balance;
 }
@@ -237,10 +245,14 @@ void LiveStep::look_at_rows(const VectorXd& u_mm) {
 }
 
 // How far the judged places are from rest, by what they answered to unit forces.
-double LiveStep::estimate(const SplineLevels::WithRows& levels, const VectorXd& r_mN) {
+double LiveStep::estimate(const SplineLevels::WithRows& levels) const {
   if (parts_.adjoints.cols() == 0) return 0;
-  VectorXd rest_mN;
-  levels.rest_of(r_mN, rest_mN);
+  VectorXd pressing_mN(static_cast<Eigen::Index>(rows_.size())), rest_mN;
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const double force = -rows_[i].stiffness * rows_[i].gap_mm;
+    pressing_mN[static_cast<Eigen::Index>(i)] = rows_[i].two_sided ? force : std::max(0.0, force);
+  }
+  levels.rest_of(pressing_mN, rest_mN);
   const Eigen::VectorXf left_mm = parts_.adjoints.transpose() * rest_mN.head(n_).cast<float>();
   double farthest_mm = 0;
   for (Eigen::Index l = 0; l < left_mm.size(); l += 3) {
@@ -272,9 +284,10 @@ void LiveStep::add_rows_times(const SplineLevels::WithRows& levels, const Vector
 // Conjugate gradients on the tangent. Where a tool would slide off, that is left out, and they begin again.
 VectorXd LiveStep::direction(const SplineLevels::WithRows& levels, const VectorXd& r_mN, int gradients, bool settling) {
   // A row that presses from now on has a gap to close first, and one that lets go keeps no force.
-  VectorXd begin = r_mN;
+  VectorXd begin = r_mN, pressing_mN = VectorXd::Zero(static_cast<Eigen::Index>(rows_.size()));
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const StiffRow& row = rows_[i];
+    if (levels.presses(i)) pressing_mN[static_cast<Eigen::Index>(i)] = -row.stiffness * row.gap_mm;
     if (row.two_sided || levels.presses(i) == (row.gap_mm < 0)) continue;
     const double force = (levels.presses(i) ? -1 : 1) * row.stiffness * row.gap_mm;
     for (const auto& [node, along] : row.on) begin.segment<3>(3 * node) += force * along;
@@ -282,7 +295,7 @@ VectorXd LiveStep::direction(const SplineLevels::WithRows& levels, const VectorX
   }
   parts_.free(begin);
   VectorXd step = VectorXd::Zero(begin.size()), left = begin, z, p, product(begin.size());
-  levels.apply(left, z);
+  levels.apply_along_rows(pressing_mN, z);
   p = z;
   double rho = left.dot(z);
   const double first_rho = rho;
@@ -302,7 +315,7 @@ VectorXd LiveStep::direction(const SplineLevels::WithRows& levels, const VectorX
       bends_.clear();
       step.setZero();
       left = begin;
-      levels.apply(left, z);
+      levels.apply_along_rows(pressing_mN, z);
       p = z;
       rho = first_rho;
       continue;
@@ -415,7 +428,8 @@ LiveState LiveStep::finished(const Stopwatch& watch) {
   report.movement_mm = std::isfinite(moved_mm_) ? moved_mm_ : 0.0;
   report.inverted_cells = now_.inverted_points;
   report.converged = now_.inverted_points == 0;
-  report.largest_strain = parts_.cells.largest_strain(parts_.body, state_.u_mm, squared_);
+  if (!squared_.empty()) report.largest_strain = parts_.cells.largest_strain(parts_.body, state_.u_mm, squared_);
+  state_.resisting_mN = std::move(now_.resisting_mN);
   parts_.show(state_);
   report.solve_ms = 1e3 * watch.seconds();
   return std::move(state_);

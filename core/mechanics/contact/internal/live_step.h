@@ -56,7 +56,8 @@ struct LiveParts {
 
 // Forces on the unknowns: the nodes' displacements, and after them the advances of pushed tools.
 struct Unbalanced {
-  Eigen::VectorXd body_mN;  // of the nodes, without the tools
+  Eigen::VectorXd resisting_mN;  // what the body and its supports resist with
+  Eigen::VectorXd body_mN;       // of the nodes, without the tools
   int inverted_points = 0;
 };
 
@@ -69,6 +70,7 @@ class LiveStep {
            const LiveOptions& options)
       : parts_(parts), tools_(tools), options_(options), n_(parts.unknowns()), dead_mN_(parts.standing.dead_mN) {
     state_.u_mm = from.u_mm;
+    state_.report.largest_strain = from.report.largest_strain;
   }
 
   Result<LiveState> run(const LiveState& from, Until until);
@@ -102,6 +104,7 @@ class LiveStep {
     return std::get<TouchingTool>(tools_[tool].what).pose.forward();
   }
   Unbalanced unbalanced(const Eigen::VectorXd& u_mm);
+  [[nodiscard]] Unbalanced under_loads(Eigen::VectorXd resisting_mN, int inverted_points) const;
   Eigen::VectorXd with_tools(const Unbalanced& balance, const Eigen::VectorXd& u_mm);
   void look_at_rows(const Eigen::VectorXd& u_mm);
   Eigen::VectorXd alone(const Unbalanced& balance) const;
@@ -109,7 +112,7 @@ class LiveStep {
                             bool settling);
   void add_rows_times(const SplineLevels::WithRows& levels, const Eigen::VectorXd& p, Eigen::VectorXd& product) const;
   void go(const Eigen::VectorXd& step, const Eigen::VectorXd& r_mN);
-  double estimate(const SplineLevels::WithRows& levels, const Eigen::VectorXd& r_mN);
+  [[nodiscard]] double estimate(const SplineLevels::WithRows& levels) const;
   void move_multipliers_on();
   [[nodiscard]] double deepest_mm() const;
   LiveState finished(const Stopwatch& watch);
@@ -131,7 +134,8 @@ class LiveStep {
   std::vector<StiffRow> rows_;
   std::vector<Bend> bends_;
   double tools_mN_ = 0, moved_mm_ = std::numeric_limits<double>::infinity();
-  std::vector<double> squared_;  // of the cells, as the last forces found them: those of where it is now
+  std::vector<double>
+      squared_;  // of the cells, as the last forces found them: those of where it is now; empty: it has not moved
 };
 
 }  // namespace glisson::mechanics

@@ -96,15 +96,16 @@ struct Seen {
 
 template <bool stiffens>
 HWY_INLINE Seen add_forces(const QuadraticBatch* begin, const QuadraticBatch* end, const double* u, double stiffening,
-                           double* forces, double* squared) {
+                           double* forces, std::int64_t last_node, double* squared) {
   const Tag tag;
+  const hn::CappedTag<double, 4> of_one_node;
   const hn::RebindToSigned<Tag> signed_tag;
   const Vector one = hn::Set(tag, 1.0);
   const Vector corner = hn::Set(tag, 4 * b - 1), edge = hn::Set(tag, 4 * b), own = hn::Set(tag, 4 * (a - b));
   Seen seen;
   Vector worst = hn::Zero(tag);
   for (const QuadraticBatch* batch = begin; batch != end; ++batch) {
-    HWY_ALIGN double of_node[10][3][QuadraticBatch::lanes];
+    HWY_ALIGN double of_node[10][QuadraticBatch::lanes][4];  // the fourth is 0
     for (std::size_t lane = 0; lane < QuadraticBatch::lanes; lane += hn::Lanes(tag)) {
       Point moved[10];
       for (int i = 0; i < 10; ++i) {
@@ -181,7 +182,7 @@ HWY_INLINE Seen add_forces(const QuadraticBatch* begin, const QuadraticBatch* en
         }
       }
       for (int i = 0; i < 10; ++i) {
-        for (int d = 0; d < 3; ++d) hn::Store(sum[i].v[d], tag, of_node[i][d] + lane);
+        hn::StoreInterleaved4(sum[i].v[0], sum[i].v[1], sum[i].v[2], hn::Zero(tag), tag, of_node[i][lane]);
       }
       largest = hn::IfThenElseZero(counts, largest);
       worst = hn::Max(worst, largest);
@@ -190,8 +191,17 @@ HWY_INLINE Seen add_forces(const QuadraticBatch* begin, const QuadraticBatch* en
     squared += QuadraticBatch::lanes;
     for (int cell = 0; cell < batch->count; ++cell) {
       for (int i = 0; i < 10; ++i) {
-        double* force = forces + batch->first[i][cell];
-        for (int d = 0; d < 3; ++d) force[d] -= of_node[i][d][cell];
+        const std::int64_t first = batch->first[i][cell];
+        double* force = forces + first;
+        const double* taken = of_node[i][cell];
+        if (first == last_node) {  // nothing follows that a whole vector could be taken off
+          for (int d = 0; d < 3; ++d) force[d] -= taken[d];
+          continue;
+        }
+        for (std::size_t d = 0; d < 4; d += hn::Lanes(of_one_node)) {
+          hn::StoreU(hn::Sub(hn::LoadU(of_one_node, force + d), hn::Load(of_one_node, taken + d)), of_one_node,
+                     force + d);
+        }
       }
     }
   }
@@ -200,9 +210,10 @@ HWY_INLINE Seen add_forces(const QuadraticBatch* begin, const QuadraticBatch* en
 }
 
 void forces_of(bool stiffens, const QuadraticBatch* begin, const QuadraticBatch* end, const double* u,
-               double stiffening, double* forces, double* squared, int* inverted, double* largest_squared) {
-  const Seen seen = stiffens ? add_forces<true>(begin, end, u, stiffening, forces, squared)
-                             : add_forces<false>(begin, end, u, stiffening, forces, squared);
+               double stiffening, double* forces, std::int64_t last_node, double* squared, int* inverted,
+               double* largest_squared) {
+  const Seen seen = stiffens ? add_forces<true>(begin, end, u, stiffening, forces, last_node, squared)
+                             : add_forces<false>(begin, end, u, stiffening, forces, last_node, squared);
   *inverted = seen.inverted;
   *largest_squared = seen.largest_squared;
 }
@@ -272,7 +283,7 @@ QuadraticCells::Strained QuadraticCells::add_force(const Eigen::VectorXd& u_mm, 
   Strained strained;
   HWY_DYNAMIC_DISPATCH(forces_of)
   (law_ == MaterialLaw::veronda_westmann, batches_.data(), batches_.data() + batches_.size(), u_mm.data(), stiffening_,
-   force_mN.data(), squared.data(), &strained.inverted_points, &strained.largest_squared);
+   force_mN.data(), force_mN.size() - 3, squared.data(), &strained.inverted_points, &strained.largest_squared);
   return strained;
 }
 

@@ -10,7 +10,8 @@
 namespace glisson::mechanics {
 
 // Quadratic B-splines over a regular lattice, and the nodes among them; those twice as wide. Values are 3 a node, and 4
-// a point of the narrow lattice, the last of which is nothing; 3 a point of the wide one.
+// a point of the narrow lattice, the last of which is nothing, with one point more at the end; 3 a point of the wide
+// one.
 class SplineLattice {
  public:
   using Values = std::vector<Eigen::Vector4f>;
@@ -37,11 +38,13 @@ class SplineLattice {
   void up_from_wide(const Eigen::VectorXf& wide, Values& values) const;
   void up(const Values& values, Eigen::VectorXd& z) const;
 
- private:
-  struct Place {
+  struct alignas(16) Place {
+    std::array<std::array<float, 4>, 3> weights;  // along each axis; the last is 0
     int first;                                    // of the lattice's points around the node
-    std::array<std::array<float, 3>, 3> weights;  // along each axis
   };
+
+ private:
+  [[nodiscard]] std::array<int, 9> rows_around() const;
   // Of the wide points those whose splines reach a near one.
   void number_wide_points(const std::vector<std::uint8_t>& is_near);
 
@@ -52,6 +55,7 @@ class SplineLattice {
   int nx_ = 0, ny_ = 0, nz_ = 0, wide_points_ = 0;
   std::vector<Place> places_;
   std::vector<std::uint8_t> fixed_;
+  std::vector<float> is_free_;                     // 1, or 0 where it is fixed
   std::vector<std::array<WideShare, 8>> wide_of_;  // of each point: a narrow spline is in two wide ones along each axis
 };
 

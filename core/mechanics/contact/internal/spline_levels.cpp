@@ -4,6 +4,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 
+#include "mechanics/contact/internal/dense_product.h"
 #include "mechanics/solvers/cholesky_factor.h"
 
 namespace glisson::mechanics {
@@ -70,7 +71,7 @@ bool SplineLevels::refresh(const Eigen::SparseMatrix<double>& lower) {
   const MatrixXd lower_part = coarse.triangularView<Eigen::Lower>();
   const auto factor = CholeskyFactor::create(lower_part.sparseView(), std::uint64_t{2} << 30);
   if (!factor) return false;
-  wide_inverse_ = factor->solve(MatrixXd::Identity(unknowns, unknowns)).cast<float>();
+  wide_inverse_ = padded_rows(factor->solve(MatrixXd::Identity(unknowns, unknowns)).cast<float>());
 
   rows_times(narrow, lattice_.points(),
              [&](const Shares& own, const std::vector<int>&, const std::vector<Matrix3d>& product) {
@@ -104,72 +105,86 @@ bool SplineLevels::refresh(const Eigen::SparseMatrix<double>& lower) {
 }
 
 SplineLevels::WithRows::WithRows(const SplineLevels& levels, const std::vector<StiffRow>& rows, int further,
-                                 const VectorXd& alone)
-    : levels_(levels), rows_(rows), further_(further), narrow_(rows.size()), presses_(rows.size(), 0) {
+                                 VectorXd alone)
+    : levels_(levels), rows_(rows), further_(further), alone_(std::move(alone)), presses_(rows.size(), 0) {
   double stiffest = 1;
   for (const StiffRow& row : rows) stiffest = std::max(stiffest, row.stiffness);
   soft_ = 1e-4 * stiffest;
-  const auto count = static_cast<Eigen::Index>(rows.size());
-  wide_ = MatrixXf::Zero(3 * levels.lattice_.wide_points(), count);
-  if (count == 0) return;
-  const MatrixXd compliance_mm_mN = compliance();
-  VectorXd gap_mm = seen_of(answer_without_rows(alone), alone);
-  for (Eigen::Index r = 0; r < count; ++r) {
-    const StiffRow& row = rows[static_cast<std::size_t>(r)];
-    gap_mm[r] += row.gap_mm;
-    presses_[static_cast<std::size_t>(r)] = row.two_sided || row.gap_mm < 0;
+  find_shares();
+  to_alone_ = answer_without_rows(alone_);
+  seen_alone_mm_ = seen_of(to_alone_, alone_);
+  compliance_mm_mN_ = compliance();
+  VectorXd gap_mm = seen_alone_mm_;
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    gap_mm[static_cast<Eigen::Index>(r)] += rows[r].gap_mm;
+    presses_[r] = rows[r].two_sided || rows[r].gap_mm < 0;
   }
-  choose(compliance_mm_mN, std::move(gap_mm));
+  choose(std::move(gap_mm));
 }
 
-// Of all rows, by all levels.
-MatrixXd SplineLevels::WithRows::compliance() {
-  const auto count = static_cast<Eigen::Index>(rows_.size());
+// What the rows see of either lattice.
+void SplineLevels::WithRows::find_shares() {
   const SplineLattice& lattice = levels_.lattice_;
-  std::vector<int> used;
-  std::vector<std::uint8_t> is_used(static_cast<std::size_t>(lattice.wide_points()), 0);
-  for (Eigen::Index r = 0; r < count; ++r) {
-    for (const auto& [node, direction] : rows_[static_cast<std::size_t>(r)].on) {
+  std::vector<int> narrow_at(static_cast<std::size_t>(lattice.points()), -1);
+  std::vector<int> used_at(static_cast<std::size_t>(lattice.wide_points()), -1);
+  std::vector<SplineLattice::Shares<Eigen::Vector3f>> wide(rows_.size());
+  narrow_.resize(rows_.size());
+  for (std::size_t r = 0; r < rows_.size(); ++r) {
+    for (const auto& [node, direction] : rows_[r].on) {
       Eigen::Vector3f free = direction.cast<float>();
       for (int d = 0; d < 3; ++d) {
         if (lattice.is_fixed(node, d)) free[d] = 0;
       }
       for (const auto& [point, weight] : lattice.wide_around(node)) {
-        wide_.col(r).segment<3>(3 * point) += weight * free;
-        if (!is_used[static_cast<std::size_t>(point)]) used.push_back(point);
-        is_used[static_cast<std::size_t>(point)] = 1;
+        int& at = used_at[static_cast<std::size_t>(point)];
+        if (at < 0) {
+          at = static_cast<int>(used_.size());
+          used_.push_back(point);
+        }
+        wide[r].emplace_back(at, weight * free);
       }
       for (const auto& [point, weight] : lattice.around(node)) {
-        narrow_[static_cast<std::size_t>(r)].emplace_back(point, weight * free);
+        int& at = narrow_at[static_cast<std::size_t>(point)];
+        if (at < 0) {
+          at = static_cast<int>(narrow_[r].size());
+          narrow_[r].emplace_back(point, Eigen::Vector3f::Zero());
+        }
+        narrow_[r][static_cast<std::size_t>(at)].second += weight * free;
       }
     }
+    for (const auto& share : narrow_[r]) narrow_at[static_cast<std::size_t>(share.first)] = -1;
   }
-  // Of the inverse only the columns that the rows see.
-  const auto seen = 3 * static_cast<Eigen::Index>(used.size());
-  MatrixXf columns(levels_.wide_inverse_.rows(), seen), entries(seen, count);
-  for (std::size_t u = 0; u < used.size(); ++u) {
-    const auto at = 3 * static_cast<Eigen::Index>(u);
-    columns.middleCols<3>(at) = levels_.wide_inverse_.middleCols<3>(3 * used[u]);
-    entries.middleRows<3>(at) = wide_.middleRows<3>(3 * used[u]);
+  wide_ = MatrixXf::Zero(3 * static_cast<Eigen::Index>(used_.size()), static_cast<Eigen::Index>(rows_.size()));
+  for (std::size_t r = 0; r < rows_.size(); ++r) {
+    for (const auto& [at, value] : wide[r]) wide_.col(static_cast<Eigen::Index>(r)).segment<3>(3 * at) += value;
   }
-  wide_seen_.noalias() = columns * entries;
-  MatrixXf seen_answers(seen, count);
-  for (std::size_t u = 0; u < used.size(); ++u) {
-    seen_answers.middleRows<3>(3 * static_cast<Eigen::Index>(u)) = wide_seen_.middleRows<3>(3 * used[u]);
+}
+
+MatrixXd SplineLevels::WithRows::compliance() const {
+  // Of the wide inverse only what the rows see.
+  MatrixXf between(wide_.rows(), wide_.rows());
+  for (std::size_t u = 0; u < used_.size(); ++u) {
+    const auto columns = levels_.wide_inverse_.middleCols<3>(3 * used_[u]);
+    for (std::size_t v = 0; v < used_.size(); ++v) {
+      between.block<3, 3>(3 * static_cast<Eigen::Index>(v), 3 * static_cast<Eigen::Index>(u)) =
+          columns.middleRows<3>(3 * used_[v]);
+    }
   }
-  MatrixXd sum = (entries.transpose() * seen_answers).cast<double>();
-  VectorXf narrow = VectorXf::Zero(3 * lattice.points());
-  for (Eigen::Index r = 0; r < count; ++r) {
+  const MatrixXf answers = between * wide_;
+  MatrixXd sum = (wide_.transpose() * answers).cast<double>();
+  std::vector<Eigen::Vector3f> narrow(static_cast<std::size_t>(levels_.lattice_.points()), Eigen::Vector3f::Zero());
+  for (Eigen::Index r = 0; r < sum.rows(); ++r) {
     const StiffRow& row = rows_[static_cast<std::size_t>(r)];
     const auto& own_narrow = narrow_[static_cast<std::size_t>(r)];
     for (const auto& [point, value] : own_narrow) {
-      narrow.segment<3>(3 * point) += levels_.narrow_inverse_[static_cast<std::size_t>(point)] * value;
+      const auto p = static_cast<std::size_t>(point);
+      narrow[p] = levels_.narrow_inverse_[p] * value;
     }
     for (Eigen::Index s = 0; s <= r; ++s) {
       const StiffRow& other = rows_[static_cast<std::size_t>(s)];
       double own = 0;
       for (const auto& [point, value] : narrow_[static_cast<std::size_t>(s)]) {
-        own += double{narrow.segment<3>(3 * point).dot(value)};
+        own += double{narrow[static_cast<std::size_t>(point)].dot(value)};
       }
       for (const auto& [node, direction] : row.on) {
         for (const auto& [other_node, other_direction] : other.on) {
@@ -181,13 +196,13 @@ MatrixXd SplineLevels::WithRows::compliance() {
       sum(r, s) += own;
       if (s != r) sum(s, r) += own;
     }
-    for (const auto& [point, value] : own_narrow) narrow.segment<3>(3 * point).setZero();
+    for (const auto& share : own_narrow) narrow[static_cast<std::size_t>(share.first)].setZero();
   }
   return sum;
 }
 
 // Which press: those whose gap would close under the forces of the others.
-void SplineLevels::WithRows::choose(const MatrixXd& compliance, VectorXd gap_mm) {
+void SplineLevels::WithRows::choose(VectorXd gap_mm) {
   const auto count = static_cast<Eigen::Index>(rows_.size());
   constexpr int most_changes = 20;
   std::vector<Eigen::Index> pressing;
@@ -203,7 +218,7 @@ void SplineLevels::WithRows::choose(const MatrixXd& compliance, VectorXd gap_mm)
     for (Eigen::Index i = 0; i < size; ++i) {
       const auto row = static_cast<std::size_t>(i);
       for (Eigen::Index j = 0; j < size; ++j) {
-        of_pressing(i, j) = compliance(pressing[row], pressing[static_cast<std::size_t>(j)]);
+        of_pressing(i, j) = compliance_mm_mN_(pressing[row], pressing[static_cast<std::size_t>(j)]);
       }
       of_pressing(i, i) += 1 / rows_[static_cast<std::size_t>(pressing[row])].stiffness;
       closed_mm[i] = -gap_mm[pressing[row]];
@@ -213,7 +228,7 @@ void SplineLevels::WithRows::choose(const MatrixXd& compliance, VectorXd gap_mm)
     const VectorXd force_mN = of_pressing * closed_mm;
     VectorXd after_mm = gap_mm;
     for (Eigen::Index i = 0; i < size; ++i) {
-      after_mm += force_mN[i] * compliance.col(pressing[static_cast<std::size_t>(i)]);
+      after_mm += force_mN[i] * compliance_mm_mN_.col(pressing[static_cast<std::size_t>(i)]);
     }
     bool changed = false;
     for (Eigen::Index r = 0, i = 0; r < count; ++r) {
@@ -240,15 +255,19 @@ SplineLevels::WithRows::Answer SplineLevels::WithRows::answer_without_rows(const
   lattice.down(r, answer.narrow);
   VectorXf wide;
   lattice.down_to_wide(answer.narrow, wide);
-  answer.wide.noalias() = levels_.wide_inverse_ * wide;
-  for (std::size_t p = 0; p < answer.narrow.size(); ++p) {
+  multiply(levels_.wide_inverse_, wide, answer.wide);
+  for (std::size_t p = 0; p < levels_.narrow_inverse_.size(); ++p) {
     answer.narrow[p].head<3>() = (levels_.narrow_inverse_[p] * answer.narrow[p].head<3>()).eval();
   }
   return answer;
 }
 
 VectorXd SplineLevels::WithRows::seen_of(const Answer& answer, const VectorXd& r) const {
-  VectorXd seen = (wide_.transpose() * answer.wide).cast<double>();
+  VectorXf wide(wide_.rows());
+  for (std::size_t u = 0; u < used_.size(); ++u) {
+    wide.segment<3>(3 * static_cast<Eigen::Index>(u)) = answer.wide.segment<3>(3 * used_[u]);
+  }
+  VectorXd seen = (wide_.transpose() * wide).cast<double>();
   const auto after = r.size() - further_;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const StiffRow& row = rows_[i];
@@ -265,43 +284,66 @@ VectorXd SplineLevels::WithRows::seen_of(const Answer& answer, const VectorXd& r
 }
 
 void SplineLevels::WithRows::apply(const VectorXd& r, VectorXd& z) const {
-  VectorXd rest;
-  Answer answer;
-  answer_rows(r, rest, answer);
+  Answer answer = answer_without_rows(r);
+  // The forces with which the rows answer what they would see.
+  const VectorXd force_mN = -inverse_ * seen_of(answer, r);
+  VectorXd rest = r;
+  push_along_rows(force_mN, rest);
+  add_answers_of_rows(force_mN, answer);
+  spread(answer, rest, z);
+}
+
+void SplineLevels::WithRows::apply_along_rows(const VectorXd& force_mN, VectorXd& z) const {
+  const VectorXd left_mN = force_mN - inverse_ * (seen_alone_mm_ + compliance_mm_mN_ * force_mN);
+  VectorXd rest = alone_;
+  push_along_rows(left_mN, rest);
+  Answer answer = to_alone_;
+  add_answers_of_rows(left_mN, answer);
+  spread(answer, rest, z);
+}
+
+void SplineLevels::WithRows::rest_of(const VectorXd& force_mN, VectorXd& rest) const {
+  rest = alone_;
+  push_along_rows(force_mN - inverse_ * (seen_alone_mm_ + compliance_mm_mN_ * force_mN), rest);
+}
+
+void SplineLevels::WithRows::push_along_rows(const VectorXd& force_mN, VectorXd& r) const {
+  const auto after = r.size() - further_;
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const StiffRow& row = rows_[i];
+    const double force = force_mN[static_cast<Eigen::Index>(i)];
+    for (const auto& [node, direction] : row.on) r.segment<3>(3 * node) += force * direction;
+    if (row.further >= 0) r[after + row.further] -= row.along * force;
+  }
+}
+
+void SplineLevels::WithRows::add_answers_of_rows(const VectorXd& force_mN, Answer& answer) const {
+  const VectorXf wide = wide_ * force_mN.cast<float>();
+  for (std::size_t u = 0; u < used_.size(); ++u) {
+    answer.wide.noalias() += levels_.wide_inverse_.block(0, 3 * used_[u], answer.wide.size(), 3) *
+                             wide.segment<3>(3 * static_cast<Eigen::Index>(u));
+  }
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const auto force = static_cast<float>(force_mN[static_cast<Eigen::Index>(i)]);
+    if (force == 0) continue;
+    for (const auto& [point, value] : narrow_[i]) {
+      const auto p = static_cast<std::size_t>(point);
+      answer.narrow[p].head<3>() += force * (levels_.narrow_inverse_[p] * value);
+    }
+  }
+}
+
+// An answer of the lattices and of the diagonal on the unknowns.
+void SplineLevels::WithRows::spread(const Answer& answer, const VectorXd& r, VectorXd& z) const {
   z.resize(r.size());
   for (std::size_t n = 0; n < levels_.inverse_diagonal_.size(); ++n) {
     const auto first = 3 * static_cast<Eigen::Index>(n);
-    z.segment<3>(first).noalias() = levels_.inverse_diagonal_[n] * rest.segment<3>(first);
+    z.segment<3>(first).noalias() = levels_.inverse_diagonal_[n] * r.segment<3>(first);
   }
-  levels_.lattice_.up_from_wide(answer.wide, answer.narrow);
-  levels_.lattice_.up(answer.narrow, z);
-  for (auto f = r.size() - further_; f < r.size(); ++f) z[f] = rest[f] / soft_;
-}
-
-void SplineLevels::WithRows::rest_of(const VectorXd& r, VectorXd& rest) const {
-  Answer answer;
-  answer_rows(r, rest, answer);
-}
-
-void SplineLevels::WithRows::answer_rows(const VectorXd& r, VectorXd& rest, Answer& answer) const {
-  answer = answer_without_rows(r);
-  rest = r;
-  if (rows_.empty()) return;
-  const auto after = r.size() - further_;
-  // The forces with which the rows answer what they would see.
-  const VectorXd force = inverse_ * seen_of(answer, r);
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
-    if (!presses_[i]) continue;
-    const StiffRow& row = rows_[i];
-    const double f = force[static_cast<Eigen::Index>(i)];
-    for (const auto& [node, direction] : row.on) rest.segment<3>(3 * node) -= f * direction;
-    if (row.further >= 0) rest[after + row.further] += row.along * f;
-    for (const auto& [point, value] : narrow_[i]) {
-      const auto p = static_cast<std::size_t>(point);
-      answer.narrow[p].head<3>() -= static_cast<float>(f) * (levels_.narrow_inverse_[p] * value);
-    }
-  }
-  answer.wide.noalias() -= wide_seen_ * force.cast<float>();
+  SplineLattice::Values narrow = answer.narrow;
+  levels_.lattice_.up_from_wide(answer.wide, narrow);
+  levels_.lattice_.up(narrow, z);
+  for (auto f = r.size() - further_; f < r.size(); ++f) z[f] = r[f] / soft_;
 }
 
 namespace {

@@ -40,34 +40,45 @@ class SplineLevels {
 
   [[nodiscard]] const SplineLattice& lattice() const { return lattice_; }
 
-  // What answers r with the rows beside A; `further` unknowns follow those of the nodes.
+  // What answers forces with the rows beside A; `further` unknowns follow those of the nodes. What is answered to
+  // `alone`, the forces without the rows', and to each row is kept: forces that the rows add are answered from that.
   class WithRows {
    public:
-    // Which of the rows press is decided by the levels' answer to `alone`, the forces without theirs.
-    WithRows(const SplineLevels& levels, const std::vector<StiffRow>& rows, int further, const Eigen::VectorXd& alone);
+    // Which of the rows press is decided by the levels' answer to `alone`.
+    WithRows(const SplineLevels& levels, const std::vector<StiffRow>& rows, int further, Eigen::VectorXd alone);
     [[nodiscard]] bool presses(std::size_t row) const { return presses_[row] != 0; }
 
     void apply(const Eigen::VectorXd& r, Eigen::VectorXd& z) const;
-    // r without what the rows take of it.
-    void rest_of(const Eigen::VectorXd& r, Eigen::VectorXd& rest) const;
+    // The same where r is `alone` and so much along each row.
+    void apply_along_rows(const Eigen::VectorXd& force_mN, Eigen::VectorXd& z) const;
+    // `alone` and so much along each row, without what the rows take of it.
+    void rest_of(const Eigen::VectorXd& force_mN, Eigen::VectorXd& rest) const;
 
    private:
     struct Answer {
       Eigen::VectorXf wide;
       SplineLattice::Values narrow;
     };
-    void answer_rows(const Eigen::VectorXd& r, Eigen::VectorXd& rest, Answer& answer) const;
     [[nodiscard]] Answer answer_without_rows(const Eigen::VectorXd& r) const;
     [[nodiscard]] Eigen::VectorXd seen_of(const Answer& answer, const Eigen::VectorXd& r) const;
-    [[nodiscard]] Eigen::MatrixXd compliance();
-    void choose(const Eigen::MatrixXd& compliance, Eigen::VectorXd gap_mm);
+    void find_shares();
+    [[nodiscard]] Eigen::MatrixXd compliance() const;
+    void choose(Eigen::VectorXd gap_mm);
+    void push_along_rows(const Eigen::VectorXd& force_mN, Eigen::VectorXd& r) const;
+    void add_answers_of_rows(const Eigen::VectorXd& force_mN, Answer& answer) const;
+    void spread(const Answer& answer, const Eigen::VectorXd& r, Eigen::VectorXd& z) const;
 
     const SplineLevels& levels_;
     const std::vector<StiffRow>& rows_;
     int further_;
-    double soft_ = 1;                   // stiffness of a further unknown on its own
-    Eigen::MatrixXf wide_, wide_seen_;  // Q^T P^T c^T, and the wide lattice's answer to it, a column a row
+    double soft_ = 1;                                             // stiffness of a further unknown on its own
+    std::vector<int> used_;                                       // wide points that rows see
+    Eigen::MatrixXf wide_;                                        // Q^T P^T c^T there, a column a row
     std::vector<SplineLattice::Shares<Eigen::Vector3f>> narrow_;  // P^T c^T
+    Eigen::VectorXd alone_;
+    Answer to_alone_;
+    Eigen::MatrixXd compliance_mm_mN_;  // of all rows, by all levels
+    Eigen::VectorXd seen_alone_mm_;
     std::vector<std::uint8_t> presses_;
     Eigen::MatrixXd inverse_;  // of the compliance of those that press, with theirs
   };
@@ -76,7 +87,7 @@ class SplineLevels {
   SplineLattice lattice_;
   std::vector<Eigen::Matrix3d> inverse_diagonal_;
   std::vector<Eigen::Matrix3f> narrow_inverse_;
-  Eigen::MatrixXf wide_inverse_;
+  Eigen::MatrixXf wide_inverse_;  // with padded rows
 };
 
 }  // namespace glisson::mechanics
