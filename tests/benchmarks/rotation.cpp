@@ -10,6 +10,7 @@
 #include <sys/resource.h>
 #include <chrono>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <QApplication>
 #include <QMouseEvent>
@@ -210,7 +211,10 @@ int main(int argc, char** argv) {
   apply_theme(Theme::dark);
   print_memory("nothing open");
   const glisson::Progress progress;
-  auto patient = argc > 1 ? load_patient(argv[1], progress) : load_demo(own.path().toStdString(), progress);
+  // A copy: the tools that are placed here would stand in the case when it is opened again.
+  const std::filesystem::path copy = own.path().toStdString() + "/copy.glisson";
+  if (argc > 1) std::filesystem::copy(argv[1], copy, std::filesystem::copy_options::recursive);
+  auto patient = argc > 1 ? load_patient(copy, progress) : load_demo(own.path().toStdString(), progress);
   if (!patient) {
     std::fprintf(stderr, "%s\n", patient.error().message().c_str());
     return 1;
