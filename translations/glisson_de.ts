@@ -4924,10 +4924,6 @@
         <translation>Der geplante Schnitt geht an der Leber vorbei.</translation>
     </message>
     <message>
-        <source>A command is {&quot;hold&quot;: {...}}, {&quot;release&quot;: id}, {&quot;cut&quot;: {...}}, {&quot;undo&quot;: true} or {&quot;settle&quot;: true}.</source>
-        <translation>Ein Befehl ist {&quot;hold&quot;: {...}}, {&quot;release&quot;: id}, {&quot;cut&quot;: {...}}, {&quot;undo&quot;: true} oder {&quot;settle&quot;: true}.</translation>
-    </message>
-    <message>
         <source>A cut can advance at small strain alone.</source>
         <translation>Ein Schnitt lässt sich nur bei kleiner Dehnung weiterführen.</translation>
     </message>
@@ -5742,6 +5738,362 @@
     <message>
         <source>Small or large deformations</source>
         <translation>Kleine oder große Verformungen</translation>
+    </message>
+    <message>
+        <source>The whole organ is stiffer or softer than declared, everywhere by the same factor.</source>
+        <translation>Das ganze Organ ist steifer oder weicher als angegeben, überall um denselben Faktor.</translation>
+    </message>
+    <message>
+        <source>What holds the organ gives way like a spring: all of it moves when a tool moves it.</source>
+        <translation>Was das Organ hält, gibt nach wie eine Feder: es bewegt sich als Ganzes, wenn ein Instrument es bewegt.</translation>
+    </message>
+    <message>
+        <source>The camera stands elsewhere than declared: everything is seen turned and shifted alike.</source>
+        <translation>Die Kamera steht anderswo als angegeben: alles wird gleich gedreht und verschoben gesehen.</translation>
+    </message>
+    <message>
+        <source>The tools push with another force than declared, by the same factor in all frames.</source>
+        <translation>Die Instrumente drücken mit einer anderen Kraft als angegeben, in allen Bildern um denselben Faktor.</translation>
+    </message>
+    <message>
+        <source>Probability that nothing is missing: {1}; next comes: {2}, {3}.</source>
+        <translation>Wahrscheinlichkeit, dass nichts fehlt: {1}; als Nächstes kommt: {2}, {3}.</translation>
+    </message>
+    <message>
+        <source>Probability that nothing is missing: {1}.</source>
+        <translation>Wahrscheinlichkeit, dass nichts fehlt: {1}.</translation>
+    </message>
+    <message>
+        <source>Probability of {0}: {1}; next comes: {2}, {3}.</source>
+        <translation>Wahrscheinlichkeit von {0}: {1}; als Nächstes kommt: {2}, {3}.</translation>
+    </message>
+    <message>
+        <source>Probability of {0}: {1}.</source>
+        <translation>Wahrscheinlichkeit von {0}: {1}.</translation>
+    </message>
+    <message>
+        <source>Probability that something acts which is not in the catalogue: {1}; next comes: {2}, {3}.</source>
+        <translation>Wahrscheinlichkeit, dass etwas wirkt, das nicht im Katalog steht: {1}; als Nächstes kommt: {2}, {3}.</translation>
+    </message>
+    <message>
+        <source>Probability that something acts which is not in the catalogue: {1}.</source>
+        <translation>Wahrscheinlichkeit, dass etwas wirkt, das nicht im Katalog steht: {1}.</translation>
+    </message>
+    <message>
+        <source>What is left passes every test for noise, and yet weighing all explanations finds a weak sign of {0} ({1}): only further trials could tell.</source>
+        <translation>Was übrig ist, besteht jede Prüfung auf Rauschen, und doch findet das Abwägen aller Erklärungen ein schwaches Zeichen für {0} ({1}): nur weitere Versuche könnten es zeigen.</translation>
+    </message>
+    <message>
+        <source>What was found suffices, but weighing all explanations, {0} is likelier ({1}): take the name as one of several that these data allow.</source>
+        <translation>Das Gefundene genügt, aber beim Abwägen aller Erklärungen ist {0} wahrscheinlicher ({1}): der Name ist einer von mehreren, die diese Daten zulassen.</translation>
+    </message>
+    <message>
+        <source>Among all explanations {0} weighs most ({1}), but it does not pass as a cause: it leaves too much, or a function without a cause does about as well. Do not build on it.</source>
+        <translation>Unter allen Erklärungen wiegt {0} am meisten ({1}), gilt aber nicht als Ursache: es lässt zu viel übrig, oder eine Funktion ohne Ursache leistet etwa dasselbe. Bauen Sie nicht darauf.</translation>
+    </message>
+    <message>
+        <source>The whole specimen is stiffer or softer than declared, everywhere by the same factor.</source>
+        <translation>Die ganze Probe ist steifer oder weicher als angegeben, überall um denselben Faktor.</translation>
+    </message>
+    <message>
+        <source>The tissue stiffens the further it is strained: pressing twice as hard dents it less than twice as deep.</source>
+        <translation>Das Gewebe wird steifer, je weiter es gedehnt wird: doppelt so fest gedrückt gibt es weniger als doppelt so tief nach.</translation>
+    </message>
+    <message>
+        <source>What holds the specimen gives way like a spring: all of it moves a little when it is pressed.</source>
+        <translation>Was die Probe hält, gibt nach wie eine Feder: sie bewegt sich als Ganzes ein wenig, wenn sie gedrückt wird.</translation>
+    </message>
+    <message>
+        <source>Somewhere inside lies a stiff lump, as a tumour would: around it the specimen moves less.</source>
+        <translation>Irgendwo im Inneren liegt ein steifer Knoten, wie ein Tumor: um ihn herum bewegt sich die Probe weniger.</translation>
+    </message>
+    <message>
+        <source>The tissue creeps: held under a steady force it goes on giving way for a while.</source>
+        <translation>Das Gewebe kriecht: unter gleichbleibender Kraft gibt es noch eine Weile weiter nach.</translation>
+    </message>
+    <message>
+        <source>The load cell is off: it does not read zero when untouched, or it reads too much or too little.</source>
+        <translation>Die Kraftmessdose misst falsch: sie zeigt unberührt nicht null, oder zu viel oder zu wenig.</translation>
+    </message>
+    <message>
+        <source>The camera&apos;s coordinates do not match the specimen&apos;s: all markers seem shifted or turned alike.</source>
+        <translation>Die Koordinaten der Kamera passen nicht zu denen der Probe: alle Marker scheinen gleich verschoben oder gedreht.</translation>
+    </message>
+    <message>
+        <source>The tissue has a grain: it is stiffer (or softer) along one direction than across it.</source>
+        <translation>Das Gewebe hat eine Faserung: längs einer Richtung ist es steifer (oder weicher) als quer dazu.</translation>
+    </message>
+    <message>
+        <source>A skin around the specimen (as Glisson&apos;s capsule around the liver) carries part of the load.</source>
+        <translation>Eine Haut um die Probe (wie die Glisson-Kapsel um die Leber) trägt einen Teil der Last.</translation>
+    </message>
+    <message>
+        <source>Something else loaded the specimen while it was measured, and not when its shape was taken: its weight, or a pressure around it.</source>
+        <translation>Etwas anderes belastete die Probe beim Messen, aber nicht, als ihre Form aufgenommen wurde: ihr Gewicht oder ein Druck um sie herum.</translation>
+    </message>
+    <message>
+        <source>× noise</source>
+        <translation>× Rauschen</translation>
+    </message>
+    <message>
+        <source>Nothing is missing: what the declared model leaves is noise, and nothing was added to it.</source>
+        <translation>Nichts fehlt: was das angegebene Modell übrig lässt, ist Rauschen, und es wurde ihm nichts hinzugefügt.</translation>
+    </message>
+    <message>
+        <source>Explained: with the effects below, what is left is as small as the noise of the measurement.</source>
+        <translation>Erklärt: mit den Effekten unten ist das Übrige so klein wie das Rauschen der Messung.</translation>
+    </message>
+    <message>
+        <source>Unexplained: known effects can be bent until what is left is noise, but a smooth function of what was done, which has no cause, accounts for it about as well. What is named below is not a cause that these data establish.</source>
+        <translation>Nicht erklärt: bekannte Effekte lassen sich so biegen, dass nur Rauschen bleibt, aber eine glatte Funktion dessen, was getan wurde, die keine Ursache hat, leistet etwa dasselbe. Was unten genannt wird, ist keine Ursache, die diese Daten belegen.</translation>
+    </message>
+    <message>
+        <source>Unexplained: no combination of known effects brings the error near the noise. What is named below removes a part of it and is not a cause that these data establish.</source>
+        <translation>Nicht erklärt: keine Verbindung bekannter Effekte bringt den Fehler in die Nähe des Rauschens. Was unten genannt wird, nimmt einen Teil davon weg und ist keine Ursache, die diese Daten belegen.</translation>
+    </message>
+    <message>
+        <source>What the declared model lacks, by the measurements</source>
+        <translation>Was dem angegebenen Modell nach den Messungen fehlt</translation>
+    </message>
+    <message>
+        <source>A probability weighs how well an explanation predicts what was measured, whatever the size of its effects, against how common it is taken to be before anything is measured. &quot;Something else&quot; stands for every cause that is not in the catalogue. These probabilities are not calibrated: of explanations given 90 % and more, three in four were right where the answer was known. Read them as an order.</source>
+        <translation>Eine Wahrscheinlichkeit wägt ab, wie gut eine Erklärung das Gemessene vorhersagt, wie groß ihre Effekte auch sind, und wie häufig sie vor jeder Messung angenommen wird. „Etwas anderes“ steht für jede Ursache, die nicht im Katalog ist. Diese Wahrscheinlichkeiten sind nicht kalibriert: von Erklärungen mit 90 % und mehr waren drei von vier richtig, wo die Antwort bekannt war. Lesen Sie sie als Reihenfolge.</translation>
+    </message>
+    <message>
+        <source>What these trials could have shown</source>
+        <translation>Was diese Versuche hätten zeigen können</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Vorher</translation>
+    </message>
+    <message>
+        <source>What was found</source>
+        <translation>Was gefunden wurde</translation>
+    </message>
+    <message>
+        <source>A smooth correction over load and place predicts trials better that it was not fitted to. It claims no cause.</source>
+        <translation>Eine glatte Korrektur über Last und Ort sagt Versuche besser vorher, an die sie nicht angepasst wurde. Sie nennt keine Ursache.</translation>
+    </message>
+    <message>
+        <source>Candidates, each by itself</source>
+        <translation>Kandidaten, jeder für sich</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>Nachher</translation>
+    </message>
+    <message>
+        <source>What to measure next</source>
+        <translation>Was als Nächstes zu messen ist</translation>
+    </message>
+    <message>
+        <source>No further trial is needed to tell the leading explanations apart, or none is known that would.</source>
+        <translation>Es braucht keinen weiteren Versuch, um die führenden Erklärungen zu unterscheiden, oder es ist keiner bekannt, der das könnte.</translation>
+    </message>
+    <message>
+        <source>Glisson plans and reviews liver surgery. Not a medical device.</source>
+        <translation>Glisson plant und bespricht Leberoperationen. Kein Medizinprodukt.</translation>
+    </message>
+    <message>
+        <source>Expected to tell what was found from {0}: the predictions are {1} standard deviations of the noise apart.</source>
+        <translation>Unterscheidet das Gefundene voraussichtlich von {0}: die Vorhersagen liegen {1} Standardabweichungen des Rauschens auseinander.</translation>
+    </message>
+    <message>
+        <source>What is left is noise: no test finds anything that noise would not do.</source>
+        <translation>Was übrig ist, ist Rauschen: keine Prüfung findet etwas, das Rauschen nicht täte.</translation>
+    </message>
+    <message>
+        <source>What is left is not noise: {0}.</source>
+        <translation>Was übrig ist, ist kein Rauschen: {0}.</translation>
+    </message>
+    <message>
+        <source>From this value on, nine of ten such experiments would have shown the effect</source>
+        <translation>Von diesem Wert an hätten neun von zehn solchen Experimenten den Effekt gezeigt</translation>
+    </message>
+    <message>
+        <source>effect</source>
+        <translation>Effekt</translation>
+    </message>
+    <message>
+        <source>parameter</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>without effect</source>
+        <translation>ohne Effekt</translation>
+    </message>
+    <message>
+        <source>seen from</source>
+        <translation>zu sehen ab</translation>
+    </message>
+    <message>
+        <source>at no size in its range</source>
+        <translation>in keiner Größe seines Bereichs</translation>
+    </message>
+    <message>
+        <source>Errors ({0})</source>
+        <translation>Fehler ({0})</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>vorher</translation>
+    </message>
+    <message>
+        <source>after</source>
+        <translation>nachher</translation>
+    </message>
+    <message>
+        <source>root mean square, trials that were fitted</source>
+        <translation>quadratisches Mittel, angepasste Versuche</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>95 of 100 are below</source>
+        <translation>95 von 100 liegen darunter</translation>
+    </message>
+    <message>
+        <source>chi-squared over number</source>
+        <translation>Chi-Quadrat durch Anzahl</translation>
+    </message>
+    <message>
+        <source>{0} ({1} to {2})</source>
+        <translation>{0} ({1} bis {2})</translation>
+    </message>
+    <message>
+        <source>root mean square, trials left out whole</source>
+        <translation>quadratisches Mittel, ganz ausgelassene Versuche</translation>
+    </message>
+    <message>
+        <source>hidden targets, which nothing was fitted to: mean (mm)</source>
+        <translation>verborgene Ziele, an die nichts angepasst wurde: Mittel (mm)</translation>
+    </message>
+    <message>
+        <source>hidden targets: the farthest (mm)</source>
+        <translation>verborgene Ziele: das fernste (mm)</translation>
+    </message>
+    <message>
+        <source>noise of the measurement</source>
+        <translation>Rauschen der Messung</translation>
+    </message>
+    <message>
+        <source>Parameters, with standard deviation and 95 % interval</source>
+        <translation>Parameter, mit Standardabweichung und 95-%-Intervall</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>von</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>bis</translation>
+    </message>
+    <message>
+        <source>could also be</source>
+        <translation>könnte auch sein</translation>
+    </message>
+    <message>
+        <source>not determined</source>
+        <translation>nicht bestimmt</translation>
+    </message>
+    <message>
+        <source>Errors in {0}; the lower the BIC, the better</source>
+        <translation>Fehler in {0}; je niedriger das BIC, desto besser</translation>
+    </message>
+    <message>
+        <source>error fitted</source>
+        <translation>Fehler angepasst</translation>
+    </message>
+    <message>
+        <source>error on trials left out</source>
+        <translation>Fehler an ausgelassenen Versuchen</translation>
+    </message>
+    <message>
+        <source>change of BIC</source>
+        <translation>Änderung des BIC</translation>
+    </message>
+    <message>
+        <source>remark</source>
+        <translation>Bemerkung</translation>
+    </message>
+    <message>
+        <source>left out: {0}</source>
+        <translation>ausgelassen: {0}</translation>
+    </message>
+    <message>
+        <source>like {0}</source>
+        <translation>wie {0}</translation>
+    </message>
+    <message>
+        <source>Probability of each explanation, all that were weighed taken together</source>
+        <translation>Wahrscheinlichkeit jeder Erklärung, alle abgewogenen zusammengenommen</translation>
+    </message>
+    <message>
+        <source>something else</source>
+        <translation>etwas anderes</translation>
+    </message>
+    <message>
+        <source>nothing is missing</source>
+        <translation>nichts fehlt</translation>
+    </message>
+    <message>
+        <source>{0} and {1}</source>
+        <translation>{0} und {1}</translation>
+    </message>
+    <message>
+        <source>force (N)</source>
+        <translation>Kraft (N)</translation>
+    </message>
+    <message>
+        <source>error ({0})</source>
+        <translation>Fehler ({0})</translation>
+    </message>
+    <message>
+        <source>Residual before, trial {0} at its worst: arrows {1} times as long, red at {2} mm</source>
+        <translation>Rest vorher, Versuch {0}, wo er am größten ist: Pfeile {1}-mal so lang, rot bei {2} mm</translation>
+    </message>
+    <message>
+        <source>Residual after, trial {0} at its worst: arrows {1} times as long, red at {2} mm</source>
+        <translation>Rest nachher, Versuch {0}, wo er am größten ist: Pfeile {1}-mal so lang, rot bei {2} mm</translation>
+    </message>
+    <message>
+        <source>voltage (V)</source>
+        <translation>Spannung (V)</translation>
+    </message>
+    <message>
+        <source>temperature (°C)</source>
+        <translation>Temperatur (°C)</translation>
+    </message>
+    <message>
+        <source>power (W)</source>
+        <translation>Leistung (W)</translation>
+    </message>
+    <message>
+        <source>stress (kPa)</source>
+        <translation>Spannung (kPa)</translation>
+    </message>
+    <message>
+        <source>time (s)</source>
+        <translation>Zeit (s)</translation>
+    </message>
+    <message>
+        <source>strain</source>
+        <translation>Dehnung</translation>
+    </message>
+    <message>
+        <source>residual: {0}</source>
+        <translation>Rest: {0}</translation>
+    </message>
+    <message>
+        <source>A command is {&quot;hold&quot;: {...}}, {&quot;release&quot;: id}, {&quot;cut&quot;: {...}}, {&quot;undo&quot;: true}, {&quot;settle&quot;: true} or {&quot;compare&quot;: true}.</source>
+        <translation>Ein Befehl ist {&quot;hold&quot;: {...}}, {&quot;release&quot;: id}, {&quot;cut&quot;: {...}}, {&quot;undo&quot;: true}, {&quot;settle&quot;: true} oder {&quot;compare&quot;: true}.</translation>
     </message>
     <message>
         <source>The image cuts the liver off towards {0}: only whole ones can be retracted.</source>

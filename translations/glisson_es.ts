@@ -4924,10 +4924,6 @@
         <translation>El corte planificado no toca el hígado.</translation>
     </message>
     <message>
-        <source>A command is {&quot;hold&quot;: {...}}, {&quot;release&quot;: id}, {&quot;cut&quot;: {...}}, {&quot;undo&quot;: true} or {&quot;settle&quot;: true}.</source>
-        <translation>Una orden es {&quot;hold&quot;: {...}}, {&quot;release&quot;: id}, {&quot;cut&quot;: {...}}, {&quot;undo&quot;: true} o {&quot;settle&quot;: true}.</translation>
-    </message>
-    <message>
         <source>A cut can advance at small strain alone.</source>
         <translation>Un corte solo puede avanzar con deformación pequeña.</translation>
     </message>
@@ -5742,6 +5738,362 @@
     <message>
         <source>Small or large deformations</source>
         <translation>Deformaciones pequeñas o grandes</translation>
+    </message>
+    <message>
+        <source>The whole organ is stiffer or softer than declared, everywhere by the same factor.</source>
+        <translation>Todo el órgano es más rígido o más blando de lo declarado, en todas partes por el mismo factor.</translation>
+    </message>
+    <message>
+        <source>What holds the organ gives way like a spring: all of it moves when a tool moves it.</source>
+        <translation>Lo que sujeta el órgano cede como un muelle: se mueve entero cuando un instrumento lo mueve.</translation>
+    </message>
+    <message>
+        <source>The camera stands elsewhere than declared: everything is seen turned and shifted alike.</source>
+        <translation>La cámara está en otro sitio que el declarado: todo se ve girado y desplazado por igual.</translation>
+    </message>
+    <message>
+        <source>The tools push with another force than declared, by the same factor in all frames.</source>
+        <translation>Los instrumentos empujan con otra fuerza que la declarada, por el mismo factor en todas las imágenes.</translation>
+    </message>
+    <message>
+        <source>Probability that nothing is missing: {1}; next comes: {2}, {3}.</source>
+        <translation>Probabilidad de que no falte nada: {1}; a continuación: {2}, {3}.</translation>
+    </message>
+    <message>
+        <source>Probability that nothing is missing: {1}.</source>
+        <translation>Probabilidad de que no falte nada: {1}.</translation>
+    </message>
+    <message>
+        <source>Probability of {0}: {1}; next comes: {2}, {3}.</source>
+        <translation>Probabilidad de {0}: {1}; a continuación: {2}, {3}.</translation>
+    </message>
+    <message>
+        <source>Probability of {0}: {1}.</source>
+        <translation>Probabilidad de {0}: {1}.</translation>
+    </message>
+    <message>
+        <source>Probability that something acts which is not in the catalogue: {1}; next comes: {2}, {3}.</source>
+        <translation>Probabilidad de que actúe algo que no está en el catálogo: {1}; a continuación: {2}, {3}.</translation>
+    </message>
+    <message>
+        <source>Probability that something acts which is not in the catalogue: {1}.</source>
+        <translation>Probabilidad de que actúe algo que no está en el catálogo: {1}.</translation>
+    </message>
+    <message>
+        <source>What is left passes every test for noise, and yet weighing all explanations finds a weak sign of {0} ({1}): only further trials could tell.</source>
+        <translation>Lo que queda supera todas las pruebas de ruido y, sin embargo, al sopesar todas las explicaciones aparece un indicio débil de {0} ({1}): solo más ensayos podrían aclararlo.</translation>
+    </message>
+    <message>
+        <source>What was found suffices, but weighing all explanations, {0} is likelier ({1}): take the name as one of several that these data allow.</source>
+        <translation>Lo encontrado basta, pero al sopesar todas las explicaciones {0} es más probable ({1}): tome el nombre como uno de varios que estos datos admiten.</translation>
+    </message>
+    <message>
+        <source>Among all explanations {0} weighs most ({1}), but it does not pass as a cause: it leaves too much, or a function without a cause does about as well. Do not build on it.</source>
+        <translation>Entre todas las explicaciones, {0} es la que más pesa ({1}), pero no vale como causa: deja demasiado, o una función sin causa logra casi lo mismo. No se base en ella.</translation>
+    </message>
+    <message>
+        <source>The whole specimen is stiffer or softer than declared, everywhere by the same factor.</source>
+        <translation>Toda la muestra es más rígida o más blanda de lo declarado, en todas partes por el mismo factor.</translation>
+    </message>
+    <message>
+        <source>The tissue stiffens the further it is strained: pressing twice as hard dents it less than twice as deep.</source>
+        <translation>El tejido se vuelve más rígido cuanto más se deforma: al presionar el doble se hunde menos del doble.</translation>
+    </message>
+    <message>
+        <source>What holds the specimen gives way like a spring: all of it moves a little when it is pressed.</source>
+        <translation>Lo que sujeta la muestra cede como un muelle: toda ella se mueve un poco al presionarla.</translation>
+    </message>
+    <message>
+        <source>Somewhere inside lies a stiff lump, as a tumour would: around it the specimen moves less.</source>
+        <translation>En algún lugar del interior hay un bulto rígido, como lo sería un tumor: a su alrededor la muestra se mueve menos.</translation>
+    </message>
+    <message>
+        <source>The tissue creeps: held under a steady force it goes on giving way for a while.</source>
+        <translation>El tejido fluye: bajo una fuerza constante sigue cediendo durante un tiempo.</translation>
+    </message>
+    <message>
+        <source>The load cell is off: it does not read zero when untouched, or it reads too much or too little.</source>
+        <translation>La célula de carga está desajustada: no marca cero sin contacto, o marca de más o de menos.</translation>
+    </message>
+    <message>
+        <source>The camera&apos;s coordinates do not match the specimen&apos;s: all markers seem shifted or turned alike.</source>
+        <translation>Las coordenadas de la cámara no coinciden con las de la muestra: todos los marcadores parecen desplazados o girados por igual.</translation>
+    </message>
+    <message>
+        <source>The tissue has a grain: it is stiffer (or softer) along one direction than across it.</source>
+        <translation>El tejido tiene fibras: es más rígido (o más blando) a lo largo de una dirección que a través de ella.</translation>
+    </message>
+    <message>
+        <source>A skin around the specimen (as Glisson&apos;s capsule around the liver) carries part of the load.</source>
+        <translation>Una piel alrededor de la muestra (como la cápsula de Glisson alrededor del hígado) soporta parte de la carga.</translation>
+    </message>
+    <message>
+        <source>Something else loaded the specimen while it was measured, and not when its shape was taken: its weight, or a pressure around it.</source>
+        <translation>Algo más cargaba la muestra mientras se medía, y no cuando se tomó su forma: su peso o una presión a su alrededor.</translation>
+    </message>
+    <message>
+        <source>× noise</source>
+        <translation>× ruido</translation>
+    </message>
+    <message>
+        <source>Nothing is missing: what the declared model leaves is noise, and nothing was added to it.</source>
+        <translation>No falta nada: lo que deja el modelo declarado es ruido, y no se le añadió nada.</translation>
+    </message>
+    <message>
+        <source>Explained: with the effects below, what is left is as small as the noise of the measurement.</source>
+        <translation>Explicado: con los efectos de abajo, lo que queda es tan pequeño como el ruido de la medición.</translation>
+    </message>
+    <message>
+        <source>Unexplained: known effects can be bent until what is left is noise, but a smooth function of what was done, which has no cause, accounts for it about as well. What is named below is not a cause that these data establish.</source>
+        <translation>Sin explicación: los efectos conocidos pueden forzarse hasta que solo quede ruido, pero una función suave de lo que se hizo, que no tiene causa, lo logra casi igual. Lo que se nombra abajo no es una causa que estos datos demuestren.</translation>
+    </message>
+    <message>
+        <source>Unexplained: no combination of known effects brings the error near the noise. What is named below removes a part of it and is not a cause that these data establish.</source>
+        <translation>Sin explicación: ninguna combinación de efectos conocidos acerca el error al ruido. Lo que se nombra abajo elimina una parte y no es una causa que estos datos demuestren.</translation>
+    </message>
+    <message>
+        <source>What the declared model lacks, by the measurements</source>
+        <translation>Lo que le falta al modelo declarado, según las mediciones</translation>
+    </message>
+    <message>
+        <source>A probability weighs how well an explanation predicts what was measured, whatever the size of its effects, against how common it is taken to be before anything is measured. &quot;Something else&quot; stands for every cause that is not in the catalogue. These probabilities are not calibrated: of explanations given 90 % and more, three in four were right where the answer was known. Read them as an order.</source>
+        <translation>Una probabilidad sopesa lo bien que una explicación predice lo medido, sea cual sea el tamaño de sus efectos, y lo frecuente que se supone antes de medir nada. «Otra cosa» representa toda causa que no está en el catálogo. Estas probabilidades no están calibradas: de las explicaciones con un 90 % o más, tres de cada cuatro eran correctas donde se conocía la respuesta. Léalas como un orden.</translation>
+    </message>
+    <message>
+        <source>What these trials could have shown</source>
+        <translation>Lo que estos ensayos habrían podido mostrar</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Antes</translation>
+    </message>
+    <message>
+        <source>What was found</source>
+        <translation>Lo que se encontró</translation>
+    </message>
+    <message>
+        <source>A smooth correction over load and place predicts trials better that it was not fitted to. It claims no cause.</source>
+        <translation>Una corrección suave sobre la carga y el lugar predice mejor ensayos a los que no se ajustó. No afirma ninguna causa.</translation>
+    </message>
+    <message>
+        <source>Candidates, each by itself</source>
+        <translation>Candidatos, cada uno por sí solo</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>Después</translation>
+    </message>
+    <message>
+        <source>What to measure next</source>
+        <translation>Qué medir a continuación</translation>
+    </message>
+    <message>
+        <source>No further trial is needed to tell the leading explanations apart, or none is known that would.</source>
+        <translation>No hace falta otro ensayo para distinguir las explicaciones principales, o no se conoce ninguno que lo haga.</translation>
+    </message>
+    <message>
+        <source>Glisson plans and reviews liver surgery. Not a medical device.</source>
+        <translation>Glisson planifica y revisa cirugía hepática. No es un producto sanitario.</translation>
+    </message>
+    <message>
+        <source>Expected to tell what was found from {0}: the predictions are {1} standard deviations of the noise apart.</source>
+        <translation>Se espera que distinga lo encontrado de {0}: las predicciones distan {1} desviaciones estándar del ruido.</translation>
+    </message>
+    <message>
+        <source>What is left is noise: no test finds anything that noise would not do.</source>
+        <translation>Lo que queda es ruido: ninguna prueba encuentra nada que el ruido no haría.</translation>
+    </message>
+    <message>
+        <source>What is left is not noise: {0}.</source>
+        <translation>Lo que queda no es ruido: {0}.</translation>
+    </message>
+    <message>
+        <source>From this value on, nine of ten such experiments would have shown the effect</source>
+        <translation>A partir de este valor, nueve de cada diez experimentos así habrían mostrado el efecto</translation>
+    </message>
+    <message>
+        <source>effect</source>
+        <translation>efecto</translation>
+    </message>
+    <message>
+        <source>parameter</source>
+        <translation>parámetro</translation>
+    </message>
+    <message>
+        <source>without effect</source>
+        <translation>sin efecto</translation>
+    </message>
+    <message>
+        <source>seen from</source>
+        <translation>visible desde</translation>
+    </message>
+    <message>
+        <source>at no size in its range</source>
+        <translation>con ningún valor de su intervalo</translation>
+    </message>
+    <message>
+        <source>Errors ({0})</source>
+        <translation>Errores ({0})</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>antes</translation>
+    </message>
+    <message>
+        <source>after</source>
+        <translation>después</translation>
+    </message>
+    <message>
+        <source>root mean square, trials that were fitted</source>
+        <translation>media cuadrática, ensayos ajustados</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>media</translation>
+    </message>
+    <message>
+        <source>95 of 100 are below</source>
+        <translation>95 de cada 100 están por debajo</translation>
+    </message>
+    <message>
+        <source>chi-squared over number</source>
+        <translation>ji cuadrado entre número</translation>
+    </message>
+    <message>
+        <source>{0} ({1} to {2})</source>
+        <translation>{0} (de {1} a {2})</translation>
+    </message>
+    <message>
+        <source>root mean square, trials left out whole</source>
+        <translation>media cuadrática, ensayos omitidos por completo</translation>
+    </message>
+    <message>
+        <source>hidden targets, which nothing was fitted to: mean (mm)</source>
+        <translation>objetivos ocultos, a los que no se ajustó nada: media (mm)</translation>
+    </message>
+    <message>
+        <source>hidden targets: the farthest (mm)</source>
+        <translation>objetivos ocultos: el más alejado (mm)</translation>
+    </message>
+    <message>
+        <source>noise of the measurement</source>
+        <translation>ruido de la medición</translation>
+    </message>
+    <message>
+        <source>Parameters, with standard deviation and 95 % interval</source>
+        <translation>Parámetros, con desviación estándar e intervalo del 95 %</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>valor</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>desde</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>hasta</translation>
+    </message>
+    <message>
+        <source>could also be</source>
+        <translation>también podría ser</translation>
+    </message>
+    <message>
+        <source>not determined</source>
+        <translation>no determinado</translation>
+    </message>
+    <message>
+        <source>Errors in {0}; the lower the BIC, the better</source>
+        <translation>Errores en {0}; cuanto menor el BIC, mejor</translation>
+    </message>
+    <message>
+        <source>error fitted</source>
+        <translation>error ajustado</translation>
+    </message>
+    <message>
+        <source>error on trials left out</source>
+        <translation>error en ensayos omitidos</translation>
+    </message>
+    <message>
+        <source>change of BIC</source>
+        <translation>cambio del BIC</translation>
+    </message>
+    <message>
+        <source>remark</source>
+        <translation>observación</translation>
+    </message>
+    <message>
+        <source>left out: {0}</source>
+        <translation>omitido: {0}</translation>
+    </message>
+    <message>
+        <source>like {0}</source>
+        <translation>como {0}</translation>
+    </message>
+    <message>
+        <source>Probability of each explanation, all that were weighed taken together</source>
+        <translation>Probabilidad de cada explicación, tomadas juntas todas las sopesadas</translation>
+    </message>
+    <message>
+        <source>something else</source>
+        <translation>otra cosa</translation>
+    </message>
+    <message>
+        <source>nothing is missing</source>
+        <translation>no falta nada</translation>
+    </message>
+    <message>
+        <source>{0} and {1}</source>
+        <translation>{0} y {1}</translation>
+    </message>
+    <message>
+        <source>force (N)</source>
+        <translation>fuerza (N)</translation>
+    </message>
+    <message>
+        <source>error ({0})</source>
+        <translation>error ({0})</translation>
+    </message>
+    <message>
+        <source>Residual before, trial {0} at its worst: arrows {1} times as long, red at {2} mm</source>
+        <translation>Residuo antes, ensayo {0} en su peor momento: flechas {1} veces más largas, rojo en {2} mm</translation>
+    </message>
+    <message>
+        <source>Residual after, trial {0} at its worst: arrows {1} times as long, red at {2} mm</source>
+        <translation>Residuo después, ensayo {0} en su peor momento: flechas {1} veces más largas, rojo en {2} mm</translation>
+    </message>
+    <message>
+        <source>voltage (V)</source>
+        <translation>tensión (V)</translation>
+    </message>
+    <message>
+        <source>temperature (°C)</source>
+        <translation>temperatura (°C)</translation>
+    </message>
+    <message>
+        <source>power (W)</source>
+        <translation>potencia (W)</translation>
+    </message>
+    <message>
+        <source>stress (kPa)</source>
+        <translation>tensión (kPa)</translation>
+    </message>
+    <message>
+        <source>time (s)</source>
+        <translation>tiempo (s)</translation>
+    </message>
+    <message>
+        <source>strain</source>
+        <translation>deformación</translation>
+    </message>
+    <message>
+        <source>residual: {0}</source>
+        <translation>residuo: {0}</translation>
+    </message>
+    <message>
+        <source>A command is {&quot;hold&quot;: {...}}, {&quot;release&quot;: id}, {&quot;cut&quot;: {...}}, {&quot;undo&quot;: true}, {&quot;settle&quot;: true} or {&quot;compare&quot;: true}.</source>
+        <translation>Una orden es {&quot;hold&quot;: {...}}, {&quot;release&quot;: id}, {&quot;cut&quot;: {...}}, {&quot;undo&quot;: true}, {&quot;settle&quot;: true} o {&quot;compare&quot;: true}.</translation>
     </message>
     <message>
         <source>The image cuts the liver off towards {0}: only whole ones can be retracted.</source>

@@ -4924,10 +4924,6 @@
         <translation>La coupe prévue passe à côté du foie.</translation>
     </message>
     <message>
-        <source>A command is {&quot;hold&quot;: {...}}, {&quot;release&quot;: id}, {&quot;cut&quot;: {...}}, {&quot;undo&quot;: true} or {&quot;settle&quot;: true}.</source>
-        <translation>Une commande est {&quot;hold&quot;: {...}}, {&quot;release&quot;: id}, {&quot;cut&quot;: {...}}, {&quot;undo&quot;: true} ou {&quot;settle&quot;: true}.</translation>
-    </message>
-    <message>
         <source>A cut can advance at small strain alone.</source>
         <translation>Une coupe ne peut avancer qu’en petite déformation.</translation>
     </message>
@@ -5742,6 +5738,362 @@
     <message>
         <source>Small or large deformations</source>
         <translation>Petites ou grandes déformations</translation>
+    </message>
+    <message>
+        <source>The whole organ is stiffer or softer than declared, everywhere by the same factor.</source>
+        <translation>L&apos;organe entier est plus raide ou plus souple que déclaré, partout du même facteur.</translation>
+    </message>
+    <message>
+        <source>What holds the organ gives way like a spring: all of it moves when a tool moves it.</source>
+        <translation>Ce qui tient l&apos;organe cède comme un ressort : il bouge tout entier quand un instrument le déplace.</translation>
+    </message>
+    <message>
+        <source>The camera stands elsewhere than declared: everything is seen turned and shifted alike.</source>
+        <translation>La caméra se trouve ailleurs que déclaré : tout est vu tourné et décalé de la même façon.</translation>
+    </message>
+    <message>
+        <source>The tools push with another force than declared, by the same factor in all frames.</source>
+        <translation>Les instruments poussent avec une autre force que déclaré, du même facteur sur toutes les images.</translation>
+    </message>
+    <message>
+        <source>Probability that nothing is missing: {1}; next comes: {2}, {3}.</source>
+        <translation>Probabilité que rien ne manque : {1} ; vient ensuite : {2}, {3}.</translation>
+    </message>
+    <message>
+        <source>Probability that nothing is missing: {1}.</source>
+        <translation>Probabilité que rien ne manque : {1}.</translation>
+    </message>
+    <message>
+        <source>Probability of {0}: {1}; next comes: {2}, {3}.</source>
+        <translation>Probabilité de {0} : {1} ; vient ensuite : {2}, {3}.</translation>
+    </message>
+    <message>
+        <source>Probability of {0}: {1}.</source>
+        <translation>Probabilité de {0} : {1}.</translation>
+    </message>
+    <message>
+        <source>Probability that something acts which is not in the catalogue: {1}; next comes: {2}, {3}.</source>
+        <translation>Probabilité qu&apos;agisse quelque chose qui n&apos;est pas au catalogue : {1} ; vient ensuite : {2}, {3}.</translation>
+    </message>
+    <message>
+        <source>Probability that something acts which is not in the catalogue: {1}.</source>
+        <translation>Probabilité qu&apos;agisse quelque chose qui n&apos;est pas au catalogue : {1}.</translation>
+    </message>
+    <message>
+        <source>What is left passes every test for noise, and yet weighing all explanations finds a weak sign of {0} ({1}): only further trials could tell.</source>
+        <translation>Ce qui reste passe tous les tests de bruit, et pourtant la pesée de toutes les explications trouve un faible signe de {0} ({1}) : seuls d&apos;autres essais pourraient le dire.</translation>
+    </message>
+    <message>
+        <source>What was found suffices, but weighing all explanations, {0} is likelier ({1}): take the name as one of several that these data allow.</source>
+        <translation>Ce qui a été trouvé suffit, mais en pesant toutes les explications, {0} est plus probable ({1}) : prenez ce nom comme l&apos;un de ceux que ces données permettent.</translation>
+    </message>
+    <message>
+        <source>Among all explanations {0} weighs most ({1}), but it does not pass as a cause: it leaves too much, or a function without a cause does about as well. Do not build on it.</source>
+        <translation>Parmi toutes les explications, {0} pèse le plus ({1}), mais ne vaut pas comme cause : il reste trop, ou une fonction sans cause fait à peu près aussi bien. Ne vous y fiez pas.</translation>
+    </message>
+    <message>
+        <source>The whole specimen is stiffer or softer than declared, everywhere by the same factor.</source>
+        <translation>L&apos;échantillon entier est plus raide ou plus souple que déclaré, partout du même facteur.</translation>
+    </message>
+    <message>
+        <source>The tissue stiffens the further it is strained: pressing twice as hard dents it less than twice as deep.</source>
+        <translation>Le tissu se raidit à mesure qu&apos;il est déformé : appuyer deux fois plus fort l&apos;enfonce de moins du double.</translation>
+    </message>
+    <message>
+        <source>What holds the specimen gives way like a spring: all of it moves a little when it is pressed.</source>
+        <translation>Ce qui tient l&apos;échantillon cède comme un ressort : il bouge un peu tout entier quand on appuie.</translation>
+    </message>
+    <message>
+        <source>Somewhere inside lies a stiff lump, as a tumour would: around it the specimen moves less.</source>
+        <translation>Quelque part à l&apos;intérieur se trouve une masse raide, comme une tumeur : autour d&apos;elle l&apos;échantillon bouge moins.</translation>
+    </message>
+    <message>
+        <source>The tissue creeps: held under a steady force it goes on giving way for a while.</source>
+        <translation>Le tissu flue : sous une force constante, il continue de céder un moment.</translation>
+    </message>
+    <message>
+        <source>The load cell is off: it does not read zero when untouched, or it reads too much or too little.</source>
+        <translation>Le capteur de force est faux : il n&apos;indique pas zéro sans contact, ou il indique trop ou trop peu.</translation>
+    </message>
+    <message>
+        <source>The camera&apos;s coordinates do not match the specimen&apos;s: all markers seem shifted or turned alike.</source>
+        <translation>Les coordonnées de la caméra ne correspondent pas à celles de l&apos;échantillon : tous les marqueurs semblent décalés ou tournés de la même façon.</translation>
+    </message>
+    <message>
+        <source>The tissue has a grain: it is stiffer (or softer) along one direction than across it.</source>
+        <translation>Le tissu a des fibres : il est plus raide (ou plus souple) dans une direction qu&apos;en travers.</translation>
+    </message>
+    <message>
+        <source>A skin around the specimen (as Glisson&apos;s capsule around the liver) carries part of the load.</source>
+        <translation>Une peau autour de l&apos;échantillon (comme la capsule de Glisson autour du foie) porte une partie de la charge.</translation>
+    </message>
+    <message>
+        <source>Something else loaded the specimen while it was measured, and not when its shape was taken: its weight, or a pressure around it.</source>
+        <translation>Autre chose chargeait l&apos;échantillon pendant la mesure, et non quand sa forme a été relevée : son poids ou une pression autour de lui.</translation>
+    </message>
+    <message>
+        <source>× noise</source>
+        <translation>× bruit</translation>
+    </message>
+    <message>
+        <source>Nothing is missing: what the declared model leaves is noise, and nothing was added to it.</source>
+        <translation>Rien ne manque : ce que laisse le modèle déclaré est du bruit, et rien n&apos;y a été ajouté.</translation>
+    </message>
+    <message>
+        <source>Explained: with the effects below, what is left is as small as the noise of the measurement.</source>
+        <translation>Expliqué : avec les effets ci-dessous, ce qui reste est aussi petit que le bruit de la mesure.</translation>
+    </message>
+    <message>
+        <source>Unexplained: known effects can be bent until what is left is noise, but a smooth function of what was done, which has no cause, accounts for it about as well. What is named below is not a cause that these data establish.</source>
+        <translation>Inexpliqué : on peut plier des effets connus jusqu&apos;à ne laisser que du bruit, mais une fonction lisse de ce qui a été fait, qui n&apos;a pas de cause, en rend compte à peu près aussi bien. Ce qui est nommé ci-dessous n&apos;est pas une cause que ces données établissent.</translation>
+    </message>
+    <message>
+        <source>Unexplained: no combination of known effects brings the error near the noise. What is named below removes a part of it and is not a cause that these data establish.</source>
+        <translation>Inexpliqué : aucune combinaison d&apos;effets connus n&apos;amène l&apos;erreur près du bruit. Ce qui est nommé ci-dessous en retire une partie et n&apos;est pas une cause que ces données établissent.</translation>
+    </message>
+    <message>
+        <source>What the declared model lacks, by the measurements</source>
+        <translation>Ce qui manque au modèle déclaré, d&apos;après les mesures</translation>
+    </message>
+    <message>
+        <source>A probability weighs how well an explanation predicts what was measured, whatever the size of its effects, against how common it is taken to be before anything is measured. &quot;Something else&quot; stands for every cause that is not in the catalogue. These probabilities are not calibrated: of explanations given 90 % and more, three in four were right where the answer was known. Read them as an order.</source>
+        <translation>Une probabilité met en balance la qualité avec laquelle une explication prédit ce qui a été mesuré, quelle que soit la taille de ses effets, et la fréquence qu&apos;on lui suppose avant toute mesure. « Autre chose » représente toute cause absente du catalogue. Ces probabilités ne sont pas calibrées : parmi les explications à 90 % et plus, trois sur quatre étaient justes là où la réponse était connue. Lisez-les comme un ordre.</translation>
+    </message>
+    <message>
+        <source>What these trials could have shown</source>
+        <translation>Ce que ces essais auraient pu montrer</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Avant</translation>
+    </message>
+    <message>
+        <source>What was found</source>
+        <translation>Ce qui a été trouvé</translation>
+    </message>
+    <message>
+        <source>A smooth correction over load and place predicts trials better that it was not fitted to. It claims no cause.</source>
+        <translation>Une correction lisse selon la charge et le lieu prédit mieux des essais auxquels elle n&apos;a pas été ajustée. Elle n&apos;affirme aucune cause.</translation>
+    </message>
+    <message>
+        <source>Candidates, each by itself</source>
+        <translation>Candidats, chacun à lui seul</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>Après</translation>
+    </message>
+    <message>
+        <source>What to measure next</source>
+        <translation>Que mesurer ensuite</translation>
+    </message>
+    <message>
+        <source>No further trial is needed to tell the leading explanations apart, or none is known that would.</source>
+        <translation>Aucun autre essai n&apos;est nécessaire pour distinguer les principales explications, ou aucun n&apos;est connu qui le ferait.</translation>
+    </message>
+    <message>
+        <source>Glisson plans and reviews liver surgery. Not a medical device.</source>
+        <translation>Glisson prépare et relit la chirurgie du foie. Ce n&apos;est pas un dispositif médical.</translation>
+    </message>
+    <message>
+        <source>Expected to tell what was found from {0}: the predictions are {1} standard deviations of the noise apart.</source>
+        <translation>Devrait distinguer ce qui a été trouvé de {0} : les prédictions sont distantes de {1} écarts types du bruit.</translation>
+    </message>
+    <message>
+        <source>What is left is noise: no test finds anything that noise would not do.</source>
+        <translation>Ce qui reste est du bruit : aucun test ne trouve quoi que ce soit que le bruit ne ferait pas.</translation>
+    </message>
+    <message>
+        <source>What is left is not noise: {0}.</source>
+        <translation>Ce qui reste n&apos;est pas du bruit : {0}.</translation>
+    </message>
+    <message>
+        <source>From this value on, nine of ten such experiments would have shown the effect</source>
+        <translation>À partir de cette valeur, neuf expériences de ce genre sur dix auraient montré l&apos;effet</translation>
+    </message>
+    <message>
+        <source>effect</source>
+        <translation>effet</translation>
+    </message>
+    <message>
+        <source>parameter</source>
+        <translation>paramètre</translation>
+    </message>
+    <message>
+        <source>without effect</source>
+        <translation>sans effet</translation>
+    </message>
+    <message>
+        <source>seen from</source>
+        <translation>visible dès</translation>
+    </message>
+    <message>
+        <source>at no size in its range</source>
+        <translation>à aucune valeur de son domaine</translation>
+    </message>
+    <message>
+        <source>Errors ({0})</source>
+        <translation>Erreurs ({0})</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>avant</translation>
+    </message>
+    <message>
+        <source>after</source>
+        <translation>après</translation>
+    </message>
+    <message>
+        <source>root mean square, trials that were fitted</source>
+        <translation>moyenne quadratique, essais ajustés</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>moyenne</translation>
+    </message>
+    <message>
+        <source>95 of 100 are below</source>
+        <translation>95 sur 100 sont en dessous</translation>
+    </message>
+    <message>
+        <source>chi-squared over number</source>
+        <translation>khi-deux sur nombre</translation>
+    </message>
+    <message>
+        <source>{0} ({1} to {2})</source>
+        <translation>{0} ({1} à {2})</translation>
+    </message>
+    <message>
+        <source>root mean square, trials left out whole</source>
+        <translation>moyenne quadratique, essais entièrement écartés</translation>
+    </message>
+    <message>
+        <source>hidden targets, which nothing was fitted to: mean (mm)</source>
+        <translation>cibles cachées, auxquelles rien n&apos;a été ajusté : moyenne (mm)</translation>
+    </message>
+    <message>
+        <source>hidden targets: the farthest (mm)</source>
+        <translation>cibles cachées : la plus éloignée (mm)</translation>
+    </message>
+    <message>
+        <source>noise of the measurement</source>
+        <translation>bruit de la mesure</translation>
+    </message>
+    <message>
+        <source>Parameters, with standard deviation and 95 % interval</source>
+        <translation>Paramètres, avec écart type et intervalle à 95 %</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>valeur</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>de</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>à</translation>
+    </message>
+    <message>
+        <source>could also be</source>
+        <translation>pourrait aussi être</translation>
+    </message>
+    <message>
+        <source>not determined</source>
+        <translation>non déterminé</translation>
+    </message>
+    <message>
+        <source>Errors in {0}; the lower the BIC, the better</source>
+        <translation>Erreurs en {0} ; plus le BIC est bas, mieux c&apos;est</translation>
+    </message>
+    <message>
+        <source>error fitted</source>
+        <translation>erreur ajustée</translation>
+    </message>
+    <message>
+        <source>error on trials left out</source>
+        <translation>erreur sur les essais écartés</translation>
+    </message>
+    <message>
+        <source>change of BIC</source>
+        <translation>variation du BIC</translation>
+    </message>
+    <message>
+        <source>remark</source>
+        <translation>remarque</translation>
+    </message>
+    <message>
+        <source>left out: {0}</source>
+        <translation>écarté : {0}</translation>
+    </message>
+    <message>
+        <source>like {0}</source>
+        <translation>comme {0}</translation>
+    </message>
+    <message>
+        <source>Probability of each explanation, all that were weighed taken together</source>
+        <translation>Probabilité de chaque explication, toutes celles pesées prises ensemble</translation>
+    </message>
+    <message>
+        <source>something else</source>
+        <translation>autre chose</translation>
+    </message>
+    <message>
+        <source>nothing is missing</source>
+        <translation>rien ne manque</translation>
+    </message>
+    <message>
+        <source>{0} and {1}</source>
+        <translation>{0} et {1}</translation>
+    </message>
+    <message>
+        <source>force (N)</source>
+        <translation>force (N)</translation>
+    </message>
+    <message>
+        <source>error ({0})</source>
+        <translation>erreur ({0})</translation>
+    </message>
+    <message>
+        <source>Residual before, trial {0} at its worst: arrows {1} times as long, red at {2} mm</source>
+        <translation>Résidu avant, essai {0} au pire moment : flèches {1} fois plus longues, rouge à {2} mm</translation>
+    </message>
+    <message>
+        <source>Residual after, trial {0} at its worst: arrows {1} times as long, red at {2} mm</source>
+        <translation>Résidu après, essai {0} au pire moment : flèches {1} fois plus longues, rouge à {2} mm</translation>
+    </message>
+    <message>
+        <source>voltage (V)</source>
+        <translation>tension (V)</translation>
+    </message>
+    <message>
+        <source>temperature (°C)</source>
+        <translation>température (°C)</translation>
+    </message>
+    <message>
+        <source>power (W)</source>
+        <translation>puissance (W)</translation>
+    </message>
+    <message>
+        <source>stress (kPa)</source>
+        <translation>contrainte (kPa)</translation>
+    </message>
+    <message>
+        <source>time (s)</source>
+        <translation>temps (s)</translation>
+    </message>
+    <message>
+        <source>strain</source>
+        <translation>déformation</translation>
+    </message>
+    <message>
+        <source>residual: {0}</source>
+        <translation>résidu : {0}</translation>
+    </message>
+    <message>
+        <source>A command is {&quot;hold&quot;: {...}}, {&quot;release&quot;: id}, {&quot;cut&quot;: {...}}, {&quot;undo&quot;: true}, {&quot;settle&quot;: true} or {&quot;compare&quot;: true}.</source>
+        <translation>Une commande est {&quot;hold&quot;: {...}}, {&quot;release&quot;: id}, {&quot;cut&quot;: {...}}, {&quot;undo&quot;: true}, {&quot;settle&quot;: true} ou {&quot;compare&quot;: true}.</translation>
     </message>
     <message>
         <source>The image cuts the liver off towards {0}: only whole ones can be retracted.</source>

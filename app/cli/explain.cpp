@@ -44,7 +44,8 @@ std::string in_words(const closedloop::Explanation& explanation, const closedloo
   if (explanation.hidden_targets)
     text += fmt::format("  hidden targets, which nothing was fitted to: {:.3g} mm before, {:.3g} after (mean)\n",
                         explanation.hidden_targets->before.mean, explanation.hidden_targets->after.mean);
-  if (const std::string sure = closedloop::posterior_sentence(explanation); !sure.empty()) text += "  " + sure + "\n";
+  if (const std::string sure = closedloop::posterior_sentence(explanation).message(); !sure.empty())
+    text += "  " + sure + "\n";
   if (const std::string seen = closedloop::visible_sentence(explanation); !seen.empty()) text += "  " + seen + "\n";
   for (const auto& effect : explanation.effects) {
     text += "  " + effect.kind + (effect.form.empty() ? "" : " (" + effect.form + ")") + ":";

@@ -142,7 +142,8 @@ Result<Outcome> run(const Options& options, const Progress& progress) {
   progress.report(0.0, GLISSON_TEXT("Reading the model"));
   auto question = question_of(options.source);
   if (!question) return failure(std::move(question.error()));
-  auto engine = rehearsal::SessionEngine::create(std::move(question->setup), progress.part(0.0, 0.5));
+  auto engine = rehearsal::SessionEngine::create(std::move(question->setup), progress.part(0.0, 0.5),
+                                                 rehearsal::reference_in(*commands));
   if (!engine) return failure(std::move(engine.error()));
 
   Outcome outcome{{{"frames", Json::array()}}, ""};

@@ -15,7 +15,7 @@ std::optional<geometry::Surface> drawn_vessel(const segmentation::Structure& str
   if (!may_be_drawn_as_tubes(structure.name)) return {};
   const auto graph = vasculature::center_lines(structure.mask);
   if (!graph) return {};
-  return vasculature::with_tubes(outline, *graph,
+  return vasculature::with_tubes(structure.mask, outline, *graph,
                                  {.thin_mm = vasculature::thin_radius_mm(structure.mask.grid.spacing_mm)});
 }
 

@@ -111,7 +111,7 @@ Json report_json(const Explanation& explanation, const Observations& observation
   if (!explanation.posterior.empty()) {
     json["posterior"] = {{"explanations", Json::array()},
                          {"agrees_with_verdict", agrees(explanation)},
-                         {"sentence", posterior_sentence(explanation)}};
+                         {"sentence", posterior_sentence(explanation).message()}};
     for (const WeighedExplanation& weighed : explanation.posterior)
       json["posterior"]["explanations"].push_back(
           {{"name", name_of(weighed)},

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <deque>
+#include <future>
 #include <mutex>
 #include <thread>
 
@@ -26,6 +27,7 @@ struct LiveSession::Impl {
   std::condition_variable changed;
   std::deque<SessionCommand> waiting;
   bool is_stepping = false, is_settling = false;
+  enum class Reference { none, on_its_way, made, compared } reference = Reference::none;
   std::shared_ptr<const SessionState> latest;
   std::optional<Error> error;
   Recording recording;
@@ -49,19 +51,39 @@ LiveSession::~LiveSession() {
 }
 
 void LiveSession::Impl::run(const std::stop_token& closing, RehearsalSetup setup) {
-  auto engine = SessionEngine::create(std::move(setup), Progress({}, closing));
+  auto engine = SessionEngine::create(std::move(setup), Progress({}, closing), WithReference::when_asked);
+  std::future<void> making;  // it ends before the engine does, and after the lock is given back
   std::unique_lock lock(mutex);
   if (!engine) {
     error = std::move(engine.error());
     return;
   }
   latest = engine->shared_state();
+  if (engine->has_reference()) {
+    reference = Reference::on_its_way;
+    making = std::async(std::launch::async, [this, &engine, closing] {
+      auto made = engine->make_reference(Progress({}, closing));
+      {
+        const std::lock_guard told(mutex);
+        reference = Reference::made;
+        if (!made) error = std::move(made.error());
+      }
+      changed.notify_all();
+    });
+  }
   int settles = 0;  // since the last command
   bool may_prepare = false;
   for (;;) {
     const auto may_settle = [&] { return !latest->settled && settles < SessionEngine::most_settles; };
-    changed.wait(lock, [&] { return closing.stop_requested() || !waiting.empty() || may_settle() || may_prepare; });
-    if (closing.stop_requested()) return;
+    const auto may_compare = [&] { return reference == Reference::made; };
+    changed.wait(lock, [&] {
+      return closing.stop_requested() || !waiting.empty() || may_settle() || may_prepare || may_compare();
+    });
+    if (closing.stop_requested() || error) return;
+    if (waiting.empty() && may_compare()) {
+      waiting.push_back(Compare{});
+      reference = Reference::compared;
+    }
     if (waiting.empty() && !may_settle()) {
       lock.unlock();
       may_prepare = engine->prepare_the_next_cut();
@@ -109,7 +131,10 @@ SessionPhase LiveSession::phase() const {
   if (impl_->error) return SessionPhase::failed;
   if (!impl_->latest) return SessionPhase::preparing;
   if (!impl_->waiting.empty()) return SessionPhase::stepping;
-  if (!impl_->is_stepping) return SessionPhase::ready;
+  if (!impl_->is_stepping) {
+    const bool awaits = impl_->reference == Impl::Reference::on_its_way || impl_->reference == Impl::Reference::made;
+    return awaits ? SessionPhase::comparing : SessionPhase::ready;
+  }
   return impl_->is_settling ? SessionPhase::settling : SessionPhase::stepping;
 }
 

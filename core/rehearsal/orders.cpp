@@ -52,7 +52,7 @@ void count(const SessionState& state, std::size_t step, const RehearsalSetup& se
 
 Result<OrderOfSteps> run_order(RehearsalSetup setup, const std::vector<std::size_t>& vessels, std::string name,
                                const Recording& recording, const Progress& progress) {
-  auto engine = SessionEngine::create(setup, progress.part(0.0, 0.5));
+  auto engine = SessionEngine::create(setup, progress.part(0.0, 0.5), reference_in(recording));
   if (!engine) return failure(std::move(engine.error()));
   OrderOfSteps order{std::move(name), {}, {}, {}, {}, 0, 0, {}, {}, {}, {}};
   for (const mechanics::Landmark& landmark : setup.landmarks) order.landmarks.push_back({landmark.id, {}, 0});

@@ -141,13 +141,15 @@ mechanics::CutStrip strip_from(const Json& json) {
 }
 
 std::pair<SessionCommand, std::string> command_from(const Json& json) {
-  check_keys(json, {"hold", "release", "undo", "settle", "cut", "digest"});
-  if (json.count("hold") + json.count("release") + json.count("undo") + json.count("settle") + json.count("cut") != 1)
+  check_keys(json, {"hold", "release", "undo", "settle", "cut", "compare", "digest"});
+  const auto commands = {"hold", "release", "undo", "settle", "cut", "compare"};
+  if (std::count_if(commands.begin(), commands.end(), [&](const char* one) { return json.contains(one); }) != 1)
     refuse_at("it", "{0} must say one thing to do.");
   const std::string digest = json.contains("digest") ? text_in(json["digest"], "digest") : std::string();
   if (json.contains("hold")) return {HoldTool{tool_from(json["hold"])}, digest};
   if (json.contains("release")) return {ReleaseTool{text_in(json["release"], "release")}, digest};
   if (json.contains("settle")) return {Settle{}, digest};
+  if (json.contains("compare")) return {Compare{}, digest};
   if (json.contains("cut")) return {AdvanceCut{strip_from(json["cut"])}, digest};
   return {Undo{}, digest};
 }
@@ -165,7 +167,9 @@ std::string recording_text(const Recording& recording) {
     } else if (const auto* advance = std::get_if<AdvanceCut>(&command)) {
       json["cut"] = json_of(advance->strip);
     } else {
-      json[std::holds_alternative<Settle>(command) ? "settle" : "undo"] = true;
+      json[std::holds_alternative<Settle>(command)    ? "settle"
+           : std::holds_alternative<Compare>(command) ? "compare"
+                                                      : "undo"] = true;
     }
     if (!digest.empty()) json["digest"] = digest;
     commands.push_back(std::move(json));
@@ -181,8 +185,8 @@ Result<Recording> parse_recording(std::string_view json, const std::filesystem::
         Error{"session-invalid",
               GLISSON_TEXT("{0} of the session cannot be read: {1}."),
               {which, why},
-              GLISSON_TEXT("A command is {\"hold\": {...}}, {\"release\": id}, {\"cut\": {...}}, {\"undo\": true} or "
-                           "{\"settle\": true}."),
+              GLISSON_TEXT("A command is {\"hold\": {...}}, {\"release\": id}, {\"cut\": {...}}, {\"undo\": true}, "
+                           "{\"settle\": true} or {\"compare\": true}."),
               file});
   };
   const Json* commands = value_in(*document, "commands");

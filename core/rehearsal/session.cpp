@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <future>
+#include <mutex>
 
 #include "base/files.h"
 #include "rehearsal/internal/session_body.h"
@@ -39,10 +40,23 @@ struct SessionEngine::Impl {
   std::vector<Moment> moments;  // the first untouched, the last the present
   std::uint64_t commands = 0, settles = 0;
   std::shared_ptr<const SessionState> latest;
+  bool compares = false;  // every moment has its reference body
+
+  // Made once, whoever asks first; the others wait.
+  std::function<Result<SessionBody>(const Progress&)> reference_maker;  // none: there is no reference body
+  mutable std::mutex making;
+  mutable std::optional<SessionBody> reference;
+  [[nodiscard]] Result<void> make_reference(const Progress& progress) const;
+  // With the reference body where it is missing: cut as the patient is, then under the tools, which come to it afresh.
+  [[nodiscard]] Result<Moment> compared(Moment moment) const;
+  void compare_the_last();
+  [[nodiscard]] std::string begin_to_compare();  // why not; empty where it does
 
   // What `next` makes of both bodies, the reference body beside the patient's on a thread of its own.
   using Next = std::function<Result<BodyState>(const SessionBody&, const BodyState&)>;
   [[nodiscard]] Result<Moment> both(const Moment& from, const Tools& tools, const Next& next) const;
+  // The tools go from there to there, in small moves.
+  [[nodiscard]] Next way_to(const Tools& from, const Tools& tools) const;
   [[nodiscard]] Result<Moment> moved(const Moment& from, const Tools& tools) const;
   [[nodiscard]] Result<Moment> nearer_to_rest(const Moment& from) const;
   [[nodiscard]] Result<Moment> cut(const Moment& from, const mechanics::CutStrip& strip) const;
@@ -52,7 +66,7 @@ struct SessionEngine::Impl {
   [[nodiscard]] SessionState state_of(const Moment& moment) const;
 };
 
-Result<SessionEngine> SessionEngine::create(RehearsalSetup setup, const Progress& progress) {
+Result<SessionEngine> SessionEngine::create(RehearsalSetup setup, const Progress& progress, WithReference reference) {
   auto parts = std::make_shared<Impl>();
   auto places = mechanics::locate_landmarks(setup.mesh, setup.landmarks, setup.landmark_tolerance_mm);
   if (!places) return failure(std::move(places.error()));
@@ -65,7 +79,8 @@ Result<SessionEngine> SessionEngine::create(RehearsalSetup setup, const Progress
     watched.insert(watched.end(), in_mesh.begin(), in_mesh.end());
     parts->structures.push_back(std::move(structure));
   }
-  auto models = rehearsal_models(setup, progress.part(0.0, setup.atlas_youngs_kPa ? 0.5 : 1.0));
+  const bool at_once = setup.atlas_youngs_kPa && reference == WithReference::at_once;
+  auto models = rehearsal_models(setup, progress.part(0.0, at_once ? 0.5 : 1.0));
   if (!models) return failure(std::move(models.error()));
   parts->law = setup.law;
   auto patient = SessionBody::create((*models)->patient, setup, watched, parts->landmarks.size());
@@ -73,12 +88,19 @@ Result<SessionEngine> SessionEngine::create(RehearsalSetup setup, const Progress
   BodyState at_rest = patient->untouched();
   Moment untouched{{}, std::move(*patient), {}, std::move(at_rest), {}};
   if ((*models)->atlas) {
-    const auto reference = (*models)->atlas->model(progress.part(0.5, 1.0));
-    if (!reference) return failure(reference.error());
-    auto atlas = SessionBody::create(*reference, setup, watched, parts->landmarks.size());
-    if (!atlas) return failure(std::move(atlas.error()));
-    untouched.atlas = atlas->untouched();
-    untouched.atlas_body = std::move(*atlas);
+    parts->reference_maker = [atlas = *(*models)->atlas, setup = std::move(setup), watched = std::move(watched),
+                              judged = parts->landmarks.size()](const Progress& told) -> Result<SessionBody> {
+      const auto model = atlas.model(told);
+      if (!model) return failure(model.error());
+      return SessionBody::create(*model, setup, watched, judged);
+    };
+  }
+  if (at_once) {
+    if (auto made = parts->make_reference(progress.part(0.5, 1.0)); !made) return failure(std::move(made.error()));
+    auto whole = parts->compared(std::move(untouched));
+    if (!whole) return failure(std::move(whole.error()));
+    untouched = std::move(*whole);
+    parts->compares = true;
   }
   parts->moments.push_back(std::move(untouched));
   parts->latest = std::make_shared<SessionState>(parts->state_of(parts->moments.back()));
@@ -112,11 +134,14 @@ const SessionState& SessionEngine::step(const SessionCommand& command) {
   } else if (std::holds_alternative<Undo>(command)) {
     if (parts.moments.size() > 1) {
       parts.moments.pop_back();
+      if (parts.compares) parts.compare_the_last();
     } else {
       refused = "There is nothing to undo.";
     }
   }
-  if (refused.empty() && !std::holds_alternative<Undo>(command)) {
+  if (std::holds_alternative<Compare>(command)) {
+    refused = parts.begin_to_compare();
+  } else if (refused.empty() && !std::holds_alternative<Undo>(command)) {
     const bool settles = std::holds_alternative<Settle>(command);
     const auto* advance = std::get_if<AdvanceCut>(&command);
     const Moment& now = parts.moments.back();
@@ -130,6 +155,7 @@ const SessionState& SessionEngine::step(const SessionCommand& command) {
     } else {
       parts.moments.push_back(std::move(*moment));
       parts.forget_the_oldest();
+      if (parts.compares) parts.compare_the_last();
     }
   }
   SessionState state = parts.state_of(parts.moments.back());
@@ -162,26 +188,68 @@ SessionState SessionEngine::settled_state() const {
   return state;
 }
 
-Result<Moment> SessionEngine::Impl::moved(const Moment& from, const Tools& tools) const {
+Result<void> SessionEngine::Impl::make_reference(const Progress& progress) const {
+  const std::lock_guard lock(making);
+  if (reference || !reference_maker) return {};
+  auto made = reference_maker(progress);
+  if (!made) return failure(std::move(made.error()));
+  reference = std::move(*made);
+  return {};
+}
+
+Result<Moment> SessionEngine::Impl::compared(Moment moment) const {
+  if (moment.atlas) return moment;
+  SessionBody body = *reference;
+  Result<BodyState> state = body.untouched();
+  for (const mechanics::CutStrip& strip : moment.cuts) {
+    auto opened = body.opened(strip);
+    if (!opened) return failure(std::move(opened.error()));
+    body = std::move(*opened);
+  }
+  if (!moment.tools.empty() || !moment.cuts.empty()) state = way_to({}, moment.tools)(body, *state);
+  if (!state) return failure(std::move(state.error()));
+  moment.atlas = std::move(*state);
+  moment.atlas_body = std::move(body);
+  return moment;
+}
+
+// Where the reference body finds no shape under the tools the patient is answered alone.
+void SessionEngine::Impl::compare_the_last() {
+  if (auto whole = compared(moments.back())) moments.back() = std::move(*whole);
+}
+
+std::string SessionEngine::Impl::begin_to_compare() {
+  if (!reference_maker) return "There is no reference body to compare with.";
+  if (auto made = make_reference({}); !made) return made.error().message();
+  compares = true;
+  compare_the_last();
+  return {};
+}
+
+SessionEngine::Impl::Next SessionEngine::Impl::way_to(const Tools& from, const Tools& tools) const {
   // A force that grows at once carries the surface past the tool that it should meet, and at large strain farther than
   // one picture follows; a quarter of a newton moves a liver by some millimetres.
   constexpr double push_in_a_step_mN = 250.0;
   constexpr int maximum_steps = 200;
   const double steps_wanted =
-      std::max(farthest_move_mm(from.tools, tools) / mechanics::ContactOptions().largest_move_mm,
-               (law.law == mechanics::MaterialLaw::linear ? largest_change_of_push_mN(from.tools, tools)
-                                                          : largest_change_of_force_mN(from.tools, tools)) /
+      std::max(farthest_move_mm(from, tools) / mechanics::ContactOptions().largest_move_mm,
+               (law.law == mechanics::MaterialLaw::linear ? largest_change_of_push_mN(from, tools)
+                                                          : largest_change_of_force_mN(from, tools)) /
                    push_in_a_step_mN);
   const int steps = static_cast<int>(std::clamp(std::ceil(steps_wanted), 1.0, double{maximum_steps}));
-  return both(from, tools, [&](const SessionBody& body, const BodyState& before) -> Result<BodyState> {
+  return [from, tools, steps](const SessionBody& body, const BodyState& before) -> Result<BodyState> {
     BodyState state = before;
     for (int step = 1; step <= steps; ++step) {
-      auto next = body.moved(state, between(from.tools, tools, double(step) / steps));
+      auto next = body.moved(state, between(from, tools, double(step) / steps));
       if (!next) return next;
       state = std::move(*next);
     }
     return state;
-  });
+  };
+}
+
+Result<Moment> SessionEngine::Impl::moved(const Moment& from, const Tools& tools) const {
+  return both(from, tools, way_to(from.tools, tools));
 }
 
 Result<Moment> SessionEngine::Impl::nearer_to_rest(const Moment& from) const {
@@ -299,12 +367,19 @@ bool SessionEngine::prepare_the_next_cut() const {
   return (patient && *patient) || (atlas && *atlas);
 }
 
+Result<void> SessionEngine::make_reference(const Progress& progress) const { return impl_->make_reference(progress); }
+bool SessionEngine::has_reference() const { return impl_->reference_maker != nullptr; }
 const SessionState& SessionEngine::state() const { return *impl_->latest; }
 std::shared_ptr<const SessionState> SessionEngine::shared_state() const { return impl_->latest; }
 const geometry::Surface& SessionEngine::surface() const { return impl_->moments.front().patient_body.surface(); }
 Result<mechanics::StaticResult> SessionEngine::whole_result() const {
   const Moment& now = impl_->moments.back();
   return now.patient_body.whole_result(now.patient);
+}
+
+WithReference reference_in(const Recording& recording) {
+  const auto asks = [](const auto& one) { return std::holds_alternative<Compare>(one.first); };
+  return std::any_of(recording.begin(), recording.end(), asks) ? WithReference::when_asked : WithReference::at_once;
 }
 
 std::optional<std::size_t> replay(SessionEngine& engine, const Recording& recording) {

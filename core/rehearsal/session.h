@@ -9,10 +9,13 @@
 // command gives a first picture with a bound of how far its landmarks are from rest, and Settle brings it nearer; a
 // LiveSession does so by itself while nobody asks for more, and records that it did.
 //
+// A LiveSession answers of the patient alone while the reference body is still being made, and then compares.
+//
 // The phases, and what can be asked in each: a session is `preparing` (nothing to show yet), `ready` (the latest state
 // is of all that was asked, and stays), `settling` (it is of all that was asked, and is brought nearer to rest),
-// `stepping` (it is of what came before) or `failed` (it never came to be, and says why). A force without a tool, a
-// tool without a pose or a state before the model cannot be said.
+// `comparing` (it is of all that was asked, and of the patient alone: the reference body is on its way), `stepping` (it
+// is of what came before) or `failed` (it never came to be, and says why). A force without a tool, a tool without a
+// pose or a state before the model cannot be said.
 
 #include <cstdint>
 #include <filesystem>
@@ -45,7 +48,13 @@ struct AdvanceCut {
 struct Undo {};
 // Some rounds nearer to rest. What undo goes back to stays.
 struct Settle {};
-using SessionCommand = std::variant<HoldTool, ReleaseTool, Undo, Settle, AdvanceCut>;
+// The reference body comes under the tools where they are, in a session that began without it. What undo goes back to
+// stays, and is compared too.
+struct Compare {};
+using SessionCommand = std::variant<HoldTool, ReleaseTool, Undo, Settle, AdvanceCut, Compare>;
+
+// When the reference body comes into a session, where there is one.
+enum class WithReference { at_once, when_asked };
 
 struct SessionStep {
   mechanics::ContactReport report;
@@ -79,7 +88,13 @@ struct SessionState {
 class SessionEngine {
  public:
   // Failures: those of StaticRehearsal::create and of LiveBody::create.
-  static Result<SessionEngine> create(RehearsalSetup setup, const Progress& progress = {});
+  static Result<SessionEngine> create(RehearsalSetup setup, const Progress& progress = {},
+                                      WithReference reference = WithReference::at_once);
+
+  // Makes the reference body, which takes as long as create; Compare then does not wait for it. May run beside steps.
+  // Nothing where it is there, or there is none. Failures: those of create.
+  [[nodiscard]] Result<void> make_reference(const Progress& progress = {}) const;
+  [[nodiscard]] bool has_reference() const;
 
   // A bound beyond which a state says that it is still settling.
   static constexpr double shown_mm = 0.5;
@@ -108,7 +123,7 @@ class SessionEngine {
   std::shared_ptr<Impl> impl_;
 };
 
-enum class SessionPhase { preparing, ready, settling, stepping, failed };
+enum class SessionPhase { preparing, ready, settling, comparing, stepping, failed };
 
 class LiveSession {
  public:
@@ -134,11 +149,14 @@ class LiveSession {
 };
 
 // A recording as JSON, "glisson-session/1": {"commands": [{"hold": {...}} | {"release": id} | {"undo": true} |
-// {"settle": true}], each with "digest" where it was recorded}. Failures of reading: "session-invalid" (which command,
-// and what about it).
+// {"settle": true} | {"compare": true}], each with "digest" where it was recorded}. Failures of reading:
+// "session-invalid" (which command, and what about it).
 using Recording = std::vector<std::pair<SessionCommand, std::string>>;
 [[nodiscard]] std::string recording_text(const Recording& recording);
 Result<Recording> parse_recording(std::string_view json, const std::filesystem::path& file = {});
+
+// When the reference body was there: at once, unless a command asks for it.
+[[nodiscard]] WithReference reference_in(const Recording& recording);
 
 // Steps through all commands. The first whose state is not the one recorded, from 0; nothing where all are.
 [[nodiscard]] std::optional<std::size_t> replay(SessionEngine& engine, const Recording& recording);

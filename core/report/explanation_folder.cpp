@@ -8,7 +8,8 @@
 
 namespace glisson::report {
 
-Result<void> write_explanation(const std::filesystem::path& folder, const closedloop::Explained& explained) {
+Result<void> write_explanation(const std::filesystem::path& folder, const closedloop::Explained& explained,
+                               const Words& words) {
   const closedloop::Observations& observations = explained.model->observations();
   return write_together([&] {
     return write_file(folder / "report.json",
@@ -19,7 +20,7 @@ Result<void> write_explanation(const std::filesystem::path& folder, const closed
         })
         .and_then([&] {
           return write_html(folder / "report.html",
-                            explanation_page(explained.explanation, observations, explained.experiment.title));
+                            explanation_page(explained.explanation, observations, explained.experiment.title, words));
         });
   });
 }

@@ -7,10 +7,13 @@
 
 #include "base/result.h"
 #include "closedloop/explain.h"
+#include "report/words.h"
 
 namespace glisson::report {
 
-// The folder is made where absent; files of these names are replaced, each whole. Fails with "file-not-writable".
-Result<void> write_explanation(const std::filesystem::path& folder, const closedloop::Explained& explained);
+// The folder is made where absent; files of these names are replaced, each whole. The page speaks `words`; the files
+// for programs speak English. Fails with "file-not-writable".
+Result<void> write_explanation(const std::filesystem::path& folder, const closedloop::Explained& explained,
+                               const Words& words = {});
 
 }  // namespace glisson::report

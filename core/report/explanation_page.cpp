@@ -13,159 +13,186 @@ using closedloop::Explanation;
 using closedloop::Observations;
 using closedloop::Verdict;
 
-std::string unit_of(const Observations& observations) {
-  return observations.unit == "noise" ? "× noise" : observations.unit;
+std::string unit_of(const Observations& observations, const Words& words) {
+  return observations.unit == "noise" ? words.say(GLISSON_TEXT("× noise")) : observations.unit;
 }
 
 std::string figure(double value) { return fmt::format("{:.3g}", value); }
 
-std::string answer(const Explanation& explanation) {
+const char* answer(const Explanation& explanation) {
   switch (explanation.verdict) {
     case Verdict::nothing_missing:
-      return "Nothing is missing: what the declared model leaves is noise, and nothing was added to it.";
+      return GLISSON_TEXT("Nothing is missing: what the declared model leaves is noise, and nothing was added to it.");
     case Verdict::explained:
-      return "Explained: with the effects below, what is left is as small as the noise of the measurement.";
+      return GLISSON_TEXT(
+          "Explained: with the effects below, what is left is as small as the noise of the measurement.");
     default:
       if (explanation.evidence_over_smooth)
-        return "Unexplained: known effects can be bent until what is left is noise, but a smooth function of what was "
-               "done, which has no cause, accounts for it about as well. What is named below is not a cause that these "
-               "data establish.";
-      return "Unexplained: no combination of known effects brings the error near the noise. What is named below "
-             "removes "
-             "a part of it and is not a cause that these data establish.";
+        return GLISSON_TEXT(
+            "Unexplained: known effects can be bent until what is left is noise, but a smooth function of what was "
+            "done, which has no cause, accounts for it about as well. What is named below is not a cause that these "
+            "data establish.");
+      return GLISSON_TEXT(
+          "Unexplained: no combination of known effects brings the error near the noise. What is named below removes "
+          "a part of it and is not a cause that these data establish.");
   }
 }
 
-Table errors_table(const Explanation& explanation, const Observations& observations);
-Table effects_table(const Explanation& explanation);
-Table candidates_table(const Explanation& explanation, const Observations& observations);
-Table visible_table(const Explanation& explanation);
-std::string shape_sentence(const closedloop::ResidualDiagnostics& diagnostics);
+Table errors_table(const Explanation& explanation, const Observations& observations, const Words& words);
+Table effects_table(const Explanation& explanation, const Words& words);
+Table candidates_table(const Explanation& explanation, const Observations& observations, const Words& words);
+Table visible_table(const Explanation& explanation, const Words& words);
+std::string shape_sentence(const closedloop::ResidualDiagnostics& diagnostics, const Words& words);
+std::string next_trial(const closedloop::NextMeasurement& next, const Words& words);
+std::string joined(const std::vector<std::string>& kinds, const Words& words);
+// "Creeps under load (linear)"
+std::string named(const std::string& kind, const std::string& form, const Words& words);
 
 }  // namespace
 
-Page explanation_page(const Explanation& explanation, const Observations& observations, const std::string& title) {
+Page explanation_page(const Explanation& explanation, const Observations& observations, const std::string& title,
+                      const Words& words) {
   Page page;
   page.title = title;
-  page.subtitle = "What the declared model lacks, by the measurements";
-  page.blocks.push_back(Paragraph{answer(explanation)});
+  page.language = words.language;
+  page.subtitle = words.say(GLISSON_TEXT("What the declared model lacks, by the measurements"));
+  const auto paragraph = [&](std::string text) { page.blocks.push_back(Paragraph{std::move(text)}); };
+  const auto heading = [&](const char* text) { page.blocks.push_back(Heading{words.say(text)}); };
+  paragraph(words.say(answer(explanation)));
   if (!explanation.posterior.empty()) {
-    page.blocks.push_back(Paragraph{posterior_sentence(explanation)});
-    page.blocks.push_back(DrawingRow{{probability_bars(explanation.posterior)}});
-    page.blocks.push_back(Paragraph{
-        "A probability weighs how well an explanation predicts what was measured, whatever the size of its "
-        "effects, against how common it is taken to be before anything is measured. \"Something else\" "
-        "stands for every cause that is not in the catalogue. These probabilities are not calibrated: of explanations "
-        "given 90 % and more, three in four were right where the answer was known. Read them as an order."});
+    paragraph(words.sentence(closedloop::posterior_sentence(
+        explanation, [&](const auto& weighed) { return explanation_name(weighed, words, true); })));
+    page.blocks.push_back(DrawingRow{{probability_bars(explanation.posterior, words)}});
+    paragraph(words.say(
+        GLISSON_TEXT("A probability weighs how well an explanation predicts what was measured, whatever the size of "
+                     "its effects, against how common it is taken to be before anything is measured. \"Something "
+                     "else\" stands for every cause that is not in the catalogue. These probabilities are not "
+                     "calibrated: of explanations given 90 % and more, three in four were right where the answer was "
+                     "known. Read them as an order.")));
   }
-  page.blocks.push_back(errors_table(explanation, observations));
+  page.blocks.push_back(errors_table(explanation, observations, words));
   if (!explanation.smallest_visible.empty()) {
-    page.blocks.push_back(Heading{"What these trials could have shown"});
-    page.blocks.push_back(visible_table(explanation));
+    heading(GLISSON_TEXT("What these trials could have shown"));
+    page.blocks.push_back(visible_table(explanation, words));
   }
-  page.blocks.push_back(Heading{"Before"});
-  page.blocks.push_back(Paragraph{shape_sentence(explanation.residual_before)});
-  page.blocks.push_back(DrawingRow{explanation_pictures(explanation, observations)});
+  heading(GLISSON_TEXT("Before"));
+  paragraph(shape_sentence(explanation.residual_before, words));
+  page.blocks.push_back(DrawingRow{explanation_pictures(explanation, observations, words)});
   if (!explanation.effects.empty()) {
-    page.blocks.push_back(Heading{"What was found"});
+    heading(GLISSON_TEXT("What was found"));
     for (const auto& effect : explanation.effects)
-      page.blocks.push_back(Paragraph{effect.kind + ": " + effect.sentence});
-    page.blocks.push_back(effects_table(explanation));
+      paragraph(words.effect(effect.kind) + ": " + words.sentence({effect.sentence, {}}));
+    page.blocks.push_back(effects_table(explanation, words));
   }
   if (explanation.smooth_correction)
-    page.blocks.push_back(
-        Paragraph{"A smooth correction over load and place predicts trials better that it was not "
-                  "fitted to. It claims no cause."});
+    paragraph(words.say(
+        GLISSON_TEXT("A smooth correction over load and place predicts trials better that it was not fitted to. It "
+                     "claims no cause.")));
   if (!explanation.ranking.empty()) {
-    page.blocks.push_back(Heading{"Candidates, each by itself"});
-    page.blocks.push_back(candidates_table(explanation, observations));
+    heading(GLISSON_TEXT("Candidates, each by itself"));
+    page.blocks.push_back(candidates_table(explanation, observations, words));
   }
-  page.blocks.push_back(Heading{"After"});
-  page.blocks.push_back(Paragraph{shape_sentence(explanation.residual_after)});
-  page.blocks.push_back(Heading{"What to measure next"});
-  if (explanation.next) {
-    std::string alternatives;
-    for (const auto& kind : explanation.next->alternatives) alternatives += (alternatives.empty() ? "" : ", ") + kind;
-    page.blocks.push_back(Paragraph{
-        fmt::format("{} Expected to tell what was found from {}: the predictions are {:.0f} standard deviations "
-                    "of the noise apart.",
-                    explanation.next->sentence.message(), alternatives, explanation.next->expected_separation)});
-  } else {
-    page.blocks.push_back(
-        Paragraph{"No further trial is needed to tell the leading explanations apart, or none is "
-                  "known that would."});
+  heading(GLISSON_TEXT("After"));
+  paragraph(shape_sentence(explanation.residual_after, words));
+  heading(GLISSON_TEXT("What to measure next"));
+  paragraph(explanation.next ? next_trial(*explanation.next, words)
+                             : words.say(GLISSON_TEXT("No further trial is needed to tell the leading explanations "
+                                                      "apart, or none is known that would.")));
+  for (Sentence note : explanation.notes) {
+    for (std::string& argument : note.arguments) argument = words.quoted_effect(argument);
+    paragraph(words.sentence(note));
   }
-  for (const Sentence& note : explanation.notes) page.blocks.push_back(Paragraph{note.message()});
-  page.footer = "Glisson plans and reviews liver surgery. Not a medical device.";
+  page.footer = words.say(GLISSON_TEXT("Glisson plans and reviews liver surgery. Not a medical device."));
   return page;
 }
 
 namespace {
 
-std::string shape_sentence(const closedloop::ResidualDiagnostics& diagnostics) {
-  if (diagnostics.is_noise) return "What is left is noise: no test finds anything that noise would not do.";
-  std::string sentence = "What is left is not noise: ";
-  bool first = true;
-  for (const std::string& feature : diagnostics.shape()) {
-    sentence += (first ? "" : "; ") + feature;
-    first = false;
-  }
-  return sentence + ".";
+std::string joined(const std::vector<std::string>& kinds, const Words& words) {
+  std::string list;
+  for (const std::string& kind : kinds) list += (list.empty() ? "" : ", ") + words.quoted_effect(kind);
+  return list;
 }
 
-Table visible_table(const Explanation& explanation) {
-  Table table{"From this value on, nine of ten such experiments would have shown the effect",
-              {"effect", "parameter", "without effect", "seen from"},
+std::string named(const std::string& kind, const std::string& form, const Words& words) {
+  return words.effect(kind) + (form.empty() ? "" : " (" + form + ")");
+}
+
+std::string next_trial(const closedloop::NextMeasurement& next, const Words& words) {
+  return words.sentence(next.sentence) + " " +
+         words.say(GLISSON_TEXT("Expected to tell what was found from {0}: the predictions are {1} standard deviations "
+                                "of the noise apart."),
+                   {joined(next.alternatives, words), fmt::format("{:.0f}", next.expected_separation)});
+}
+
+std::string shape_sentence(const closedloop::ResidualDiagnostics& diagnostics, const Words& words) {
+  if (diagnostics.is_noise)
+    return words.say(GLISSON_TEXT("What is left is noise: no test finds anything that noise would not do."));
+  std::string features;
+  for (const std::string& feature : diagnostics.shape())
+    features += (features.empty() ? "" : "; ") + words.sentence({feature, {}});
+  return words.say(GLISSON_TEXT("What is left is not noise: {0}."), {features});
+}
+
+Table visible_table(const Explanation& explanation, const Words& words) {
+  Table table{words.say(GLISSON_TEXT("From this value on, nine of ten such experiments would have shown the effect")),
+              {words.say(GLISSON_TEXT("effect")), words.say(GLISSON_TEXT("parameter")),
+               words.say(GLISSON_TEXT("without effect")), words.say(GLISSON_TEXT("seen from"))},
               {}};
   for (const auto& one : explanation.smallest_visible)
-    table.rows.push_back({{one.kind + (one.form.empty() ? "" : " (" + one.form + ")")},
-                          {one.parameter + (one.component > 0 ? fmt::format(" {}", one.component) : "")},
-                          {fmt::format("{:.4g}", one.no_effect)},
-                          {one.value ? fmt::format("{:.4g}", *one.value) : "at no size in its range"}});
+    table.rows.push_back(
+        {{named(one.kind, one.form, words)},
+         {words.effect(one.parameter) + (one.component > 0 ? fmt::format(" {}", one.component) : "")},
+         {fmt::format("{:.4g}", one.no_effect)},
+         {one.value ? fmt::format("{:.4g}", *one.value) : words.say(GLISSON_TEXT("at no size in its range"))}});
   return table;
 }
 
-Table errors_table(const Explanation& explanation, const Observations& observations) {
-  Table table{fmt::format("Errors ({})", unit_of(observations)), {"", "before", "after"}, {}};
-  const auto row = [&](std::string name, double before, double after) {
-    table.rows.push_back({{std::move(name)}, {figure(before)}, {figure(after)}});
+Table errors_table(const Explanation& explanation, const Observations& observations, const Words& words) {
+  Table table{words.say(GLISSON_TEXT("Errors ({0})"), {unit_of(observations, words)}),
+              {"", words.say(GLISSON_TEXT("before")), words.say(GLISSON_TEXT("after"))},
+              {}};
+  const auto row = [&](const char* name, double before, double after) {
+    table.rows.push_back({{words.say(name)}, {figure(before)}, {figure(after)}});
   };
-  row("root mean square, trials that were fitted", explanation.before.rms, explanation.after.rms);
-  row("mean", explanation.before.mean, explanation.after.mean);
-  row("95 of 100 are below", explanation.before.p95, explanation.after.p95);
-  row("chi-squared over number", explanation.before.reduced_chi2, explanation.after.reduced_chi2);
+  row(GLISSON_TEXT("root mean square, trials that were fitted"), explanation.before.rms, explanation.after.rms);
+  row(GLISSON_TEXT("mean"), explanation.before.mean, explanation.after.mean);
+  row(GLISSON_TEXT("95 of 100 are below"), explanation.before.p95, explanation.after.p95);
+  row(GLISSON_TEXT("chi-squared over number"), explanation.before.reduced_chi2, explanation.after.reduced_chi2);
   if (explanation.held_out && explanation.held_out_before) {
-    const auto& after = explanation.held_out_corrected ? *explanation.held_out_corrected : *explanation.held_out;
-    table.rows.push_back({{"root mean square, trials left out whole"},
-                          {fmt::format("{:.3g} ({:.3g} to {:.3g})", explanation.held_out_before->rms,
-                                       explanation.held_out_before->low, explanation.held_out_before->high)},
-                          {fmt::format("{:.3g} ({:.3g} to {:.3g})", after.rms, after.low, after.high)}});
+    const auto interval = [&](const closedloop::HeldOut& error) {
+      return words.say(GLISSON_TEXT("{0} ({1} to {2})"), {figure(error.rms), figure(error.low), figure(error.high)});
+    };
+    table.rows.push_back(
+        {{words.say(GLISSON_TEXT("root mean square, trials left out whole"))},
+         {interval(*explanation.held_out_before)},
+         {interval(explanation.held_out_corrected ? *explanation.held_out_corrected : *explanation.held_out)}});
   }
   if (explanation.hidden_targets) {
-    row("hidden targets, which nothing was fitted to: mean (mm)", explanation.hidden_targets->before.mean,
+    row(GLISSON_TEXT("hidden targets, which nothing was fitted to: mean (mm)"), explanation.hidden_targets->before.mean,
         explanation.hidden_targets->after.mean);
-    row("hidden targets: the farthest (mm)", explanation.hidden_targets->before.max,
+    row(GLISSON_TEXT("hidden targets: the farthest (mm)"), explanation.hidden_targets->before.max,
         explanation.hidden_targets->after.max);
   }
-  table.rows.push_back(
-      {{"noise of the measurement"}, {figure(explanation.before.noise)}, {figure(explanation.after.noise)}});
+  row(GLISSON_TEXT("noise of the measurement"), explanation.before.noise, explanation.after.noise);
   return table;
 }
 
-Table effects_table(const Explanation& explanation) {
-  Table table{"Parameters, with standard deviation and 95 % interval",
-              {"effect", "parameter", "value", "±", "from", "to", "could also be"},
-              {}};
+Table effects_table(const Explanation& explanation, const Words& words) {
+  Table table{
+      words.say(GLISSON_TEXT("Parameters, with standard deviation and 95 % interval")),
+      {words.say(GLISSON_TEXT("effect")), words.say(GLISSON_TEXT("parameter")), words.say(GLISSON_TEXT("value")), "±",
+       words.say(GLISSON_TEXT("from")), words.say(GLISSON_TEXT("to")), words.say(GLISSON_TEXT("could also be"))},
+      {}};
   for (const auto& effect : explanation.effects) {
-    std::string alike;
-    for (const std::string& kind : effect.alike) alike += (alike.empty() ? "" : ", ") + kind;
-    const std::string name = effect.kind + (effect.form.empty() ? "" : " (" + effect.form + ")");
+    const std::string alike = joined(effect.alike, words);
+    const std::string name = named(effect.kind, effect.form, words);
     if (effect.parameters.empty()) table.rows.push_back({{name}, {""}, {""}, {""}, {""}, {""}, {alike}});
     for (const auto& found : effect.parameters) {
       table.rows.push_back({{name},
-                            {found.parameter.name},
+                            {words.effect(found.parameter.name)},
                             {fmt::format("{:.4g}", found.value)},
-                            {found.determined ? figure(found.std) : "not determined"},
+                            {found.determined ? figure(found.std) : words.say(GLISSON_TEXT("not determined"))},
                             {figure(found.low)},
                             {figure(found.high)},
                             {alike}});
@@ -174,23 +201,25 @@ Table effects_table(const Explanation& explanation) {
   return table;
 }
 
-Table candidates_table(const Explanation& explanation, const Observations& observations) {
-  Table table{fmt::format("Errors in {}; the lower the BIC, the better", unit_of(observations)),
-              {"effect", "error fitted", "error on trials left out", "change of BIC", "remark"},
+Table candidates_table(const Explanation& explanation, const Observations& observations, const Words& words) {
+  Table table{words.say(GLISSON_TEXT("Errors in {0}; the lower the BIC, the better"), {unit_of(observations, words)}),
+              {words.say(GLISSON_TEXT("effect")), words.say(GLISSON_TEXT("error fitted")),
+               words.say(GLISSON_TEXT("error on trials left out")), words.say(GLISSON_TEXT("change of BIC")),
+               words.say(GLISSON_TEXT("remark"))},
               {}};
   for (const auto& candidate : explanation.ranking) {
-    const std::string name = candidate.kind + (candidate.form.empty() ? "" : " (" + candidate.form + ")");
+    const std::string name = named(candidate.kind, candidate.form, words);
     if (!candidate.removed.empty()) {
-      table.rows.push_back({{name}, {""}, {""}, {""}, {"left out: " + candidate.removed}});
+      const std::string why = words.sentence({candidate.removed, {}});
+      table.rows.push_back({{name}, {""}, {""}, {""}, {words.say(GLISSON_TEXT("left out: {0}"), {why})}});
       continue;
     }
-    std::string alike;
-    for (const std::string& kind : candidate.alike) alike += (alike.empty() ? "like " : ", ") + kind;
-    table.rows.push_back({{name},
-                          {figure(candidate.rms)},
-                          {candidate.held_out_rms ? figure(*candidate.held_out_rms) : "-"},
-                          {fmt::format("{:.0f}", candidate.delta_bic)},
-                          {alike}});
+    table.rows.push_back(
+        {{name},
+         {figure(candidate.rms)},
+         {candidate.held_out_rms ? figure(*candidate.held_out_rms) : "-"},
+         {fmt::format("{:.0f}", candidate.delta_bic)},
+         {candidate.alike.empty() ? "" : words.say(GLISSON_TEXT("like {0}"), {joined(candidate.alike, words)})}});
   }
   return table;
 }

@@ -6,10 +6,12 @@
 
 #include "closedloop/inference/explanation.h"
 #include "report/page.h"
+#include "report/words.h"
 
 namespace glisson::report {
 
 [[nodiscard]] Page explanation_page(const closedloop::Explanation& explanation,
-                                    const closedloop::Observations& observations, const std::string& title);
+                                    const closedloop::Observations& observations, const std::string& title,
+                                    const Words& words = {});
 
 }  // namespace glisson::report

@@ -29,16 +29,19 @@ const PlotCurve measured_curve{{}, {}, PlotCurve::Style::dots, "currentColor"};
 const PlotCurve before_curve{{}, {}, PlotCurve::Style::dashes, "#d55e00"};
 const PlotCurve after_curve{{}, {}, PlotCurve::Style::line, "#0072b2"};
 
-std::vector<Drawing> on_the_specimen(const Explanation& explanation, const Observations& observations);
-std::vector<Drawing> as_curves(const Explanation& explanation, const Observations& observations);
+std::vector<Drawing> on_the_specimen(const Explanation& explanation, const Observations& observations,
+                                     const Words& words);
+std::vector<Drawing> as_curves(const Explanation& explanation, const Observations& observations, const Words& words);
 
 }  // namespace
 
-std::vector<Drawing> explanation_pictures(const Explanation& explanation, const Observations& observations) {
-  return observations.has_places() ? on_the_specimen(explanation, observations) : as_curves(explanation, observations);
+std::vector<Drawing> explanation_pictures(const Explanation& explanation, const Observations& observations,
+                                          const Words& words) {
+  return observations.has_places() ? on_the_specimen(explanation, observations, words)
+                                   : as_curves(explanation, observations, words);
 }
 
-Drawing probability_bars(const closedloop::Posterior& posterior) {
+Drawing probability_bars(const closedloop::Posterior& posterior, const Words& words) {
   constexpr double width_px = 640, name_px = 260, bar_px = 300, line_px = 24;
   const std::size_t count =
       std::min<std::size_t>(8, posterior.size());  // what comes after is below a percent, or noise
@@ -49,13 +52,25 @@ Drawing probability_bars(const closedloop::Posterior& posterior) {
   for (std::size_t i = 0; i < count; ++i) {
     const double top = line_px * static_cast<double>(i) + 4;
     svg += fmt::format("<text x=\"{:.0f}\" y=\"{:.0f}\" text-anchor=\"end\">{}</text>", name_px - 8, top + 14,
-                       escaped(name_of(posterior[i])));
+                       escaped(explanation_name(posterior[i], words)));
     svg += fmt::format("<rect x=\"{:.0f}\" y=\"{:.0f}\" width=\"{:.1f}\" height=\"{:.0f}\" fill=\"#0072b2\"/>", name_px,
                        top, std::max(1.0, bar_px * posterior[i].probability), line_px - 6);
     svg += fmt::format("<text x=\"{:.1f}\" y=\"{:.0f}\">{:.1f} %</text>",
                        name_px + 6 + bar_px * posterior[i].probability, top + 14, 100 * posterior[i].probability);
   }
-  return {svg + "</svg>", "Probability of each explanation, all that were weighed taken together"};
+  return {svg + "</svg>",
+          words.say(GLISSON_TEXT("Probability of each explanation, all that were weighed taken together"))};
+}
+
+std::string explanation_name(const closedloop::WeighedExplanation& weighed, const Words& words, bool quoted) {
+  if (weighed.something_else) return words.say(GLISSON_TEXT("something else"));
+  if (weighed.kinds.empty()) return words.say(GLISSON_TEXT("nothing is missing"));
+  std::string name;
+  for (const std::string& kind : weighed.kinds) {
+    const std::string one = quoted ? words.quoted_effect(kind) : words.effect(kind);
+    name = name.empty() ? one : words.say(GLISSON_TEXT("{0} and {1}"), {name, one});
+  }
+  return name;
 }
 
 namespace {
@@ -102,7 +117,7 @@ std::vector<Vector> vectors_at(const Moment& moment, const Eigen::VectorXd& pred
   return list;
 }
 
-Drawing errors_by_load(const Explanation& explanation, const Observations& observations) {
+Drawing errors_by_load(const Explanation& explanation, const Observations& observations, const Words& words) {
   struct Sums {
     double load = 0, before = 0, after = 0, count = 0;
   };
@@ -121,13 +136,14 @@ Drawing errors_by_load(const Explanation& explanation, const Observations& obser
     before.points.emplace_back(sums.load, std::sqrt(sums.before / sums.count));
     after.points.emplace_back(sums.load, std::sqrt(sums.after / sums.count));
   }
-  Plot plot{GLISSON_TEXT("Error by load, a line a trial: broken before, whole after"), "force (N)",
-            fmt::format("error ({})", observations.unit)};
+  Plot plot{words.say(GLISSON_TEXT("Error by load, a line a trial: broken before, whole after")),
+            words.say(GLISSON_TEXT("force (N)")), words.say(GLISSON_TEXT("error ({0})"), {observations.unit})};
   for (auto& [trial, both] : curves_of_trial) plot.curves.insert(plot.curves.end(), both.begin(), both.end());
   return {svg_of(plot), plot.caption};
 }
 
-std::vector<Drawing> on_the_specimen(const Explanation& explanation, const Observations& observations) {
+std::vector<Drawing> on_the_specimen(const Explanation& explanation, const Observations& observations,
+                                     const Words& words) {
   const Moment moment = worst_moment(explanation, observations);
   const auto [across, up] = widest_axes(observations);
   const auto before = vectors_at(moment, explanation.predicted_before, observations);
@@ -137,10 +153,10 @@ std::vector<Drawing> on_the_specimen(const Explanation& explanation, const Obser
   const Eigen::RowVector3d extent =
       observations.place_mm.colwise().maxCoeff() - observations.place_mm.colwise().minCoeff();
   const double magnification = longest > 0 ? 0.15 * std::max(extent[across], extent[up]) / longest : 1;
-  const auto drawn = [&, a = across, u = up](const std::vector<Vector>& vectors, const std::string& when) {
+  const auto drawn = [&, a = across, u = up](const std::vector<Vector>& vectors, const char* caption) {
     constexpr const char* axes = "xyz";
-    Plot plot{fmt::format("Residual {}, trial {} at its worst: arrows {:.3g} times as long, red at {:.3g} mm", when,
-                          observations.trials[static_cast<std::size_t>(moment.trial)], magnification, longest),
+    Plot plot{words.say(caption, {observations.trials[static_cast<std::size_t>(moment.trial)],
+                                  fmt::format("{:.3g}", magnification), fmt::format("{:.3g}", longest)}),
               fmt::format("{} (mm)", axes[a]), fmt::format("{} (mm)", axes[u])};
     plot.hottest = longest;
     plot.from_zero = false;
@@ -149,10 +165,22 @@ std::vector<Drawing> on_the_specimen(const Explanation& explanation, const Obser
                              magnification * v.residual_mm[u], v.residual_mm.norm()});
     return Drawing{svg_of(plot), plot.caption};
   };
-  return {drawn(before, "before"), drawn(after, "after"), errors_by_load(explanation, observations)};
+  return {drawn(before, GLISSON_TEXT("Residual before, trial {0} at its worst: arrows {1} times as long, red at {2} "
+                                     "mm")),
+          drawn(after, GLISSON_TEXT("Residual after, trial {0} at its worst: arrows {1} times as long, red at {2} "
+                                    "mm")),
+          errors_by_load(explanation, observations, words)};
 }
 
-std::vector<Drawing> as_curves(const Explanation& explanation, const Observations& observations) {
+// What a wearable computer tells, as its file calls it.
+std::string reading(const std::string& direction, const Words& words) {
+  return direction == "voltage_V"       ? words.say(GLISSON_TEXT("voltage (V)"))
+         : direction == "temperature_C" ? words.say(GLISSON_TEXT("temperature (°C)"))
+         : direction == "power_W"       ? words.say(GLISSON_TEXT("power (W)"))
+                                        : direction;
+}
+
+std::vector<Drawing> as_curves(const Explanation& explanation, const Observations& observations, const Words& words) {
   constexpr std::size_t maximum_points = 150;  // a trial and line
   const bool material = observations.unit != "noise";
   std::vector<Drawing> drawings;
@@ -184,13 +212,15 @@ std::vector<Drawing> as_curves(const Explanation& explanation, const Observation
       plot.from_zero = false;
       return Drawing{svg_of(plot), plot.caption};
     };
-    const std::string name = material ? "stress (kPa)" : observations.directions[direction];
-    drawings.push_back(pictured(
-        material, false,
-        {GLISSON_TEXT("Measured (dots), before (broken), after (line)"), material ? "strain" : "time (s)", name}));
-    drawings.push_back(
-        pictured(false, true,
-                 {GLISSON_TEXT("What was left before (broken) and after (line)"), "time (s)", "residual of " + name}));
+    const std::string name =
+        material ? words.say(GLISSON_TEXT("stress (kPa)")) : reading(observations.directions[direction], words);
+    const std::string time = words.say(GLISSON_TEXT("time (s)"));
+    drawings.push_back(pictured(material, false,
+                                {words.say(GLISSON_TEXT("Measured (dots), before (broken), after (line)")),
+                                 material ? words.say(GLISSON_TEXT("strain")) : time, name}));
+    drawings.push_back(pictured(false, true,
+                                {words.say(GLISSON_TEXT("What was left before (broken) and after (line)")), time,
+                                 words.say(GLISSON_TEXT("residual: {0}"), {name})}));
   }
   return drawings;
 }

@@ -1,18 +1,25 @@
 #pragma once
 // The residual as pictures: vectors and heat on the specimen where there are places, curves elsewhere.
 
+#include <string>
 #include <vector>
 
 #include "closedloop/inference/explanation.h"
 #include "report/page.h"
+#include "report/words.h"
 
 namespace glisson::report {
 
 // Measured against predicted before and after, or residuals on the specimen before and after with the error by load.
 [[nodiscard]] std::vector<Drawing> explanation_pictures(const closedloop::Explanation& explanation,
-                                                        const closedloop::Observations& observations);
+                                                        const closedloop::Observations& observations,
+                                                        const Words& words);
 
 // How probable each explanation is: a bar each, the likeliest first, as long as its probability.
-[[nodiscard]] Drawing probability_bars(const closedloop::Posterior& posterior);
+[[nodiscard]] Drawing probability_bars(const closedloop::Posterior& posterior, const Words& words);
+
+// "nothing is missing", "stiffness-scale and hysteresis", "something else"; `quoted` within a sentence.
+[[nodiscard]] std::string explanation_name(const closedloop::WeighedExplanation& weighed, const Words& words,
+                                           bool quoted = false);
 
 }  // namespace glisson::report

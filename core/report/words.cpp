@@ -13,6 +13,11 @@ std::string plain_name(const std::string& id) {
   return name;
 }
 
+std::string Words::quoted_effect(const std::string& kind) const {
+  const std::string said = effect(kind);
+  return said == kind ? said : "\"" + said + "\"";
+}
+
 std::string Words::entry(const std::string& id) const {
   if (id == "meshes/liver") return say(GLISSON_TEXT("Cells of the liver"));
   if (id == "meshes/model") return say(GLISSON_TEXT("Model: stiffness of each cell"));

@@ -15,12 +15,13 @@ using Eigen::Vector3d;
 using geometry::Surface;
 using Line = std::vector<CenterPoint>;
 
-// A vessel's centre points in two heaps, and its thin stretches as they are drawn.
+// A vessel's centre points in two heaps, what stays as it is outlined in the thick one, and its thin stretches as they
+// are drawn.
 struct Parted {
   Line thin, thick;
   std::vector<Line> stretches;
 };
-Parted parted(const VesselGraph& graph, double thin_mm);
+Parted parted(const imaging::Mask& mask, const VesselGraph& graph, double thin_mm);
 
 // The triangles of the outline that belong to what is thick, with the points that they use.
 Surface thick_part(const Surface& outline, const Parted& lines, double thin_mm);
@@ -32,8 +33,9 @@ void add_tube(const Line& line, int sides, Surface& surface);
 
 double thin_radius_mm(const Vector3d& spacing_mm) { return 1.5 * std::cbrt(spacing_mm.prod()); }
 
-std::optional<Surface> with_tubes(const Surface& outline, const VesselGraph& graph, const TubeOptions& options) {
-  const Parted lines = parted(graph, options.thin_mm);
+std::optional<Surface> with_tubes(const imaging::Mask& mask, const Surface& outline, const VesselGraph& graph,
+                                  const TubeOptions& options) {
+  const Parted lines = parted(mask, graph, options.thin_mm);
   if (lines.stretches.empty()) return {};
   Surface drawn = thick_part(outline, lines, options.thin_mm);
   for (const Line& stretch : lines.stretches) add_tube(smoothed(stretch), options.sides, drawn);
@@ -78,9 +80,72 @@ std::vector<double> width_at_vertices(const VesselGraph& graph) {
   return widest_mm;
 }
 
-Parted parted(const VesselGraph& graph, double thin_mm) {
+// Where a mask ends in the midst of a wide vessel it thins out to a sheet, and lines run up it like the ribs of a fan.
+// Beside a vessel that is thin there is nothing; beside a rib, along the sheet, there is more of the mask. Of all
+// places around the points from `begin` to `end`, two thin vessels' radii away, the share that lies in the mask.
+double filled_around(const imaging::Mask& mask, const Line& line, std::size_t begin, std::size_t end, double thin_mm) {
+  constexpr int directions = 16;
+  int filled = 0, all = 0;
+  for (std::size_t i = begin; i < end; ++i) {
+    const Vector3d way = line[std::min(i + 1, line.size() - 1)].position_mm - line[i == 0 ? 0 : i - 1].position_mm;
+    if (way.norm() == 0) continue;
+    const Vector3d across = way.unitOrthogonal(), beside = way.normalized().cross(across);
+    for (int d = 0; d < directions; ++d) {
+      const double angle = 2 * std::numbers::pi * d / directions;
+      const Eigen::Vector3i at =
+          mask.grid.index_of(line[i].position_mm + 2 * thin_mm * (std::cos(angle) * across + std::sin(angle) * beside))
+              .array()
+              .round()
+              .cast<int>();
+      ++all;
+      if (mask.grid.contains(at[0], at[1], at[2]) && mask.at(at[0], at[1], at[2]) != 0) ++filled;
+    }
+  }
+  return all > 0 ? double(filled) / all : 0;
+}
+
+std::vector<Vector3d> places(const Line& line) {
+  std::vector<Vector3d> places_mm;
+  for (const CenterPoint& point : line) places_mm.push_back(point.position_mm);
+  return places_mm;
+}
+
+// The middle of what is wide: three times as wide as what is thin, at least.
+class WideVessels {
+ public:
+  WideVessels(const VesselGraph& graph, double thin_mm) {
+    for (const GraphBranch& branch : graph.branches) {
+      if (branch.joint != Joint::vessel) continue;
+      for (const CenterPoint& point : branch.points) {
+        if (point.radius_mm >= 3 * thin_mm) points_.push_back(point);
+      }
+    }
+    for (const CenterPoint& point : points_) widest_mm_ = std::max(widest_mm_, point.radius_mm);
+    if (!points_.empty()) nearest_.emplace(places(points_));
+  }
+  // In it or near its wall: no farther than `reach` of its radii, which shrink where it ends.
+  [[nodiscard]] bool reach(const CenterPoint& point) const {
+    constexpr double reach = 4;
+    if (!nearest_) return false;
+    const auto around = nearest_->within(point.position_mm, reach * widest_mm_);
+    return std::any_of(around.begin(), around.end(), [&](const auto& one) {
+      return std::sqrt(one.squared_distance_mm2) <= reach * points_[static_cast<std::size_t>(one.point)].radius_mm;
+    });
+  }
+
+ private:
+  Line points_;
+  double widest_mm_ = 0;
+  std::optional<geometry::NearestPoint> nearest_;
+};
+
+Parted parted(const imaging::Mask& mask, const VesselGraph& graph, double thin_mm) {
   constexpr std::size_t into_the_thick = 4;  // points, so that a tube begins inside of what it leaves
+  // A sheet as thin as a vessel may be fills a tenth and more of what is around it, most vessels less than half of
+  // that.
+  constexpr double most_of_a_vessel = 0.08;
   const std::vector<double> width_mm = width_at_vertices(graph);
+  const WideVessels wide(graph, thin_mm);
   Parted lines;
   for (const GraphBranch& branch : graph.branches) {
     if (branch.joint != Joint::vessel) continue;
@@ -91,9 +156,14 @@ Parted parted(const VesselGraph& graph, double thin_mm) {
     if (branch.length_mm <= 2 * stands_on_mm && stands_on_mm >= thin_mm) std::fill(thin.begin(), thin.end(), char{0});
     for (std::size_t begin = 0, end = 0; begin < thin.size(); begin = end) {
       for (end = begin; end < thin.size() && thin[end] == thin[begin];) ++end;
-      Line& heap = thin[begin] != 0 ? lines.thin : lines.thick;
+      const bool in_a_wide_one =
+          thin[begin] != 0 && std::all_of(branch.points.begin() + long(begin), branch.points.begin() + long(end),
+                                          [&](const CenterPoint& point) { return wide.reach(point); });
+      const bool is_tube = thin[begin] != 0 && !(in_a_wide_one && filled_around(mask, branch.points, begin, end,
+                                                                                thin_mm) > most_of_a_vessel);
+      Line& heap = is_tube ? lines.thin : lines.thick;
       heap.insert(heap.end(), branch.points.begin() + long(begin), branch.points.begin() + long(end));
-      if (thin[begin] == 0) continue;
+      if (!is_tube) continue;
       const std::size_t first = begin - std::min(begin, into_the_thick);
       const std::size_t last = std::min(thin.size(), end + into_the_thick);
       Line stretch;
@@ -105,12 +175,6 @@ Parted parted(const VesselGraph& graph, double thin_mm) {
     }
   }
   return lines;
-}
-
-std::vector<Vector3d> places(const Line& line) {
-  std::vector<Vector3d> places_mm;
-  for (const CenterPoint& point : line) places_mm.push_back(point.position_mm);
-  return places_mm;
 }
 
 Vector3d middle_mm(const Surface& surface, const std::array<int, 3>& triangle) {

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "geometry/surface.h"
+#include "imaging/image.h"
 #include "vasculature/vessel_graph.h"
 
 namespace glisson::vasculature {
@@ -19,10 +20,10 @@ struct TubeOptions {
 // 1.5 voxels, by the voxel's volume: with less across a radius, stairs are as large as the vessel.
 [[nodiscard]] double thin_radius_mm(const Eigen::Vector3d& spacing_mm);
 
-// `outline` and `graph` are of the same mask (mm, LPS). Triangles that a thin stretch is nearest to, by wall, are left
+// `outline` and `graph` are of the mask (mm, LPS). Triangles that a thin stretch is nearest to, by wall, are left
 // out, and each stretch is one closed tube. Gaps and contacts of the graph get none: no vessel was outlined there.
 // Nothing where no stretch is thin.
-[[nodiscard]] std::optional<geometry::Surface> with_tubes(const geometry::Surface& outline, const VesselGraph& graph,
-                                                          const TubeOptions& options);
+[[nodiscard]] std::optional<geometry::Surface> with_tubes(const imaging::Mask& mask, const geometry::Surface& outline,
+                                                          const VesselGraph& graph, const TubeOptions& options);
 
 }  // namespace glisson::vasculature

@@ -157,7 +157,7 @@ TEST(Posterior, SaysWhatTheVerdictSaysWhereTheAnswerIsClear) {
   EXPECT_TRUE(agrees(nothing));
   EXPECT_EQ(name_of(likeliest(nothing)), "nothing is missing");
   EXPECT_GT(likeliest(nothing).probability, 0.8);
-  EXPECT_THAT(posterior_sentence(nothing), HasSubstr("nothing is missing"));
+  EXPECT_THAT(posterior_sentence(nothing).message(), HasSubstr("nothing is missing"));
 
   const Explanation creep = explained(
       [](const auto& trial) { return test::relaxing(test::straight_line(trial), trial.time_s, 0.3, 12); }, 0.1);
@@ -170,13 +170,13 @@ TEST(Posterior, SaysWhatTheVerdictSaysWhereTheAnswerIsClear) {
         return Eigen::VectorXd(test::straight_line(trial).array() + 0.5 * (1.7 * trial.time_s.array()).sin());
       },
       0.1);
-  EXPECT_TRUE(agrees(ringing)) << posterior_sentence(ringing);
+  EXPECT_TRUE(agrees(ringing)) << posterior_sentence(ringing).message();
   EXPECT_TRUE(likeliest(ringing).something_else);
 
   // A load cell that reads a fifth too much is as probable as a specimen that is a fifth stiffer.
   const Explanation either =
       explained([](const auto& trial) { return Eigen::VectorXd(1.2 * test::straight_line(trial)); }, 0.1);
-  EXPECT_TRUE(agrees(either)) << posterior_sentence(either);
+  EXPECT_TRUE(agrees(either)) << posterior_sentence(either).message();
   EXPECT_LT(likeliest(either).probability, 0.9);
   double sum = 0;
   for (const WeighedExplanation& weighed : either.posterior) sum += weighed.probability;
@@ -191,7 +191,7 @@ TEST(Posterior, StandsInTheReport) {
   EXPECT_EQ(posterior["explanations"].size(), explanation.posterior.size());
   EXPECT_EQ(posterior["explanations"][0]["kinds"], Json::array());
   EXPECT_EQ(posterior["agrees_with_verdict"], true);
-  EXPECT_EQ(posterior["sentence"], posterior_sentence(explanation));
+  EXPECT_EQ(posterior["sentence"], posterior_sentence(explanation).message());
 }
 
 TEST(Posterior, WhereAnotherIsLikelierThanTheVerdictItIsSaidWithoutContradiction) {
@@ -199,15 +199,15 @@ TEST(Posterior, WhereAnotherIsLikelierThanTheVerdictItIsSaidWithoutContradiction
   e.verdict = Verdict::nothing_missing;
   e.posterior = {{{"hysteresis"}, false, 0.7}, {{}, false, 0.3}};
   EXPECT_FALSE(agrees(e));
-  EXPECT_THAT(posterior_sentence(e), HasSubstr("weak sign of hysteresis (70 %)"));
+  EXPECT_THAT(posterior_sentence(e).message(), HasSubstr("weak sign of hysteresis (70 %)"));
   e.verdict = Verdict::unexplained;
-  EXPECT_THAT(posterior_sentence(e), HasSubstr("does not pass as a cause"));
+  EXPECT_THAT(posterior_sentence(e).message(), HasSubstr("does not pass as a cause"));
   e.verdict = Verdict::explained;
   FoundEffect found;
   found.kind = "softening";
   e.effects = {found};
   EXPECT_FALSE(agrees(e));
-  EXPECT_THAT(posterior_sentence(e), HasSubstr("hysteresis is likelier (70 %)"));
+  EXPECT_THAT(posterior_sentence(e).message(), HasSubstr("hysteresis is likelier (70 %)"));
   e.effects.front().alike = {"hysteresis"};
   EXPECT_TRUE(agrees(e));
 }

@@ -327,6 +327,68 @@ TEST(SessionAtLargeStrain, AStepThatWouldCrushTheBodyIsRefusedAndLeavesWhatWas) 
   EXPECT_EQ(crushed.digest, before);
 }
 
+// A session that begins without its reference body answers of the patient as it would with it. From Compare on it is
+// the session that had both from the beginning: to the bit where the tools came straight, and nearly where they were
+// drawn.
+TEST(Session, TheReferenceBodyMayComeLater) {
+  auto with = SessionEngine::create(block()).value();
+  auto later = SessionEngine::create(block(), {}, WithReference::when_asked).value();
+  EXPECT_TRUE(later.has_reference());
+  const std::string untouched = with.state().digest;
+  EXPECT_FALSE(later.state().atlas);
+  const SessionState& alone = later.step(HoldTool{probe({35, 40, 40})});
+  const SessionState& both = with.step(HoldTool{probe({35, 40, 40})});
+  EXPECT_FALSE(alone.atlas);
+  EXPECT_TRUE(alone.differences.empty());
+  EXPECT_EQ(alone.patient.surface_mm, both.patient.surface_mm);
+  ASSERT_TRUE(later.make_reference());
+  EXPECT_FALSE(later.state().atlas);
+  EXPECT_EQ(later.step(Compare{}).digest, with.state().digest);
+  EXPECT_EQ(later.state().differences.size(), 2u);
+  for (auto* engine : {&with, &later}) {
+    EXPECT_EQ(engine->step(HoldTool{probe({36, 40, 40})}).refused, "");
+  }
+  EXPECT_EQ(later.state().digest, with.state().digest);
+  // Back to before the comparison: the reference body is there too.
+  later.step(Undo{});
+  EXPECT_EQ(later.step(Undo{}).digest, untouched);
+
+  // Drawn over the surface and cut before it is compared.
+  for (auto* engine : {&with, &later})
+    *engine = SessionEngine::create(block(), {}, engine == &with ? WithReference::at_once : WithReference::when_asked)
+                  .value();
+  for (auto* engine : {&with, &later}) {
+    for (int i = 0; i < 5; ++i) engine->step(HoldTool{probe({30.0 + 2 * i, 40, 40})});
+    EXPECT_EQ(engine->step(advance(0, 20)).refused, "");
+  }
+  const SessionState& drawn = later.step(Compare{});
+  ASSERT_TRUE(drawn.atlas);
+  for (std::size_t l = 0; l < drawn.atlas->landmarks.size(); ++l) {
+    EXPECT_LT((drawn.atlas->landmarks[l].displaced_mm - with.state().atlas->landmarks[l].displaced_mm).norm(), 0.1);
+  }
+}
+
+// What a session did before it compared and after it is the same when it is read from its file and done again.
+TEST(Session, AComparisonIsInTheRecording) {
+  auto engine = SessionEngine::create(block(), {}, WithReference::when_asked).value();
+  Recording recording;
+  for (const SessionCommand& command :
+       std::vector<SessionCommand>{HoldTool{probe({35, 40, 42})}, Compare{}, HoldTool{probe({35, 40, 40})}}) {
+    recording.emplace_back(command, engine.step(command).digest);
+  }
+  const auto read = parse_recording(recording_text(recording)).value();
+  EXPECT_EQ(reference_in(read), WithReference::when_asked);
+  auto again = SessionEngine::create(block(), {}, reference_in(read)).value();
+  EXPECT_FALSE(replay(again, read).has_value());
+  // Where nothing can be compared, that is said and nothing changes.
+  RehearsalSetup alone = block();
+  alone.atlas_youngs_kPa.reset();
+  auto single = SessionEngine::create(std::move(alone)).value();
+  const std::string before = single.state().digest;
+  EXPECT_THAT(single.step(Compare{}).refused, HasSubstr("no reference body"));
+  EXPECT_EQ(single.state().digest, before);
+}
+
 void wait_for(const LiveSession& session, SessionPhase phase) {
   for (int i = 0; i < 3000 && session.phase() != phase; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
   ASSERT_EQ(session.phase(), phase);
@@ -350,7 +412,12 @@ TEST(LiveSession, NeverKeepsItsCallerWaitingAndRecordsWhatItDid) {
   ASSERT_EQ(session.latest()->digest, recording.back().second);
   const auto& last = std::get<TouchingTool>(session.latest()->tools[0].what);
   EXPECT_EQ(last.pose.position_mm.x(), 30 + 0.1 * 199);
-  auto engine = SessionEngine::create(block()).value();
+  // The reference body came in at some moment, once, and that is in the recording.
+  EXPECT_EQ(std::count_if(recording.begin(), recording.end(),
+                          [](const auto& one) { return std::holds_alternative<Compare>(one.first); }),
+            1);
+  EXPECT_TRUE(session.latest()->atlas);
+  auto engine = SessionEngine::create(block(), {}, reference_in(recording)).value();
   EXPECT_FALSE(replay(engine, recording).has_value());
 }
 
@@ -365,7 +432,8 @@ TEST(LiveSession, AtLargeStrainItComesToRestByItselfAndRecordsHow) {
   ASSERT_TRUE(session.latest()->settled);
   const auto recording = session.recording();
   EXPECT_TRUE(std::holds_alternative<Settle>(recording.back().first));
-  auto engine = SessionEngine::create(soft_block()).value();
+  EXPECT_TRUE(session.latest()->atlas);
+  auto engine = SessionEngine::create(soft_block(), {}, reference_in(recording)).value();
   EXPECT_FALSE(replay(engine, recording).has_value());
 }
 

@@ -48,5 +48,36 @@ TEST(ExplanationPage, SaysTheVerdictTheCandidatesAndWhatToMeasureNext) {
   EXPECT_THAT(html, Not(HasSubstr("nan")));
 }
 
+// With words of another language no English stands on the page: a reader that turns every sentence round finds none as
+// it was, and every name is asked for.
+TEST(ExplanationPage, SpeaksTheWordsThatItIsGiven) {
+  closedloop::Explanation e;
+  e.verdict = closedloop::Verdict::explained;
+  e.predicted_before = Eigen::VectorXd::Zero(6);
+  e.predicted_after = two_markers().measured;
+  e.effects.push_back({"support-compliance", "", "The bed gives way.", {}, -800, 0.1, 1.0, 0.9, {"preload"}});
+  e.ranking.push_back({"capsule", "", {}, 1, {}, -3, {}, "the solve failed"});
+  e.posterior = {{{"support-compliance"}, false, 0.72}, {{}, true, 0.28}};
+  Words words;
+  words.language = "xx";
+  words.sentence = [](const Sentence& said) {
+    std::string text = "[";
+    for (const std::string& argument : said.arguments) text += argument + "|";
+    return text + "]";
+  };
+  words.effect = [](const std::string& kind) { return "#" + kind.substr(0, 3); };
+  const Page page = explanation_page(e, two_markers(), "A pad", words);
+  EXPECT_EQ(page.language, "xx");
+  const TemporaryFolder folder;
+  ASSERT_TRUE(write_html(folder.path() / "r.html", page));
+  std::string html = read_text_file(folder.path() / "r.html").value();
+  html.erase(html.find("<style>"), html.find("</style>") - html.find("<style>"));
+  for (const char* english : {"Explained", "gives way", "support-compliance", "preload", "capsule", "something else",
+                              "Error", "force", "before", "noise", "Probability", "Glisson"})
+    EXPECT_THAT(html, Not(HasSubstr(english)));
+  EXPECT_THAT(html, HasSubstr("#sup"));
+  EXPECT_THAT(html, HasSubstr("&quot;#pre&quot;"));
+}
+
 }  // namespace
 }  // namespace glisson::report

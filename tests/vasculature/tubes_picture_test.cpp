@@ -2,15 +2,19 @@
 
 #include <gtest/gtest.h>
 #include <algorithm>
+#include <array>
+#include <Eigen/Geometry>
 #include <iostream>
 
 #include "base/stopwatch.h"
 #include "casefile/drawn_vessels.h"
+#include "imaging/volume_file.h"
 #include "known_trees.h"
 #include "meshing/mask_surface.h"
 #include "real_livers.h"
 #include "scene/anatomy.h"
 #include "scene/scene.h"
+#include "support/data.h"
 #include "support/picture_check.h"
 #include "vasculature/center_lines.h"
 
@@ -92,6 +96,62 @@ TEST(ThinVessels, OfARealLiverStayWithinAVoxelOfTheirMask) {
   const auto kept = build_folder() / "pictures";
   (void)scene::write_png(scene::draw(picture_of(*drawn, names.front()), 960, 720).value(), kept / "real-tubes.png");
   (void)scene::write_png(scene::draw(picture_of(outline, names.front()), 960, 720).value(), kept / "real-outline.png");
+}
+
+struct WideVessel {
+  const char* file;
+  const char* name;
+  int label;  // by TotalSegmentator's list of that image's kind
+};
+
+imaging::Mask mask_of(const WideVessel& vessel) {
+  const imaging::LabelMap labels =
+      imaging::read_labels_file(shared_data() / "totalseg_abdomen_mr_ct" / vessel.file).value();
+  imaging::Mask mask{labels.grid, std::vector<std::uint8_t>(labels.values.size())};
+  for (std::size_t i = 0; i < mask.values.size(); ++i) mask.values[i] = labels.values[i] == vessel.label ? 1 : 0;
+  return mask;
+}
+
+// Real venae cavae and aortas, which an image ends: wide all along, flat here and there, cut off straight. The edges of
+// their cut ends are no thin vessels, and nothing of them is drawn as one.
+TEST(ThinVessels, AreNotTheEdgesOfAWideVesselWhereTheImageEndsIt) {
+  GLISSON_NEEDS_DATA("totalseg_abdomen_mr_ct");
+  const std::vector<WideVessel> all{{"example_seg_fast_force_split.nii.gz", "vena-cava", 63},
+                                    {"example_seg_fast_force_split.nii.gz", "aorta", 52},
+                                    {"example_seg.nii.gz", "vena-cava", 63},
+                                    {"example_seg.nii.gz", "aorta", 52},
+                                    {"example_seg_dicom.nii.gz", "vena-cava", 63},
+                                    {"example_seg_dicom.nii.gz", "aorta", 52},
+                                    {"example_seg_mr.nii.gz", "vena-cava", 24},
+                                    {"example_seg_mr.nii.gz", "aorta", 23}};
+  for (const WideVessel& one : all) {
+    const segmentation::Structure vessel{"vena-cava", {}, mask_of(one)};
+    const Surface outline = meshing::mask_surface(vessel.mask).value();
+    EXPECT_FALSE(casefile::drawn_vessel(vessel, outline)) << one.name << " of " << one.file;
+  }
+}
+
+// The vessels of this liver hold the vena cava, which thins out to a sheet above, where whoever drew it stopped. There
+// it stays as it is outlined, point by point, and no line that runs up the sheet is drawn as a vessel.
+TEST(ThinVessels, AreNotTheRibsOfASheetWhereAVenaCavaEnds) {
+  GLISSON_NEEDS_DATA("livers_couinaud");
+  const segmentation::Structure vessels{"vessels", {}, read_real_liver("3Dircadb-12").vessels};
+  const Surface outline = meshing::mask_surface(vessels.mask).value();
+  const auto drawn = casefile::drawn_vessel(vessels, outline);
+  ASSERT_TRUE(drawn);
+  const Eigen::AlignedBox3d end_mm(Eigen::Vector3d(140, 165, 238), Eigen::Vector3d(160, 180, 250));
+  const auto there = [&](const Surface& surface) {
+    std::vector<std::array<double, 3>> points_mm;
+    for (const Eigen::Vector3d& p : surface.points_mm) {
+      if (end_mm.contains(p)) points_mm.push_back({p.x(), p.y(), p.z()});
+    }
+    std::sort(points_mm.begin(), points_mm.end());
+    return points_mm;
+  };
+  EXPECT_GT(there(outline).size(), 500u);
+  EXPECT_EQ(there(*drawn), there(outline));
+  (void)scene::write_png(scene::draw(picture_of(*drawn, "Where a vena cava ends"), 960, 720).value(),
+                         build_folder() / "pictures" / "vena-cava-end.png");
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ TEST(Tubes, AThinBranchIsOneClosedTubeOfItsRadiusAndTheThickOneKeepsItsSurface) 
   const auto graph = center_lines(mask).value();
   const TubeOptions options{.thin_mm = thin_radius_mm(mask.grid.spacing_mm)};
   EXPECT_NEAR(options.thin_mm, 1.2, 1e-12);
-  const auto drawn = with_tubes(outline, graph, options);
+  const auto drawn = with_tubes(mask, outline, graph, options);
   ASSERT_TRUE(drawn);
   EXPECT_TRUE(geometry::check_surface(*drawn));
 
@@ -75,7 +75,8 @@ TEST(Tubes, AThinBranchIsOneClosedTubeOfItsRadiusAndTheThickOneKeepsItsSurface) 
 TEST(Tubes, WhereNothingIsThinNothingIsDrawnAnew) {
   const Mask mask = trunk_with_twig(0);
   const auto outline = meshing::mask_surface(mask).value();
-  EXPECT_FALSE(with_tubes(outline, center_lines(mask).value(), {.thin_mm = thin_radius_mm(mask.grid.spacing_mm)}));
+  EXPECT_FALSE(
+      with_tubes(mask, outline, center_lines(mask).value(), {.thin_mm = thin_radius_mm(mask.grid.spacing_mm)}));
 }
 
 // A tree of one and a half voxels all along is made of tubes alone, in one piece where its outline falls apart.
@@ -84,7 +85,7 @@ TEST(Tubes, WhatIsThinEverywhereIsTubesAlone) {
   std::fill(mask.values.begin(), mask.values.end(), std::uint8_t{0});
   draw(mask, twig_from, twig_to, 0.75);
   const auto outline = meshing::mask_surface(mask).value();
-  const auto drawn = with_tubes(outline, center_lines(mask).value(), {.thin_mm = 1.2});
+  const auto drawn = with_tubes(mask, outline, center_lines(mask).value(), {.thin_mm = 1.2});
   ASSERT_TRUE(drawn);
   for (const geometry::Surface& piece : geometry::connected_pieces(*drawn)) EXPECT_TRUE(is_watertight(piece));
 }

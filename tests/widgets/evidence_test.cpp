@@ -32,6 +32,7 @@
 #include "widgets/evidence/svg_view.h"
 #include "widgets/main_window.h"
 #include "widgets/words/language.h"
+#include "widgets/words/paths.h"
 
 namespace glisson::widgets {
 namespace {
@@ -299,7 +300,7 @@ class EvidenceTest : public QObject {
     fs::copy(tissue / "quick.csv", folder_ / "one-trial" / "quick.csv");
     QVERIFY(bool(write_json_file(folder_ / "one-trial" / "experiment.json", experiment)));
     finish([&] { view_->open(folder_ / "one-trial" / "experiment.json"); });
-    const EvidenceRecord& record = *view_->record();
+    const EvidenceRecord record = *view_->record();
     QVERIFY(record.notes.size() > 1);
     const QString first = QString::fromStdString(record.notes.front().text).section("{", -1).section("}", -1);
     const QLabel* said = nullptr;
@@ -332,6 +333,39 @@ class EvidenceTest : public QObject {
     QTest::qWait(50);
     QCOMPARE(said->text(), english_notes);
     QCOMPARE(child<QLabel>("next_measurement")->text(), english_next);
+  }
+
+  // The page that the window saves: its words, those of its drawings and the names of effects are the window's, and
+  // nothing of it is English. The title is the experiment's own, and parameters keep the names that files give them.
+  void saves_the_page_in_the_language_of_the_window() {
+    finish([this] { QTest::mouseClick(child<QPushButton>("evidence_example"), Qt::LeftButton); });
+    const auto page = [this] {
+      return QString::fromStdString(read_text_file(view_->record()->folder / "report.html").value());
+    };
+    const auto words_of = [this](QString html) {
+      html.remove(QRegularExpression("<style>.*?</style>", QRegularExpression::DotMatchesEverythingOption));
+      html.replace(QRegularExpression("<[^>]*>"), "\n");
+      QString title = QString::fromStdString(view_->record()->title);
+      return html.remove(title);
+    };
+    QVERIFY(page().contains("lang=\"en\""));
+    QVERIFY(page().contains("Stiffens as it deforms") && !page().contains("strain-stiffening"));
+    static const QRegularExpression english(
+        "\\b(the|and|with|of|what|before|after|noise|left|effect|value|stress|strain|next|trial|trials|remark)"
+        "\\b",
+        QRegularExpression::CaseInsensitiveOption);
+    for (const char* language : {"de", "es", "fr"}) {
+      choose_language(language);
+      QTRY_VERIFY(page().contains(QString("lang=\"%1\"").arg(language)));
+      QVERIFY(bool(
+          write_text_file(path_of(pictures_) / (std::string("evidence_") + language + ".html"), page().toStdString())));
+      const QString words = words_of(page());
+      QVERIFY2(words.contains(effect_label("strain-stiffening")), qPrintable(words));
+      const auto found = english.match(words);
+      QVERIFY2(!found.hasMatch(), qPrintable(words.mid(found.capturedStart() - 60, 120)));
+    }
+    choose_language("en");
+    QTRY_VERIFY(page().contains("lang=\"en\""));
   }
 
   // Whatever trial Glisson proposes next, of tissue in a machine, under a finger or of a battery, is told in German

@@ -51,6 +51,26 @@ class ViewsTest : public QObject {
     QTest::qWait(50);
   }
 
+  // Labels that were just imported come into space after the view was asked to frame them; a turned view stays.
+  void frames_the_first_that_comes_into_an_empty_space() {
+    SpaceView& space = views().space();
+    space.show_scene({});
+    space.frame_all();
+    QVERIFY(space.view().camera().visible_height_mm < 10);
+    scene::Scene block;
+    block.surfaces.emplace_back();
+    block.surfaces.back().name = "liver";
+    block.surfaces.back().surface = block_patient({3, 2, 2}, {}, {}).structures.front().surface;
+    space.show_scene(block);
+    const geometry::Box box = geometry::bounding_box(block.surfaces.back().surface->points_mm);
+    QVERIFY(space.view().camera().visible_height_mm > (box.max_mm - box.min_mm).minCoeff());
+    QTest::keyClick(&space, Qt::Key_Left);
+    const scene::Camera turned = space.view().camera();
+    space.show_scene({});
+    space.show_scene(block);
+    QVERIFY(space.view().camera().sight == turned.sight);
+  }
+
   // Off until somebody asks for it, and gone again with a second click.
   void shows_the_scan_behind_the_patient() {
     Patient patient = block_patient({3, 2, 2}, {{"hilum", {8, 40, 40}}}, {});

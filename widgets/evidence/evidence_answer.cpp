@@ -141,6 +141,11 @@ void EvidenceAnswer::show_record(std::shared_ptr<const EvidenceRecord> record,
   }
 }
 
+void EvidenceAnswer::reword(std::shared_ptr<const EvidenceRecord> record) {
+  record_ = std::move(record);
+  show_drawings();
+}
+
 void EvidenceAnswer::show_residual() {
   if (!explained_ || trial_->currentIndex() < 0) return;
   const auto made = residual_scene(*explained_, static_cast<std::size_t>(trial_->currentIndex()),

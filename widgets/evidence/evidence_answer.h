@@ -28,6 +28,8 @@ class EvidenceAnswer : public QScrollArea {
   // `explained` where it was computed now: then what is left is shown in space too.
   void show_record(std::shared_ptr<const EvidenceRecord> record,
                    std::shared_ptr<const closedloop::Explained> explained = nullptr);
+  // The same in another language: drawings hold words too.
+  void reword(std::shared_ptr<const EvidenceRecord> record);
   [[nodiscard]] FoundTree& found() { return *found_; }
   [[nodiscard]] SpaceView& residual_space() { return *space_; }
 

@@ -12,8 +12,10 @@
 #include "widgets/evidence/effect_words.h"
 #include "widgets/panels/ask_path.h"
 #include "widgets/panels/parts.h"
+#include "widgets/report/page_words.h"
 #include "widgets/session/load_patient.h"
 #include "widgets/words/keep_translated.h"
+#include "widgets/words/language.h"
 #include "widgets/words/paths.h"
 #include "widgets/words/translated.h"
 
@@ -51,7 +53,10 @@ EvidenceView::EvidenceView(WorkspaceContext context, QWidget* parent) : QWidget(
     time_left_->clear();
     word_state();
   });
-  keep_translated(this, [this] { word_state(); });
+  keep_translated(this, [this] {
+    word_state();
+    reword_page();
+  });
 }
 
 Workspace EvidenceView::workspace(WorkspaceContext context) {
@@ -172,17 +177,20 @@ void EvidenceView::explain(const fs::path& experiment) {
   const fs::path to = scratch_->path() / std::to_string(++made_here_);
   const bool begun = context_.work.start(tr("Explaining %1").arg(text_of(experiment.filename())),
                                          [this, experiment, to](const Progress& progress) -> BackgroundWork::Then {
+                                           QString language;
                                            auto explained = closedloop::explain(experiment, progress);
                                            Result<void> written;
                                            std::shared_ptr<const closedloop::Explained> shared;
                                            if (explained) {
                                              shared = std::make_shared<closedloop::Explained>(*std::move(explained));
-                                             written = report::write_explanation(to, *shared);
+                                             language = spoken_language();
+                                             written = report::write_explanation(to, *shared, words_of_the_window());
                                            } else {
                                              written = failure(std::move(explained.error()));
                                            }
-                                           return [this, to, shared, written] {
+                                           return [this, to, shared, written, language] {
                                              if (!written) return context_.tell_error(written.error());
+                                             page_language_ = language;
                                              show_report(to, shared);
                                            };
                                          });
@@ -196,11 +204,25 @@ void EvidenceView::show_report(const fs::path& folder, std::shared_ptr<const clo
   auto read = read_evidence(folder);
   if (!read) return context_.tell_error(read.error());
   record_ = std::make_shared<EvidenceRecord>(*std::move(read));
+  explained_ = explained;
   right_->setCurrentWidget(answer_);
   answer_->show_record(record_, std::move(explained));
   comparison_->hide();
   weigh();
   word_state();
+  reword_page();
+}
+
+void EvidenceView::reword_page() {
+  if (!explained_ || page_language_ == spoken_language()) return;
+  page_language_ = spoken_language();
+  if (auto written = report::write_explanation(record_->folder, *explained_, words_of_the_window()); !written) {
+    return context_.tell_error(written.error());
+  }
+  auto read = read_evidence(record_->folder);
+  if (!read) return context_.tell_error(read.error());
+  record_ = std::make_shared<EvidenceRecord>(*std::move(read));
+  answer_->reword(record_);
 }
 
 void EvidenceView::show_patient(const Patient& patient) {

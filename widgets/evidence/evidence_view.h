@@ -39,6 +39,8 @@ class EvidenceView : public QWidget {
   QWidget* make_beginning();
   void explain(const std::filesystem::path& experiment);
   void show_report(const std::filesystem::path& folder, std::shared_ptr<const closedloop::Explained> explained);
+  // What was explained here puts its page into the window's language anew.
+  void reword_page();
   void show_comparison(const closedloop::Prediction& declared, const closedloop::Prediction& better);
   // What the record would do to the patient's organ, and whether it is of this patient.
   void weigh();
@@ -56,6 +58,8 @@ class EvidenceView : public QWidget {
   WorkspaceContext context_;
   Patient patient_;
   std::shared_ptr<const EvidenceRecord> record_;
+  std::shared_ptr<const closedloop::Explained> explained_;  // absent for a report that was opened
+  QString page_language_;                                   // of what was explained here
   std::optional<closedloop::LearntOrgan> weighed_;  // absent without a patient's model, or where nothing was learnt
   const Result<TemporaryFolder> scratch_ = TemporaryFolder::make();  // reports made here until they are saved
   int made_here_ = 0;

@@ -13,6 +13,7 @@
 #include "widgets/panels/ask_path.h"
 #include "widgets/panels/parts.h"
 #include "widgets/report/page_document.h"
+#include "widgets/report/page_words.h"
 #include "widgets/resect/resection_scene.h"
 #include "widgets/settings/settings.h"
 #include "widgets/words/keep_translated.h"
@@ -41,13 +42,6 @@ std::optional<report::RehearsedRetraction> retraction_of(const LiveRehearsal& re
     if (k < state->differences.size()) made.landmarks.back().atlas_off_mm = state->differences[k].difference_mm;
   }
   return made;
-}
-
-// The window's language and names, for what the core writes.
-report::Words words_of_the_window() {
-  return {.language = spoken_language().toStdString(),
-          .sentence = [](const Sentence& said) { return translated(said).toStdString(); },
-          .name = [](const std::string& id) { return structure_label(id).toStdString(); }};
 }
 
 }  // namespace

@@ -271,12 +271,16 @@ void LiveRehearsal::post_tool() {
   Q_EMIT state_changed();
 }
 
-// What only came nearer to rest takes the place of its first picture.
+// What only came nearer to rest, or is compared now, takes the place of its first picture.
 void LiveRehearsal::record(std::shared_ptr<const rehearsal::SessionState> contact) {
   Moment moment = moment_of(tools_, contact ? state_of(*contact) : *state_);
   const auto asked = [](const rehearsal::SessionState& state) { return state.number - state.settles; };
   const auto* last = track_.empty() ? nullptr : track_.moments().back().contact.get();
-  if (contact && contact->settles > 0 && last != nullptr && asked(*last) == asked(*contact)) {
+  const bool nearer_to_rest = contact && contact->settles > 0 && last != nullptr && asked(*last) == asked(*contact);
+  const bool compared_now = contact && contact->atlas && last != nullptr && !last->atlas &&
+                            track_.moments().back().tools == moment.tools &&
+                            (last->cut ? last->cut->advances : 0) == (contact->cut ? contact->cut->advances : 0);
+  if (nearer_to_rest || compared_now) {
     moment.tools = track_.moments().back().tools;
     moment.contact = std::move(contact);
     track_.replace_last(std::move(moment));

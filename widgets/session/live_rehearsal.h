@@ -2,8 +2,8 @@
 // The rehearsal as the window lives it. Tools are placed off the UI thread; force and direction change at once.
 // All that is done is recorded, and any moment of it can be seen again.
 //
-// The reference body is made when the first tool is placed: until it is there, answers are of the patient alone, and
-// more is being solved for.
+// The reference body is made when the first tool is placed, or a session begins: until it is there, answers are of the
+// patient alone, and more is being solved for.
 //
 // A tool either spreads its force over a patch (one tool), or is the rigid thing itself in contact (several tools). At
 // small deformations every answer to a patch is exact and comes in a millisecond; all else is answered by a session

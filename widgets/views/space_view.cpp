@@ -111,8 +111,11 @@ void SpaceView::look_from(scene::PatientView side) {
 }
 
 void SpaceView::show_scene(const scene::Scene& scene) {
+  const bool held_nothing = scene_.surfaces.empty();
   scene_ = scene;
   if (auto shown = view().show(scene); !shown) return;
+  // Nothing was there to be framed when it was asked for.
+  if (keeps_all_in_view_ && held_nothing && !scene_.surfaces.empty()) look_from(scene::PatientView::surgeon);
   if (coarse_) view().set_detail(scene::Detail::coarse);
   redraw();
 }

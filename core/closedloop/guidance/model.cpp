@@ -146,13 +146,17 @@ std::vector<Effect> catalogue_of(const Guidance& experiment, const SpecimenBody&
                            (effect.kind == palpation::force_bias && pushed);
     if (!of_frames) continue;
     if (effect.kind == palpation::stiffness_scale)
-      effect.sentence = "The whole organ is stiffer or softer than declared, everywhere by the same factor.";
+      effect.sentence =
+          GLISSON_TEXT("The whole organ is stiffer or softer than declared, everywhere by the same factor.");
     if (effect.kind == palpation::support_compliance)
-      effect.sentence = "What holds the organ gives way like a spring: all of it moves when a tool moves it.";
+      effect.sentence =
+          GLISSON_TEXT("What holds the organ gives way like a spring: all of it moves when a tool moves it.");
     if (effect.kind == palpation::frame_misalignment)
-      effect.sentence = "The camera stands elsewhere than declared: everything is seen turned and shifted alike.";
+      effect.sentence =
+          GLISSON_TEXT("The camera stands elsewhere than declared: everything is seen turned and shifted alike.");
     if (effect.kind == palpation::force_bias)
-      effect.sentence = "The tools push with another force than declared, by the same factor in all frames.";
+      effect.sentence =
+          GLISSON_TEXT("The tools push with another force than declared, by the same factor in all frames.");
     catalogue.push_back(std::move(effect));
   }
   return catalogue;

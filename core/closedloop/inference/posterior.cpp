@@ -182,48 +182,54 @@ std::string name_of(const WeighedExplanation& weighed) {
 namespace {
 
 std::string in_percent(double probability) {
-  if (probability > 0.995) return "more than 99 %";
-  if (probability < 0.01) return "less than 1 %";
-  return fmt::format("{:.0f} %", 100 * probability);
-}
-
-std::string and_next(const Posterior& posterior) {
-  if (posterior.size() < 2 || posterior[1].probability < 0.01) return ".";
-  return fmt::format("; next comes: {}, {}.", name_of(posterior[1]), in_percent(posterior[1].probability));
+  return fmt::format("{}{:.0f} %",
+                     probability > 0.995  ? "> "
+                     : probability < 0.01 ? "< "
+                                          : "",
+                     std::clamp(100 * probability, 1.0, 99.0));
 }
 
 }  // namespace
 
-std::string posterior_sentence(const Explanation& explanation) {
-  if (explanation.posterior.empty()) return "";
+Sentence posterior_sentence(const Explanation& explanation, const NameOfExplanation& name) {
+  if (explanation.posterior.empty()) return {};
   const Posterior& all = explanation.posterior;
+  const auto called = [&](const WeighedExplanation& weighed) { return name ? name(weighed) : name_of(weighed); };
   const WeighedExplanation& leading = all.front();
   const std::string much = in_percent(leading.probability);
   if (agrees(explanation)) {
+    const bool more = all.size() > 1 && all[1].probability >= 0.01;
+    std::vector<std::string> figures{called(leading), much};
+    if (more) figures.insert(figures.end(), {called(all[1]), in_percent(all[1].probability)});
     switch (explanation.verdict) {
       case Verdict::nothing_missing:
-        return fmt::format("Probability that nothing is missing: {}{}", much, and_next(all));
-      case Verdict::explained: return fmt::format("Probability of {}: {}{}", name_of(leading), much, and_next(all));
+        return {more ? GLISSON_TEXT("Probability that nothing is missing: {1}; next comes: {2}, {3}.")
+                     : GLISSON_TEXT("Probability that nothing is missing: {1}."),
+                figures};
+      case Verdict::explained:
+        return {more ? GLISSON_TEXT("Probability of {0}: {1}; next comes: {2}, {3}.")
+                     : GLISSON_TEXT("Probability of {0}: {1}."),
+                figures};
       default:
-        return fmt::format("Probability that something acts which is not in the catalogue: {}{}", much, and_next(all));
+        return {more ? GLISSON_TEXT("Probability that something acts which is not in the catalogue: {1}; next comes: "
+                                    "{2}, {3}.")
+                     : GLISSON_TEXT("Probability that something acts which is not in the catalogue: {1}."),
+                figures};
     }
   }
   switch (explanation.verdict) {
     case Verdict::nothing_missing:
-      return fmt::format(
-          "What is left passes every test for noise, and yet weighing all explanations finds a weak sign of {} ({}): "
-          "only further trials could tell.",
-          name_of(leading), much);
+      return {GLISSON_TEXT("What is left passes every test for noise, and yet weighing all explanations finds a weak "
+                           "sign of {0} ({1}): only further trials could tell."),
+              {called(leading), much}};
     case Verdict::explained:
-      return fmt::format(
-          "What was found suffices, but weighing all explanations, {} is likelier ({}): take the name as one of "
-          "several that these data allow.",
-          name_of(leading), much);
+      return {GLISSON_TEXT("What was found suffices, but weighing all explanations, {0} is likelier ({1}): take the "
+                           "name as one of several that these data allow."),
+              {called(leading), much}};
     default:
-      return fmt::format(
-          "Among all explanations {} weighs most ({}), but it does not pass as a cause: it leaves too much, or a "
-          "function without a cause does about as well. Do not build on it.",
-          name_of(leading), much);
+      return {GLISSON_TEXT("Among all explanations {0} weighs most ({1}), but it does not pass as a cause: it leaves "
+                           "too much, or a function without a cause does about as well. Do not build on it."),
+              {called(leading), much}};
   }
 }
 

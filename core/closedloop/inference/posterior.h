@@ -2,10 +2,12 @@
 // A probability for each explanation, by the evidence of each (laplace.h, smooth_rest.h) and what was believed before
 // anything was measured (PosteriorOptions). It stands beside the verdict, which has rules of its own.
 
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "base/progress.h"
+#include "base/sentence.h"
 #include "closedloop/experiment/forward_model.h"
 #include "closedloop/inference/diagnosis_options.h"
 #include "closedloop/inference/explanation.h"
@@ -32,11 +34,12 @@ Result<Posterior> posterior(const Weighing& weighing, std::vector<LocalFit> cons
 // Whether the likeliest explanation is what the verdict says, or one that the data cannot tell from it.
 [[nodiscard]] bool agrees(const Explanation& explanation);
 
-// For a person, what follows the verdict: how probable it is, or, where another is likelier, what to make of that.
-// Empty where nothing was weighed.
-[[nodiscard]] std::string posterior_sentence(const Explanation& explanation);
-
 // "nothing is missing", "stiffness-scale and hysteresis", "something else".
 [[nodiscard]] std::string name_of(const WeighedExplanation& weighed);
+
+// For a person, what follows the verdict: how probable it is, or, where another is likelier, what to make of that.
+// Empty where nothing was weighed. `name` is how it calls an explanation, name_of unless another is given.
+using NameOfExplanation = std::function<std::string(const WeighedExplanation&)>;
+[[nodiscard]] Sentence posterior_sentence(const Explanation& explanation, const NameOfExplanation& name = {});
 
 }  // namespace glisson::closedloop

@@ -14,6 +14,7 @@
 #include "mechanics/solvers/internal/fill_in.h"
 #include "mechanics/solvers/internal/principal_part.h"
 #include "mechanics/solvers/internal/single_precision_factor.h"
+#include "mechanics/solvers/internal/supernodes.h"
 
 namespace glisson::mechanics {
 namespace {
@@ -127,6 +128,9 @@ cholmod_sparse view_of(const Eigen::SparseMatrix<double>& lower) {
 
 double gigabytes(double bytes) { return bytes / (1 << 30); }
 
+// Of a panel, in columns: narrower ones waste still less, and take more time to be put together.
+constexpr int widest_panel = 256;
+
 // METIS's order of the others, then the last ones as they stand.
 std::vector<int> order_with_last(const Eigen::SparseMatrix<double>& lower, const std::vector<int>& last,
                                  cholmod_common& common);
@@ -153,14 +157,17 @@ Result<CholeskyFactor> CholeskyFactor::create(const Eigen::SparseMatrix<double>&
     common.method[0].ordering = CHOLMOD_GIVEN;
     common.postorder = 0;  // METIS's is in postorder already, and the last ones must stay where they are
     state->factor = cholmod_analyze_p(&matrix, order.data(), nullptr, 0, &common);
+    if (state->factor != nullptr) split_wide_supernodes(*state->factor, widest_panel, common);
     state->last = static_cast<int>(last.size());
   } else if (known && known->belongs_to(matrix)) {
     state->factor = known->empty_factor(common);
     state->order = std::move(known);
   } else {
     state->factor = cholmod_analyze(&matrix, &common);
-    if (state->factor != nullptr)
+    if (state->factor != nullptr) {
+      split_wide_supernodes(*state->factor, widest_panel, common);
       state->order = std::make_shared<const EliminationOrder>(matrix, state->factor, common);
+    }
   }
   const double corner_bytes = 8.0 * static_cast<double>(last.size()) * static_cast<double>(last.size());
   const double needed_bytes = state->order ? 8.0 * state->order->entries : 8.0 * common.lnz + corner_bytes;

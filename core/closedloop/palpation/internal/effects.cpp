@@ -109,14 +109,14 @@ Effect stiffness_scale() {
   return {palpation::stiffness_scale,
           "",
           {{"factor", 1, 0.05, 20, 0.5, 2, Scale::logarithmic}},
-          "The whole specimen is stiffer or softer than declared, everywhere by the same factor.",
+          GLISSON_TEXT("The whole specimen is stiffer or softer than declared, everywhere by the same factor."),
           {values({1.1})}};
 }
 
 std::vector<Effect> strain_stiffening() {
-  const std::string sentence =
+  const std::string sentence = GLISSON_TEXT(
       "The tissue stiffens the further it is strained: pressing twice as hard dents it less "
-      "than twice as deep.";
+      "than twice as deep.");
   const auto form = [&](const std::string& name, const Parameter& coefficient, double start) {
     return Effect{palpation::strain_stiffening, name, {coefficient}, sentence, {values({start})}};
   };
@@ -136,16 +136,17 @@ Effect support_compliance(const Sizes& sizes, const SpecimenBody& specimen) {
   return {palpation::support_compliance,
           "",
           {{"foundation_kPa_per_mm", held, 1e-3 * usual, held, 0.1 * usual, 10 * usual, Scale::logarithmic}},
-          "What holds the specimen gives way like a spring: all of it moves a little when it is pressed.",
+          GLISSON_TEXT("What holds the specimen gives way like a spring: all of it moves a little when it is pressed."),
           {values({usual})}};
 }
 
 Effect stiff_inclusion(const Sizes& sizes) {
-  Effect effect{palpation::stiff_inclusion,
-                "",
-                {},
-                "Somewhere inside lies a stiff lump, as a tumour would: around it the specimen moves less.",
-                {}};
+  Effect effect{
+      palpation::stiff_inclusion,
+      "",
+      {},
+      GLISSON_TEXT("Somewhere inside lies a stiff lump, as a tumour would: around it the specimen moves less."),
+      {}};
   const Eigen::Vector3d center = sizes.box.center();
   for (int d = 0; d < 3; ++d) {
     const double low = sizes.box.min()[d], high = sizes.box.max()[d];
@@ -164,7 +165,7 @@ Effect creep(const Sizes& sizes, int terms) {
   Effect effect{palpation::viscoelastic_creep,
                 terms == 1 ? palpation::form_prony_1 : palpation::form_prony_2,
                 {},
-                "The tissue creeps: held under a steady force it goes on giving way for a while.",
+                GLISSON_TEXT("The tissue creeps: held under a steady force it goes on giving way for a while."),
                 {}};
   for (int i = 0; i < terms; ++i) effect.parameters.push_back({"amplitude", 0, 0, 20, 0, 1, Scale::linear});
   for (int i = 0; i < terms; ++i) {
@@ -186,20 +187,22 @@ Effect force_bias(const Sizes& sizes, const Palpation& experiment) {
   const double untouched_N = units::N_from_mN(untouched_reading_mN(experiment));
   const double known_within_N = std::max(0.01 * sizes.largest_force_N, 1e-6);
   const double low = std::min(0.0, untouched_N - known_within_N), high = std::max(0.0, untouched_N + known_within_N);
-  return {palpation::force_bias,
-          "",
-          {{"zero_N", 0, low, high, -0.1 * sizes.largest_force_N, 0.1 * sizes.largest_force_N, Scale::linear},
-           {"gain", 1, 0.1, 10, 0.7, 1.4, Scale::logarithmic}},
-          "The load cell is off: it does not read zero when untouched, or it reads too much or too little.",
-          {values({untouched_N, 1.05})}};
+  return {
+      palpation::force_bias,
+      "",
+      {{"zero_N", 0, low, high, -0.1 * sizes.largest_force_N, 0.1 * sizes.largest_force_N, Scale::linear},
+       {"gain", 1, 0.1, 10, 0.7, 1.4, Scale::logarithmic}},
+      GLISSON_TEXT("The load cell is off: it does not read zero when untouched, or it reads too much or too little."),
+      {values({untouched_N, 1.05})}};
 }
 
 Effect frame_misalignment(const Sizes& sizes) {
-  Effect effect{palpation::frame_misalignment,
-                "",
-                {},
-                "The camera's coordinates do not match the specimen's: all markers seem shifted or turned alike.",
-                {Eigen::VectorXd::Zero(6)}};
+  Effect effect{
+      palpation::frame_misalignment,
+      "",
+      {},
+      GLISSON_TEXT("The camera's coordinates do not match the specimen's: all markers seem shifted or turned alike."),
+      {Eigen::VectorXd::Zero(6)}};
   const double far_mm = sizes.box.sizes().norm() + 0.4 * sizes.box.center().norm();
   for (int d = 0; d < 3; ++d) effect.parameters.push_back({"rotation_deg", 0, -20, 20, -3, 3, Scale::linear});
   for (int d = 0; d < 3; ++d) {
@@ -213,15 +216,16 @@ std::vector<Effect> anisotropy(double poisson_ratio) {
   std::vector<Effect> effects;
   for (const std::string& form : {palpation::form_fibres, palpation::form_engineering}) {
     const double lowest = form == palpation::form_fibres ? 0.1 : std::min(0.95, std::max(0.1, 1.05 * definite_above));
-    effects.push_back({palpation::anisotropy,
-                       form,
-                       {{"axis", 0, -2, 2, -1, 1, Scale::linear},
-                        {"axis", 0, -2, 2, -1, 1, Scale::linear},
-                        {"axis", 1, -2, 2, -1, 1, Scale::linear},
-                        {"ratio", 1, lowest, 20, 0.5, 4, Scale::logarithmic}},
-                       "The tissue has a grain: it is stiffer (or softer) along one direction than across it.",
-                       {values({1, 0, 0, 1.3}), values({0, 1, 0, 1.3}), values({0, 0, 1, 1.3})},
-                       form == palpation::form_engineering});
+    effects.push_back(
+        {palpation::anisotropy,
+         form,
+         {{"axis", 0, -2, 2, -1, 1, Scale::linear},
+          {"axis", 0, -2, 2, -1, 1, Scale::linear},
+          {"axis", 1, -2, 2, -1, 1, Scale::linear},
+          {"ratio", 1, lowest, 20, 0.5, 4, Scale::logarithmic}},
+         GLISSON_TEXT("The tissue has a grain: it is stiffer (or softer) along one direction than across it."),
+         {values({1, 0, 0, 1.3}), values({0, 1, 0, 1.3}), values({0, 0, 1, 1.3})},
+         form == palpation::form_engineering});
   }
   return effects;
 }
@@ -231,14 +235,14 @@ Effect capsule(const Sizes& sizes) {
   return {palpation::capsule,
           "",
           {{"stiffness_N_per_mm", 0, 0, 50 * usual, 0, usual, Scale::linear}},
-          "A skin around the specimen (as Glisson's capsule around the liver) carries part of the load.",
+          GLISSON_TEXT("A skin around the specimen (as Glisson's capsule around the liver) carries part of the load."),
           {values({0.05 * usual})}};
 }
 
 std::vector<Effect> preload(const Sizes& sizes) {
-  const std::string sentence =
+  const std::string sentence = GLISSON_TEXT(
       "Something else loaded the specimen while it was measured, and not when its shape was "
-      "taken: its weight, or a pressure around it.";
+      "taken: its weight, or a pressure around it.");
   return {{palpation::preload,
            palpation::form_pressure,
            {{"pressure_kPa", 0, -0.5 * sizes.youngs_kPa, 0.5 * sizes.youngs_kPa, -0.1 * sizes.youngs_kPa,
