@@ -27,6 +27,7 @@ struct LiveSession::Impl {
   std::condition_variable changed;
   std::deque<SessionCommand> waiting;
   bool is_stepping = false, is_settling = false;
+  std::stop_source settling;  // of the Settle under way, which whatever is asked for gives up
   enum class Reference { none, on_its_way, made, compared } reference = Reference::none;
   std::shared_ptr<const SessionState> latest;
   std::optional<Error> error;
@@ -46,6 +47,7 @@ LiveSession::~LiveSession() {
   impl_->thread.request_stop();
   {
     const std::lock_guard lock(impl_->mutex);  // it waits, or will look before it does
+    impl_->settling.request_stop();
   }
   impl_->changed.notify_all();
 }
@@ -107,10 +109,13 @@ void LiveSession::Impl::run(const std::stop_token& closing, RehearsalSetup setup
     }
     is_settling = std::holds_alternative<Settle>(command);
     is_stepping = true;
+    settling = std::stop_source();
+    const Progress given_up({}, settling.get_token());
     lock.unlock();
-    engine->step(command);
+    engine->step(command, given_up);
     lock.lock();
     is_stepping = false;
+    if (engine->shared_state() == latest) continue;  // a Settle that was given up
     latest = engine->shared_state();
     may_prepare = latest->cut != nullptr;
     recording.emplace_back(std::move(command), latest->digest);
@@ -122,6 +127,7 @@ void LiveSession::post(SessionCommand command) {
     const std::lock_guard lock(impl_->mutex);
     if (!impl_->waiting.empty() && replaces(command, impl_->waiting.back())) impl_->waiting.pop_back();
     impl_->waiting.push_back(std::move(command));
+    impl_->settling.request_stop();
   }
   impl_->changed.notify_all();
 }

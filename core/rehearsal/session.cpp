@@ -58,7 +58,7 @@ struct SessionEngine::Impl {
   // The tools go from there to there, in small moves.
   [[nodiscard]] Next way_to(const Tools& from, const Tools& tools) const;
   [[nodiscard]] Result<Moment> moved(const Moment& from, const Tools& tools) const;
-  [[nodiscard]] Result<Moment> nearer_to_rest(const Moment& from) const;
+  [[nodiscard]] Result<Moment> nearer_to_rest(const Moment& from, const Progress& progress = {}) const;
   [[nodiscard]] Result<Moment> cut(const Moment& from, const mechanics::CutStrip& strip) const;
   void forget_the_oldest();
   [[nodiscard]] RehearsalBody shown(const SessionBody& body, const BodyState& state) const;
@@ -107,11 +107,9 @@ Result<SessionEngine> SessionEngine::create(RehearsalSetup setup, const Progress
   return SessionEngine(std::move(parts));
 }
 
-const SessionState& SessionEngine::step(const SessionCommand& command) {
+const SessionState& SessionEngine::step(const SessionCommand& command, const Progress& progress) {
   const auto start = Clock::now();
   Impl& parts = *impl_;
-  ++parts.commands;
-  parts.settles = std::holds_alternative<Settle>(command) ? parts.settles + 1 : 0;
   std::string refused;
   Tools tools = parts.moments.back().tools;
   const auto of_id = [&](const std::string& id) {
@@ -145,9 +143,10 @@ const SessionState& SessionEngine::step(const SessionCommand& command) {
     const bool settles = std::holds_alternative<Settle>(command);
     const auto* advance = std::get_if<AdvanceCut>(&command);
     const Moment& now = parts.moments.back();
-    auto moment = settles              ? parts.nearer_to_rest(now)
+    auto moment = settles              ? parts.nearer_to_rest(now, progress)
                   : advance != nullptr ? parts.cut(now, advance->strip)
                                        : parts.moved(now, tools);
+    if (!moment && settles && progress.cancelled()) return *parts.latest;
     if (!moment) {
       refused = moment.error().message();
     } else if (settles) {
@@ -158,6 +157,8 @@ const SessionState& SessionEngine::step(const SessionCommand& command) {
       if (parts.compares) parts.compare_the_last();
     }
   }
+  ++parts.commands;
+  parts.settles = std::holds_alternative<Settle>(command) ? parts.settles + 1 : 0;
   SessionState state = parts.state_of(parts.moments.back());
   state.number = parts.commands;
   state.settles = parts.settles;
@@ -252,9 +253,10 @@ Result<Moment> SessionEngine::Impl::moved(const Moment& from, const Tools& tools
   return both(from, tools, way_to(from.tools, tools));
 }
 
-Result<Moment> SessionEngine::Impl::nearer_to_rest(const Moment& from) const {
-  return both(from, from.tools,
-              [&](const SessionBody& body, const BodyState& before) { return body.settled(before, from.tools); });
+Result<Moment> SessionEngine::Impl::nearer_to_rest(const Moment& from, const Progress& progress) const {
+  return both(from, from.tools, [&](const SessionBody& body, const BodyState& before) {
+    return body.settled(before, from.tools, progress);
+  });
 }
 
 Result<Moment> SessionEngine::Impl::both(const Moment& from, const Tools& tools, const Next& next) const {

@@ -7,7 +7,8 @@
 //
 // At small strain (RehearsalSetup::law is linear) a state is at rest. At large strain (mechanics/contact/live_body.h) a
 // command gives a first picture with a bound of how far its landmarks are from rest, and Settle brings it nearer; a
-// LiveSession does so by itself while nobody asks for more, and records that it did.
+// LiveSession does so by itself while nobody asks for more, and records that it did; a Settle under way is given up for
+// what is asked, and is in no recording.
 //
 // A LiveSession answers of the patient alone while the reference body is still being made, and then compares.
 //
@@ -102,8 +103,8 @@ class SessionEngine {
   static constexpr int most_settles = 12;
 
   // One step. Large moves are made in small ones, which only the last shows. Undo reaches back over 10,000 steps, at
-  // large strain over 100.
-  const SessionState& step(const SessionCommand& command);
+  // large strain over 100. A Settle that is cancelled has never been: state, number and digest are as before.
+  const SessionState& step(const SessionCommand& command, const Progress& progress = {});
   // The present state at rest, as Settle after Settle makes it; the session stays where it is.
   [[nodiscard]] SessionState settled_state() const;
 

@@ -58,12 +58,13 @@ Result<BodyState> SessionBody::moved(const BodyState& from, const std::vector<Co
   return BodyState(std::make_shared<const ContactState>(std::move(*next)));
 }
 
-Result<BodyState> SessionBody::settled(const BodyState& from, const std::vector<ContactTool>& tools) const {
+Result<BodyState> SessionBody::settled(const BodyState& from, const std::vector<ContactTool>& tools,
+                                       const Progress& progress) const {
   const auto* large = std::get_if<LiveBody>(&body_);
   if (large == nullptr || std::get<LargeState>(from)->settled) return from;
   mechanics::LiveOptions some;
   some.settling_rounds = 3;
-  return large->settle(*std::get<LargeState>(from), tools, some).map([](LiveState state) {
+  return large->settle(*std::get<LargeState>(from), tools, some, progress).map([](LiveState state) {
     return BodyState(std::make_shared<const LiveState>(std::move(state)));
   });
 }

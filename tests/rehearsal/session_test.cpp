@@ -311,6 +311,22 @@ TEST(SessionAtLargeStrain, APatchIsRecordedAndAtSmallStrainRefused) {
 }
 
 // Which of a session's states are the same command brought nearer to rest.
+TEST(SessionAtLargeStrain, ASettleThatIsGivenUpHasNeverBeen) {
+  auto engine = SessionEngine::create(soft_block()).value();
+  const SessionState before = engine.step(HoldTool{probe({30, 40, 44})});
+  ASSERT_FALSE(before.settled);
+  std::stop_source stopped;
+  stopped.request_stop();
+  const SessionState& after = engine.step(Settle{}, Progress({}, stopped.get_token()));
+  EXPECT_EQ(after.digest, before.digest);
+  EXPECT_EQ(after.number, before.number);
+  EXPECT_EQ(after.refused, "");
+  const std::string nearer = engine.step(Settle{}).digest;
+  auto other = SessionEngine::create(soft_block()).value();
+  other.step(HoldTool{probe({30, 40, 44})});
+  EXPECT_EQ(other.step(Settle{}).digest, nearer);
+}
+
 TEST(SessionAtLargeStrain, StatesSayHowOftenTheyWereSettled) {
   auto engine = SessionEngine::create(soft_block()).value();
   EXPECT_EQ(engine.step(HoldTool{probe({35, 40, 44})}).settles, 0u);
@@ -433,6 +449,26 @@ TEST(LiveSession, AtLargeStrainItComesToRestByItselfAndRecordsHow) {
   const auto recording = session.recording();
   EXPECT_TRUE(std::holds_alternative<Settle>(recording.back().first));
   EXPECT_TRUE(session.latest()->atlas);
+  auto engine = SessionEngine::create(soft_block(), {}, reference_in(recording)).value();
+  EXPECT_FALSE(replay(engine, recording).has_value());
+}
+
+TEST(LiveSession, WhatIsAskedForDoesNotWaitForASettleAndReplaysToTheBit) {
+  LiveSession session(soft_block());
+  session.post(HoldTool{probe({30, 40, 45})});
+  int asked = 1;
+  for (int i = 0; i < 3000 && asked < 6; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    if (session.phase() != SessionPhase::settling) continue;
+    session.post(HoldTool{probe({30 + 0.3 * asked, 40, 45})});
+    ++asked;
+  }
+  EXPECT_EQ(asked, 6);
+  for (int i = 0; i < 3000 && !(session.phase() == SessionPhase::ready && session.latest()->settled); ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  ASSERT_TRUE(session.latest()->settled);
+  const auto recording = session.recording();
   auto engine = SessionEngine::create(soft_block(), {}, reference_in(recording)).value();
   EXPECT_FALSE(replay(engine, recording).has_value());
 }

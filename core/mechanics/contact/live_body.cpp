@@ -60,7 +60,7 @@ Result<LiveBody> LiveBody::create(StaticModel model, const ChosenLaw& law, const
   }
   const std::vector<ContactTool> no_tools;
   const LiveOptions usual;
-  auto untouched = LiveStep(parts, standing, no_tools, usual).run(standing, Until::settled);
+  auto untouched = LiveStep(parts, standing, no_tools, usual, {}).run(standing, Until::settled);
   if (!untouched) return failure(std::move(untouched.error()));
   if (!untouched->settled) {
     return failure("not-converged", GLISSON_TEXT("The body has no rest under its standing loads."));
@@ -71,12 +71,12 @@ Result<LiveBody> LiveBody::create(StaticModel model, const ChosenLaw& law, const
 
 Result<LiveState> LiveBody::step(const LiveState& from, const std::vector<ContactTool>& tools,
                                  const LiveOptions& options) const {
-  return LiveStep(*impl_, from, tools, options).run(from, Until::shown);
+  return LiveStep(*impl_, from, tools, options, {}).run(from, Until::shown);
 }
 
 Result<LiveState> LiveBody::settle(const LiveState& from, const std::vector<ContactTool>& tools,
-                                   const LiveOptions& options) const {
-  return LiveStep(*impl_, from, tools, options).run(from, Until::settled);
+                                   const LiveOptions& options, const Progress& progress) const {
+  return LiveStep(*impl_, from, tools, options, progress).run(from, Until::settled);
 }
 
 StaticResult LiveBody::whole_result(const LiveState& state) const {

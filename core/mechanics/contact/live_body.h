@@ -26,6 +26,7 @@
 #include <string>
 #include <vector>
 
+#include "base/progress.h"
 #include "mechanics/contact/contact.h"
 #include "mechanics/scenario/scenario.h"
 
@@ -81,9 +82,9 @@ class LiveBody {
   // (no step leads on without turning cells inside out).
   [[nodiscard]] Result<LiveState> step(const LiveState& from, const std::vector<ContactTool>& tools,
                                        const LiveOptions& options = {}) const;
-  // Until it has come to rest; `settled` says whether it did.
+  // Until it has come to rest; `settled` says whether it did. Failures: those of step, and "cancelled".
   [[nodiscard]] Result<LiveState> settle(const LiveState& from, const std::vector<ContactTool>& tools,
-                                         const LiveOptions& options = {}) const;
+                                         const LiveOptions& options = {}, const Progress& progress = {}) const;
 
   [[nodiscard]] const geometry::Surface& surface() const;
   [[nodiscard]] const StaticModel& model() const;

@@ -26,9 +26,9 @@ class SessionBody {
   [[nodiscard]] BodyState untouched() const;
   // A small move of the tools. Failures: "not-converged" and those of the tools.
   [[nodiscard]] Result<BodyState> moved(const BodyState& from, const std::vector<mechanics::ContactTool>& tools) const;
-  // Some rounds nearer to rest; nothing changes where it rests.
-  [[nodiscard]] Result<BodyState> settled(const BodyState& from,
-                                          const std::vector<mechanics::ContactTool>& tools) const;
+  // Some rounds nearer to rest; nothing changes where it rests. Failures: those of LiveBody::settle.
+  [[nodiscard]] Result<BodyState> settled(const BodyState& from, const std::vector<mechanics::ContactTool>& tools,
+                                          const Progress& progress) const;
   // With a cut opened further. Failures: those of ContactBody::opened; "not-available" at large strain.
   [[nodiscard]] Result<SessionBody> opened(const mechanics::CutStrip& strip) const;
   [[nodiscard]] Result<bool> prepare(const mechanics::CutStrip& ahead) const;  // as ContactBody's

@@ -52,6 +52,7 @@ Result<LiveState> LiveStep::run(const LiveState& from, Until until) {
     if (round == most_rounds || (!settling && round > 0 && state_.error_bound_mm <= options_.shown_mm)) break;
     const VectorXd again_mN = settling && at_rest ? with_tools(now_, state_.u_mm) : r_mN;
     go(direction(levels, again_mN, settling ? options_.settling_gradients : options_.gradients, settling), again_mN);
+    if (progress_.cancelled()) return cancelled();
     if (now_.inverted_points > 0 && !settling) {
       return failure("not-converged",
                      GLISSON_TEXT("The step would turn cells inside out ({0}): a tool goes too far into the body."),
@@ -299,7 +300,7 @@ VectorXd LiveStep::direction(const SplineLevels::WithRows& levels, const VectorX
   p = z;
   double rho = left.dot(z);
   const double first_rho = rho;
-  for (int done = 0; done < gradients && rho > 0;) {
+  for (int done = 0; done < gradients && rho > 0 && !progress_.cancelled();) {
     // Differences of the force over a thousandth of a millimetre: seven digits of it are left, and CG needs three.
     const double size = p.head(n_).cwiseAbs().maxCoeff();
     const double h = size > 0 ? 1e-3 / size : 1.0;

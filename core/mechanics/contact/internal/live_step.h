@@ -67,8 +67,13 @@ enum class Until { shown, settled };
 class LiveStep {
  public:
   LiveStep(const LiveParts& parts, const LiveState& from, const std::vector<ContactTool>& tools,
-           const LiveOptions& options)
-      : parts_(parts), tools_(tools), options_(options), n_(parts.unknowns()), dead_mN_(parts.standing.dead_mN) {
+           const LiveOptions& options, Progress progress)
+      : parts_(parts),
+        tools_(tools),
+        options_(options),
+        progress_(std::move(progress)),
+        n_(parts.unknowns()),
+        dead_mN_(parts.standing.dead_mN) {
     state_.u_mm = from.u_mm;
     state_.report.largest_strain = from.report.largest_strain;
   }
@@ -120,6 +125,7 @@ class LiveStep {
   const LiveParts& parts_;
   const std::vector<ContactTool>& tools_;
   const LiveOptions& options_;
+  Progress progress_;
   Eigen::Index n_;
   Eigen::VectorXd dead_mN_;  // standing loads, patches, and jaws that pull
   LiveState state_;
