@@ -114,6 +114,8 @@ class ViewsTest : public QObject {
       space.redraw();
       QTest::qWait(20);
     }
+    space.shape_moved();
+    QVERIFY(space.picture() == before);  // nor does haste show in what leaves the screen, as a film's pictures do
     QTest::qWait(600);
     QVERIFY(space.picture() == before);
   }

@@ -154,12 +154,14 @@ QImage RenderWidget::as_large_as_shown(const QImage& frame) const {
 }
 
 QImage RenderWidget::picture() {
+  draw_finely();
   show_frame(draw_now(*take_changes()));
   return as_large_as_shown(frame_);
 }
 
 QImage RenderWidget::smooth_picture() {
   constexpr int oversampling = 2;
+  draw_finely();
   const Drawn drawn = draw_now(*take_changes(oversampling));
   // The view counts in its own pixels again.
   view_.set_pixel_scale(devicePixelRatioF());

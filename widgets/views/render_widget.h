@@ -48,6 +48,8 @@ class RenderWidget : public QWidget {
 
   // 2 to draw at half the size each way and enlarge: coarser, and four times as fast where pixels are what takes time.
   [[nodiscard]] virtual int shrink() const { return 1; }
+  // From the next frame on as finely as can be: what leaves the screen never shows what haste has left out.
+  virtual void draw_finely() {}
 
   // A widget position (logical pixels) in the device pixels that the view counts in.
   [[nodiscard]] QPointF device_position(const QPointF& position) const { return position * devicePixelRatioF(); }

@@ -28,8 +28,7 @@ SpaceView::SpaceView(QWidget* parent) : RenderWidget(parent) {
     if (!coarse_) full_frame_ms_ = last_frame_ms();
   });
   connect(&calm_, &QTimer::timeout, this, [this] {
-    coarse_ = false;
-    view().set_detail(scene::Detail::full);
+    draw_finely();
     redraw();
   });
 }
@@ -46,6 +45,12 @@ void SpaceView::hurry() {
 void SpaceView::shape_moved() {
   if (since_moved_.isValid() && since_moved_.elapsed() < calm_after_ms) hurry();
   since_moved_.start();
+}
+
+void SpaceView::draw_finely() {
+  calm_.stop();
+  coarse_ = false;
+  view().set_detail(scene::Detail::full);
 }
 
 int SpaceView::shrink() const {

@@ -53,6 +53,7 @@ class SpaceView : public RenderWidget {
   void resizeEvent(QResizeEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   [[nodiscard]] int shrink() const override;
+  void draw_finely() override;
 
  private:
   enum class Grip { none, touch, free_end };
