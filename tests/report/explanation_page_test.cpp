@@ -26,16 +26,21 @@ closedloop::Observations two_markers() {
   return all;
 }
 
-TEST(ExplanationPage, SaysTheVerdictTheCandidatesAndWhatToMeasureNext) {
-  const TemporaryFolder folder;
+closedloop::Explanation a_bed_that_gives_way() {
   closedloop::Explanation e;
   e.verdict = closedloop::Verdict::explained;
   e.predicted_before = Eigen::VectorXd::Zero(6);
   e.predicted_after = two_markers().measured;
   e.effects.push_back({"support-compliance", "", "The bed gives way.", {}, -800, 0.1, 1.0, 0.9, {"preload"}});
   e.ranking.push_back({"capsule", "", {}, 1, {}, -3, {}, "the solve failed"});
-  e.next = closedloop::NextMeasurement{{"Press at the rim.", {}}, {"preload"}, 12};
   e.posterior = {{{"support-compliance"}, false, 0.72}, {{}, true, 0.28}};
+  return e;
+}
+
+TEST(ExplanationPage, SaysTheVerdictTheCandidatesAndWhatToMeasureNext) {
+  const TemporaryFolder folder;
+  closedloop::Explanation e = a_bed_that_gives_way();
+  e.next = closedloop::NextMeasurement{{"Press at the rim.", {}}, {"preload"}, 12};
   e.smallest_visible = {{"capsule", "", "stiffness_N_per_mm", 0, 0, 0.125},
                         {"preload", "gravity", "gravity_m_s2", 2, 0, {}}};
   const Page page = explanation_page(e, two_markers(), "A <pad>");
@@ -51,13 +56,7 @@ TEST(ExplanationPage, SaysTheVerdictTheCandidatesAndWhatToMeasureNext) {
 // With words of another language no English stands on the page: a reader that turns every sentence round finds none as
 // it was, and every name is asked for.
 TEST(ExplanationPage, SpeaksTheWordsThatItIsGiven) {
-  closedloop::Explanation e;
-  e.verdict = closedloop::Verdict::explained;
-  e.predicted_before = Eigen::VectorXd::Zero(6);
-  e.predicted_after = two_markers().measured;
-  e.effects.push_back({"support-compliance", "", "The bed gives way.", {}, -800, 0.1, 1.0, 0.9, {"preload"}});
-  e.ranking.push_back({"capsule", "", {}, 1, {}, -3, {}, "the solve failed"});
-  e.posterior = {{{"support-compliance"}, false, 0.72}, {{}, true, 0.28}};
+  const closedloop::Explanation e = a_bed_that_gives_way();
   Words words;
   words.language = "xx";
   words.sentence = [](const Sentence& said) {

@@ -165,8 +165,7 @@ std::array<float, 4> quadratic_splines(double t) {
 }  // namespace
 
 SplineLattice::SplineLattice(const std::vector<Vector3d>& positions_mm, const std::vector<std::uint8_t>& fixed,
-                             int most_wide_points)
-    : fixed_(fixed) {
+                             int most_wide_points) {
   for (const std::uint8_t held : fixed) is_free_.push_back(held ? 0.0F : 1.0F);
   const geometry::Box box = geometry::bounding_box(positions_mm);
   const Vector3d size_mm = box.max_mm - box.min_mm;

@@ -25,7 +25,7 @@ class SplineLattice {
   [[nodiscard]] int points() const { return static_cast<int>(wide_of_.size()); }
   [[nodiscard]] int wide_points() const { return wide_points_; }
   [[nodiscard]] bool is_fixed(int node, int axis) const {
-    return fixed_[static_cast<std::size_t>(3 * node + axis)] != 0;
+    return is_free_[static_cast<std::size_t>(3 * node + axis)] == 0;
   }
   // The points around a node, and the wide ones, with their splines' values there.
   [[nodiscard]] Shares<float> around(int node) const;
@@ -54,7 +54,6 @@ class SplineLattice {
   };
   int nx_ = 0, ny_ = 0, nz_ = 0, wide_points_ = 0;
   std::vector<Place> places_;
-  std::vector<std::uint8_t> fixed_;
   std::vector<float> is_free_;                     // 1, or 0 where it is fixed
   std::vector<std::array<WideShare, 8>> wide_of_;  // of each point: a narrow spline is in two wide ones along each axis
 };
