@@ -117,6 +117,14 @@ imaging::Mask mask_of_label(const imaging::LabelMap& labels, int label) {
   return mask;
 }
 
+imaging::Mask mask_of_any_label(const imaging::LabelMap& labels) {
+  imaging::Mask mask{labels.grid, std::vector<std::uint8_t>(labels.values.size())};
+  for (std::size_t voxel = 0; voxel < mask.values.size(); ++voxel) {
+    mask.values[voxel] = labels.values[voxel] != 0 ? 1 : 0;
+  }
+  return mask;
+}
+
 std::size_t voxel_count(const imaging::Mask& mask) {
   return static_cast<std::size_t>(
       std::count_if(mask.values.begin(), mask.values.end(), [](std::uint8_t value) { return value != 0; }));

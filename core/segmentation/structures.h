@@ -53,8 +53,9 @@ struct ComposedLabels {
 // Fails with labels-no-structures, labels-grids-differ, labels-no-liver (Extent::liver) and labels-liver-empty.
 Result<ComposedLabels> compose_labels(const std::vector<Structure>& structures, Extent extent);
 
-// The voxels with one label.
+// The voxels with one label, or with any.
 [[nodiscard]] imaging::Mask mask_of_label(const imaging::LabelMap& labels, int label);
+[[nodiscard]] imaging::Mask mask_of_any_label(const imaging::LabelMap& labels);
 
 [[nodiscard]] std::size_t voxel_count(const imaging::Mask& mask);
 [[nodiscard]] double volume_ml(const imaging::Mask& mask);

@@ -8,6 +8,7 @@
 #include "base/parallel.h"
 #include "imaging/filters.h"
 #include "meshing/image_end.h"
+#include "segmentation/structures.h"
 
 namespace glisson::shapes {
 namespace {
@@ -115,8 +116,7 @@ Result<imaging::Mask> liver_in(const imaging::LabelMap& labels, const OutlineOpt
                          GLISSON_TEXT("Write the scan's spacing into the labels, or say that it is true."),
                          {}});
   }
-  imaging::Mask mask{labels.grid, std::vector<std::uint8_t>(labels.values.size())};
-  for (std::size_t v = 0; v < mask.values.size(); ++v) mask.values[v] = labels.values[v] != 0 ? 1 : 0;
+  imaging::Mask mask = segmentation::mask_of_any_label(labels);
   const imaging::ConnectedVoxels pieces = imaging::connected_voxels(mask, imaging::Neighbours::all);
   const std::uint32_t largest = pieces.largest();
   if (largest == 0) return failure("shapes-no-liver", GLISSON_TEXT("No voxel of the labels is a liver's."));

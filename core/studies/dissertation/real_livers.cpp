@@ -8,6 +8,7 @@
 #include "imaging/volume_file.h"
 #include "meshing/mask_surface.h"
 #include "segmentation/rasterise.h"
+#include "segmentation/structures.h"
 #include "shapes/liver_outline.h"
 #include "studies/dissertation/cohort.h"
 #include "studies/dissertation/shapes_study.h"
@@ -23,7 +24,6 @@ constexpr double voxel_mm = 3, wide_mm = 6;
 
 fs::path vessels_beside(const fs::path& labels, const std::string& id);
 unsigned seed_of(const Subject& subject);
-imaging::Mask voxels_of(const imaging::LabelMap& labels);
 imaging::Mask filled(const geometry::Surface& outline);
 Result<void> add_forks(const fs::path& vessels, const imaging::LabelMap& labels, MeasuredLiver& liver);
 
@@ -65,7 +65,7 @@ Result<std::optional<geometry::Surface>> vessels_of(const Subject& subject) {
   if (!subject.drawn || subject.drawn->vessels.empty()) return std::nullopt;
   const auto labels = imaging::read_labels_file(subject.drawn->vessels);
   if (!labels) return failure(labels.error());
-  auto surface = meshing::mask_surface(voxels_of(*labels));
+  auto surface = meshing::mask_surface(segmentation::mask_of_any_label(*labels));
   if (!surface) return failure(surface.error());
   return std::move(*surface);
 }
@@ -89,12 +89,6 @@ unsigned seed_of(const Subject& subject) {
   return static_cast<unsigned>(seed);
 }
 
-imaging::Mask voxels_of(const imaging::LabelMap& labels) {
-  imaging::Mask mask{labels.grid, std::vector<std::uint8_t>(labels.values.size())};
-  for (std::size_t v = 0; v < mask.values.size(); ++v) mask.values[v] = labels.values[v] != 0 ? 1 : 0;
-  return mask;
-}
-
 imaging::Mask filled(const geometry::Surface& outline) {
   geometry::Box box = geometry::bounding_box(outline.points_mm);
   box.min_mm.array() -= 2 * voxel_mm;
@@ -105,9 +99,9 @@ imaging::Mask filled(const geometry::Surface& outline) {
 Result<void> add_forks(const fs::path& vessels, const imaging::LabelMap& labels, MeasuredLiver& liver) {
   const auto vessel_labels = imaging::read_labels_file(vessels);
   if (!vessel_labels) return failure(vessel_labels.error());
-  const auto graph = vasculature::center_lines(voxels_of(*vessel_labels));
+  const auto graph = vasculature::center_lines(segmentation::mask_of_any_label(*vessel_labels));
   if (!graph) return failure(graph.error());
-  const auto explained = vasculature::explain_vessels(*graph, voxels_of(labels));
+  const auto explained = vasculature::explain_vessels(*graph, segmentation::mask_of_any_label(labels));
   if (!explained) return failure(explained.error());
 
   liver.groups = {{"forks", {}}, {"portal_forks", {}}, {"hepatic_forks", {}}, {"wide_forks", {}}, {"narrow_forks", {}}};
