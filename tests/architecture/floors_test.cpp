@@ -1,5 +1,6 @@
 // The folders are the architecture: a room includes only rooms on lower floors, third-party types stay inside the
-// rooms that own them, and Qt stays above the core. Read from the includes themselves.
+// rooms that own them, and Qt stays above the core. Read from the includes themselves. Tests stay apart from each other
+// too: each in a temporary folder of its own.
 
 #include <gmock/gmock.h>
 #include <algorithm>
@@ -195,6 +196,22 @@ TEST(Floors, HeadersThatShowThirdPartyTypesStayInTheirRoom) {
     EXPECT_EQ(include.header.substr(0, include.header.find('/')), include.room)
         << include.file << " includes " << include.header << ", which shows <" << found->second << ">";
   }
+}
+
+// Tests run beside each other: two with a path in common delete each other's files, once in a hundred runs.
+TEST(Tests, KeepTheirFilesInFoldersOfTheirOwn) {
+  const std::regex shared(R"(TempDir\(\)|temp_directory_path|"/tmp[/"])");
+  std::size_t read = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(glisson::test::source_folder() / "tests")) {
+    const fs::path extension = entry.path().extension();
+    if (extension != ".cpp" && extension != ".h") continue;
+    if (entry.path().filename() == fs::path(__FILE__).filename()) continue;
+    std::ifstream file(entry.path());
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    EXPECT_FALSE(std::regex_search(text, shared)) << entry.path() << ": TemporaryFolder gives a folder of its own.";
+    ++read;
+  }
+  EXPECT_GT(read, 300U);
 }
 
 }  // namespace

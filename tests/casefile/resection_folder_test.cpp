@@ -17,11 +17,9 @@ namespace fs = std::filesystem;
 
 class ResectionFolder : public ::testing::Test {
  protected:
-  void SetUp() override { fs::remove_all(folder_); }
-  void TearDown() override { fs::remove_all(folder_); }
-
   const geometry::TetMesh liver_ = test::box_of_tetrahedra({6, 4, 4}, {120, 80, 80});  // 768 ml
-  const fs::path folder_ = fs::path(::testing::TempDir()) / "glisson_resection_folder";
+  TemporaryFolder temporary_;
+  const fs::path folder_ = temporary_.path() / "resection";
 };
 
 PlannedCut plane_at(double x_mm, PlannedCut::Removed removed = PlannedCut::Removed::smaller) {
