@@ -127,6 +127,34 @@ TEST(DataDriven, NoisyDataStillAgreeAndTheirHullIsBetterThanTheNearestPoint) {
   EXPECT_LT(hull_mm, point_mm);
 }
 
+TEST(DataDriven, SpringsOfAFoundationKeepTheirOwnLaw) {
+  // The same bar on a foundation in place of the wall, by the law that made the data: static_model's answer.
+  Retracted liver(6, 2);
+  test::name_points(liver.mesh, "bed", [](const Vector3d& p) { return p.z() == 0; });
+  const std::vector<Support> bed{{NamedPoints{"bed"}, Foundation{0.4}}};
+  const auto data =
+      MaterialData::create(sampled([](double e) { return 6 * e; }, -0.3, 0.3, 41), {.poisson_ratio = 0.45}).value();
+  const auto by_data = find_equilibrium_from_data(liver.mesh, data, bed, liver.hoist, 1000e-9).value();
+  StaticOptions options;
+  options.poisson_ratio = 0.45;
+  const auto by_law = solve_static(liver.mesh, uniform(liver.mesh, 6.0), bed, liver.hoist, options).value();
+  ASSERT_TRUE(by_data.result.may_be_used()) << by_data.result.why_stopped;
+  EXPECT_LT(liver.apart_mm(by_data.result, by_law), 0.01 * by_law.max_displacement_mm);
+  // What holds it up is the springs alone, and they push back with the whole load.
+  EXPECT_NEAR(by_data.result.foundation_reaction_mN.z(), -20, 0.1);
+  EXPECT_NEAR(by_data.result.foundation_energy_uJ, by_law.foundation_energy_uJ, 0.01 * by_law.foundation_energy_uJ);
+  EXPECT_TRUE(by_data.result.notes.empty());
+}
+
+TEST(DataDriven, StrainBeyondTheMeasurementsIsSaid) {
+  const Retracted liver(6, 2);
+  const auto little = liver.by_data(sampled([](double e) { return 6 * e; }, -0.01, 0.01, 41));
+  EXPECT_GT(little.share_beyond_data, 0.1);
+  ASSERT_EQ(little.result.notes.size(), 1u);
+  EXPECT_THAT(little.result.notes.front(), testing::HasSubstr("strained farther than the data go"));
+  EXPECT_EQ(liver.by_data(sampled([](double e) { return 6 * e; }, -0.9, 0.9, 41)).share_beyond_data, 0);
+}
+
 // A cube between frictionless plates, under a stress along z.
 double squeezed_strain(const MaterialData& data, double stress_kPa, double close_enough = 1e-3) {
   auto mesh = box(1, 1, 1, {10, 10, 10});

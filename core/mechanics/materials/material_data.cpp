@@ -49,8 +49,9 @@ Result<MaterialData> MaterialData::create(const std::vector<StressStrain>& measu
   const double root = std::sqrt(data.shear_kPa());
   std::vector<Eigen::Vector3d> points{Eigen::Vector3d::Zero()};
   for (const auto& [strain, stress_kPa] : measured) {
-    const Eigen::Vector3d point(root * std::sqrt(1.5) * (strain - stress_kPa / (9.0 * data.bulk_kPa())),
-                                std::sqrt(2.0 / 3.0) * stress_kPa / (2.0 * root), 0.0);
+    const double length = std::sqrt(1.5) * (strain - stress_kPa / (9.0 * data.bulk_kPa()));
+    const Eigen::Vector3d point(root * length, std::sqrt(2.0 / 3.0) * stress_kPa / (2.0 * root), 0.0);
+    data.largest_deviator_strain_ = std::max(data.largest_deviator_strain_, std::abs(length));
     points.push_back(point);
     points.emplace_back(-point);
   }

@@ -55,12 +55,15 @@ class MaterialData {
   [[nodiscard]] double bulk_kPa() const { return slope_kPa_ / (3.0 * (1.0 - 2.0 * options_.poisson_ratio)); }
   [[nodiscard]] const MaterialDataOptions& options() const { return options_; }
   [[nodiscard]] std::size_t measurements() const { return measurements_; }
+  // The length of the farthest measurement's deviator of strain.
+  [[nodiscard]] double largest_deviator_strain() const { return largest_deviator_strain_; }
 
  private:
   struct Points;
   MaterialDataOptions options_;
   double slope_kPa_ = 0;
   std::size_t measurements_ = 0;
+  double largest_deviator_strain_ = 0;
   std::shared_ptr<const Points> points_;
 };
 

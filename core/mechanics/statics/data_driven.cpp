@@ -10,8 +10,8 @@
 #include "base/stopwatch.h"
 #include "mechanics/elements/body.h"
 #include "mechanics/elements/load_vector.h"
-#include "mechanics/elements/quadrature.h"
-#include "mechanics/elements/shape_functions.h"
+#include "mechanics/elements/strain_points.h"
+#include "mechanics/statics/displacements.h"
 
 namespace glisson::mechanics {
 namespace {
@@ -24,35 +24,14 @@ struct PointState {
   Matrix3d stress_kPa = Matrix3d::Zero();
 };
 
-// The integration points of a body, four a cell.
-class Points {
- public:
-  Points(const geometry::TetMesh& mesh, const NodeLayout& layout) : mesh_(mesh), layout_(layout) {
-    for (const TetPoint& point : tet_points_degree_2()) {
-      derivatives_.push_back(tet_derivatives(ElementOrder::quadratic, point.barycentric));
-    }
-  }
-  static constexpr std::size_t per_cell = 4;
-  [[nodiscard]] std::size_t count() const { return per_cell * layout_.cells.size(); }
-  [[nodiscard]] double volume_mm3(std::size_t point) const {
-    return 0.25 * geometry::cell_volume_mm3(mesh_, point / per_cell);
-  }
-
-  [[nodiscard]] std::vector<Matrix3d> strains_of(const Eigen::VectorXd& u_mm) const;
-  // Nodal forces (mN) of a field of stresses: the integral of B^T sigma.
-  [[nodiscard]] Eigen::VectorXd forces_of(const std::vector<Matrix3d>& stresses_kPa) const;
-
- private:
-  const geometry::TetMesh& mesh_;
-  const NodeLayout& layout_;
-  std::vector<TetDerivatives> derivatives_;
-};
-
 // Of all states that the data know, the nearest; volume change is linear.
 PointState nearest(const MaterialData& data, const PointState& state);
 double squared_norm_kPa(const MaterialData& data, const PointState& state);
 // Half way: after some rounds states that wander between two sets of neighbours are held to their middle.
 constexpr int wander = 60;
+// By this share of the data's largest strain a state may pass them before it is said to: what a round leaves open.
+constexpr double beyond_data = 0.02;
+Matrix3d deviator(const Matrix3d& m) { return m - m.trace() / 3.0 * Matrix3d::Identity(); }
 PointState between(const PointState& a, const PointState& b) {
   return {0.5 * (a.strain + b.strain), 0.5 * (a.stress_kPa + b.stress_kPa)};
 }
@@ -64,12 +43,6 @@ Result<DataDrivenResult> find_equilibrium_from_data(const geometry::TetMesh& mes
                                                     const std::vector<Support>& supports, const Loads& loads,
                                                     double density_kg_mm3, const DataDrivenOptions& options,
                                                     const Progress& progress) {
-  for (const Support& support : supports) {
-    if (std::holds_alternative<Foundation>(support.how)) {
-      return failure("not-available",
-                     GLISSON_TEXT("A body computed straight from data can be held, but not stand on a foundation."));
-    }
-  }
   StaticOptions metric;
   metric.poisson_ratio = data.options().poisson_ratio;
   metric.density_kg_mm3 = density_kg_mm3;
@@ -80,25 +53,26 @@ Result<DataDrivenResult> find_equilibrium_from_data(const geometry::TetMesh& mes
   if (!load_mN) return failure(load_mN.error());
 
   const Stopwatch watch;
-  const Points points(mesh, model->nodes());
+  const StrainPoints points(mesh, model->nodes());
   const NodeLayout& layout = model->nodes();
   const auto solve = [&](const Eigen::VectorXd& force_mN) -> Result<Eigen::VectorXd> {
     return model->solve_nodal({force_mN, {}}).map([&](const StaticResult& result) {
-      Eigen::VectorXd u_mm(force_mN.size());
-      for (std::size_t p = 0; p < result.displacement_mm.size(); ++p) {
-        if (layout.node_of_point[p] >= 0) u_mm.segment<3>(3 * layout.node_of_point[p]) = result.displacement_mm[p];
-      }
-      for (std::size_t e = 0; e < result.mid_side_displacement_mm.size(); ++e) {
-        u_mm.segment<3>(3 * (layout.corner_nodes + static_cast<Eigen::Index>(e))) = result.mid_side_displacement_mm[e];
-      }
-      return u_mm;
+      return nodal_displacements(layout, result);
     });
+  };
+
+  const auto spring_force_mN = [&](const Eigen::VectorXd& stretch_mm) -> Eigen::VectorXd {
+    return -foundation_force_mN(model->body(), stretch_mm);
+  };
+  const auto spring_energy_uJ = [&](const Eigen::VectorXd& stretch_mm) {
+    return 0.5 * stretch_mm.dot(spring_force_mN(stretch_mm));
   };
 
   // Where to start: as if the metric were a law. From rest, noise would hold states back wherever they are small.
   const auto start_mm = solve(*load_mN);
   if (!start_mm) return failure(start_mm.error());
   Eigen::VectorXd u_mm = *start_mm;
+  Eigen::VectorXd spring_mm = u_mm;  // how far the foundations' springs are stretched, by their own law
   std::vector<PointState> states(points.count()), known(points.count());  // known: what the data say of each
   const std::vector<Matrix3d> first = points.strains_of(u_mm);
   parallel_for(points.count(), 1024, [&](std::size_t begin, std::size_t end) {
@@ -118,9 +92,10 @@ Result<DataDrivenResult> find_equilibrium_from_data(const geometry::TetMesh& mes
       stresses_kPa[i] = known[i].stress_kPa;
     }
     // The strains nearest to the data's; and the stresses, which miss balance by what the second solve makes up for.
-    const auto next_mm = solve(points.forces_of(pulls_kPa));
+    const Eigen::VectorXd spring_mN = spring_force_mN(spring_mm);
+    const auto next_mm = solve(points.forces_of(pulls_kPa) + spring_mN);
     if (!next_mm) return failure(next_mm.error());
-    const auto missing_mm = solve(*load_mN - points.forces_of(stresses_kPa));
+    const auto missing_mm = solve(*load_mN - points.forces_of(stresses_kPa) - spring_mN);
     if (!missing_mm) return failure(missing_mm.error());
     const double size = next_mm->norm();
     change = round < 1 || size == 0 ? 1.0 : (*next_mm - u_mm).norm() / size;
@@ -138,6 +113,11 @@ Result<DataDrivenResult> find_equilibrium_from_data(const geometry::TetMesh& mes
         sizes[i] = points.volume_mm3(i) * squared_norm_kPa(data, states[i]);
       }
     });
+    // A spring's state is its stretch, as the nodes have it, and its force, told as the stretch that its law gives it.
+    const Eigen::VectorXd forced_mm = spring_mm + *missing_mm, there_mm = 0.5 * (u_mm + forced_mm);
+    away.push_back(2 * spring_energy_uJ(u_mm - there_mm));
+    sizes.push_back(spring_energy_uJ(u_mm) + spring_energy_uJ(forced_mm));
+    spring_mm = round < wander ? there_mm : 0.5 * (spring_mm + there_mm);
     const double total = std::accumulate(sizes.begin(), sizes.end(), 0.0);
     apart = total > 0 ? std::sqrt(std::accumulate(away.begin(), away.end(), 0.0) / total) : 0.0;
     found.distances.push_back(apart);
@@ -152,22 +132,28 @@ Result<DataDrivenResult> find_equilibrium_from_data(const geometry::TetMesh& mes
       "the "
       "data (enough: {:.2g} %).",
       round, change, options.relative_tolerance, 100.0 * apart, 100.0 * options.close_enough);
-  result.displacement_mm.assign(mesh.points_mm.size(), Eigen::Vector3d::Zero());
-  for (std::size_t p = 0; p < mesh.points_mm.size(); ++p) {
-    if (layout.node_of_point[p] >= 0) result.displacement_mm[p] = u_mm.segment<3>(3 * layout.node_of_point[p]);
-    result.max_displacement_mm = std::max(result.max_displacement_mm, result.displacement_mm[p].norm());
-  }
-  for (std::size_t e = 0; e < layout.edges.size(); ++e) {
-    result.mid_side_displacement_mm.emplace_back(
-        u_mm.segment<3>(3 * (layout.corner_nodes + static_cast<Eigen::Index>(e))));
-  }
+  set_displacements(model->body(), u_mm, result);
   result.applied_force_mN = sum_of(*load_mN);
   result.external_work_uJ = u_mm.dot(*load_mN);
+  result.foundation_reaction_mN = -sum_of(spring_force_mN(u_mm));
+  result.foundation_energy_uJ = spring_energy_uJ(u_mm);
+  double beyond_mm3 = 0, whole_mm3 = 0;
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    whole_mm3 += points.volume_mm3(i);
+    if (deviator(states[i].strain).norm() > (1 + beyond_data) * data.largest_deviator_strain())
+      beyond_mm3 += points.volume_mm3(i);
+  }
+  found.share_beyond_data = beyond_mm3 / whole_mm3;
+  if (beyond_mm3 > 0) {
+    result.notes.push_back(fmt::format(
+        "{:.2g} % of the body is strained farther than the data go: there the answer stands on no measurement.",
+        100.0 * found.share_beyond_data));
+  }
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
     Matrix3d mean = Matrix3d::Zero();
-    for (std::size_t k = 0; k < Points::per_cell; ++k) {
-      const PointState& state = states[Points::per_cell * c + k];
-      mean += state.stress_kPa / double(Points::per_cell);
+    for (std::size_t k = 0; k < StrainPoints::per_cell; ++k) {
+      const PointState& state = states[StrainPoints::per_cell * c + k];
+      mean += state.stress_kPa / double(StrainPoints::per_cell);
       result.largest_strain = std::max(result.largest_strain, state.strain.operatorNorm());
     }
     found.von_mises_kPa.push_back(von_mises(mean));
@@ -178,42 +164,6 @@ Result<DataDrivenResult> find_equilibrium_from_data(const geometry::TetMesh& mes
 }
 
 namespace {
-
-std::vector<Matrix3d> Points::strains_of(const Eigen::VectorXd& u_mm) const {
-  std::vector<Matrix3d> strains(count());
-  parallel_for(layout_.cells.size(), 256, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t c = begin; c < end; ++c) {
-      const CellGeometry shape = cell_geometry(mesh_, c);
-      Eigen::Matrix<double, 3, 10> moved;
-      for (int i = 0; i < 10; ++i) moved.col(i) = u_mm.segment<3>(3 * layout_.cells[c][i]);
-      for (std::size_t k = 0; k < per_cell; ++k) {
-        strains[per_cell * c + k] = small_strain(moved * tet_gradients(derivatives_[k], shape));
-      }
-    }
-  });
-  return strains;
-}
-
-Eigen::VectorXd Points::forces_of(const std::vector<Matrix3d>& stresses_kPa) const {
-  std::vector<Eigen::Matrix<double, 3, 10>> of_cell(layout_.cells.size());
-  parallel_for(layout_.cells.size(), 256, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t c = begin; c < end; ++c) {
-      const CellGeometry shape = cell_geometry(mesh_, c);
-      of_cell[c].setZero();
-      for (std::size_t k = 0; k < per_cell; ++k) {
-        of_cell[c] += 0.25 * shape.volume_mm3 * stresses_kPa[per_cell * c + k] *
-                      tet_gradients(derivatives_[k], shape).transpose();
-      }
-    }
-  });
-  Eigen::VectorXd force_mN = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(layout_.nodes()));
-  for (std::size_t c = 0; c < of_cell.size(); ++c) {
-    for (int i = 0; i < 10; ++i) force_mN.segment<3>(3 * layout_.cells[c][i]) += of_cell[c].col(i);
-  }
-  return force_mN;
-}
-
-Matrix3d deviator(const Matrix3d& m) { return m - m.trace() / 3.0 * Matrix3d::Identity(); }
 
 Matrix3d metric_stress_kPa(const MaterialData& data, const Matrix3d& strain) {
   return data.bulk_kPa() * strain.trace() * Matrix3d::Identity() + 2.0 * data.shear_kPa() * deviator(strain);

@@ -7,8 +7,9 @@
 //   global   of all compatible strains and balanced stresses, those nearest to the data's states: two solves with the
 //            stiffness of the energy norm's metric, which is factorised once.
 //
-// Small strain, quadratic tetrahedra, one material. The metric only weighs and says where to start; a law enters
-// nowhere.
+// Small strain, quadratic tetrahedra, one material. The metric only weighs and says where to start; a law of the tissue
+// enters nowhere. A foundation's springs keep their own law t = k u: their states (u, t) lie on that line, in the norm
+// k |u|^2 / 2 + |t|^2 / (2 k), and take part in both steps.
 
 #include "base/progress.h"
 #include "base/result.h"
@@ -30,9 +31,10 @@ struct DataDrivenResult {
   StaticResult result;            // `relative_residual`: the last change of the displacements over them
   std::vector<double> distances;  // after each round: from states to data, over the size of the states (energy norm)
   std::vector<double> von_mises_kPa;  // of each cell's mean stress
+  double share_beyond_data = 0;       // of the body's volume: strained farther than was measured; a note says so
 };
 
-// What is held stays; foundations are refused ("not-available"). Failures: those of StaticModel.
+// What is fixed stays. Failures: those of StaticModel ("not-available" for ligaments).
 Result<DataDrivenResult> find_equilibrium_from_data(const geometry::TetMesh& mesh, const MaterialData& data,
                                                     const std::vector<Support>& supports, const Loads& loads,
                                                     double density_kg_mm3, const DataDrivenOptions& options = {},
