@@ -1680,10 +1680,6 @@
         <translation>Verschieben Sie sie auf die Oberfläche, oder öffnen Sie ihre Branchen weiter.</translation>
     </message>
     <message>
-        <source>A body computed straight from data can be held, but not stand on a foundation.</source>
-        <translation>Ein direkt aus Daten berechneter Körper kann gehalten werden, aber nicht auf einer Bettung stehen.</translation>
-    </message>
-    <message>
         <source>Looking for states that the data know</source>
         <translation>Suche nach Zuständen, die die Daten kennen</translation>
     </message>
@@ -6098,6 +6094,26 @@
     <message>
         <source>The image cuts the liver off towards {0}: only whole ones can be retracted.</source>
         <translation>Das Bild schneidet die Leber ab, Richtung: {0}. Nur ganze lassen sich anheben.</translation>
+    </message>
+    <message>
+        <source>The tissue&apos;s own law found no equilibrium: {0}</source>
+        <translation>Das Gesetz des Gewebes selbst fand kein Gleichgewicht: {0}</translation>
+    </message>
+    <message>
+        <source>Measurements must be 3 to 100000, noise 0 to 50 % of the largest stress, and at most 20 of each are tried.</source>
+        <translation>Messungen müssen 3 bis 100000 sein, Rauschen 0 bis 50 % der größten Spannung, und von beidem werden höchstens 20 versucht.</translation>
+    </message>
+    <message>
+        <source>Tests must go to 5 % strain or farther, to 100 % at most, forces be up to 100 N, and a liver have 200 cells or more.</source>
+        <translation>Versuche müssen über 5 % Dehnung gehen, höchstens bis 100 %, Kräfte höchstens 100 N betragen und eine Leber 200 Zellen oder mehr haben.</translation>
+    </message>
+    <message>
+        <source>A linear law needs measurements at 5 % strain or less, and compression is negative in strain and stress.</source>
+        <translation>Ein lineares Gesetz braucht Messungen bei 5 % Dehnung oder weniger, und Druck ist in Dehnung und Spannung negativ.</translation>
+    </message>
+    <message>
+        <source>With {0} measurements no equilibrium was found: {1}</source>
+        <translation>Mit {0} Messungen wurde kein Gleichgewicht gefunden: {1}</translation>
     </message>
 </context>
 <context>
@@ -11731,6 +11747,14 @@ Von Hand: mit der rechten Taste ziehen</translation>
     <message>
         <source>Energy, bits, memory and time of matching two surfaces (chapter 3), on SIMULATED livers.</source>
         <translation>Energie, Bits, Speicher und Zeit beim Zuordnen zweier Oberflächen (Kapitel 3), an SIMULIERTEN Lebern.</translation>
+    </message>
+    <message>
+        <source>Data in place of a law</source>
+        <translation>Daten statt eines Gesetzes</translation>
+    </message>
+    <message>
+        <source>A SIMULATED liver retracted straight from measured strain and stress, beside lines fitted to them (chapter 5).</source>
+        <translation>Eine SIMULIERTE Leber, unmittelbar aus gemessener Dehnung und Spannung weggehalten, neben angepassten Geraden (Kapitel 5).</translation>
     </message>
 </context>
 <context>

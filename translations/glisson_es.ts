@@ -1680,10 +1680,6 @@
         <translation>Muévala a la superficie o abra más sus mordazas.</translation>
     </message>
     <message>
-        <source>A body computed straight from data can be held, but not stand on a foundation.</source>
-        <translation>Un cuerpo calculado directamente a partir de datos se puede sujetar, pero no apoyar en una cimentación.</translation>
-    </message>
-    <message>
         <source>Looking for states that the data know</source>
         <translation>Buscando estados que los datos conocen</translation>
     </message>
@@ -6098,6 +6094,26 @@
     <message>
         <source>The image cuts the liver off towards {0}: only whole ones can be retracted.</source>
         <translation>La imagen corta el hígado (lado: {0}): solo se retraen hígados enteros.</translation>
+    </message>
+    <message>
+        <source>The tissue&apos;s own law found no equilibrium: {0}</source>
+        <translation>La propia ley del tejido no encontró equilibrio: {0}</translation>
+    </message>
+    <message>
+        <source>Measurements must be 3 to 100000, noise 0 to 50 % of the largest stress, and at most 20 of each are tried.</source>
+        <translation>Las mediciones deben ser de 3 a 100000, el ruido de 0 a 50 % de la mayor tensión, y se prueban como mucho 20 de cada uno.</translation>
+    </message>
+    <message>
+        <source>Tests must go to 5 % strain or farther, to 100 % at most, forces be up to 100 N, and a liver have 200 cells or more.</source>
+        <translation>Los ensayos deben pasar del 5 % de deformación, como mucho hasta 100 %, las fuerzas no pasar de 100 N, y un hígado tener 200 celdas o más.</translation>
+    </message>
+    <message>
+        <source>A linear law needs measurements at 5 % strain or less, and compression is negative in strain and stress.</source>
+        <translation>Una ley lineal necesita mediciones a 5 % de deformación o menos, y la compresión es negativa en deformación y tensión.</translation>
+    </message>
+    <message>
+        <source>With {0} measurements no equilibrium was found: {1}</source>
+        <translation>Con {0} mediciones no se encontró equilibrio: {1}</translation>
     </message>
 </context>
 <context>
@@ -11734,6 +11750,14 @@ A mano: arrastre con el botón derecho</translation>
     <message>
         <source>Energy, bits, memory and time of matching two surfaces (chapter 3), on SIMULATED livers.</source>
         <translation>Energía, bits, memoria y tiempo del emparejamiento de dos superficies (capítulo 3), con hígados SIMULADOS.</translation>
+    </message>
+    <message>
+        <source>Data in place of a law</source>
+        <translation>Datos en lugar de una ley</translation>
+    </message>
+    <message>
+        <source>A SIMULATED liver retracted straight from measured strain and stress, beside lines fitted to them (chapter 5).</source>
+        <translation>Un hígado SIMULADO, retraído directamente a partir de deformación y tensión medidas, junto a rectas ajustadas (capítulo 5).</translation>
     </message>
 </context>
 <context>

@@ -1680,10 +1680,6 @@
         <translation>Déplacez-la sur la surface, ou ouvrez davantage ses mors.</translation>
     </message>
     <message>
-        <source>A body computed straight from data can be held, but not stand on a foundation.</source>
-        <translation>Un corps calculé directement à partir de données peut être tenu, mais pas reposer sur une fondation.</translation>
-    </message>
-    <message>
         <source>Looking for states that the data know</source>
         <translation>Recherche d’états connus des données</translation>
     </message>
@@ -6098,6 +6094,26 @@
     <message>
         <source>The image cuts the liver off towards {0}: only whole ones can be retracted.</source>
         <translation>L&apos;image coupe le foie (côté : {0}) : seuls des foies entiers peuvent être rétractés.</translation>
+    </message>
+    <message>
+        <source>The tissue&apos;s own law found no equilibrium: {0}</source>
+        <translation>La loi même du tissu n’a trouvé aucun équilibre : {0}</translation>
+    </message>
+    <message>
+        <source>Measurements must be 3 to 100000, noise 0 to 50 % of the largest stress, and at most 20 of each are tried.</source>
+        <translation>Il faut 3 à 100000 mesures, un bruit de 0 à 50 % de la plus grande contrainte, et l’on essaie au plus 20 de chaque.</translation>
+    </message>
+    <message>
+        <source>Tests must go to 5 % strain or farther, to 100 % at most, forces be up to 100 N, and a liver have 200 cells or more.</source>
+        <translation>Les essais doivent dépasser 5 % de déformation, 100 % au plus, les forces ne pas dépasser 100 N, et un foie avoir 200 cellules ou plus.</translation>
+    </message>
+    <message>
+        <source>A linear law needs measurements at 5 % strain or less, and compression is negative in strain and stress.</source>
+        <translation>Une loi linéaire demande des mesures à 5 % de déformation ou moins, et la compression est négative en déformation et en contrainte.</translation>
+    </message>
+    <message>
+        <source>With {0} measurements no equilibrium was found: {1}</source>
+        <translation>Avec {0} mesures, aucun équilibre n’a été trouvé : {1}</translation>
     </message>
 </context>
 <context>
@@ -11734,6 +11750,14 @@ By hand: drag with the right button</source>
     <message>
         <source>Energy, bits, memory and time of matching two surfaces (chapter 3), on SIMULATED livers.</source>
         <translation>Énergie, bits, mémoire et temps de l’appariement de deux surfaces (chapitre 3), sur des foies SIMULÉS.</translation>
+    </message>
+    <message>
+        <source>Data in place of a law</source>
+        <translation>Des données à la place d’une loi</translation>
+    </message>
+    <message>
+        <source>A SIMULATED liver retracted straight from measured strain and stress, beside lines fitted to them (chapter 5).</source>
+        <translation>Un foie SIMULÉ, rétracté directement d’après des déformations et contraintes mesurées, à côté de droites ajustées (chapitre 5).</translation>
     </message>
 </context>
 <context>

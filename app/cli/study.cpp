@@ -12,6 +12,7 @@ void add_study(CLI::App& app, Action& chosen) {
   add_study_cohort(*study, chosen);
   add_study_beams(*study, chosen);
   add_study_convergence(*study, chosen);
+  add_study_data_driven(*study, chosen);
   add_study_example_sequence(*study, chosen);
   add_study_landmarks(*study, chosen);
   add_study_matching(*study, chosen);

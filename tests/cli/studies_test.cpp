@@ -1,7 +1,9 @@
 // The dissertation's studies through glisson-cli.
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <filesystem>
+#include <fstream>
 
 #include "base/files.h"
 #include "support/data.h"
@@ -137,6 +139,27 @@ TEST(Study, ConvergenceMakesACurveThatThePlatformPlanReads) {
                             study.at("convergence").get<std::string>()});
   EXPECT_GT(plan.at("workload").at("resolution_mm3").get<double>(), 60);
   EXPECT_EQ(glisson_cli({"study", "convergence", "--finest-mm3", "0.1", "--out", out}).exit_code, 1);
+}
+
+TEST(Study, DataDrivenTakesSomebodysMeasurementsAndRefusesWhatIsNone) {
+  const TemporaryFolder folder;
+  const std::string out = (folder.path() / "out").string(), file = (folder.path() / "tests.csv").string();
+  std::string table = "strain,stress_kPa\n";
+  for (int i = -20; i <= 20; ++i) table += fmt::format("{:.3f},{:.4f}\n", 0.02 * i, 0.1 * i + 1e-4 * i * i * i);
+  std::ofstream(file) << table;
+  const Json study = answer({"study", "data-driven", "--measured", file, "--target-cells", "400", "--out", out});
+  EXPECT_FALSE(study.at("simulated").get<bool>());
+  ASSERT_EQ(study.at("rows").size(), 1u);
+  const Json& row = study.at("rows")[0];
+  EXPECT_EQ(row.at("measurements"), 41);
+  EXPECT_GT(row.at("retraction_mm").get<double>(), 1);
+  EXPECT_FALSE(row.contains("from_data"));  // nobody knows the truth
+  EXPECT_TRUE(fs::exists(study.at("report").get<std::string>()));
+
+  std::ofstream(file) << "strain,stress_kPa\n0.01,-1\n0.1,-2\n0.2,-3\n";
+  const Finished falling = glisson_cli({"study", "data-driven", "--measured", file, "--out", out, "--json", "--quiet"});
+  EXPECT_EQ(falling.exit_code, 1);
+  EXPECT_EQ(falling.json().at("error").at("code"), "data-invalid");
 }
 
 TEST(Study, MatchingJudgesBitsOnSimulatedLiversAndRefusesALonelyPose) {

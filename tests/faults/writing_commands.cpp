@@ -238,6 +238,9 @@ std::vector<WritingCommand> writing_commands() {
        true},
       {"study-convergence",
        {"study", "convergence", "--resolutions", "2", "--finest-mm3", "40", "--out", "@converged"}},
+      {"study-data-driven",
+       {"study", "data-driven", "--measurements", "21", "--noise-percent", "0", "--target-cells", "400", "--out",
+        "@data-driven"}},
       {"study-beams", {"study", "beams", "@small.glisson", "--nodes", "60", "--out", "@beams"}},
   };
   for (const char* format : {"nrrd", "nifti", "stl", "obj", "vtp"}) {

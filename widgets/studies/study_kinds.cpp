@@ -38,6 +38,11 @@ const std::vector<StudyKind>& study_kinds() {
            QT_TRANSLATE_NOOP("studies",
                              "Young's modulus by elastography beside a testing machine's, by the dissertation's own "
                              "figures (section 4.6).")),
+      kind("data-driven", StudyOf::nothing, QT_TRANSLATE_NOOP("studies", "Data in place of a law"),
+           QT_TRANSLATE_NOOP(
+               "studies",
+               "A SIMULATED liver retracted straight from measured strain and stress, beside lines fitted to "
+               "them (chapter 5).")),
       kind("convergence", StudyOf::nothing, QT_TRANSLATE_NOOP("studies", "Error against resolution"),
            QT_TRANSLATE_NOOP(
                "studies",

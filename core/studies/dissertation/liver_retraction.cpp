@@ -13,17 +13,6 @@
 namespace glisson::studies {
 namespace {
 
-Result<geometry::TetMesh> mesh_of(const imaging::Mask& organ, int target_cells, const Progress& progress) {
-  imaging::LabelMap labels{organ.grid, {organ.values.begin(), organ.values.end()}};
-  meshing::MeshOptions options;
-  options.target_cells = target_cells;
-  options.names = {{1, "liver"}};
-  auto meshed = meshing::mesh_labels(labels, options, progress);
-  if (!meshed) return failure(meshed.error());
-  if (auto marked = rehearsal::mark_attachments(meshed->body); !marked) return failure(marked.error());
-  return std::move(meshed->body);
-}
-
 // Puts Young's modulus on the cells; gives its mean.
 Result<double> set_measured_stiffness(geometry::TetMesh& mesh, const MeasuredLiver& liver, double poisson_ratio) {
   std::vector<Eigen::Vector3d> centroids_mm;
@@ -44,8 +33,19 @@ Result<void> answer_at_large_strain(const geometry::TetMesh& mesh, Retraction& r
 
 }  // namespace
 
+Result<geometry::TetMesh> liver_mesh(const imaging::Mask& organ, int target_cells, const Progress& progress) {
+  imaging::LabelMap labels{organ.grid, {organ.values.begin(), organ.values.end()}};
+  meshing::MeshOptions options;
+  options.target_cells = target_cells;
+  options.names = {{1, "liver"}};
+  auto meshed = meshing::mesh_labels(labels, options, progress);
+  if (!meshed) return failure(meshed.error());
+  if (auto marked = rehearsal::mark_attachments(meshed->body); !marked) return failure(marked.error());
+  return std::move(meshed->body);
+}
+
 Result<Retraction> retract(const MeasuredLiver& liver, const RetractionOptions& options, const Progress& progress) {
-  auto mesh = mesh_of(liver.organ, options.target_cells, progress.part(0, 0.5));
+  auto mesh = liver_mesh(liver.organ, options.target_cells, progress.part(0, 0.5));
   if (!mesh) return failure(mesh.error());
   const auto mean_youngs_kPa = set_measured_stiffness(*mesh, liver, options.poisson_ratio);
   if (!mean_youngs_kPa) return failure(mean_youngs_kPa.error());

@@ -51,6 +51,9 @@ struct Retraction {
   double volume_ml = 0;
 };
 
+// A liver's tetrahedra, with the fields of its usual supports. Fails as mesh_labels and mark_attachments do.
+Result<geometry::TetMesh> liver_mesh(const imaging::Mask& organ, int target_cells, const Progress& progress = {});
+
 // The usual supports of a liver, the same mesh and load throughout. Fails as mesh_labels,
 // mark_attachments, cell_stiffness and simulate do, and with "not-converged".
 Result<Retraction> retract(const MeasuredLiver& liver, const RetractionOptions& options = {},
