@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <optional>
 
 #include "imaging/filters.h"
 #include "segmentation/edit.h"
@@ -58,6 +59,24 @@ struct Region {
 };
 Region region_of(const Mask& tissue, const std::vector<Seed>& seeds, const GrowOptions& options);
 
+// What a growth comes to with these options.
+struct Settled {
+  Region region;
+  TissueModel tissue;
+  int rounds = 0;
+};
+Result<Settled> settled_region(const WorkingImage& working, const std::vector<Seed>& seeds, TissueModel::Drift drift,
+                               double smallest_sd, const GrowOptions& options, const Progress& progress);
+
+// The growth at a wider tolerance, where that comes to much more and to nearly the same at one still wider: something
+// with a border of its own, of which `narrow` is a part in another light (between the arms a CT is darker). So are
+// extremal regions found stable (Matas et al., Image Vision Comput 22:761, 2004). Nothing where it is not so: a leak
+// goes on growing.
+Result<std::optional<Settled>> wider_plateau(const Settled& narrow, const WorkingImage& working,
+                                             const std::vector<Seed>& seeds, TissueModel::Drift drift,
+                                             double smallest_sd, const GrowOptions& options, const Progress& progress);
+constexpr double very_unsure_border = 0.4;  // of its border, where it is asked whether it is a part only
+
 Mask finished(const Region& region, const Grid& grid, const std::array<int, 3>& block, const GrowOptions& options);
 Mask without_crumbs(Mask mask);
 std::vector<GrowResult::Doubt> doubts_about(const GrowResult& result, const std::vector<Seed>& seeds,
@@ -103,21 +122,60 @@ Result<GrowResult> grow_from_seeds(const imaging::Volume& image, const std::vect
   // 10 HU (a contrast range of 1,250 HU), is not believed.
   const double smallest_sd = std::max(scales ? 0.08 * darkest : 0.008 * (range.high - range.low), 1e-6);
 
+  Result<Settled> settled = settled_region(working, *seeds, drift, smallest_sd, options, progress);
+  if (!settled) return failure(settled.error());
+
+  if (progress.cancelled()) return cancelled();
+  progress.report(static_cast<double>(maximum_rounds + 1) / (maximum_rounds + 2),
+                  GLISSON_TEXT("Smoothing the outline"));
+  const auto bordered = [&](const Settled& grown) {
+    return with_border_refined(finished(grown.region, image.grid, block, options), image, grown.tissue.mean,
+                               grown.tissue.sd);
+  };
+  RefinedBorder refined = bordered(*settled);
+  if (refined.unsure_share > very_unsure_border) {
+    const auto wider = wider_plateau(*settled, working, *seeds, drift, smallest_sd, options, progress);
+    if (!wider) return failure(wider.error());
+    if (*wider) {
+      RefinedBorder other = bordered(**wider);
+      if (other.unsure_share < refined.unsure_share) {
+        refined = std::move(other);
+        *settled = **wider;
+      }
+    }
+  }
+  const TissueModel& tissue = settled->tissue;
   GrowResult result;
-  TissueModel tissue =
-      learn_tissue(working, mask_of_seeds(*seeds, working.grid), drift, options.drift_length_mm, smallest_sd);
+  result.rounds = settled->rounds;
+  result.mask = without_crumbs(std::move(refined.outline));
+  result.unsure_border = refined.unsure_share;
+  result.volume_ml = volume_ml(result.mask);
+  result.tissue_mean = tissue.mean;
+  result.tissue_sd = tissue.sd;
+  result.doubts = doubts_about(result, *seeds, settled->region);
+  progress.report(1.0, GLISSON_TEXT("Smoothing the outline"));
+  return result;
+}
+
+namespace {
+
+Result<Settled> settled_region(const WorkingImage& working, const std::vector<Seed>& seeds, TissueModel::Drift drift,
+                               double smallest_sd, const GrowOptions& options, const Progress& progress) {
+  Settled settled;
+  Region& region = settled.region;
+  TissueModel& tissue = settled.tissue;
+  tissue = learn_tissue(working, mask_of_seeds(seeds, working.grid), drift, options.drift_length_mm, smallest_sd);
   tissue.sd = smallest_sd;
-  for (const Seed& seed : *seeds) tissue.sd = std::max(tissue.sd, seed.sd);
-  Region region;
+  for (const Seed& seed : seeds) tissue.sd = std::max(tissue.sd, seed.sd);
   std::vector<std::uint8_t> before;
-  for (result.rounds = 1; result.rounds <= maximum_rounds; ++result.rounds) {
+  for (settled.rounds = 1; settled.rounds <= maximum_rounds; ++settled.rounds) {
     if (progress.cancelled()) return cancelled();
-    progress.report(static_cast<double>(result.rounds) / (maximum_rounds + 2), GLISSON_TEXT("Growing"));
+    progress.report(static_cast<double>(settled.rounds) / (maximum_rounds + 2), GLISSON_TEXT("Growing"));
     Mask looks = looks_like(tissue, working, options);
-    for (const Seed& seed : *seeds) {
+    for (const Seed& seed : seeds) {
       for (const std::size_t voxel : seed.voxels) looks.values[voxel] = 1;
     }
-    region = region_of(with_slice_holes_filled(looks, options.closing_radius_mm + 2), *seeds, options);
+    region = region_of(with_slice_holes_filled(looks, options.closing_radius_mm + 2), seeds, options);
     if (voxel_count(region.core) == 0) {
       return failure(Error{"grow-nothing-found",
                            GLISSON_TEXT("No tissue thick enough to be an organ hangs together with the seeds."),
@@ -129,24 +187,30 @@ Result<GrowResult> grow_from_seeds(const imaging::Volume& image, const std::vect
     before = region.whole.values;
     tissue = learn_tissue(working, region.core, drift, options.drift_length_mm, smallest_sd);
   }
-
-  if (progress.cancelled()) return cancelled();
-  progress.report(static_cast<double>(maximum_rounds + 1) / (maximum_rounds + 2),
-                  GLISSON_TEXT("Smoothing the outline"));
-  result.rounds = std::min(result.rounds, maximum_rounds);
-  RefinedBorder refined =
-      with_border_refined(finished(region, image.grid, block, options), image, tissue.mean, tissue.sd);
-  result.mask = without_crumbs(std::move(refined.outline));
-  result.unsure_border = refined.unsure_share;
-  result.volume_ml = volume_ml(result.mask);
-  result.tissue_mean = tissue.mean;
-  result.tissue_sd = tissue.sd;
-  result.doubts = doubts_about(result, *seeds, region);
-  progress.report(1.0, GLISSON_TEXT("Smoothing the outline"));
-  return result;
+  settled.rounds = std::min(settled.rounds, maximum_rounds);
+  return settled;
 }
 
-namespace {
+Result<std::optional<Settled>> wider_plateau(const Settled& narrow, const WorkingImage& working,
+                                             const std::vector<Seed>& seeds, TissueModel::Drift drift,
+                                             double smallest_sd, const GrowOptions& options, const Progress& progress) {
+  constexpr double wider = 2, still_wider = 2.5;       // times the tolerance
+  constexpr double much_more = 2, nearly_same = 1.05;  // times the volume
+  const auto grown_at = [&](double times) {
+    GrowOptions tolerant = options;
+    tolerant.tolerance_sd *= times;
+    tolerant.roughness_sd *= times;
+    return settled_region(working, seeds, drift, smallest_sd, tolerant, progress);
+  };
+  const auto size_of = [](const Settled& settled) { return static_cast<double>(voxel_count(settled.region.whole)); };
+  auto more = grown_at(wider);
+  if (progress.cancelled()) return cancelled();
+  if (!more || size_of(*more) < much_more * size_of(narrow)) return std::nullopt;
+  const auto most = grown_at(still_wider);
+  if (progress.cancelled()) return cancelled();
+  if (!most || size_of(*most) > nearly_same * size_of(*more)) return std::nullopt;
+  return std::optional(std::move(*more));
+}
 
 Region region_of(const Mask& tissue, const std::vector<Seed>& seeds, const GrowOptions& options) {
   Region region;
