@@ -113,6 +113,7 @@ def rms(document):
 def judge(folder, said):
     truth = json.loads((folder / "truth.json").read_text())
     result = {"case": folder.name, "truth": truth["kinds"], "outside": truth["outside"], "size": truth["size"],
+              "sort": sort_of(folder), "noise": truth.get("noise", "stated"),
               "seconds": said["seconds"], "processor_seconds": said["processor_seconds"]}
     if "problem" in said:
         result["problem"] = said["problem"]
@@ -157,6 +158,10 @@ def matches(truth, result, alike):
             return False
         left.remove(found)
     return True
+
+
+def sort_of(folder):
+    return json.loads((folder / "experiment.json").read_text())["kind"]
 
 
 def noise_units(folder, report):

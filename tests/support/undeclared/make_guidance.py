@@ -124,7 +124,7 @@ def write_places(file, prefix, rest_mm, now_mm):
 def main():
     if not calculix.available():
         sys.exit("CalculiX (ccx) is not installed: apt-get install calculix-ccx")
-    for case in asked_cases(__doc__, [*INSIDE, *OUTSIDE], (), "specimens", "tiny"):
+    for *case, _ in asked_cases(__doc__, [*INSIDE, *OUTSIDE], (), "specimens", "tiny"):
         make(*case)
 
 

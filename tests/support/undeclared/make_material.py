@@ -12,6 +12,7 @@ import numpy as np
 
 from asked_cases import asked_cases
 from material import Effects, ramp_and_hold, ramps, stresses
+from noise import noise as noise_of
 
 YOUNGS_KPA = 30.0
 
@@ -83,7 +84,7 @@ def size_kPa(found, without):
     return float(np.sqrt(np.mean(np.concatenate([found[t] - without[t] for t in found if not t.startswith("h")]) ** 2)))
 
 
-def make(folder, mode, kinds, size, seed):
+def make(folder, mode, kinds, size, seed, noise_is):
     if (folder / "truth.json").exists():
         return
     rng = np.random.default_rng([seed, *map(ord, mode + "".join(kinds))])
@@ -98,7 +99,7 @@ def make(folder, mode, kinds, size, seed):
     folder.mkdir(parents=True)
     written = []
     for trial, (times, stretches) in trials.items():
-        noisy = found[trial] + rng.normal(0, noise, len(times))
+        noisy = found[trial] + noise_of(rng, noise, len(times), noise_is)
         rows = "\n".join(f"{t:.5f},{x:.7f},{s:.6f}" for t, x, s in zip(times, stretches, noisy))
         (folder / f"{trial}.csv").write_text("Time,Stretch,Stress\n" + rows + "\n")
         written.append({"id": trial, "file": f"{trial}.csv",
@@ -112,7 +113,7 @@ def make(folder, mode, kinds, size, seed):
     shown = {k: v for k, v in vars(together(parts)).items() if v != getattr(Effects(), k)}
     (folder / "truth.json").write_text(json.dumps(
         {"kinds": list(kinds), "outside": any(k in OUTSIDE for k in kinds), "size": size if kinds else 0,
-         "noise_kPa": noise, "parameters": shown}, indent=1) + "\n")
+         "noise_kPa": noise, "noise": noise_is, "parameters": shown}, indent=1) + "\n")
 
 
 def main():

@@ -113,7 +113,7 @@ def added_mm(scene, parts):
     return min(size_mm(scene, whole, without) for without in parts)
 
 
-def make(folder, specimen, kinds, size, seed):
+def make(folder, specimen, kinds, size, seed, noise_is):
     if (folder / "truth.json").exists():
         return
     scene = scene_of(specimen, "strain-stiffening" in kinds)
@@ -131,7 +131,7 @@ def make(folder, specimen, kinds, size, seed):
         size = effect / noise
     shown = {k: v for k, v in vars(effects).items() if v != getattr(Effects(), k)}
     write_case(folder, scene, effects, noise, seed, {"kinds": list(kinds), "outside": outside, "size": round(size, 2),
-                                                     "parameters": shown})
+                                                     "noise": noise_is, "parameters": shown})
     print(f"{folder.name}: {size:.1f} times a noise of {noise} mm", flush=True)
 
 

@@ -16,6 +16,7 @@ sys.dont_write_bytecode = True
 import numpy as np
 
 from asked_cases import asked_cases
+from noise import noise
 
 NOMINAL_V, CAPACITY_AH = 3.7, 2.5
 IDLE_W, FULL_W, THERMAL_C_PER_W, TIME_S, AMBIENT_C = 2.0, 8.0, 5.0, 120.0, 23.0
@@ -102,7 +103,7 @@ def patterns(kind, rng):
             "h-steps": steps([0.6, 1, 0.1, 0.9], 220), "h-bursts": [1.0 if t % 120 < 70 else 0.15 for t in range(900)]}
 
 
-def make(folder, kinds, size, seed, null_of):
+def make(folder, kinds, size, seed, noise_is, null_of):
     if (folder / "truth.json").exists():
         return
     rng = np.random.default_rng([seed, *map(ord, "".join(kinds))])
@@ -122,7 +123,7 @@ def make(folder, kinds, size, seed, null_of):
     for trial, (_, rows) in found.items():
         noisy = rows.copy()
         for q, c in measured.items():
-            noisy[:, c] += rng.normal(0, factor * NOISE[q], len(rows))
+            noisy[:, c] += noise(rng, factor * NOISE[q], len(rows), noise_is)
         (folder / f"{trial}.csv").write_text(",".join(columns) + "\n" + "\n".join(
             ",".join(f"{x:.6g}" for x in row) for row in noisy) + "\n")
         written.append({"id": trial, "file": f"{trial}.csv", "columns": {c: c for c in columns}, "ambient_C": AMBIENT_C})
@@ -137,13 +138,13 @@ def make(folder, kinds, size, seed, null_of):
     shown = {k: v for k, v in vars(effects).items() if v != getattr(Effects(), k)}
     (folder / "truth.json").write_text(json.dumps(
         {"kinds": list(kinds), "outside": any(k in OUTSIDE for k in kinds), "size": size if kinds else 0,
-         "parameters": shown}, indent=1) + "\n")
+         "noise": noise_is, "parameters": shown}, indent=1) + "\n")
 
 
 def main():
-    for folder, _, kinds, size, seed in asked_cases(__doc__, [*INSIDE, *OUTSIDE]):
+    for folder, _, kinds, size, seed, noise_is in asked_cases(__doc__, [*INSIDE, *OUTSIDE]):
         for null_of in (board,) if kinds else (cell, board):
-            make(folder if kinds else folder.with_name(f"{null_of.__name__}-{folder.name}"), kinds, size, seed, null_of)
+            make(folder if kinds else folder.with_name(f"{null_of.__name__}-{folder.name}"), kinds, size, seed, noise_is, null_of)
 
 
 if __name__ == "__main__":

@@ -15,6 +15,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 import calculix
+from noise import noise
 from shape_functions import Locator, face_rule, face_values
 from specimens import boundary_triangles, brick_mesh, experiment_mesh, nested_mesh, write_vtu
 
@@ -365,7 +366,7 @@ def against_reading(scene, effects, reading=None):
 
 
 def write_case(folder, scene, effects, noise_mm, seed, answer):
-    """`answer` goes into truth.json: kinds, outside, size, ..."""
+    """`answer` goes into truth.json: kinds, outside, size, noise (noise.py), ..."""
     folder.mkdir(parents=True, exist_ok=True)
     rng = np.random.default_rng([seed, *map(ord, folder.name)])
     fixed = np.zeros(len(scene.experiment.points))
@@ -376,7 +377,7 @@ def write_case(folder, scene, effects, noise_mm, seed, answer):
         trials = []
         for site, path in zip(scene.sites, paths):
             if site.held_out == held_out:
-                trials.append(write_trial(folder, scene, effects, site, path, noise_mm, rng))
+                trials.append(write_trial(folder, scene, effects, site, path, noise_mm, rng, answer["noise"]))
         (folder / file).write_text(json.dumps({
             "format": "glisson-experiment/1", "kind": "palpation", "title": folder.name,
             "specimen": {"mesh": "specimen.vtu", "youngs_modulus_kPa": scene.youngs_kPa,
@@ -386,13 +387,15 @@ def write_case(folder, scene, effects, noise_mm, seed, answer):
     (folder / "truth.json").write_text(json.dumps({**answer, "noise_mm": noise_mm}, indent=1) + "\n")
 
 
-def write_trial(folder, scene, effects, site, path, noise_mm, rng):
+def write_trial(folder, scene, effects, site, path, noise_mm, rng, noise_is):
     samples = []
+    measured = np.flatnonzero(site.measured)
+    off_mm = dict(zip(measured, noise(rng, noise_mm, (len(measured), *scene.markers_mm.shape), noise_is)))
     for k, (time, force) in enumerate(zip(site.times_s, read_force(effects, site))):
         sample = {"time_s": time, "force_N": force}
         if site.measured[k]:
             sample["markers"] = f"{site.name}_{k}.csv"
-            now = scene.markers_mm + path[k] + rng.normal(0, noise_mm, path[k].shape)
+            now = scene.markers_mm + path[k] + off_mm[k]
             rows = [",".join([f"m{m}", *(f"{x:.5f}" for x in (*rest, *moved))])
                     for m, (rest, moved) in enumerate(zip(scene.markers_mm, now), 1)]
             (folder / sample["markers"]).write_text(
