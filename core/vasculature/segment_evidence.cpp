@@ -16,9 +16,9 @@ using imaging::Mask;
 
 namespace {
 
-// Of the liver's volume, and the standard deviation of its logarithm, wide, so that a small segment stays small. VIII is the median of 107 livers, and the order
-// of the others theirs (Mise et al. 2014, HPB 16:439); II with III 16 %, IV 17 %, the right side 65 % (Abdalla et al.
-// 2004, Surgery 135:404).
+// Of the liver's volume, and the standard deviation of its logarithm, wide, so that a small segment stays small. VIII
+// is the median of 107 livers, and the order of the others theirs (Mise et al. 2014, HPB 16:439); II with III 16 %, IV
+// 17 %, the right side 65 % (Abdalla et al. 2004, Surgery 135:404).
 constexpr std::array<double, 9> shares = {0, 0.03, 0.075, 0.085, 0.15, 0.13, 0.1, 0.17, 0.26};
 constexpr std::array<double, 9> share_spread = {0, 0.8, 0.63, 0.8, 0.47, 0.55, 0.7, 0.47, 0.43};
 
@@ -35,15 +35,7 @@ struct Weights {
 const Weights weights;
 
 // What each of them adds.
-enum Term : std::size_t {
-  of_planes,
-  of_volumes,
-  of_entries,
-  of_hepatic,
-  of_left_portal,
-  of_portal,
-  term_count
-};
+enum Term : std::size_t { of_planes, of_volumes, of_entries, of_hepatic, of_left_portal, of_portal, term_count };
 
 std::array<double, term_count> terms(const Evidence& evidence, const PlaneParameters& parameters) {
   std::array<double, term_count> sum{};

@@ -14,8 +14,8 @@ constexpr double degrees = 180 / std::numbers::pi;
 
 }  // namespace
 
-const PlaneParameters mean_planes = {34, 5,  0.12, 0.06, 126, 2, 179, -5, 90, 0,  -8, -0.04,
-                                     -7, -0.06, -19, 0.1, 2.1, 15, -13, 11, 29, 23, 49};
+const PlaneParameters mean_planes = {34, 5,     0.12, 0.06, 126, 2,  179, -5, 90, 0,  -8, -0.04,
+                                     -7, -0.06, -19,  0.1,  2.1, 15, -13, 11, 29, 23, 49};
 const PlaneParameters plane_spread = {9, 6,    0.12, 0.07, 9,   8, 3, 5,  12, 12, 6, 0.09,
                                       7, 0.07, 10,   0.12, 0.4, 5, 5, 11, 4,  3,  8};
 

@@ -43,8 +43,9 @@ enum Parameter : std::size_t {
 
 using PlaneParameters = std::array<double, parameter_count>;
 
-// Mean and standard deviation of each number by itself, rounded, over the 35 livers of the tuning half, the model fitted
-// to their drawn segments (docs/territories.md): statistics of the kind that anatomists publish, no outline of anybody.
+// Mean and standard deviation of each number by itself, rounded, over the 35 livers of the tuning half, the model
+// fitted to their drawn segments (docs/territories.md): statistics of the kind that anatomists publish, no outline of
+// anybody.
 extern const PlaneParameters mean_planes, plane_spread;
 
 class SegmentPlanes {
