@@ -1,7 +1,7 @@
 #pragma once
 // Couinaud's eight segments of a liver, from its vessel trees or, where there are none, from its shape alone.
 //
-// What parts the segments (internal/segment_planes.h) is fitted to one liver: near the mean of generated livers, with
+// What parts the segments (internal/segment_planes.h) is fitted to one liver: near the mean of real livers, with
 // segments of about published sizes, hepatic veins on the borders, portal branches off them. Most probable answer of a
 // model with 23 numbers; the doubt of a voxel is the share of other likely answers that call it otherwise.
 

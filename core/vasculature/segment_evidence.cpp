@@ -6,7 +6,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "segmentation/resample.h"
 #include "vasculature/internal/nearest_voxel.h"
 
 namespace glisson::vasculature {
@@ -17,72 +16,26 @@ using imaging::Mask;
 
 namespace {
 
-// Of the liver's volume, and the standard deviation of its logarithm. VIII is the median of 107 livers, and the order
-// of the others theirs (Mise et al. 2014, HPB 16:439); II with III 16 %, IV 17 %, the right side 65 % (Abdalla et al.
-// 2004, Surgery 135:404).
+// Of the liver's volume, and the standard deviation of its logarithm, wide, so that a small segment stays small. VIII
+// is the median of 107 livers, and the order of the others theirs (Mise et al. 2014, HPB 16:439); II with III 16 %, IV
+// 17 %, the right side 65 % (Abdalla et al. 2004, Surgery 135:404).
 constexpr std::array<double, 9> shares = {0, 0.03, 0.075, 0.085, 0.15, 0.13, 0.1, 0.17, 0.26};
-constexpr std::array<double, 9> share_spread = {0, 0.5, 0.4, 0.5, 0.3, 0.35, 0.45, 0.3, 0.27};
+constexpr std::array<double, 9> share_spread = {0, 0.8, 0.63, 0.8, 0.47, 0.55, 0.7, 0.47, 0.43};
 
 // How much the rest counts, in units of the logarithm of the probability, and how exact it is; tuned on the tuning half
 // of the real livers (docs/territories.md).
 struct Weights {
-  double cava = 3;                                      // a height at which the vena cava lies in a groove of the liver
-  double umbilical_notch = 12, gall_bladder_notch = 6;  // a notch as deep as the liver
-  double hepatic = 8;                                   // all hepatic veins together
-  double portal = 8;                                    // all portal branches together
-  double on_border_mm = 5;                              // how near a hepatic vein runs to a border
-  double off_border_mm = 5;                             // how far from borders portal branches keep
-  double maximum_off_border = 2;                        // beyond this a vein counts as none of those that part segments
-  double entry_mm = 15;                                 // how exactly the places of entry are known
+  double hepatic = 5;             // all hepatic veins together
+  double portal = 5;              // all portal branches together
+  double on_border_mm = 5;        // how near a hepatic vein runs to a border
+  double off_border_mm = 5;       // how far from borders portal branches keep
+  double maximum_off_border = 2;  // beyond this a vein counts as none of those that part segments
+  double entry_mm = 25;           // how exactly the places of entry are known
 };
 const Weights weights;
 
-// The vena cava is no liver, but lies against it: how much of it does, summed over ten heights.
-double groove(const Evidence& evidence, const SegmentPlanes& planes) {
-  static constexpr std::array<std::array<double, 2>, 8> around = {
-      {{1, 0}, {0.7071, 0.7071}, {0, 1}, {-0.7071, 0.7071}, {-1, 0}, {-0.7071, -0.7071}, {0, -1}, {0.7071, -0.7071}}};
-  const double scale = evidence.liver.scale();
-  double sum = 0;
-  for (int n = 0; n < 10; ++n) {
-    const Vector3d center = planes.on_axis_mm(-10 + 6 * n);
-    double within = evidence.is_liver(center) ? 1 : 0, beside = 0;
-    for (const auto& [x, y] : around) {
-      const Vector3d way(x, y, 0);
-      if (evidence.is_liver(center + 8 * scale * way)) within += 1;
-      if (evidence.is_liver(center + 18 * scale * way)) beside += 1;
-    }
-    sum += beside / 8 - 1.3 * within / 9;
-  }
-  return sum;
-}
-
-// Under the liver the umbilical fissure and the gall bladder's fossa are notches: how much less liver lies in a surface
-// through the axis than in those 14 degrees beside it.
-double notch(const Evidence& evidence, const SegmentPlanes& planes, SegmentPlanes::Surface surface) {
-  double sum = 0;
-  for (int height = -40; height <= 0; height += 10) {
-    for (int away = 30; away <= 90; away += 12) {
-      const auto liver_at = [&](double turned_deg) {
-        return evidence.is_liver(planes.on_surface_mm(surface, turned_deg, height, away)) ? 1.0 : 0.0;
-      };
-      sum += 0.5 * (liver_at(-14) + liver_at(14)) - 0.5 * (liver_at(-2) + liver_at(2));
-    }
-  }
-  return sum / 30;
-}
-
 // What each of them adds.
-enum Term : std::size_t {
-  of_planes,
-  of_volumes,
-  of_groove,
-  of_notches,
-  of_entries,
-  of_hepatic,
-  of_left_portal,
-  of_portal,
-  term_count
-};
+enum Term : std::size_t { of_planes, of_volumes, of_entries, of_hepatic, of_left_portal, of_portal, term_count };
 
 std::array<double, term_count> terms(const Evidence& evidence, const PlaneParameters& parameters) {
   std::array<double, term_count> sum{};
@@ -98,9 +51,6 @@ std::array<double, term_count> terms(const Evidence& evidence, const PlaneParame
     const double off = std::log(share / shares[s]) / share_spread[s];
     sum[of_volumes] += 0.5 * off * off;
   }
-  sum[of_groove] = -weights.cava * groove(evidence, planes);
-  sum[of_notches] = -weights.umbilical_notch * notch(evidence, planes, SegmentPlanes::umbilical) -
-                    weights.gall_bladder_notch * notch(evidence, planes, SegmentPlanes::middle);
   if (evidence.vessels.empty()) return sum;
 
   const double scale = evidence.liver.scale();
@@ -135,13 +85,6 @@ std::array<double, term_count> terms(const Evidence& evidence, const PlaneParame
 
 }  // namespace
 
-bool Evidence::is_liver(const Vector3d& patient_mm) const {
-  const Vector3d at = (patient_mm - coarse.grid.origin_mm) / coarse.grid.spacing_mm.x();
-  const int i = static_cast<int>(std::lround(at.x())), j = static_cast<int>(std::lround(at.y())),
-            k = static_cast<int>(std::lround(at.z()));
-  return coarse.grid.contains(i, j, k) && coarse.at(i, j, k) != 0;
-}
-
 Result<Evidence> evidence_of(const Mask& liver) {
   Evidence evidence;
   auto frame = liver_frame(liver);
@@ -160,14 +103,6 @@ Result<Evidence> evidence_of(const Mask& liver) {
       }
     }
   }
-  constexpr double cube_mm = 3;
-  evidence.coarse.grid.spacing_mm.setConstant(cube_mm);
-  evidence.coarse.grid.origin_mm = frame->low_mm;
-  for (int a = 0; a < 3; ++a) {
-    evidence.coarse.grid.size[static_cast<std::size_t>(a)] =
-        static_cast<int>((frame->high_mm[a] - frame->low_mm[a]) / cube_mm) + 1;
-  }
-  evidence.coarse = segmentation::resample(liver, evidence.coarse.grid);
   return evidence;
 }
 

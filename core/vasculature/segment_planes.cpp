@@ -14,14 +14,14 @@ constexpr double degrees = 180 / std::numbers::pi;
 
 }  // namespace
 
-const PlaneParameters mean_planes = {12, 8, 0.1, 0,    104, 6, 167, -6, 73, 11, 0, 0,
-                                     12, 0, -26, -0.2, 0.8, 6, -14, 22, 22, 18, 40};
-const PlaneParameters plane_spread = {16, 12,  0.3, 0.2, 16,  20, 12, 16, 20, 24, 14, 0.2,
-                                      16, 0.2, 16,  0.4, 0.6, 12, 9,  18, 10, 8,  12};
+const PlaneParameters mean_planes = {34, 5,     0.12, 0.06, 126, 2,  179, -5, 90, 0,  -8, -0.04,
+                                     -7, -0.06, -19,  0.1,  2.1, 15, -13, 11, 29, 23, 49};
+const PlaneParameters plane_spread = {9, 6,    0.12, 0.07, 9,   8, 3, 5,  12, 12, 6, 0.09,
+                                      7, 0.07, 10,   0.12, 0.4, 5, 5, 11, 4,  3,  8};
 
 SegmentPlanes::SegmentPlanes(const LiverFrame& liver, const PlaneParameters& parameters)
     : p_(parameters),
-      base_mm_(liver.at({0.45, 0.6, 0.45})),
+      base_mm_(liver.centroid_mm.x(), liver.at({0, 0.6, 0}).y(), liver.centroid_mm.z()),
       left_normal_(Vector3d(p_[left_normal_x], 1, p_[left_normal_z]).normalized()),
       scale_(liver.scale()) {}
 
@@ -63,14 +63,6 @@ std::array<double, 4> SegmentPlanes::distances_mm(const Vector3d& patient_mm) co
   };
   return {from(p_[middle_deg] + p_[middle_tilt] * up), from(p_[right_deg] + p_[right_tilt] * up),
           from(p_[left_deg] + p_[left_tilt] * up), scale_ * (place.from_base.dot(left_normal_) - p_[left_offset])};
-}
-
-Vector3d SegmentPlanes::on_surface_mm(Surface surface, double turned_deg, double height, double away) const {
-  static constexpr std::array<std::pair<Parameter, Parameter>, 3> angle_of = {
-      {{middle_deg, middle_tilt}, {right_deg, right_tilt}, {left_deg, left_tilt}}};
-  const auto [azimuth, tilt] = angle_of.at(surface);
-  const double angle = (p_[azimuth] + p_[tilt] * height / 100 + turned_deg) / degrees;
-  return on_axis_mm(height) + scale_ * away * Vector3d(std::cos(angle), -std::sin(angle), 0);
 }
 
 Vector3d SegmentPlanes::on_axis_mm(double height) const {

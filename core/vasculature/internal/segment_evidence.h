@@ -14,7 +14,7 @@ namespace glisson::vasculature {
 
 // Where the portal vein divides, from the vena cava's axis and the middle of the borders of V and VI, and where the
 // hepatic veins meet, from the axis and the base point: means of generated patients 1 to 10, mm at scale 1.
-inline const Eigen::Vector3d portal_from_axis(-5, -27, 0), hepatic_from_axis(-10, -34, 57);
+inline const Eigen::Vector3d portal_from_axis(-14, -25, -5), hepatic_from_axis(-18, -32, 39);
 
 // A piece of vessel with what it counts as one of each system.
 struct VesselSample {
@@ -29,9 +29,6 @@ struct Evidence {
   std::vector<Eigen::Vector3d> places_mm;  // spread over the liver
   std::vector<VesselSample> vessels;
   Eigen::Vector3d portal_mm{0, 0, 0}, hepatic_mm{0, 0, 0};
-  imaging::Mask coarse;  // the liver in cubes of 3 mm along the patient's axes
-
-  [[nodiscard]] bool is_liver(const Eigen::Vector3d& patient_mm) const;
 };
 
 // Failures: those of liver_frame.

@@ -3,8 +3,9 @@
 // and the umbilical fissure, planes at the height of the portal branches, a plane along the left hepatic vein, and the
 // caudate around the vena cava's front (Couinaud 1957; Strasberg 2000, HPB 2:333, for the names).
 //
-// All is counted from a base point in the liver's box, in units of the liver's scale; 23 numbers, with the mean and the
-// spread that generated livers have.
+// All is counted from a base point, in units of the liver's scale: level with the centroid from right to left and in
+// height, since a long left lobe moves the liver's box more than its veins, and at 0.6 of the box from front to back.
+// 23 numbers, each with the mean and the spread that drawn segments of real livers have.
 
 #include <array>
 #include <Eigen/Core>
@@ -42,8 +43,9 @@ enum Parameter : std::size_t {
 
 using PlaneParameters = std::array<double, parameter_count>;
 
-// Of generated patients 1 to 10, fitted to their segments and rounded; the spread is chosen two to five times theirs,
-// since real livers vary more.
+// Mean and standard deviation of each number by itself, rounded, over the 35 livers of the tuning half, the model
+// fitted to their drawn segments (docs/territories.md): statistics of the kind that anatomists publish, no outline of
+// anybody.
 extern const PlaneParameters mean_planes, plane_spread;
 
 class SegmentPlanes {
@@ -56,8 +58,6 @@ class SegmentPlanes {
   // roughly in mm, signed.
   enum Surface : std::size_t { middle, right, umbilical, left_vein };
   [[nodiscard]] std::array<double, 4> distances_mm(const Eigen::Vector3d& patient_mm) const;
-  // A place in one of the three surfaces through the axis, or in one turned from it, by height and distance (scale 1).
-  [[nodiscard]] Eigen::Vector3d on_surface_mm(Surface surface, double turned_deg, double height, double away) const;
   // The vena cava's axis at a height above the base point, in mm at scale 1.
   [[nodiscard]] Eigen::Vector3d on_axis_mm(double height) const;
 
