@@ -136,8 +136,8 @@ void read_declared(const Json& json, FullField& field) {
   if (form == nullptr) {
     std::string known;
     for (const LawForm& law : plane_laws()) known += (known.empty() ? "" : ", ") + std::string(law.name);
-    refuse("experiment-invalid", GLISSON_TEXT("The declared law \"{0}\" is not known."), {name},
-           GLISSON_TEXT("The laws are ") + known + ".");
+    refuse("experiment-invalid", GLISSON_TEXT("The declared law \"{0}\" is not known."), {name, known},
+           GLISSON_TEXT("The laws are {1}."));
   }
   field.law = form->name;
   const Json& numbers = json.contains("parameters") ? json["parameters"] : json;
@@ -172,8 +172,8 @@ void read_declared(const Json& json, FullField& field) {
       set_number(LawNumber::shear, modulus / (4 * (1 + poisson)));
       set_number(LawNumber::volume, modulus / (6 * (1 - 2 * poisson)));
     } else {
-      refuse("experiment-invalid", GLISSON_TEXT("The law {0} has no number called \"{1}\"."), {field.law, key},
-             GLISSON_TEXT("Its numbers are ") + names_of(*form) + ".");
+      refuse("experiment-invalid", GLISSON_TEXT("The law {0} has no number called \"{1}\"."),
+             {field.law, key, names_of(*form)}, GLISSON_TEXT("Its numbers are {2}."));
     }
   }
   if (given == 0) {
