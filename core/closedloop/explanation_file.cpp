@@ -37,8 +37,7 @@ Json numbers(const Eigen::VectorXd& values);
 }  // namespace
 
 BetterModel better_model(const Explanation& explanation) {
-  return {explanation.settings, explanation.smooth_correction, explanation.mesh_error_share,
-          explanation.reading};
+  return {explanation.settings, explanation.smooth_correction, explanation.mesh_error_share, explanation.reading};
 }
 
 std::string name_of(Verdict verdict) {

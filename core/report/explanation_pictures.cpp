@@ -173,9 +173,10 @@ std::vector<Drawing> on_the_specimen(const Explanation& explanation, const Obser
     return Drawing{svg_of(plot), plot.caption};
   };
   if (!has_units(observations)) {
-    return {drawn(before, GLISSON_TEXT("Residual before, trial {0} at its worst: arrows {1} times as long, red at {2}")),
-            drawn(after, GLISSON_TEXT("Residual after, trial {0} at its worst: arrows {1} times as long, red at {2}")),
-            errors_by_load(explanation, observations, words)};
+    return {
+        drawn(before, GLISSON_TEXT("Residual before, trial {0} at its worst: arrows {1} times as long, red at {2}")),
+        drawn(after, GLISSON_TEXT("Residual after, trial {0} at its worst: arrows {1} times as long, red at {2}")),
+        errors_by_load(explanation, observations, words)};
   }
   return {drawn(before, GLISSON_TEXT("Residual before, trial {0} at its worst: arrows {1} times as long, red at {2} "
                                      "mm")),

@@ -270,12 +270,11 @@ void EvidenceView::word_state() {
   if (weighed_) answer_->found().show_consequences(weighed_->effects);
   for (QPushButton* each : {open_, example_, open_report_}) each->setEnabled(!busy);
   opened_->setText(record_ ? tr("%1, learnt from %2")
-                                 .arg(record_->experiment_kind == "palpation"  ? tr("A palpation")
-                                      : record_->experiment_kind == "material" ? tr("A material test")
-                                      : record_->experiment_kind == "guidance" ? tr("A guided sequence")
-                                      : record_->experiment_kind == "full-field"
-                                          ? tr("A plate in full field")
-                                          : tr("A wearable computer"),
+                                 .arg(record_->experiment_kind == "palpation"    ? tr("A palpation")
+                                      : record_->experiment_kind == "material"   ? tr("A material test")
+                                      : record_->experiment_kind == "guidance"   ? tr("A guided sequence")
+                                      : record_->experiment_kind == "full-field" ? tr("A plate in full field")
+                                                                                 : tr("A wearable computer"),
                                       QString::fromStdString(record_->learnt_from))
                            : tr("Nothing is open."));
   const QString why_not = why_not_accept();

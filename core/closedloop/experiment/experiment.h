@@ -154,7 +154,7 @@ struct FullField {
   std::vector<Eigen::Vector2d> points;
   std::vector<std::array<int, 3>> triangles;  // counter-clockwise
   double thickness = 1;
-  std::string law;             // a name of fullfield/laws.h
+  std::string law;              // a name of fullfield/laws.h
   Eigen::VectorXd law_numbers;  // in the law's order; empty: declared is its name alone
   double noise = 0;             // standard deviation of each displacement
   std::optional<double> noise_of_reactions;

@@ -29,10 +29,10 @@ std::vector<PrescribedRow> prescribed_from(const Json& json, const std::string& 
 }  // namespace
 
 FullField full_field_from(const Json& json, const Source& source, Needs needs) {
-  only_keys(json,
-            {"format", "kind", "title", "units", "specimen", "boundaries", "declared", "noise", "noise_reaction",
-             "trials"},
-            "The experiment");
+  only_keys(
+      json,
+      {"format", "kind", "title", "units", "specimen", "boundaries", "declared", "noise", "noise_reaction", "trials"},
+      "The experiment");
   FullField field;
   field.needs = needs;
   const geometry::Surface mesh = mesh_from(required(json, "specimen", "The experiment"), source, field);
@@ -46,7 +46,8 @@ FullField full_field_from(const Json& json, const Source& source, Needs needs) {
     const Json& trial = json["trials"][t];
     const std::string where = "trial " + ids[t];
     only_keys(trial, {"id", "displacement", "reactions", "prescribed"}, where);
-    PlaneTrial made{ids[t], Eigen::Matrix2Xd::Constant(2, static_cast<Eigen::Index>(field.points.size()), none), {}, {}};
+    PlaneTrial made{
+        ids[t], Eigen::Matrix2Xd::Constant(2, static_cast<Eigen::Index>(field.points.size()), none), {}, {}};
     const auto file_of = [&](const char* key) {
       return source.named_file(text_in(required(trial, key, where), where + ", " + key));
     };
@@ -55,9 +56,8 @@ FullField full_field_from(const Json& json, const Source& source, Needs needs) {
       made.displacement = displacement_from(file_of("displacement"), field.points.size());
     reactions.push_back(must || trial.contains("reactions") ? reactions_from(file_of("reactions"))
                                                             : std::vector<ReactionRow>());
-    prescribed.push_back(trial.contains("prescribed")
-                             ? prescribed_from(trial["prescribed"], where + ", prescribed")
-                             : std::vector<PrescribedRow>());
+    prescribed.push_back(trial.contains("prescribed") ? prescribed_from(trial["prescribed"], where + ", prescribed")
+                                                      : std::vector<PrescribedRow>());
     field.trials.push_back(std::move(made));
   }
   assign_boundaries(json.contains("boundaries") ? json["boundaries"] : Json::object(), mesh, reactions, prescribed,
@@ -85,7 +85,9 @@ geometry::Surface mesh_from(const Json& specimen, const Source& source, FullFiel
            {}, file);
   for (const Eigen::Vector3d& point : mesh.points_mm) field.points.push_back(point.head<2>());
   for (std::array<int, 3> triangle : mesh.triangles) {
-    const auto corner = [&](int i) { return field.points[static_cast<std::size_t>(triangle[static_cast<std::size_t>(i)])]; };
+    const auto corner = [&](int i) {
+      return field.points[static_cast<std::size_t>(triangle[static_cast<std::size_t>(i)])];
+    };
     const Eigen::Vector2d a = corner(1) - corner(0), b = corner(2) - corner(0);
     const double area = (a.x() * b.y() - a.y() * b.x()) / 2;
     if (!(std::abs(area) > 1e-12 * box.diagonal_mm() * box.diagonal_mm()))
@@ -126,7 +128,8 @@ constexpr std::array<Alias, 20> aliases{{{"C10", LawNumber::shear, 1},
 
 std::string names_of(const LawForm& form) {
   std::string names;
-  for (const LawParameter& parameter : form.parameters) names += (names.empty() ? "" : ", ") + std::string(parameter.name);
+  for (const LawParameter& parameter : form.parameters)
+    names += (names.empty() ? "" : ", ") + std::string(parameter.name);
   return names;
 }
 
@@ -143,7 +146,9 @@ void read_declared(const Json& json, FullField& field) {
   const Json& numbers = json.contains("parameters") ? json["parameters"] : json;
   if (!numbers.is_object()) refuse_at("declared, parameters", GLISSON_TEXT("{0} must be an object in braces."));
   field.law_numbers = Eigen::VectorXd::Constant(static_cast<Eigen::Index>(form->parameters.size()), none);
-  const auto set = [&](std::size_t which, double value) { field.law_numbers[static_cast<Eigen::Index>(which)] = value; };
+  const auto set = [&](std::size_t which, double value) {
+    field.law_numbers[static_cast<Eigen::Index>(which)] = value;
+  };
   const auto set_number = [&](LawNumber wanted, double value) {
     for (std::size_t p = 0; p < form->parameters.size(); ++p) {
       if (form->parameters[p].number != wanted) continue;
@@ -157,8 +162,7 @@ void read_declared(const Json& json, FullField& field) {
     ++given;
     const auto own = std::find_if(form->parameters.begin(), form->parameters.end(),
                                   [&](const LawParameter& parameter) { return key == parameter.name; });
-    const auto alias =
-        std::find_if(aliases.begin(), aliases.end(), [&](const Alias& one) { return key == one.name; });
+    const auto alias = std::find_if(aliases.begin(), aliases.end(), [&](const Alias& one) { return key == one.name; });
     if (own != form->parameters.end()) {
       set(static_cast<std::size_t>(own - form->parameters.begin()), number);
     } else if (alias != aliases.end()) {
@@ -193,16 +197,17 @@ void read_noise(const Json& json, FullField& field) {
   } else {
     field.noise = positive_in(noise, "noise");
   }
-  if (json.contains("noise_reaction"))
-    field.noise_of_reactions = positive_in(json["noise_reaction"], "noise_reaction");
+  if (json.contains("noise_reaction")) field.noise_of_reactions = positive_in(json["noise_reaction"], "noise_reaction");
 }
 
 // The place of the first of these names among the cells; none where there is none of them.
 std::optional<std::size_t> column_called(const CsvRow& header, std::initializer_list<std::string_view> names) {
   for (const std::string_view name : names) {
     for (std::size_t cell = 0; cell < header.cells.size(); ++cell) {
-      if (std::equal(name.begin(), name.end(), header.cells[cell].begin(), header.cells[cell].end(),
-                     [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b)); }))
+      if (std::equal(
+              name.begin(), name.end(), header.cells[cell].begin(), header.cells[cell].end(), [](char a, char b) {
+                return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
+              }))
         return cell;
     }
   }

@@ -14,7 +14,8 @@ namespace {
 
 using Numbers = Eigen::Ref<const Eigen::VectorXd>;
 
-SecondOrder isotropic_energy(std::string_view law, const Numbers& p, const SecondOrder& first, const SecondOrder& volume);
+SecondOrder isotropic_energy(std::string_view law, const Numbers& p, const SecondOrder& first,
+                             const SecondOrder& volume);
 SecondOrder fibre_energy(std::string_view law, const Numbers& p, const SecondOrder& fourth, const SecondOrder& volume);
 std::vector<double> fibre_angles_deg(std::string_view law, const Numbers& p);
 
@@ -31,8 +32,7 @@ std::vector<LawForm> make_laws() {
   const auto coefficient = [](const char* name) { return LawParameter{name, LawNumber::coefficient, 0, 0, 0, {}}; };
   const char* stiffening =
       GLISSON_TEXT("The material resists shear and change of volume by another law than the one that is declared.");
-  const char* grain =
-      GLISSON_TEXT("The material is stiffer along fibres than across them.");
+  const char* grain = GLISSON_TEXT("The material is stiffer along fibres than across them.");
   return {
       {"neo-hookean", stiffening, {c10, volume}},
       {"mooney-rivlin", stiffening, {c10, coefficient("C01"), volume}},
@@ -42,7 +42,9 @@ std::vector<LawForm> make_laws() {
       {"ogden", stiffening, {mu, volume, {"alpha", LawNumber::shape, 2, -30, 30, {-4, -2, -1, 0.5, 1.3, 3, 5, 8}}}},
       {"isihara", stiffening, {c10, coefficient("C01"), coefficient("C20"), volume}},
       {"yeoh", stiffening, {c10, coefficient("C20"), coefficient("C30"), volume}},
-      {"fibre", grain, {c10, coefficient("k"), volume, {"angle_deg", LawNumber::angle, 0, -95, 185, every(15, 0, 165)}}},
+      {"fibre",
+       grain,
+       {c10, coefficient("k"), volume, {"angle_deg", LawNumber::angle, 0, -95, 185, every(15, 0, 165)}}},
       {"haines-wilson", stiffening, {c10, coefficient("C01"), coefficient("C11"), coefficient("C30"), volume}},
       {"holzapfel",
        grain,

@@ -7,13 +7,14 @@
 //   yeoh           C10 K1 + C20 K1^2 + C30 K1^3           haines-wilson  C10 K1 + C01 K2 + C11 K1 K2 + C30 K1^3
 //   arruda-boyce   mu (five terms in I1 J^(-2/3), N)      gent           -mu Jm / 2 ln(1 - K1 / Jm)
 //   ogden          2 mu / alpha^2 (l1^alpha + l2^alpha + l3^alpha - 3), l the stretches times J^(-1/3)
-//   fibre          C10 K1 + k (Ia - 1)^2                  holzapfel      C10 K1 + k1 / (2 k2) sum (exp(k2 (Ia - 1)^2) - 1)
+//   fibre          C10 K1 + k (Ia - 1)^2                  holzapfel      C10 K1 + k1 / (2 k2) sum (exp(k2 (Ia - 1)^2) -
+//   1)
 // and D (J - 1)^2, Ia = J^(-2/3) |F a|^2 along fibres a at `angle_deg` from x (fibre), at plus and minus that
 // (holzapfel); fibres act in compression as in tension.
 //
 // Treloar 1943; Mooney 1940; Isihara, Hashitsume and Tatibana 1951; Gent and Thomas 1958; Haines and Wilson 1979;
-// Yeoh 1993; Arruda and Boyce 1993; Gent 1996; Ogden 1972; Holzapfel, Gasser and Ogden 2000. As a library for discovery:
-// Flaschel, Kumar and De Lorenzis, Comput. Methods Appl. Mech. Engrg. 381 (2021) 113852.
+// Yeoh 1993; Arruda and Boyce 1993; Gent 1996; Ogden 1972; Holzapfel, Gasser and Ogden 2000. As a library for
+// discovery: Flaschel, Kumar and De Lorenzis, Comput. Methods Appl. Mech. Engrg. 381 (2021) 113852.
 
 #include <Eigen/Core>
 #include <string>
@@ -28,8 +29,8 @@ enum class LawNumber { shear, volume, coefficient, shape, angle };
 struct LawParameter {
   const char* name;
   LawNumber number;
-  double usual;               // of shapes and angles; coefficients have the unit of stress and no usual value
-  double lower = 0;           // bounds of a shape
+  double usual;      // of shapes and angles; coefficients have the unit of stress and no usual value
+  double lower = 0;  // bounds of a shape
   double upper = 0;
   std::vector<double> tried;  // values of a shape from which fits begin
 };

@@ -74,16 +74,18 @@ Result<void> FullFieldModel::prepare(const Progress& progress) {
     const auto place = declared_.form - plane_laws().data();
     if (!has_numbers) declared_.parameters = reference_->starts[static_cast<std::size_t>(place)].front().values;
     if (reference_->reading == FieldReading::reactions_of_linear_triangles)
-      remarks_.push_back({GLISSON_TEXT("The reactions are those of a solution on the mesh's own linear triangles, not of "
-                                       "a plate: that error is in what is predicted for them."),
-                          {}});
+      remarks_.push_back(
+          {GLISSON_TEXT("The reactions are those of a solution on the mesh's own linear triangles, not of "
+                        "a plate: that error is in what is predicted for them."),
+           {}});
     if (reference_->reading == FieldReading::linear_triangles)
       remarks_.push_back({GLISSON_TEXT("Displacements and reactions are those of a solution on the mesh's own linear "
                                        "triangles, not of a plate: that error is in what is predicted."),
                           {}});
   }
   if (!has_numbers)
-    remarks_.push_back({GLISSON_TEXT("The declared law stands without numbers: the best ones were taken as declared."), {}});
+    remarks_.push_back(
+        {GLISSON_TEXT("The declared law stands without numbers: the best ones were taken as declared."), {}});
   make_catalogue(has_numbers);
   return {};
 }
@@ -111,15 +113,16 @@ void FullFieldModel::make_catalogue(bool declared_has_numbers) {
       default: break;
     }
     const Scale scale = parameter.lower > 0 ? Scale::logarithmic : Scale::linear;
-    return {parameter.name,          rest, parameter.lower, parameter.upper, parameter.tried.front(),
+    return {parameter.name,         rest, parameter.lower, parameter.upper, parameter.tried.front(),
             parameter.tried.back(), scale};
   };
   if (declared_has_numbers)
-    catalogue_.push_back({"stiffness-scale",
-                          "",
-                          {{"factor", 1, 1e-3, 1e3, 0.5, 2, Scale::logarithmic}},
-                          GLISSON_TEXT("The specimen is stiffer or softer than declared, everywhere and at every load."),
-                          {Eigen::VectorXd::Ones(1)}});
+    catalogue_.push_back(
+        {"stiffness-scale",
+         "",
+         {{"factor", 1, 1e-3, 1e3, 0.5, 2, Scale::logarithmic}},
+         GLISSON_TEXT("The specimen is stiffer or softer than declared, everywhere and at every load."),
+         {Eigen::VectorXd::Ones(1)}});
   for (const LawForm& form : plane_laws()) {
     if (&form == declared_.form && !declared_has_numbers) continue;
     Effect effect{form.name, form.name, {}, form.sentence, {}};
@@ -239,8 +242,7 @@ Result<Linearisation> FullFieldModel::linearise(const Settings& settings) const 
     const auto tangent = plate_.tangent(law, displacement);
     if (!tangent) return no_equilibrium(law, plate_.field().trials[t].id);
     const Eigen::Index first = plate_.first_row(t), rows = plate_.row_count(t);
-    result.predicted.segment(first, rows) +=
-        plate_.read(ElementOrder::linear, t, displacement, tangent->forces);
+    result.predicted.segment(first, rows) += plate_.read(ElementOrder::linear, t, displacement, tangent->forces);
     for (Eigen::Index p = 0; p < count; ++p) {
       const auto forces = forces_by(settings, p, t, displacement);
       if (!forces) return failure(forces.error());

@@ -57,9 +57,7 @@ class Finder {
   [[nodiscard]] std::vector<int> points_of(const Side& side) const;
   [[nodiscard]] std::optional<PlaneBoundary> declared_boundary(const std::string& name) const;
   [[nodiscard]] std::optional<PlaneBoundary> group(const std::string& name) const;
-  [[nodiscard]] bool has_groups() const {
-    return group_field(0) != nullptr || group_field(1) != nullptr;
-  }
+  [[nodiscard]] bool has_groups() const { return group_field(0) != nullptr || group_field(1) != nullptr; }
   [[nodiscard]] const geometry::Field* group_field(int axis) const {
     return geometry::find_field(mesh_.point_fields, axis == 0 ? "group_x" : "group_y");
   }
@@ -110,7 +108,8 @@ std::optional<PlaneBoundary> Finder::declared_boundary(const std::string& name) 
       if (wanted == side.name) boundary.points = points_of(side);
     }
     if (boundary.points.empty())
-      refuse_at(where + ", side", GLISSON_TEXT("{0} must be one of {1}."), {"\"left\", \"right\", \"bottom\", \"top\""});
+      refuse_at(where + ", side", GLISSON_TEXT("{0} must be one of {1}."),
+                {"\"left\", \"right\", \"bottom\", \"top\""});
   } else {
     const std::string array = text_in(required(json, "point_array", where), where + ", point_array");
     const geometry::Field* field = geometry::find_field(mesh_.point_fields, array);
@@ -165,10 +164,11 @@ std::size_t Finder::named(const std::string& name, std::array<bool, 2> acts, con
     boundary->prescribed[static_cast<std::size_t>(side.axis)] = true;
   }
   if (!boundary || boundary->points.empty())
-    refuse("experiment-invalid", GLISSON_TEXT("{0} names the boundary \"{1}\", of which the mesh has no points."),
-           {where, name},
-           GLISSON_TEXT("Boundaries are sides (left, right, bottom, top), point arrays of the mesh, groups in its arrays "
-                        "\"group_x\" and \"group_y\", or stand under \"boundaries\" in the experiment."));
+    refuse(
+        "experiment-invalid", GLISSON_TEXT("{0} names the boundary \"{1}\", of which the mesh has no points."),
+        {where, name},
+        GLISSON_TEXT("Boundaries are sides (left, right, bottom, top), point arrays of the mesh, groups in its arrays "
+                     "\"group_x\" and \"group_y\", or stand under \"boundaries\" in the experiment."));
   field_.boundaries.push_back(*std::move(boundary));
   return known_[name] = field_.boundaries.size() - 1;
 }
@@ -254,12 +254,14 @@ void assign_boundaries(const Json& declared, const geometry::Surface& mesh,
   std::vector<Place> forces, moves;
   for (std::size_t t = 0; t < field.trials.size(); ++t) {
     for (const ReactionRow& row : reactions[t])
-      forces.push_back({t, finder.named(row.boundary, {pulls(row.force.x()), pulls(row.force.y())}, row.where), row.force});
+      forces.push_back(
+          {t, finder.named(row.boundary, {pulls(row.force.x()), pulls(row.force.y())}, row.where), row.force});
     for (const PrescribedRow& row : prescribed[t])
-      moves.push_back({t,
-                       finder.named(row.boundary,
-                                    {std::isfinite(row.displacement.x()), std::isfinite(row.displacement.y())}, row.where),
-                       row.displacement});
+      moves.push_back(
+          {t,
+           finder.named(row.boundary, {std::isfinite(row.displacement.x()), std::isfinite(row.displacement.y())},
+                        row.where),
+           row.displacement});
   }
   for (const auto& [name, unused] : declared.items()) finder.named(name, {false, false}, "boundaries");
   finder.add_groups_without_name();
@@ -282,8 +284,10 @@ void assign_boundaries(const Json& declared, const geometry::Surface& mesh,
   for (int d = 0; d < 2; ++d) {
     const auto acts = [&](const PlaneBoundary& boundary) { return boundary.prescribed[static_cast<std::size_t>(d)]; };
     if (std::none_of(field.boundaries.begin(), field.boundaries.end(), acts))
-      refuse("experiment-invalid", GLISSON_TEXT("Nothing says where the plate is held or moved in {0}."), {d == 0 ? "x" : "y"},
-             GLISSON_TEXT("Name the boundaries in the tables of reactions, or under \"boundaries\" in the experiment."));
+      refuse(
+          "experiment-invalid", GLISSON_TEXT("Nothing says where the plate is held or moved in {0}."),
+          {d == 0 ? "x" : "y"},
+          GLISSON_TEXT("Name the boundaries in the tables of reactions, or under \"boundaries\" in the experiment."));
   }
   const auto has_force = [](const PlaneTrial& trial) { return trial.reaction.array().isFinite().any(); };
   if (field.needs == Needs::measurements && std::none_of(field.trials.begin(), field.trials.end(), has_force))

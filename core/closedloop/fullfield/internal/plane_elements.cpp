@@ -39,8 +39,8 @@ PlaneElements::PlaneElements(const std::vector<Eigen::Vector2d>& points,
     std::vector<int> element(triangle.begin(), triangle.end());
     for (int side = 0; order == ElementOrder::quadratic && side < 3; ++side) {
       const int a = triangle[static_cast<std::size_t>(side)], b = triangle[static_cast<std::size_t>((side + 1) % 3)];
-      auto& [point, shared] = middles.try_emplace({std::min(a, b), std::max(a, b)}, static_cast<int>(all.size()), 0)
-                                  .first->second;
+      auto& [point, shared] =
+          middles.try_emplace({std::min(a, b), std::max(a, b)}, static_cast<int>(all.size()), 0).first->second;
       if (shared++ == 0) {
         all.push_back((points[static_cast<std::size_t>(a)] + points[static_cast<std::size_t>(b)]) / 2);
         ends_.push_back({a, b});
@@ -191,10 +191,10 @@ bool PlaneElements::over_elements(const PlaneLaw& law, const Eigen::VectorXd& di
 
 std::optional<Eigen::VectorXd> PlaneElements::forces(const PlaneLaw& law, const Eigen::VectorXd& displacement) const {
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(freedoms_);
-  const bool fine = over_elements<false>(
-      law, displacement, [&](std::size_t, const int* freedoms, const Local& force, const LocalMatrix&) {
-        for (Eigen::Index i = 0; i < per_element_; ++i) sum[freedoms[i]] += force[i];
-      });
+  const bool fine = over_elements<false>(law, displacement,
+                                         [&](std::size_t, const int* freedoms, const Local& force, const LocalMatrix&) {
+                                           for (Eigen::Index i = 0; i < per_element_; ++i) sum[freedoms[i]] += force[i];
+                                         });
   return fine ? std::optional(std::move(sum)) : std::nullopt;
 }
 
@@ -206,8 +206,7 @@ std::optional<PlaneElements::Tangent> PlaneElements::tangent(const PlaneLaw& law
   std::fill(values, values + matrix.nonZeros(), 0.0);
   const auto square = static_cast<std::size_t>(per_element_ * per_element_);
   const bool fine = over_elements<true>(
-      law, displacement,
-      [&](std::size_t e, const int* freedoms, const Local& force, const LocalMatrix& stiffness) {
+      law, displacement, [&](std::size_t e, const int* freedoms, const Local& force, const LocalMatrix& stiffness) {
         const int* places = places_in_pattern_.data() + e * square;
         for (std::size_t i = 0; i < square; ++i) {
           if (places[i] >= 0) values[places[i]] += stiffness.data()[i];

@@ -39,7 +39,8 @@ class PlaneElements {
     Eigen::MatrixXd along;                 // the stiffness times each column of `moves`
     Eigen::VectorXd forces;
   };
-  // `moves`: displacements of what is fixed (what is free is not read), a column each. Nothing where the stiffness has no inverse.
+  // `moves`: displacements of what is fixed (what is free is not read), a column each. Nothing where the stiffness has
+  // no inverse.
   [[nodiscard]] std::optional<Tangent> tangent(const PlaneLaw& law, const Eigen::VectorXd& displacement,
                                                const Eigen::MatrixXd& moves) const;
 
@@ -68,15 +69,15 @@ class PlaneElements {
 
   Eigen::Index freedoms_ = 0;
   Eigen::Index per_element_ = 0;
-  std::vector<std::array<int, 2>> ends_;      // of the sides in whose middle further points are
-  std::vector<int> element_freedoms_;         // per_element_ each
-  std::vector<Gradient> gradients_;           // of the deformation by an element's freedoms, at each of its places
-  std::vector<double> areas_;                 // of each place
+  std::vector<std::array<int, 2>> ends_;  // of the sides in whose middle further points are
+  std::vector<int> element_freedoms_;     // per_element_ each
+  std::vector<Gradient> gradients_;       // of the deformation by an element's freedoms, at each of its places
+  std::vector<double> areas_;             // of each place
   int places_per_element_ = 1;
-  std::vector<int> free_;                     // freedom -> its number among the free ones, or -1
-  std::vector<int> all_free_;                 // the other way
-  Eigen::SparseMatrix<double> pattern_;       // lower half, of what is free
-  std::vector<int> places_in_pattern_;        // per_element_ squared each; -1 for what is not kept
+  std::vector<int> free_;                // freedom -> its number among the free ones, or -1
+  std::vector<int> all_free_;            // the other way
+  Eigen::SparseMatrix<double> pattern_;  // lower half, of what is free
+  std::vector<int> places_in_pattern_;   // per_element_ squared each; -1 for what is not kept
   double size_ = 1;
 };
 

@@ -10,7 +10,10 @@
 namespace glisson::closedloop {
 namespace {
 
-constexpr std::size_t maximum_points = 300;  // that are read: neighbours in a smooth field say nearly the same
+// That are read. Of a field that was smoothed so few that their errors are about independent of each other: rows that
+// share an error would make a small one look certain.
+constexpr std::size_t maximum_points = 300;
+constexpr std::size_t maximum_points_if_smoothed = 30;
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<std::pair<std::size_t, int>> moved_of(const FullField& field) {
@@ -43,7 +46,8 @@ std::vector<bool> Plate::fixed() const {
     }
   }
   for (const auto& [b, d] : moved_) {
-    for (const int point : field_.boundaries[b].points) fixed[2 * static_cast<std::size_t>(point) + static_cast<std::size_t>(d)] = true;
+    for (const int point : field_.boundaries[b].points)
+      fixed[2 * static_cast<std::size_t>(point) + static_cast<std::size_t>(d)] = true;
   }
   return fixed;
 }
@@ -127,12 +131,12 @@ void Plate::choose_rows() {
   for (std::size_t p = 0; p < field_.points.size(); ++p) {
     const auto column = static_cast<Eigen::Index>(p);
     const bool free = !is_fixed[2 * p] || !is_fixed[2 * p + 1];
-    const bool seen = std::any_of(field_.trials.begin(), field_.trials.end(), [&](const PlaneTrial& trial) {
-      return trial.displacement.col(column).allFinite();
-    });
+    const bool seen = std::any_of(field_.trials.begin(), field_.trials.end(),
+                                  [&](const PlaneTrial& trial) { return trial.displacement.col(column).allFinite(); });
     if (free && (seen || !measured)) points.push_back(static_cast<int>(p));
   }
-  const std::size_t stride = 1 + (points.empty() ? 0 : (points.size() - 1) / maximum_points);
+  const std::size_t stride =
+      1 + (points.empty() ? 0 : (points.size() - 1) / (is_smoothed() ? maximum_points_if_smoothed : maximum_points));
 
   observations_.unit = "noise";
   observations_.directions = {"ux", "uy", "fx", "fy"};
@@ -256,8 +260,7 @@ Eigen::VectorXd Plate::response(std::size_t trial, const PlaneElements::Tangent&
 
 Eigen::MatrixXd Plate::response_to_moves(std::size_t trial, const PlaneElements::Tangent& about) const {
   Eigen::MatrixXd responses(row_count(trial), linear_.moves.cols());
-  for (Eigen::Index m = 0; m < linear_.moves.cols(); ++m)
-    responses.col(m) = response(trial, about, about.along.col(m));
+  for (Eigen::Index m = 0; m < linear_.moves.cols(); ++m) responses.col(m) = response(trial, about, about.along.col(m));
   return responses;
 }
 
@@ -321,7 +324,8 @@ double Plate::roughness() const {
   for (std::size_t p = 0; p < field_.points.size(); p += stride) {
     std::set<int> around = neighbours[p];
     for (const int near : neighbours[p])
-      around.insert(neighbours[static_cast<std::size_t>(near)].begin(), neighbours[static_cast<std::size_t>(near)].end());
+      around.insert(neighbours[static_cast<std::size_t>(near)].begin(),
+                    neighbours[static_cast<std::size_t>(near)].end());
     around.erase(static_cast<int>(p));
     if (around.size() < 10) continue;
     Eigen::MatrixXd functions(static_cast<Eigen::Index>(around.size()), 6);
@@ -331,8 +335,7 @@ double Plate::roughness() const {
       functions.row(row++) << 1, r.x(), r.y(), r.x() * r.x(), r.x() * r.y(), r.y() * r.y();
     }
     // The value at the point itself is the constant: a row of weights on the neighbours.
-    const Eigen::VectorXd weights =
-        functions.completeOrthogonalDecomposition().pseudoInverse().row(0).transpose();
+    const Eigen::VectorXd weights = functions.completeOrthogonalDecomposition().pseudoInverse().row(0).transpose();
     for (const PlaneTrial& trial : field_.trials) {
       for (int d = 0; d < 2; ++d) {
         double off = trial.displacement(d, static_cast<Eigen::Index>(p));

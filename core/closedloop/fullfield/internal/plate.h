@@ -61,6 +61,11 @@ class Plate {
   // Standard deviation of what neighbouring points do not share, as far as they were measured; 0 where it cannot be
   // told.
   [[nodiscard]] double roughness() const;
+  // Neighbours differ by less than half of the stated noise: the rest of it is an error that they share.
+  [[nodiscard]] bool is_smoothed() const {
+    const double rough = roughness();
+    return rough > 0 && rough < 0.5 * field_.noise;
+  }
   // Root mean square by which reactions of opposite boundaries do not add up to nothing, a boundary; nothing where not
   // all of them were measured.
   [[nodiscard]] std::optional<double> imbalance() const;

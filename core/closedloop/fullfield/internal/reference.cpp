@@ -77,16 +77,18 @@ Eigen::VectorXd noise_of(const Plate& plate, std::vector<Sentence>& remarks) {
   const FullField& field = plate.field();
   double displacement = field.noise;
   const double rough = plate.roughness();
-  constexpr double more = 1.3, less = 0.5;  // people know their noise to about a tenth
+  constexpr double more = 1.3;  // people know their noise to about a tenth
   if (rough > more * displacement) {
-    remarks.push_back({GLISSON_TEXT("The noise of displacements is stated as {0}, but neighbouring points differ by {1}, "
-                                    "which was taken in its place."),
-                       {fmt::format("{:.2g}", displacement), fmt::format("{:.2g}", rough)}});
+    remarks.push_back(
+        {GLISSON_TEXT("The noise of displacements is stated as {0}, but neighbouring points differ by {1}, "
+                      "which was taken in its place."),
+         {fmt::format("{:.2g}", displacement), fmt::format("{:.2g}", rough)}});
     displacement = rough;
-  } else if (rough > 0 && rough < less * displacement) {
-    remarks.push_back({GLISSON_TEXT("The noise of displacements is stated as {0}, but neighbouring points differ by {1} "
-                                    "alone: was the field smoothed? Smoothing leaves errors that neighbours share."),
-                       {fmt::format("{:.2g}", displacement), fmt::format("{:.2g}", rough)}});
+  } else if (plate.is_smoothed()) {
+    remarks.push_back(
+        {GLISSON_TEXT("The noise of displacements is stated as {0}, but neighbouring points differ by {1} "
+                      "alone: was the field smoothed? Smoothing leaves errors that neighbours share."),
+         {fmt::format("{:.2g}", displacement), fmt::format("{:.2g}", rough)}});
   }
   // A law and a mesh are no better than a few ten-thousandths of the largest force.
   constexpr double trusted = 2e-4, usual = 2e-3;
@@ -151,8 +153,8 @@ bool Finding::stand_at_measured() {
   displacement_.clear();
   for (std::size_t t = 0; t < plate_.field().trials.size(); ++t) {
     const bool everywhere = plate_.measured_everywhere(t);
-    const auto solved = everywhere ? std::optional(plate_.prescribed(t))
-                                   : plate_.equilibrium(ElementOrder::linear, law_, t);
+    const auto solved =
+        everywhere ? std::optional(plate_.prescribed(t)) : plate_.equilibrium(ElementOrder::linear, law_, t);
     if (!solved) return false;
     displacement_.push_back(*solved);
   }
@@ -163,7 +165,8 @@ bool Finding::stand_at_measured() {
 bool Finding::stand_at(const PlaneLaw& law) {
   std::vector<Eigen::VectorXd> there;
   for (std::size_t t = 0; t < plate_.field().trials.size(); ++t) {
-    auto solved = plate_.equilibrium(ElementOrder::linear, law, t, t < displacement_.size() ? &displacement_[t] : nullptr);
+    auto solved =
+        plate_.equilibrium(ElementOrder::linear, law, t, t < displacement_.size() ? &displacement_[t] : nullptr);
     if (!solved) return false;
     there.push_back(*std::move(solved));
   }
@@ -180,8 +183,7 @@ bool Finding::look_about() {
   for (std::size_t t = 0; t < displacement_.size(); ++t) {
     auto tangent = plate_.tangent(law_, displacement_[t]);
     if (!tangent) return false;
-    const Eigen::MatrixXd moved =
-        plate_.response_to_moves(t, *tangent) * plate_.doubt_of_prescribed(t).asDiagonal();
+    const Eigen::MatrixXd moved = plate_.response_to_moves(t, *tangent) * plate_.doubt_of_prescribed(t).asDiagonal();
     for (Eigen::Index m = 0; m < moved.cols(); ++m) {
       if (moved.col(m).squaredNorm() == 0) continue;
       directions.conservativeResize(Eigen::NoChange, directions.cols() + 1);
@@ -200,8 +202,7 @@ void Finding::compare_elements() {
   quadratic_.resize(displacement_.size());
   const PlaneElements& quadratic = plate_.elements(ElementOrder::quadratic);
   for (std::size_t t = 0; t < displacement_.size(); ++t) {
-    const Eigen::VectorXd start =
-        quadratic_[t].size() > 0 ? quadratic_[t] : quadratic.prolonged(displacement_[t]);
+    const Eigen::VectorXd start = quadratic_[t].size() > 0 ? quadratic_[t] : quadratic.prolonged(displacement_[t]);
     const auto solved = plate_.equilibrium(ElementOrder::quadratic, law_, t, &start);
     if (!solved) continue;  // then nothing is known of the mesh's error in this trial
     quadratic_[t] = *solved;
@@ -231,7 +232,8 @@ Eigen::VectorXd Finding::noise_with_mesh_error() const {
 
 bool Finding::stand_at_best(const Eigen::VectorXd& correction) {
   std::vector<Fitted> candidates = best_of_each(correction);
-  std::stable_sort(candidates.begin(), candidates.end(), [](const Fitted& a, const Fitted& b) { return a.bic < b.bic; });
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const Fitted& a, const Fitted& b) { return a.bic < b.bic; });
   for (const Fitted& candidate : candidates) {
     if (std::isfinite(candidate.bic) && stand_at(candidate.law)) return true;
   }
@@ -254,8 +256,8 @@ void Finding::choose_reading() {
   constexpr double very_strong = 10;  // of BIC, on Kass and Raftery's scale: what was measured is the rule
   double best = std::numeric_limits<double>::infinity();
   FieldReading chosen = FieldReading::measured;
-  for (const FieldReading reading : {FieldReading::measured, FieldReading::reactions_of_linear_triangles,
-                                     FieldReading::linear_triangles}) {
+  for (const FieldReading reading :
+       {FieldReading::measured, FieldReading::reactions_of_linear_triangles, FieldReading::linear_triangles}) {
     for (const Fitted& one : best_of_each(correction(reading))) {
       const double bic = one.bic + (reading == FieldReading::measured ? 0 : very_strong);
       if (bic >= best) continue;
@@ -274,8 +276,8 @@ std::vector<std::vector<Fitted>> Finding::fit_laws(const Eigen::VectorXd& correc
   for (Eigen::Index row = 0; row < rest.size(); ++row) rows.push_back(row);
   for (std::size_t t = 0; t < displacement_.size(); ++t) {
     // Of reactions the law makes all, of displacements what the state is not yet.
-    rest.segment(plate_.first_row(t), plate_.row_count(t)) -= plate_.read(
-        ElementOrder::linear, t, displacement_[t], Eigen::VectorXd::Zero(tangents_[t].forces.size()));
+    rest.segment(plate_.first_row(t), plate_.row_count(t)) -=
+        plate_.read(ElementOrder::linear, t, displacement_[t], Eigen::VectorXd::Zero(tangents_[t].forces.size()));
   }
   const Whitening whitening(noise_with_mesh_error(), systematic_, rows);
   const Eigen::VectorXd white = whitening.whiten(rest);
@@ -283,8 +285,7 @@ std::vector<std::vector<Fitted>> Finding::fit_laws(const Eigen::VectorXd& correc
   for (const LawForm& form : plane_laws()) {
     std::vector<Fitted> of_form;
     for (const Eigen::VectorXd& shapes : shapes_to_try(form)) of_form.push_back(fit(form, shapes, whitening, white));
-    std::stable_sort(of_form.begin(), of_form.end(),
-                     [](const Fitted& a, const Fitted& b) { return a.chi2 < b.chi2; });
+    std::stable_sort(of_form.begin(), of_form.end(), [](const Fitted& a, const Fitted& b) { return a.chi2 < b.chi2; });
     if (of_form.size() > 2) of_form.resize(2);
     fitted.push_back(std::move(of_form));
   }
@@ -300,9 +301,8 @@ Fitted Finding::fit(const LawForm& form, const Eigen::VectorXd& shapes, const Wh
   if (!columns.allFinite()) return fitted;
   columns = whitening.whiten(columns);
   const Eigen::VectorXd scale = columns.colwise().norm().transpose().cwiseMax(1e-300);
-  const Eigen::VectorXd solution =
-      scale.cwiseInverse().asDiagonal() *
-      (columns * scale.cwiseInverse().asDiagonal()).colPivHouseholderQr().solve(white);
+  const Eigen::VectorXd solution = scale.cwiseInverse().asDiagonal() *
+                                   (columns * scale.cwiseInverse().asDiagonal()).colPivHouseholderQr().solve(white);
   fitted.law = {&form, Eigen::VectorXd(coefficients + shapes.size())};
   fitted.law.parameters << solution, shapes;
   fitted.chi2 = (white - columns * solution).squaredNorm();

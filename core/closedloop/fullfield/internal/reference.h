@@ -1,7 +1,8 @@
 #pragma once
-// What a plate's measurements say before any effect is fitted: a law near the best, the equilibrium of each trial at it,
-// and from there to first order, with each law's coefficients by linear least squares, where fits begin. (The weak form
-// of equilibrium weighed by the stiffness, as displacements; Flaschel, Kumar and De Lorenzis 2021 weigh it by forces.)
+// What a plate's measurements say before any effect is fitted: a law near the best, the equilibrium of each trial at
+// it, and from there to first order, with each law's coefficients by linear least squares, where fits begin. (The weak
+// form of equilibrium weighed by the stiffness, as displacements; Flaschel, Kumar and De Lorenzis 2021 weigh it by
+// forces.)
 
 #include <string>
 #include <vector>

@@ -9,8 +9,8 @@ namespace glisson::closedloop {
 
 struct SecondOrder {
   double value = 0;
-  double x = 0, y = 0;             // first derivatives
-  double xx = 0, xy = 0, yy = 0;   // second ones
+  double x = 0, y = 0;            // first derivatives
+  double xx = 0, xy = 0, yy = 0;  // second ones
 
   SecondOrder() = default;
   SecondOrder(double constant) : value(constant) {}  // NOLINT: numbers mix with variables in formulas
