@@ -5136,10 +5136,6 @@
         <translation>anhand der eigenen Landmarken beurteilt, ohne einen Vergleichsmaßstab in der Sequenz: ein Fehler, der sich nie ändert, ist kaum zu sehen</translation>
     </message>
     <message>
-        <source>The kinds are palpation, material, platform and guidance.</source>
-        <translation>Die Arten sind palpation, material, platform und guidance.</translation>
-    </message>
-    <message>
         <source>&quot;frames&quot; must be a list with at least one frame.</source>
         <translation>&quot;frames&quot; muss eine Liste mit mindestens einem Bild sein.</translation>
     </message>
@@ -6114,6 +6110,186 @@
     <message>
         <source>With {0} measurements no equilibrium was found: {1}</source>
         <translation>Mit {0} Messungen wurde kein Gleichgewicht gefunden: {1}</translation>
+    </message>
+    <message>
+        <source>The kinds are palpation, material, platform, guidance and full-field.</source>
+        <translation>Die Arten sind palpation, material, platform, guidance und full-field.</translation>
+    </message>
+    <message>
+        <source>The specimen&apos;s state must be &quot;plane-strain&quot;.</source>
+        <translation>Der Zustand der Probe muss &quot;plane-strain&quot; sein.</translation>
+    </message>
+    <message>
+        <source>Plane stress is not known here: a thin sheet needs a law for its thickness.</source>
+        <translation>Ebener Spannungszustand ist hier nicht bekannt: ein dünnes Blatt braucht ein Gesetz für seine Dicke.</translation>
+    </message>
+    <message>
+        <source>{0} has {1} points; at most {2} are used.</source>
+        <translation>{0} hat {1} Punkte; höchstens {2} werden verwendet.</translation>
+    </message>
+    <message>
+        <source>Give the field on a coarser mesh.</source>
+        <translation>Geben Sie das Feld auf einem gröberen Netz an.</translation>
+    </message>
+    <message>
+        <source>{0} does not lie in a plane of equal z.</source>
+        <translation>{0} liegt nicht in einer Ebene mit gleichem z.</translation>
+    </message>
+    <message>
+        <source>{0} has a triangle without area (at {1}, {2}).</source>
+        <translation>{0} hat ein Dreieck ohne Fläche (bei {1}, {2}).</translation>
+    </message>
+    <message>
+        <source>The laws are {1}.</source>
+        <translation>Die Gesetze sind {1}.</translation>
+    </message>
+    <message>
+        <source>{0} must lie between -1 and 0.5.</source>
+        <translation>{0} muss zwischen -1 und 0.5 liegen.</translation>
+    </message>
+    <message>
+        <source>The law {0} has no number called &quot;{1}&quot;.</source>
+        <translation>Das Gesetz {0} hat keine Zahl namens &quot;{1}&quot;.</translation>
+    </message>
+    <message>
+        <source>Its numbers are {2}.</source>
+        <translation>Seine Zahlen sind {2}.</translation>
+    </message>
+    <message>
+        <source>The declared law lacks some of its numbers: {0}.</source>
+        <translation>Dem angegebenen Gesetz fehlen einige seiner Zahlen: {0}.</translation>
+    </message>
+    <message>
+        <source>Give all of them, or none: then they are found first, and the law&apos;s name alone is declared.</source>
+        <translation>Geben Sie alle an oder keine: dann werden sie zuerst bestimmt, und nur der Name des Gesetzes ist angegeben.</translation>
+    </message>
+    <message>
+        <source>{0} has no column &quot;{1}&quot; in its first line.</source>
+        <translation>{0} hat in der ersten Zeile keine Spalte &quot;{1}&quot;.</translation>
+    </message>
+    <message>
+        <source>Displacements stand in point,ux,uy, reactions in boundary,fx,fy.</source>
+        <translation>Verschiebungen stehen in point,ux,uy, Reaktionskräfte in boundary,fx,fy.</translation>
+    </message>
+    <message>
+        <source>{0} holds no row beneath its first line.</source>
+        <translation>{0} enthält unter der ersten Zeile nichts.</translation>
+    </message>
+    <message>
+        <source>Line {0} of {1} names no point of the mesh, which has {2} from 0 on.</source>
+        <translation>Zeile {0} von {1} nennt keinen Punkt des Netzes, das {2} hat, von 0 an.</translation>
+    </message>
+    <message>
+        <source>Points are numbered as in the mesh, from 0.</source>
+        <translation>Punkte sind wie im Netz nummeriert, von 0 an.</translation>
+    </message>
+    <message>
+        <source>{0} names the point array &quot;{1}&quot;, which the mesh does not have.</source>
+        <translation>{0} nennt das Punktfeld &quot;{1}&quot;, das das Netz nicht hat.</translation>
+    </message>
+    <message>
+        <source>{0} names the boundary &quot;{1}&quot;, of which the mesh has no points.</source>
+        <translation>{0} nennt den Rand &quot;{1}&quot;, von dem das Netz keine Punkte hat.</translation>
+    </message>
+    <message>
+        <source>Boundaries are sides (left, right, bottom, top), point arrays of the mesh, groups in its arrays &quot;group_x&quot; and &quot;group_y&quot;, or stand under &quot;boundaries&quot; in the experiment.</source>
+        <translation>Ränder sind Seiten (left, right, bottom, top), Punktfelder des Netzes, Gruppen in seinen Feldern &quot;group_x&quot; und &quot;group_y&quot;, oder sie stehen unter &quot;boundaries&quot; im Versuch.</translation>
+    </message>
+    <message>
+        <source>Nothing says where the plate is held or moved in {0}.</source>
+        <translation>Nichts sagt, wo die Platte in {0} gehalten oder bewegt wird.</translation>
+    </message>
+    <message>
+        <source>Name the boundaries in the tables of reactions, or under &quot;boundaries&quot; in the experiment.</source>
+        <translation>Nennen Sie die Ränder in den Tabellen der Reaktionskräfte oder unter &quot;boundaries&quot; im Versuch.</translation>
+    </message>
+    <message>
+        <source>No reaction is given where a displacement is prescribed.</source>
+        <translation>Nirgends, wo eine Verschiebung vorgegeben ist, steht eine Reaktionskraft.</translation>
+    </message>
+    <message>
+        <source>Displacements alone do not say how stiff the material is.</source>
+        <translation>Verschiebungen allein sagen nicht, wie steif das Material ist.</translation>
+    </message>
+    <message>
+        <source>The noise of displacements is stated as {0}, but neighbouring points differ by {1}, which was taken in its place.</source>
+        <translation>Das Rauschen der Verschiebungen ist mit {0} angegeben, aber benachbarte Punkte weichen um {1} ab; das wurde stattdessen genommen.</translation>
+    </message>
+    <message>
+        <source>The noise of displacements is stated as {0}, but neighbouring points differ by {1} alone: was the field smoothed? Smoothing leaves errors that neighbours share.</source>
+        <translation>Das Rauschen der Verschiebungen ist mit {0} angegeben, aber benachbarte Punkte weichen nur um {1} ab: wurde das Feld geglättet? Glätten lässt Fehler zurück, die Nachbarn teilen.</translation>
+    </message>
+    <message>
+        <source>The noise of reactions is not stated; as opposite ones balance, {0} was taken.</source>
+        <translation>Das Rauschen der Reaktionskräfte ist nicht angegeben; danach, wie gegenüberliegende sich ausgleichen, wurde {0} genommen.</translation>
+    </message>
+    <message>
+        <source>The noise of reactions is not stated; {0} was taken, two thousandths of the largest.</source>
+        <translation>Das Rauschen der Reaktionskräfte ist nicht angegeben; {0} wurde genommen, zwei Tausendstel der größten.</translation>
+    </message>
+    <message>
+        <source>No law has an equilibrium near these displacements.</source>
+        <translation>Kein Gesetz hat ein Gleichgewicht nahe diesen Verschiebungen.</translation>
+    </message>
+    <message>
+        <source>Are points numbered as in the mesh, and are boundaries where the forces were measured?</source>
+        <translation>Sind Punkte wie im Netz nummeriert, und liegen Ränder dort, wo die Kräfte gemessen wurden?</translation>
+    </message>
+    <message>
+        <source>The material resists shear and change of volume by another law than the one that is declared.</source>
+        <translation>Das Material widersteht Scherung und Volumenänderung nach einem anderen Gesetz als dem angegebenen.</translation>
+    </message>
+    <message>
+        <source>The material is stiffer along fibres than across them.</source>
+        <translation>Das Material ist entlang von Fasern steifer als quer dazu.</translation>
+    </message>
+    <message>
+        <source>The law {0} has no equilibrium in trial {1}.</source>
+        <translation>Das Gesetz {0} hat in Versuch {1} kein Gleichgewicht.</translation>
+    </message>
+    <message>
+        <source>Are its numbers in the unit of the reactions over lengths, and large enough?</source>
+        <translation>Stehen seine Zahlen in der Einheit der Kräfte durch Längen, und sind sie groß genug?</translation>
+    </message>
+    <message>
+        <source>The reactions are those of a solution on the mesh&apos;s own linear triangles, not of a plate: that error is in what is predicted for them.</source>
+        <translation>Die Reaktionskräfte sind die einer Lösung auf den linearen Dreiecken des Netzes selbst, nicht die einer Platte: dieser Fehler steckt in dem, was für sie vorhergesagt wird.</translation>
+    </message>
+    <message>
+        <source>Displacements and reactions are those of a solution on the mesh&apos;s own linear triangles, not of a plate: that error is in what is predicted.</source>
+        <translation>Verschiebungen und Reaktionskräfte sind die einer Lösung auf den linearen Dreiecken des Netzes selbst, nicht die einer Platte: dieser Fehler steckt in dem, was vorhergesagt wird.</translation>
+    </message>
+    <message>
+        <source>The declared law stands without numbers: the best ones were taken as declared.</source>
+        <translation>Das angegebene Gesetz steht ohne Zahlen: die besten wurden als angegeben genommen.</translation>
+    </message>
+    <message>
+        <source>The declared law {0} stands without numbers.</source>
+        <translation>Das angegebene Gesetz {0} steht ohne Zahlen.</translation>
+    </message>
+    <message>
+        <source>Give them under &quot;declared&quot;, or a model.json with --with.</source>
+        <translation>Geben Sie sie unter &quot;declared&quot; an oder ein model.json mit --with.</translation>
+    </message>
+    <message>
+        <source>Cell {1} of {0} is a {2} of {3} points; only triangles and quadrangles are used.</source>
+        <translation>Zelle {1} von {0} ist ein {2} mit {3} Punkten; nur Dreiecke und Vierecke werden verwendet.</translation>
+    </message>
+    <message>
+        <source>Cut it into triangles first, for example with ParaView&apos;s Triangulate.</source>
+        <translation>Zerlegen Sie es zuerst in Dreiecke, etwa mit Triangulate in ParaView.</translation>
+    </message>
+    <message>
+        <source>largest strain</source>
+        <translation>größte Dehnung</translation>
+    </message>
+    <message>
+        <source>Residual before, trial {0} at its worst: arrows {1} times as long, red at {2}</source>
+        <translation>Residuum vorher, Versuch {0}, wo es am größten ist: Pfeile {1}-mal so lang, rot bei {2}</translation>
+    </message>
+    <message>
+        <source>Residual after, trial {0} at its worst: arrows {1} times as long, red at {2}</source>
+        <translation>Residuum nachher, Versuch {0}, wo es am größten ist: Pfeile {1}-mal so lang, rot bei {2}</translation>
     </message>
 </context>
 <context>
@@ -7190,6 +7366,14 @@ Keine Messungen zur Hand? Probieren Sie das Beispiel: eine simulierte Gewebeprob
     <message>
         <source>A guided sequence</source>
         <translation>Eine geführte Sequenz</translation>
+    </message>
+    <message>
+        <source>What was found is of a plate, not of a patient.</source>
+        <translation>Was gefunden wurde, betrifft eine Platte, keinen Patienten.</translation>
+    </message>
+    <message>
+        <source>A plate in full field</source>
+        <translation>Eine Platte mit Vollfeldmessung</translation>
     </message>
 </context>
 <context>

@@ -5136,10 +5136,6 @@
         <translation>juzgado por sus propios puntos de referencia, sin una referencia guardada con la secuencia: un fallo que nunca cambia apenas se ve</translation>
     </message>
     <message>
-        <source>The kinds are palpation, material, platform and guidance.</source>
-        <translation>Los tipos son palpation, material, platform y guidance.</translation>
-    </message>
-    <message>
         <source>&quot;frames&quot; must be a list with at least one frame.</source>
         <translation>&quot;frames&quot; debe ser una lista con al menos un fotograma.</translation>
     </message>
@@ -6114,6 +6110,186 @@
     <message>
         <source>With {0} measurements no equilibrium was found: {1}</source>
         <translation>Con {0} mediciones no se encontró equilibrio: {1}</translation>
+    </message>
+    <message>
+        <source>The kinds are palpation, material, platform, guidance and full-field.</source>
+        <translation>Las clases son palpation, material, platform, guidance y full-field.</translation>
+    </message>
+    <message>
+        <source>The specimen&apos;s state must be &quot;plane-strain&quot;.</source>
+        <translation>El estado de la probeta debe ser &quot;plane-strain&quot;.</translation>
+    </message>
+    <message>
+        <source>Plane stress is not known here: a thin sheet needs a law for its thickness.</source>
+        <translation>La tensión plana no se conoce aquí: una lámina fina necesita una ley para su espesor.</translation>
+    </message>
+    <message>
+        <source>{0} has {1} points; at most {2} are used.</source>
+        <translation>{0} tiene {1} puntos; se usan como máximo {2}.</translation>
+    </message>
+    <message>
+        <source>Give the field on a coarser mesh.</source>
+        <translation>Dé el campo en una malla más gruesa.</translation>
+    </message>
+    <message>
+        <source>{0} does not lie in a plane of equal z.</source>
+        <translation>{0} no está en un plano de igual z.</translation>
+    </message>
+    <message>
+        <source>{0} has a triangle without area (at {1}, {2}).</source>
+        <translation>{0} tiene un triángulo sin área (en {1}, {2}).</translation>
+    </message>
+    <message>
+        <source>The laws are {1}.</source>
+        <translation>Las leyes son {1}.</translation>
+    </message>
+    <message>
+        <source>{0} must lie between -1 and 0.5.</source>
+        <translation>{0} debe estar entre -1 y 0.5.</translation>
+    </message>
+    <message>
+        <source>The law {0} has no number called &quot;{1}&quot;.</source>
+        <translation>La ley {0} no tiene ningún número llamado &quot;{1}&quot;.</translation>
+    </message>
+    <message>
+        <source>Its numbers are {2}.</source>
+        <translation>Sus números son {2}.</translation>
+    </message>
+    <message>
+        <source>The declared law lacks some of its numbers: {0}.</source>
+        <translation>A la ley declarada le faltan algunos de sus números: {0}.</translation>
+    </message>
+    <message>
+        <source>Give all of them, or none: then they are found first, and the law&apos;s name alone is declared.</source>
+        <translation>Dé todos o ninguno: entonces se hallan primero, y solo se declara el nombre de la ley.</translation>
+    </message>
+    <message>
+        <source>{0} has no column &quot;{1}&quot; in its first line.</source>
+        <translation>{0} no tiene ninguna columna &quot;{1}&quot; en su primera línea.</translation>
+    </message>
+    <message>
+        <source>Displacements stand in point,ux,uy, reactions in boundary,fx,fy.</source>
+        <translation>Los desplazamientos están en point,ux,uy, las reacciones en boundary,fx,fy.</translation>
+    </message>
+    <message>
+        <source>{0} holds no row beneath its first line.</source>
+        <translation>{0} no contiene nada bajo su primera línea.</translation>
+    </message>
+    <message>
+        <source>Line {0} of {1} names no point of the mesh, which has {2} from 0 on.</source>
+        <translation>La línea {0} de {1} no nombra ningún punto de la malla, que tiene {2} desde 0.</translation>
+    </message>
+    <message>
+        <source>Points are numbered as in the mesh, from 0.</source>
+        <translation>Los puntos se numeran como en la malla, desde 0.</translation>
+    </message>
+    <message>
+        <source>{0} names the point array &quot;{1}&quot;, which the mesh does not have.</source>
+        <translation>{0} nombra la lista de puntos &quot;{1}&quot;, que la malla no tiene.</translation>
+    </message>
+    <message>
+        <source>{0} names the boundary &quot;{1}&quot;, of which the mesh has no points.</source>
+        <translation>{0} nombra el borde &quot;{1}&quot;, del que la malla no tiene puntos.</translation>
+    </message>
+    <message>
+        <source>Boundaries are sides (left, right, bottom, top), point arrays of the mesh, groups in its arrays &quot;group_x&quot; and &quot;group_y&quot;, or stand under &quot;boundaries&quot; in the experiment.</source>
+        <translation>Los bordes son lados (left, right, bottom, top), listas de puntos de la malla, grupos de sus listas &quot;group_x&quot; y &quot;group_y&quot;, o están bajo &quot;boundaries&quot; en el experimento.</translation>
+    </message>
+    <message>
+        <source>Nothing says where the plate is held or moved in {0}.</source>
+        <translation>Nada dice dónde se sujeta o se mueve la placa en {0}.</translation>
+    </message>
+    <message>
+        <source>Name the boundaries in the tables of reactions, or under &quot;boundaries&quot; in the experiment.</source>
+        <translation>Nombre los bordes en las tablas de reacciones, o bajo &quot;boundaries&quot; en el experimento.</translation>
+    </message>
+    <message>
+        <source>No reaction is given where a displacement is prescribed.</source>
+        <translation>No se da ninguna reacción donde se impone un desplazamiento.</translation>
+    </message>
+    <message>
+        <source>Displacements alone do not say how stiff the material is.</source>
+        <translation>Los desplazamientos solos no dicen cuán rígido es el material.</translation>
+    </message>
+    <message>
+        <source>The noise of displacements is stated as {0}, but neighbouring points differ by {1}, which was taken in its place.</source>
+        <translation>El ruido de los desplazamientos se da como {0}, pero puntos vecinos difieren en {1}, que se tomó en su lugar.</translation>
+    </message>
+    <message>
+        <source>The noise of displacements is stated as {0}, but neighbouring points differ by {1} alone: was the field smoothed? Smoothing leaves errors that neighbours share.</source>
+        <translation>El ruido de los desplazamientos se da como {0}, pero puntos vecinos difieren solo en {1}: ¿se suavizó el campo? El suavizado deja errores que los vecinos comparten.</translation>
+    </message>
+    <message>
+        <source>The noise of reactions is not stated; as opposite ones balance, {0} was taken.</source>
+        <translation>El ruido de las reacciones no se da; según se equilibran las opuestas, se tomó {0}.</translation>
+    </message>
+    <message>
+        <source>The noise of reactions is not stated; {0} was taken, two thousandths of the largest.</source>
+        <translation>El ruido de las reacciones no se da; se tomó {0}, dos milésimas de la mayor.</translation>
+    </message>
+    <message>
+        <source>No law has an equilibrium near these displacements.</source>
+        <translation>Ninguna ley tiene un equilibrio cerca de estos desplazamientos.</translation>
+    </message>
+    <message>
+        <source>Are points numbered as in the mesh, and are boundaries where the forces were measured?</source>
+        <translation>¿Están los puntos numerados como en la malla, y los bordes donde se midieron las fuerzas?</translation>
+    </message>
+    <message>
+        <source>The material resists shear and change of volume by another law than the one that is declared.</source>
+        <translation>El material resiste el corte y el cambio de volumen según otra ley que la declarada.</translation>
+    </message>
+    <message>
+        <source>The material is stiffer along fibres than across them.</source>
+        <translation>El material es más rígido a lo largo de fibras que a través de ellas.</translation>
+    </message>
+    <message>
+        <source>The law {0} has no equilibrium in trial {1}.</source>
+        <translation>La ley {0} no tiene equilibrio en el ensayo {1}.</translation>
+    </message>
+    <message>
+        <source>Are its numbers in the unit of the reactions over lengths, and large enough?</source>
+        <translation>¿Están sus números en la unidad de las reacciones por longitud, y son bastante grandes?</translation>
+    </message>
+    <message>
+        <source>The reactions are those of a solution on the mesh&apos;s own linear triangles, not of a plate: that error is in what is predicted for them.</source>
+        <translation>Las reacciones son las de una solución en los triángulos lineales de la propia malla, no las de una placa: ese error está en lo que se predice para ellas.</translation>
+    </message>
+    <message>
+        <source>Displacements and reactions are those of a solution on the mesh&apos;s own linear triangles, not of a plate: that error is in what is predicted.</source>
+        <translation>Desplazamientos y reacciones son los de una solución en los triángulos lineales de la propia malla, no los de una placa: ese error está en lo que se predice.</translation>
+    </message>
+    <message>
+        <source>The declared law stands without numbers: the best ones were taken as declared.</source>
+        <translation>La ley declarada no tiene números: se tomaron los mejores como declarados.</translation>
+    </message>
+    <message>
+        <source>The declared law {0} stands without numbers.</source>
+        <translation>La ley declarada {0} no tiene números.</translation>
+    </message>
+    <message>
+        <source>Give them under &quot;declared&quot;, or a model.json with --with.</source>
+        <translation>Délos bajo &quot;declared&quot;, o un model.json con --with.</translation>
+    </message>
+    <message>
+        <source>Cell {1} of {0} is a {2} of {3} points; only triangles and quadrangles are used.</source>
+        <translation>La celda {1} de {0} es un {2} de {3} puntos; solo se usan triángulos y cuadrángulos.</translation>
+    </message>
+    <message>
+        <source>Cut it into triangles first, for example with ParaView&apos;s Triangulate.</source>
+        <translation>Córtela primero en triángulos, por ejemplo con Triangulate de ParaView.</translation>
+    </message>
+    <message>
+        <source>largest strain</source>
+        <translation>mayor deformación</translation>
+    </message>
+    <message>
+        <source>Residual before, trial {0} at its worst: arrows {1} times as long, red at {2}</source>
+        <translation>Residuo antes, ensayo {0} en su peor momento: flechas {1} veces más largas, rojo en {2}</translation>
+    </message>
+    <message>
+        <source>Residual after, trial {0} at its worst: arrows {1} times as long, red at {2}</source>
+        <translation>Residuo después, ensayo {0} en su peor momento: flechas {1} veces más largas, rojo en {2}</translation>
     </message>
 </context>
 <context>
@@ -7190,6 +7366,14 @@ Glisson dice cuánto se equivoca el modelo declarado, qué le falta y con qué c
     <message>
         <source>A guided sequence</source>
         <translation>Una secuencia guiada</translation>
+    </message>
+    <message>
+        <source>What was found is of a plate, not of a patient.</source>
+        <translation>Lo hallado es de una placa, no de un paciente.</translation>
+    </message>
+    <message>
+        <source>A plate in full field</source>
+        <translation>Una placa en campo completo</translation>
     </message>
 </context>
 <context>

@@ -5136,10 +5136,6 @@
         <translation>jugé par ses propres repères, sans référence gardée avec la séquence&#xa0;: une erreur qui ne change jamais ne se voit guère</translation>
     </message>
     <message>
-        <source>The kinds are palpation, material, platform and guidance.</source>
-        <translation>Les sortes sont palpation, material, platform et guidance.</translation>
-    </message>
-    <message>
         <source>&quot;frames&quot; must be a list with at least one frame.</source>
         <translation>&quot;frames&quot; doit être une liste d’au moins une image.</translation>
     </message>
@@ -6114,6 +6110,186 @@
     <message>
         <source>With {0} measurements no equilibrium was found: {1}</source>
         <translation>Avec {0} mesures, aucun équilibre n’a été trouvé : {1}</translation>
+    </message>
+    <message>
+        <source>The kinds are palpation, material, platform, guidance and full-field.</source>
+        <translation>Les sortes sont palpation, material, platform, guidance et full-field.</translation>
+    </message>
+    <message>
+        <source>The specimen&apos;s state must be &quot;plane-strain&quot;.</source>
+        <translation>L&apos;état de l&apos;éprouvette doit être &quot;plane-strain&quot;.</translation>
+    </message>
+    <message>
+        <source>Plane stress is not known here: a thin sheet needs a law for its thickness.</source>
+        <translation>La contrainte plane n&apos;est pas connue ici : une feuille mince demande une loi pour son épaisseur.</translation>
+    </message>
+    <message>
+        <source>{0} has {1} points; at most {2} are used.</source>
+        <translation>{0} a {1} points ; au plus {2} sont utilisés.</translation>
+    </message>
+    <message>
+        <source>Give the field on a coarser mesh.</source>
+        <translation>Donnez le champ sur un maillage plus grossier.</translation>
+    </message>
+    <message>
+        <source>{0} does not lie in a plane of equal z.</source>
+        <translation>{0} n&apos;est pas dans un plan de même z.</translation>
+    </message>
+    <message>
+        <source>{0} has a triangle without area (at {1}, {2}).</source>
+        <translation>{0} a un triangle sans aire (en {1}, {2}).</translation>
+    </message>
+    <message>
+        <source>The laws are {1}.</source>
+        <translation>Les lois sont {1}.</translation>
+    </message>
+    <message>
+        <source>{0} must lie between -1 and 0.5.</source>
+        <translation>{0} doit être entre -1 et 0.5.</translation>
+    </message>
+    <message>
+        <source>The law {0} has no number called &quot;{1}&quot;.</source>
+        <translation>La loi {0} n&apos;a pas de nombre appelé &quot;{1}&quot;.</translation>
+    </message>
+    <message>
+        <source>Its numbers are {2}.</source>
+        <translation>Ses nombres sont {2}.</translation>
+    </message>
+    <message>
+        <source>The declared law lacks some of its numbers: {0}.</source>
+        <translation>Il manque à la loi déclarée certains de ses nombres : {0}.</translation>
+    </message>
+    <message>
+        <source>Give all of them, or none: then they are found first, and the law&apos;s name alone is declared.</source>
+        <translation>Donnez-les tous, ou aucun : ils sont alors trouvés d&apos;abord, et seul le nom de la loi est déclaré.</translation>
+    </message>
+    <message>
+        <source>{0} has no column &quot;{1}&quot; in its first line.</source>
+        <translation>{0} n&apos;a pas de colonne &quot;{1}&quot; dans sa première ligne.</translation>
+    </message>
+    <message>
+        <source>Displacements stand in point,ux,uy, reactions in boundary,fx,fy.</source>
+        <translation>Les déplacements sont dans point,ux,uy, les réactions dans boundary,fx,fy.</translation>
+    </message>
+    <message>
+        <source>{0} holds no row beneath its first line.</source>
+        <translation>{0} ne contient rien sous sa première ligne.</translation>
+    </message>
+    <message>
+        <source>Line {0} of {1} names no point of the mesh, which has {2} from 0 on.</source>
+        <translation>La ligne {0} de {1} ne nomme aucun point du maillage, qui en a {2} à partir de 0.</translation>
+    </message>
+    <message>
+        <source>Points are numbered as in the mesh, from 0.</source>
+        <translation>Les points sont numérotés comme dans le maillage, à partir de 0.</translation>
+    </message>
+    <message>
+        <source>{0} names the point array &quot;{1}&quot;, which the mesh does not have.</source>
+        <translation>{0} nomme le tableau de points &quot;{1}&quot;, que le maillage n&apos;a pas.</translation>
+    </message>
+    <message>
+        <source>{0} names the boundary &quot;{1}&quot;, of which the mesh has no points.</source>
+        <translation>{0} nomme le bord &quot;{1}&quot;, dont le maillage n&apos;a aucun point.</translation>
+    </message>
+    <message>
+        <source>Boundaries are sides (left, right, bottom, top), point arrays of the mesh, groups in its arrays &quot;group_x&quot; and &quot;group_y&quot;, or stand under &quot;boundaries&quot; in the experiment.</source>
+        <translation>Les bords sont des côtés (left, right, bottom, top), des tableaux de points du maillage, des groupes de ses tableaux &quot;group_x&quot; et &quot;group_y&quot;, ou figurent sous &quot;boundaries&quot; dans l&apos;expérience.</translation>
+    </message>
+    <message>
+        <source>Nothing says where the plate is held or moved in {0}.</source>
+        <translation>Rien ne dit où la plaque est tenue ou déplacée selon {0}.</translation>
+    </message>
+    <message>
+        <source>Name the boundaries in the tables of reactions, or under &quot;boundaries&quot; in the experiment.</source>
+        <translation>Nommez les bords dans les tableaux des réactions, ou sous &quot;boundaries&quot; dans l&apos;expérience.</translation>
+    </message>
+    <message>
+        <source>No reaction is given where a displacement is prescribed.</source>
+        <translation>Aucune réaction n&apos;est donnée là où un déplacement est imposé.</translation>
+    </message>
+    <message>
+        <source>Displacements alone do not say how stiff the material is.</source>
+        <translation>Les déplacements seuls ne disent pas la rigidité du matériau.</translation>
+    </message>
+    <message>
+        <source>The noise of displacements is stated as {0}, but neighbouring points differ by {1}, which was taken in its place.</source>
+        <translation>Le bruit des déplacements est donné comme {0}, mais des points voisins diffèrent de {1}, qui a été pris à sa place.</translation>
+    </message>
+    <message>
+        <source>The noise of displacements is stated as {0}, but neighbouring points differ by {1} alone: was the field smoothed? Smoothing leaves errors that neighbours share.</source>
+        <translation>Le bruit des déplacements est donné comme {0}, mais des points voisins ne diffèrent que de {1} : le champ a-t-il été lissé ? Le lissage laisse des erreurs que les voisins partagent.</translation>
+    </message>
+    <message>
+        <source>The noise of reactions is not stated; as opposite ones balance, {0} was taken.</source>
+        <translation>Le bruit des réactions n&apos;est pas donné ; d&apos;après l&apos;équilibre des réactions opposées, {0} a été pris.</translation>
+    </message>
+    <message>
+        <source>The noise of reactions is not stated; {0} was taken, two thousandths of the largest.</source>
+        <translation>Le bruit des réactions n&apos;est pas donné ; {0} a été pris, deux millièmes de la plus grande.</translation>
+    </message>
+    <message>
+        <source>No law has an equilibrium near these displacements.</source>
+        <translation>Aucune loi n&apos;a d&apos;équilibre près de ces déplacements.</translation>
+    </message>
+    <message>
+        <source>Are points numbered as in the mesh, and are boundaries where the forces were measured?</source>
+        <translation>Les points sont-ils numérotés comme dans le maillage, et les bords là où les forces ont été mesurées ?</translation>
+    </message>
+    <message>
+        <source>The material resists shear and change of volume by another law than the one that is declared.</source>
+        <translation>Le matériau résiste au cisaillement et au changement de volume par une autre loi que celle déclarée.</translation>
+    </message>
+    <message>
+        <source>The material is stiffer along fibres than across them.</source>
+        <translation>Le matériau est plus rigide le long de fibres qu&apos;en travers.</translation>
+    </message>
+    <message>
+        <source>The law {0} has no equilibrium in trial {1}.</source>
+        <translation>La loi {0} n&apos;a pas d&apos;équilibre dans l&apos;essai {1}.</translation>
+    </message>
+    <message>
+        <source>Are its numbers in the unit of the reactions over lengths, and large enough?</source>
+        <translation>Ses nombres sont-ils dans l&apos;unité des réactions par longueur, et assez grands ?</translation>
+    </message>
+    <message>
+        <source>The reactions are those of a solution on the mesh&apos;s own linear triangles, not of a plate: that error is in what is predicted for them.</source>
+        <translation>Les réactions sont celles d&apos;une solution sur les triangles linéaires du maillage, non celles d&apos;une plaque : cette erreur est dans ce qui est prédit pour elles.</translation>
+    </message>
+    <message>
+        <source>Displacements and reactions are those of a solution on the mesh&apos;s own linear triangles, not of a plate: that error is in what is predicted.</source>
+        <translation>Déplacements et réactions sont ceux d&apos;une solution sur les triangles linéaires du maillage, non ceux d&apos;une plaque : cette erreur est dans ce qui est prédit.</translation>
+    </message>
+    <message>
+        <source>The declared law stands without numbers: the best ones were taken as declared.</source>
+        <translation>La loi déclarée est sans nombres : les meilleurs ont été pris comme déclarés.</translation>
+    </message>
+    <message>
+        <source>The declared law {0} stands without numbers.</source>
+        <translation>La loi déclarée {0} est sans nombres.</translation>
+    </message>
+    <message>
+        <source>Give them under &quot;declared&quot;, or a model.json with --with.</source>
+        <translation>Donnez-les sous &quot;declared&quot;, ou un model.json avec --with.</translation>
+    </message>
+    <message>
+        <source>Cell {1} of {0} is a {2} of {3} points; only triangles and quadrangles are used.</source>
+        <translation>La cellule {1} de {0} est un {2} de {3} points ; seuls triangles et quadrangles sont utilisés.</translation>
+    </message>
+    <message>
+        <source>Cut it into triangles first, for example with ParaView&apos;s Triangulate.</source>
+        <translation>Découpez-le d&apos;abord en triangles, par exemple avec Triangulate de ParaView.</translation>
+    </message>
+    <message>
+        <source>largest strain</source>
+        <translation>plus grande déformation</translation>
+    </message>
+    <message>
+        <source>Residual before, trial {0} at its worst: arrows {1} times as long, red at {2}</source>
+        <translation>Résidu avant, essai {0} au pire : flèches {1} fois plus longues, rouge à {2}</translation>
+    </message>
+    <message>
+        <source>Residual after, trial {0} at its worst: arrows {1} times as long, red at {2}</source>
+        <translation>Résidu après, essai {0} au pire : flèches {1} fois plus longues, rouge à {2}</translation>
     </message>
 </context>
 <context>
@@ -7190,6 +7366,14 @@ Pas de mesures sous la main&#xa0;? Essayez l’exemple&#xa0;: un échantillon de
     <message>
         <source>A guided sequence</source>
         <translation>Une séquence guidée</translation>
+    </message>
+    <message>
+        <source>What was found is of a plate, not of a patient.</source>
+        <translation>Ce qui a été trouvé est d&apos;une plaque, non d&apos;un patient.</translation>
+    </message>
+    <message>
+        <source>A plate in full field</source>
+        <translation>Une plaque en plein champ</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "closedloop/fullfield/model.h"
 #include "closedloop/guidance/model.h"
 #include "closedloop/hardware/model.h"
 #include "closedloop/hidden_targets.h"
@@ -22,7 +23,9 @@ Result<Explained> explain(const std::filesystem::path& file, const Progress& pro
   if (!experiment) return failure(std::move(experiment.error()));
   auto model = forward_model(*experiment, progress.part(0, 0.1));
   if (!model) return failure(std::move(model.error()));
-  auto explanation = diagnose(**model, {}, progress.part(0.1, 1));
+  DiagnosisOptions options;
+  if (std::holds_alternative<FullField>(experiment->setup)) options.maximum_effects = 1;  // a law in place of another
+  auto explanation = diagnose(**model, options, progress.part(0.1, 1));
   if (!explanation) return failure(std::move(explanation.error()));
   if (const auto* guidance = std::get_if<Guidance>(&experiment->setup)) {
     const auto errors = target_errors(*guidance, {BetterModel{}, better_model(*explanation)});
@@ -40,6 +43,11 @@ Result<std::unique_ptr<ForwardModel>> forward_model(Experiment experiment, const
   }
   if (auto* guidance = std::get_if<Guidance>(&experiment.setup)) {
     return guidance_model(std::move(*guidance), progress).map_error([&](Error error) {
+      return error.file.empty() ? std::move(error).in_file(experiment.file) : error;
+    });
+  }
+  if (auto* field = std::get_if<FullField>(&experiment.setup)) {
+    return full_field_model(std::move(*field), progress).map_error([&](Error error) {
       return error.file.empty() ? std::move(error).in_file(experiment.file) : error;
     });
   }

@@ -37,7 +37,7 @@ Json numbers(const Eigen::VectorXd& values);
 }  // namespace
 
 BetterModel better_model(const Explanation& explanation) {
-  return {explanation.settings, explanation.smooth_correction, explanation.mesh_error_share};
+  return {explanation.settings, explanation.smooth_correction, explanation.mesh_error_share, explanation.reading};
 }
 
 std::string name_of(Verdict verdict) {
@@ -49,7 +49,7 @@ std::string name_of(Verdict verdict) {
 }
 
 std::string kind_of(const Experiment& experiment) {
-  constexpr std::array<const char*, 4> kinds{"palpation", "material", "platform", "guidance"};
+  constexpr std::array<const char*, 5> kinds{"palpation", "material", "platform", "guidance", "full-field"};
   return kinds.at(experiment.setup.index());
 }
 
@@ -165,6 +165,7 @@ std::string model_text(const Explanation& explanation, const ForwardModel& model
     one["sentence"] = effect.sentence;
     json["effects"].push_back(std::move(one));
   }
+  if (!explanation.reading.empty()) json["reading"] = explanation.reading;
   if (explanation.mesh_error_share != 0) json["mesh_error_share"] = explanation.mesh_error_share;
   if (const auto& smooth = explanation.smooth_correction) {
     Json rows = Json::array();
@@ -210,7 +211,7 @@ Result<BetterModel> read_model(const std::filesystem::path& file, const ForwardM
 }
 
 Result<Eigen::VectorXd> predict_with(const ForwardModel& model, const BetterModel& better) {
-  auto predicted = model.predict(better.settings);
+  auto predicted = model.predict_as(better.reading, better.settings);
   if (predicted && better.mesh_error_share != 0) {
     const Eigen::VectorXd expected = model.systematic_uncertainty().expected;
     if (expected.size() == predicted->size()) *predicted += better.mesh_error_share * expected;
@@ -231,6 +232,7 @@ BetterModel better_model_from(const Json& json, const std::string& file, const F
   const std::vector<Effect> known = known_effects(model, experiment);
   for (const Json& effect : json.at("effects")) better.settings.push_back(setting_from(effect, known));
   better.mesh_error_share = json.value("mesh_error_share", 0.0);
+  better.reading = json.value("reading", std::string());
   if (json.contains("smooth_correction"))
     better.smooth_correction = smooth_from(json.at("smooth_correction"), model.observations());
   return better;

@@ -18,6 +18,7 @@ struct BetterModel {
   Settings settings;
   std::optional<SmoothCorrection> smooth_correction;
   double mesh_error_share = 0;  // Explanation::mesh_error_share
+  std::string reading = {};     // ForwardModel::reading
 };
 
 [[nodiscard]] BetterModel better_model(const Explanation& explanation);
@@ -39,6 +40,6 @@ Result<BetterModel> read_model(const std::filesystem::path& file, const ForwardM
 // What the better model predicts for the experiment of `model`, smooth correction included.
 Result<Eigen::VectorXd> predict_with(const ForwardModel& model, const BetterModel& better);
 
-[[nodiscard]] std::string kind_of(const Experiment& experiment);  // "palpation", "material", "platform"
+[[nodiscard]] std::string kind_of(const Experiment& experiment);  // "palpation", "material", "platform", ...
 
 }  // namespace glisson::closedloop

@@ -37,6 +37,7 @@
 #include "geometry/obj_file.h"
 #include "geometry/off_file.h"
 #include "geometry/ply_file.h"
+#include "geometry/triangles_file.h"
 #include "geometry/xml_guard.h"
 
 namespace glisson::geometry {
@@ -57,6 +58,7 @@ Result<void> write_with(const fs::path& file, vtkDataObject* data, Configure&& c
 
 Result<Surface> surface_from(vtkPolyData* polygons, const fs::path& file);
 vtkSmartPointer<vtkPolyData> polygons_from(const Surface& surface);
+Result<Surface> triangles_from(vtkUnstructuredGrid* grid, const fs::path& file);
 Result<TetMesh> tetrahedra_from(vtkUnstructuredGrid* grid, const fs::path& file);
 vtkSmartPointer<vtkUnstructuredGrid> grid_from(const TetMesh& mesh);
 
@@ -82,6 +84,13 @@ Result<Surface> read_surface(const fs::path& file) {
   }
   if (!polygons) return failure(polygons.error());
   return surface_from(*polygons, file);
+}
+
+Result<Surface> read_triangles(const fs::path& file) {
+  if (file.extension() != ".vtu") return read_surface(file);
+  const auto grid = read_with<vtkXMLUnstructuredGridReader, vtkUnstructuredGrid>(file);
+  if (!grid) return failure(grid.error());
+  return triangles_from(*grid, file);
 }
 
 Result<void> write_surface(const fs::path& file, const Surface& surface) {
@@ -341,6 +350,39 @@ Result<Surface> surface_from(vtkPolyData* polygons, const fs::path& file) {
   }
   surface.point_fields = fields_from(polygons->GetPointData(), surface.points_mm.size());
   surface.cell_fields = fields_from(triangulate->GetOutput()->GetCellData(), surface.triangles.size());
+  if (auto checked = check_surface(surface); !checked) return failure(std::move(checked.error()).in_file(file));
+  return surface;
+}
+
+Result<Surface> triangles_from(vtkUnstructuredGrid* grid, const fs::path& file) {
+  const auto cells = checked_cells(grid->GetCells(), grid->GetNumberOfPoints());
+  if (!cells) return invalid(file, GLISSON_TEXT("a cell names a point that does not exist"));
+  Surface surface;
+  for (std::size_t i = 0; i < cells->cells; ++i) {
+    const int type = grid->GetCellType(static_cast<vtkIdType>(i));
+    const vtkTypeInt64 count = cells->offsets[i + 1] - cells->offsets[i];
+    const vtkTypeInt64* given = cells->connectivity + cells->offsets[i];
+    const auto add = [&](int a, int b, int c) {
+      surface.triangles.push_back({static_cast<int>(given[a]), static_cast<int>(given[b]), static_cast<int>(given[c])});
+    };
+    const bool triangle = (type == VTK_TRIANGLE && count == 3) || (type == VTK_QUADRATIC_TRIANGLE && count == 6);
+    if (triangle || (type == VTK_QUAD && count == 4)) {
+      add(0, 1, 2);
+      if (!triangle) add(0, 2, 3);
+    } else if (type != VTK_VERTEX && type != VTK_POLY_VERTEX && type != VTK_LINE && type != VTK_POLY_LINE &&
+               type != VTK_QUADRATIC_EDGE) {
+      const char* name = vtkCellTypes::GetClassNameFromTypeId(type);
+      return failure(
+          Error{"mesh-cell-type",
+                GLISSON_TEXT("Cell {1} of {0} is a {2} of {3} points; only triangles and quadrangles are used."),
+                {file.filename().string(), std::to_string(i), name != nullptr ? name : "nameless cell",
+                 std::to_string(count)},
+                GLISSON_TEXT("Cut it into triangles first, for example with ParaView's Triangulate."),
+                file});
+    }
+  }
+  surface.points_mm = points_from(grid->GetPoints());
+  surface.point_fields = fields_from(grid->GetPointData(), surface.points_mm.size());
   if (auto checked = check_surface(surface); !checked) return failure(std::move(checked.error()).in_file(file));
   return surface;
 }

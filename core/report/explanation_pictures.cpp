@@ -87,6 +87,9 @@ Moment worst_moment(const Explanation& explanation, const Observations& observat
   return {worst->first.first, worst->first.second};
 }
 
+// Published fields come without.
+bool has_units(const Observations& observations) { return observations.unit != "noise"; }
+
 // The two axes along which the places spread most.
 std::array<int, 2> widest_axes(const Observations& observations) {
   const Eigen::RowVector3d extent =
@@ -107,7 +110,9 @@ std::vector<Vector> vectors_at(const Moment& moment, const Eigen::VectorXd& pred
   for (Eigen::Index row = 0; row < observations.rows(); ++row) {
     const auto i = static_cast<std::size_t>(row);
     if (observations.trial[i] != moment.trial || observations.sample[i] != moment.sample) continue;
-    if (observations.direction[i] > 2) continue;  // a distance from a surface has no direction of its own
+    // A distance from a surface has no direction of its own, and a force is no displacement.
+    const std::string& name = observations.directions[static_cast<std::size_t>(observations.direction[i])];
+    if (observations.direction[i] > 2 || name == "fx") continue;
     Vector& vector = vectors[observations.point[i]];
     vector.place_mm = observations.place_mm.row(row).transpose();
     vector.residual_mm[observations.direction[i]] = observations.measured[row] - predicted[row];
@@ -137,7 +142,8 @@ Drawing errors_by_load(const Explanation& explanation, const Observations& obser
     after.points.emplace_back(sums.load, std::sqrt(sums.after / sums.count));
   }
   Plot plot{words.say(GLISSON_TEXT("Error by load, a line a trial: broken before, whole after")),
-            words.say(GLISSON_TEXT("force (N)")), words.say(GLISSON_TEXT("error ({0})"), {observations.unit})};
+            has_units(observations) ? words.say(GLISSON_TEXT("force (N)")) : words.say(GLISSON_TEXT("largest strain")),
+            words.say(GLISSON_TEXT("error ({0})"), {has_units(observations) ? observations.unit : "u, f"})};
   for (auto& [trial, both] : curves_of_trial) plot.curves.insert(plot.curves.end(), both.begin(), both.end());
   return {svg_of(plot), plot.caption};
 }
@@ -155,9 +161,10 @@ std::vector<Drawing> on_the_specimen(const Explanation& explanation, const Obser
   const double magnification = longest > 0 ? 0.15 * std::max(extent[across], extent[up]) / longest : 1;
   const auto drawn = [&, a = across, u = up](const std::vector<Vector>& vectors, const char* caption) {
     constexpr const char* axes = "xyz";
+    const char* mm = has_units(observations) ? " (mm)" : "";
     Plot plot{words.say(caption, {observations.trials[static_cast<std::size_t>(moment.trial)],
                                   fmt::format("{:.3g}", magnification), fmt::format("{:.3g}", longest)}),
-              fmt::format("{} (mm)", axes[a]), fmt::format("{} (mm)", axes[u])};
+              fmt::format("{}{}", axes[a], mm), fmt::format("{}{}", axes[u], mm)};
     plot.hottest = longest;
     plot.from_zero = false;
     for (const Vector& v : vectors)
@@ -165,6 +172,12 @@ std::vector<Drawing> on_the_specimen(const Explanation& explanation, const Obser
                              magnification * v.residual_mm[u], v.residual_mm.norm()});
     return Drawing{svg_of(plot), plot.caption};
   };
+  if (!has_units(observations)) {
+    return {
+        drawn(before, GLISSON_TEXT("Residual before, trial {0} at its worst: arrows {1} times as long, red at {2}")),
+        drawn(after, GLISSON_TEXT("Residual after, trial {0} at its worst: arrows {1} times as long, red at {2}")),
+        errors_by_load(explanation, observations, words)};
+  }
   return {drawn(before, GLISSON_TEXT("Residual before, trial {0} at its worst: arrows {1} times as long, red at {2} "
                                      "mm")),
           drawn(after, GLISSON_TEXT("Residual after, trial {0} at its worst: arrows {1} times as long, red at {2} "

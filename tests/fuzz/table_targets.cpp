@@ -49,6 +49,19 @@ const char* const guided = R"({"format": "glisson-guidance/1", "title": "a box",
  "noise_mm": 1}], "tools": [{"id": "t", "contact_mm": [1, 2, 3], "radius_mm": 4, "force_N": [0, 0, 1]}]}],
  "targets": "targets.csv"})";
 
+const char* const plate = R"({"format": "glisson-experiment/1", "kind": "full-field", "title": "a square",
+ "specimen": {"mesh": "square.vtp", "thickness": 1, "state": "plane-strain"}, "boundaries": {"grip": {"side": "top",
+ "prescribed": ["y"]}}, "declared": {"law": "neo-hookean", "C10": 0.5, "D": 1.5}, "noise": 1e-4, "noise_reaction": 1e-3,
+ "trials": [{"id": "l1", "displacement": "l1.csv", "reactions": "r1.csv", "prescribed": {"top": {"ux": 0, "uy": 0.1}}}]})";
+
+void files_of_a_plate(const fs::path& folder) {
+  const geometry::Surface square{
+      {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}, {{"group_x", 1, {1, 2, 2, 1}}}, {}};
+  promise(bool(geometry::write_surface(folder / "square.vtp", square)), "the square is written");
+  file_of("point,ux,uy\n0,0,0\n1,0.1,0\n2,0.1,0.1\n3,0,0.1\n", folder, "l1.csv");
+  file_of("boundary,fx,fy\n2,1.5,\nleft,-1.5,\ntop,,0.7\n", folder, "r1.csv");
+}
+
 void files_of_a_sequence(const fs::path& folder) {
   promise(bool(geometry::write_surface(folder / "f0.ply", test::sphere_surface(10, 1))), "the model is written");
   file_of("landmark,frame,x_mm,y_mm,z_mm\n1,0,1,2,3\n1,1,1,2,3.5\n", folder, "tracks.csv");
@@ -92,6 +105,9 @@ std::vector<Target> targets() {
       reader_of(
           "experiment", "e.json", {shipped("examples/tissue/experiment.json")},
           [](const fs::path& file) { return closedloop::read_experiment(file); }, curves_of_the_example),
+      reader_of(
+          "full-field", "e.json", {plate}, [](const fs::path& file) { return closedloop::read_experiment(file); },
+          files_of_a_plate),
       reader_of(
           "guidance", "guidance.json", {guided}, [](const fs::path& file) { return guidance::read_guidance(file); },
           files_of_a_guidance),

@@ -1,8 +1,9 @@
 #pragma once
-// What was done to a specimen and what was measured: the four sorts of experiment, as plain values in the units of
+// What was done to a specimen and what was measured: the five sorts of experiment, as plain values in the units of
 // base/units.h (mm, mN, kPa, kg, s) and, for platforms, V, A, W, Wh, degrees Celsius. Read from JSON of the format
 // "glisson-experiment/1", which speaks N and kg/m3, and from the tables that it names.
 
+#include <array>
 #include <Eigen/Core>
 #include <filesystem>
 #include <optional>
@@ -127,14 +128,46 @@ struct Guidance {
   std::vector<GuidanceTrial> trials;                    // each frame in one
 };
 
+// To explain an experiment its trials must be measured; to predict one they need only say what was done.
+enum class Needs { measurements, conditions };
+
+// --- full field: a plate in plane strain, its displacements at every point and the forces at its borders
+
+// Points whose displacement in one or both directions is the machine's, the same for all of them; elsewhere nothing
+// pulls in that direction.
+struct PlaneBoundary {
+  std::string name;
+  std::vector<int> points;
+  std::array<bool, 2> prescribed{false, false};  // in x, in y
+};
+
+// Not a number where something was not measured or not said.
+struct PlaneTrial {
+  std::string id;
+  Eigen::Matrix2Xd displacement;  // of each point
+  Eigen::Matrix2Xd prescribed;    // of each boundary; where nothing is said it is taken from the displacements
+  Eigen::Matrix2Xd reaction;      // force on each boundary
+};
+
+// Without units, as published data are: lengths in one, stress in another, forces in their product times the thickness.
+struct FullField {
+  std::vector<Eigen::Vector2d> points;
+  std::vector<std::array<int, 3>> triangles;  // counter-clockwise
+  double thickness = 1;
+  std::string law;              // a name of fullfield/laws.h
+  Eigen::VectorXd law_numbers;  // in the law's order; empty: declared is its name alone
+  double noise = 0;             // standard deviation of each displacement
+  std::optional<double> noise_of_reactions;
+  std::vector<PlaneBoundary> boundaries;
+  std::vector<PlaneTrial> trials;
+  Needs needs = Needs::measurements;  // what it was read for
+};
+
 struct Experiment {
   std::filesystem::path file;
   std::string title;
-  std::variant<Palpation, Material, Platform, Guidance> setup;
+  std::variant<Palpation, Material, Platform, Guidance, FullField> setup;
 };
-
-// To explain an experiment its trials must be measured; to predict one they need only say what was done.
-enum class Needs { measurements, conditions };
 
 // Paths in the experiment are relative to its file. Refused, each with the file, where possible the line, and the
 // likely cause: a key that is not known or is missing, a table or mesh that is not there, a column that is not in its

@@ -55,6 +55,10 @@ std::vector<Start> ForwardModel::starts(const Effect& effect, const Settings&, c
   return starts;
 }
 
+Result<Eigen::VectorXd> ForwardModel::predict_as(const std::string&, const Settings& settings) const {
+  return predict(settings);
+}
+
 Result<Eigen::VectorXd> ForwardModel::predict_further(std::size_t, const Settings&) const {
   return failure("no-further-trials", GLISSON_TEXT("This experiment proposes no further trials."));
 }

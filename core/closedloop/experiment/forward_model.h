@@ -64,6 +64,14 @@ class ForwardModel {
   // predict there, in units of the noise.
   [[nodiscard]] virtual std::vector<Sentence> further_trials() const { return {}; }
   [[nodiscard]] virtual Result<Eigen::VectorXd> predict_further(std::size_t trial, const Settings& settings) const;
+
+  // Which of several things the numbers turned out to be (a measurement, a solution on the mesh itself): a word that
+  // model.json keeps, so that other trials are predicted as the same. Empty where there is nothing to tell apart.
+  [[nodiscard]] virtual std::string reading() const { return ""; }
+  [[nodiscard]] virtual Result<Eigen::VectorXd> predict_as(const std::string& reading, const Settings& settings) const;
+
+  // For a person: what was assumed of the experiment before anything was fitted.
+  [[nodiscard]] virtual std::vector<Sentence> remarks() const { return {}; }
 };
 
 // The effect of the catalogue that a setting switches on; nullptr where the model does not know it.

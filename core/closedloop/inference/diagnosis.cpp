@@ -86,7 +86,8 @@ Result<Explanation> Diagnosis::run() {
   if (!found) return failure(std::move(found.error()));
   std::vector<RankedCandidate> alone = ranking(search_, declared, choice->singles);
 
-  std::vector<Sentence> notes = notes_on_ranking(alone);
+  std::vector<Sentence> notes = search_.model().remarks();
+  append(notes, notes_on_ranking(alone));
   append(notes, notes_on_verdict(*choice, left));
   if (share != 0)
     notes.push_back(
@@ -135,6 +136,7 @@ Result<Explanation> Diagnosis::run() {
       .predicted_before = declared.fit.predicted,
       .mesh_error_share = share,
       .predicted_after = std::move(predicted),
+      .reading = search_.model().reading(),
   };
 }
 

@@ -124,6 +124,7 @@ struct Explanation {
   // the better model's predictions; 0 where they do not show it.
   double mesh_error_share = 0;
   Eigen::VectorXd predicted_after;  // with that, without the smooth correction
+  std::string reading;              // ForwardModel::reading
 };
 
 }  // namespace glisson::closedloop

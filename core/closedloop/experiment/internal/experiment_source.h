@@ -40,6 +40,7 @@ Palpation palpation_from(const Json& json, const Source& source, Needs needs);
 Material material_from(const Json& json, const Source& source, Needs needs);
 Platform platform_from(const Json& json, const Source& source, Needs needs);
 Guidance guidance_from(const Json& json, const Source& source);
+FullField full_field_from(const Json& json, const Source& source, Needs needs);
 
 // Of a palpation and of guidance alike: the body (mesh, moduli, Poisson's ratio, density), what holds it, and a table
 // of markers, whose seen positions `to_rest` brings into the body's frame.
