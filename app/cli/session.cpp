@@ -3,6 +3,7 @@
 // recordings, what each asks of the liver, side by side.
 
 #include <fmt/format.h>
+#include <algorithm>
 
 #include "base/files.h"
 #include "base/write_file.h"
@@ -44,6 +45,9 @@ Json json_of(const rehearsal::SessionStep& step) {
                      {"contacts", tool.contacts},
                      {"advance_mm", tool.advance_mm},
                      {"penetration_mm", tool.penetration_mm}});
+    if (tool.sticking + tool.slipping > 0) {
+      tools.back()["friction"] = {{"sticking", tool.sticking}, {"slipping", tool.slipping}};
+    }
   }
   Json json{{"converged", step.report.converged && step.report.inverted_cells == 0},
             {"relative_residual", step.report.relative_residual},
@@ -124,6 +128,14 @@ std::string in_words(const rehearsal::SessionState& state) {
                      state.validity.sentence().message(), state.refused.empty() ? "" : "  REFUSED: " + state.refused);
 }
 
+bool has_friction(const rehearsal::Recording& recording) {
+  return std::any_of(recording.begin(), recording.end(), [](const auto& one) {
+    const auto* hold = std::get_if<rehearsal::HoldTool>(&one.first);
+    const auto* touching = hold == nullptr ? nullptr : std::get_if<mechanics::TouchingTool>(&hold->tool.what);
+    return touching != nullptr && touching->friction > 0;
+  });
+}
+
 // A file where it is called one, and else a folder with the recording and the answer.
 Result<void> write_out(const std::string& out, const rehearsal::Recording& recording, const Json& answer) {
   const std::filesystem::path path(out);
@@ -142,6 +154,9 @@ Result<Outcome> run(const Options& options, const Progress& progress) {
   progress.report(0.0, GLISSON_TEXT("Reading the model"));
   auto question = question_of(options.source);
   if (!question) return failure(std::move(question.error()));
+  if (question->setup.law.law == MaterialLaw::linear && has_friction(*commands)) {
+    question->remarks.emplace_back("At small strain every tool is smooth: friction is computed at large strain alone.");
+  }
   auto engine = rehearsal::SessionEngine::create(std::move(question->setup), progress.part(0.0, 0.5),
                                                  rehearsal::reference_in(*commands));
   if (!engine) return failure(std::move(engine.error()));

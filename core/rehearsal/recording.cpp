@@ -46,6 +46,7 @@ Json json_of(const ContactTool& tool) {
     for (int c = 0; c < 3; ++c) json["rotation"].push_back(touching.pose.rotation(r, c));
   }
   if (touching.push_mN) json["push_mN"] = *touching.push_mN;
+  if (touching.friction > 0) json["friction"] = touching.friction;
   return json;
 }
 
@@ -92,7 +93,7 @@ ContactTool tool_from(const Json& json) {
                          number_under(json["patch"], "radius_mm", "the patch"),
                          vector_under(json, "force_mN", "the tool")}};
   }
-  check_keys(json, {"id", "rods", "shape", "position_mm", "rotation", "direction", "push_mN"});
+  check_keys(json, {"id", "rods", "shape", "position_mm", "rotation", "direction", "push_mN", "friction"});
   TouchingTool touching;
   if (json.contains("shape")) {
     const std::string shape = text_in(json["shape"], "shape");
@@ -115,6 +116,7 @@ ContactTool tool_from(const Json& json) {
       touching.pose.rotation(i / 3, i % 3) = number_in(rotation[static_cast<std::size_t>(i)], "rotation");
   }
   if (json.contains("push_mN")) touching.push_mN = number_under(json, "push_mN", "the tool");
+  if (json.contains("friction")) touching.friction = not_negative_in(json["friction"], "friction");
   return {id, std::move(touching)};
 }
 

@@ -141,7 +141,10 @@ std::string bits_of(const BodyState& state) {
   };
   if (const auto* large = std::get_if<LargeState>(&state)) {
     add((*large)->u_mm.data(), static_cast<std::size_t>((*large)->u_mm.size()));
-    for (const mechanics::LivePlace& place : (*large)->places) add(&place.multiplier_mN, 1);
+    for (const mechanics::LivePlace& place : (*large)->places) {
+      add(&place.multiplier_mN, 1);
+      if (place.anchor_mm) add(place.anchor_mm->data(), 3);
+    }
     return bits;
   }
   const ContactState& small = *std::get<SmallState>(state);

@@ -186,9 +186,10 @@ TEST_F(SmallLiver, AnAssumedStiffnessIsCalledSoAndNotComparedWithTheAtlas) {
               HasSubstr("is assumed, 6 kPa"));
   ASSERT_TRUE(write_text_file(folder_->path() / "touch.json", R"({"format": "glisson-session/1", "commands": [
     {"hold": {"id": "hook", "shape": "nathanson-retractor", "position_mm": [0, 0, -70], "direction": [0, 0, 1],
-              "push_mN": 200}}]})"));
+              "push_mN": 200, "friction": 0.1}}]})"));
   const Json session = answer({"session", patient(), "--commands", file("touch.json")});
   EXPECT_THAT(session.at("notes").dump(), HasSubstr("not compared with the atlas"));
+  EXPECT_THAT(session.at("notes").dump(), HasSubstr("At small strain every tool is smooth"));
   const Json& step = session.at("frames")[0];
   EXPECT_FALSE(step.contains("atlas"));
   EXPECT_FALSE(step.contains("max_difference_mm"));

@@ -136,7 +136,7 @@ TEST(Potentials, ForceIsTheSlopeOfEnergyAndTangentTheSlopeOfForceOfEachContact) 
   for (const double slid_mm : {0.001, 0.5}) {
     ContactConstraint sliding = constraint;
     sliding.friction = 0.4;
-    limit_friction(sliding, u);
+    limit_friction(sliding, sliding.multiplier_mN, u);
     sliding.from_mm = place_mm - slid_mm * Vector3d(1, 0, 0);
     const std::vector<ContactConstraint> one{sliding};
     expect_slopes(ToolContactPotential(one, k), body, u, "friction", 10);

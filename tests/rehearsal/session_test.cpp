@@ -267,6 +267,52 @@ TEST(SessionAtLargeStrain, ReplaysToTheBitWithItsSettling) {
   EXPECT_FALSE(replay(again, read).has_value());
 }
 
+// Pressed in and drawn along; where it was stuck to is in the recording's bits, and undo goes back to it.
+TEST(SessionAtLargeStrain, AToolWithFrictionPullsAlongAndReplaysToTheBit) {
+  const auto drawn = [](double way_mm, double friction) {
+    ContactTool tool = probe({35 + way_mm, 40, 44});
+    std::get<TouchingTool>(tool.what).friction = friction;
+    return HoldTool{std::move(tool)};
+  };
+  auto engine = SessionEngine::create(soft_block()).value();
+  Recording recording;
+  for (const SessionCommand& command : std::vector<SessionCommand>{drawn(0, 0.3), Settle{}, drawn(1, 0.3), Settle{},
+                                                                   drawn(2, 0.3), Undo{}, drawn(2, 0.3)}) {
+    recording.emplace_back(command, engine.step(command).digest);
+  }
+  EXPECT_EQ(recording[5].second, recording[3].second);
+  EXPECT_EQ(recording[6].second, recording[4].second);
+  const SessionState rest = engine.settled_state();
+  ASSERT_TRUE(rest.settled);
+  const mechanics::ToolContact& tool = rest.patient_step.tools[0];
+  EXPECT_GT(tool.sticking + tool.slipping, 0);
+  EXPECT_GT(tool.force_mN.x(), 0.1 * -tool.force_mN.z());
+
+  const auto read = parse_recording(recording_text(recording)).value();
+  auto again = SessionEngine::create(soft_block()).value();
+  EXPECT_FALSE(replay(again, read).has_value());
+  auto smooth = SessionEngine::create(soft_block()).value();
+  for (const double way_mm : {0.0, 1.0, 2.0}) smooth.step(drawn(way_mm, 0));
+  const mechanics::ToolContact without = smooth.settled_state().patient_step.tools[0];
+  EXPECT_EQ(without.sticking + without.slipping, 0);
+  EXPECT_LT(without.force_mN.x(), tool.force_mN.x() + 0.1 * tool.force_mN.z());
+}
+
+TEST(Session, AToolIsSmoothUnlessItSaysOtherwise) {
+  const auto read = [](const std::string& friction) {
+    return parse_recording(
+        R"({"format": "glisson-session/1", "commands": [{"hold": {"id": "a", "shape": "palpation-probe",
+      "position_mm": [0, 0, 0], "direction": [0, 0, 1])" +
+        friction + "}}]}");
+  };
+  const auto friction_of = [&](const std::string& said) {
+    return std::get<TouchingTool>(std::get<HoldTool>(read(said).value()[0].first).tool.what).friction;
+  };
+  EXPECT_EQ(friction_of(""), 0);
+  EXPECT_EQ(friction_of(R"(, "friction": 0.25)"), 0.25);
+  EXPECT_FALSE(read(R"(, "friction": -0.1)").has_value());
+}
+
 ContactTool patch(const Vector3d& force_mN, const Vector3d& center_mm = {35, 40, 40}) {
   return {"patch", mechanics::ToolLoad{center_mm, 14, force_mN}};
 }

@@ -34,7 +34,7 @@ struct TouchingTool {
   ToolShape shape;
   Pose pose;
   std::optional<double> push_mN;
-  double friction = 0;  // Coulomb's coefficient; above zero it is for large_contact.h, and not for ContactBody
+  double friction = 0;  // Coulomb's coefficient, at large deformation alone: to ContactBody every tool is smooth
 };
 
 // Jaws that closed on the points of the surface within the radius of a place at rest, and turn freely about it. Their

@@ -1,8 +1,8 @@
 #pragma once
 // A hyperelastic body under rigid tools and jaws at the speed of a hand: at large deformation, with all that is around
-// it (supports, foundations, ligaments, capsule, gas, gravity), without friction and without cuts. The fast counterpart
-// of large_contact.h: the same energy, whose minimum is not found by factors of each new tangent but by a few conjugate
-// gradients a picture from the picture before.
+// it (supports, foundations, ligaments, capsule, gas, gravity), with Coulomb's friction, without cuts. The fast
+// counterpart of large_contact.h: the same energy, whose minimum is not found by factors of each new tangent but by a
+// few conjugate gradients a picture from the picture before.
 //
 // A step looks for the places that touch, and moves on by truncated Newton (Nocedal and Wright, Numerical Optimization,
 // 7.1): the tangent's products are differences of the force, which costs two milliseconds for 20,000 cells, and two
@@ -17,12 +17,21 @@
 // on once, settling until no tool enters the surface by more than the tolerance. A pushed tool's advance is one unknown
 // more. A force spread over a patch is a dead load, as in statics.
 //
+// Friction is elastic and perfectly plastic with return mapping (Wriggers, Computational Contact Mechanics, 5.2): a
+// place sticks to an anchor that goes with the tool, by a spring of stiffness k along the surface, and slips where the
+// spring would pull with more than mu p; then the anchor is drawn along. What first presses in a step is anchored where
+// it was, as the tool saw it, when the step began. p and the normal are those at the beginning of each round of
+// Newton's method, so that a round has a potential energy, and those of the rest once it is found (lagged, as in Li et
+// al. 2020, Incremental Potential Contact, ACM TOG 39:49). The spring gives by mu p / k, some hundredths of a
+// millimetre. Anchors move from one step to the next: settling looks for the rest of the step under way.
+//
 // Lengths mm, forces mN, patient coordinates (LPS).
 
 #include <array>
 #include <Eigen/Core>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -49,6 +58,15 @@ struct LivePlace {
   std::array<int, 3> points;  // of the surface
   Eigen::Vector3d weights;
   double multiplier_mN = 0;
+  // Where it sticks to a tool with friction, in the tool's frame: as the step began, and, of what presses, where it is
+  // drawn to by now.
+  std::optional<Eigen::Vector3d> anchor_before_mm = std::nullopt, anchor_mm = std::nullopt;
+};
+
+// What the step under way began from, for friction: what meets a tool in it has slid as they moved by each other since.
+struct LiveBegin {
+  std::vector<Eigen::Vector3d> surface_mm;  // as LiveState's
+  std::map<std::string, Pose> poses;        // of touching tools
 };
 
 struct LiveState {
@@ -59,6 +77,8 @@ struct LiveState {
   std::vector<Eigen::Vector3d> surface_mm;  // displacement of each point of LiveBody::surface()
   std::vector<Eigen::Vector3d> watched_mm;
   std::vector<ToolContact> tools;
+  std::map<std::string, Pose> poses;  // of touching tools, as far as they have advanced
+  std::shared_ptr<const LiveBegin> began;
   Eigen::Vector3d moment_uJ{0, 0, 0};  // of the tools' forces about the origin (mN mm)
   double error_bound_mm = 0;           // of the judged places
   bool settled = false;

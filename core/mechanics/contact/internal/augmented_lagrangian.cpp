@@ -131,7 +131,7 @@ Result<bool> AugmentedLagrangian::equilibrate(const std::vector<ContactTool>& to
       advance_mm = next_mm;
     }
     if (!as_pushed) continue;
-    for (ContactConstraint& constraint : constraints_) restart_friction(constraint, tools);
+    for (ContactConstraint& constraint : constraints_) anchor(constraint, pose_of(constraint.place.tool, tools), u_mm_);
     return true;
   }
   return false;
@@ -147,7 +147,7 @@ Result<bool> AugmentedLagrangian::equilibrate_at_advances(const std::vector<Cont
   constexpr int maximum_rounds = 40, rounds_that_wander = 6;
   for (int round = 0; round < maximum_rounds; ++round) {
     update_multipliers(tools);
-    for (ContactConstraint& constraint : constraints_) limit_friction(constraint, u_mm_);
+    for (ContactConstraint& constraint : constraints_) limit_friction(constraint, constraint.multiplier_mN, u_mm_);
     walls_.find(u_mm_, round == 0                   ? CutSelfContact::Search::anew
                        : round < rounds_that_wander ? CutSelfContact::Search::again
                                                     : CutSelfContact::Search::more);
@@ -178,7 +178,8 @@ Result<bool> AugmentedLagrangian::equilibrate_at_advances(const std::vector<Cont
       changed_mN += (friction.force_mN - constraint.friction_mN).norm();
       constraint.friction_mN = friction.force_mN;
       constraint.slips = friction.slips;
-      if (force_mN == 0) restart_friction(constraint, tools);  // it has lost the tool, or not met it yet
+      if (force_mN == 0)
+        anchor(constraint, pose_of(constraint.place.tool, tools), u_mm_);  // it has lost the tool, or not met it yet
     }
     for (PrescribedPatch& patch : patches_) {
       const Vector3d force_mN = patch.pull_mN(k_mN_mm_, u_mm_);
@@ -217,16 +218,9 @@ void AugmentedLagrangian::update_multipliers(const std::vector<ContactTool>& too
     ContactConstraint constraint = constraint_at(kept[i], surface_, node_of_point_);
     constraint.rod = rod_of(kept[i], tools);
     constraint.friction = std::get<TouchingTool>(tools[kept[i].tool].what).friction;
-    restart_friction(constraint, tools);
+    anchor(constraint, pose_of(constraint.place.tool, tools), u_mm_);
     constraints_.push_back(constraint);
   }
-}
-
-// From now on the place slides from where it is.
-void AugmentedLagrangian::restart_friction(ContactConstraint& constraint, const std::vector<ContactTool>& tools) const {
-  const Pose pose = pose_of(constraint.place.tool, tools);
-  constraint.from_mm = place_of(constraint, u_mm_);
-  constraint.from_on_tool_mm = pose.rotation.transpose() * (constraint.from_mm - pose.position_mm);
 }
 
 Pose AugmentedLagrangian::pose_of(std::size_t tool, const std::vector<ContactTool>& tools) const {

@@ -59,7 +59,6 @@ class AugmentedLagrangian {
   [[nodiscard]] Eigen::Vector3d force_of_tool(std::size_t tool) const;
   [[nodiscard]] Rod rod_of(const TrackedContact& place, const std::vector<ContactTool>& tools) const;
   [[nodiscard]] Pose pose_of(std::size_t tool, const std::vector<ContactTool>& tools) const;
-  void restart_friction(ContactConstraint& constraint, const std::vector<ContactTool>& tools) const;
 
   const Body* body_;
   ContactOptions options_;

@@ -47,8 +47,13 @@ Gap gap_of(const ContactConstraint& constraint, const VectorXd& u_mm) {
   return gap;
 }
 
-void limit_friction(ContactConstraint& constraint, const VectorXd& u_mm) {
-  constraint.friction_limit_mN = constraint.friction * constraint.multiplier_mN;
+void anchor(ContactConstraint& constraint, const Pose& tool, const VectorXd& u_mm) {
+  constraint.from_mm = place_of(constraint, u_mm);
+  constraint.from_on_tool_mm = tool.rotation.transpose() * (constraint.from_mm - tool.position_mm);
+}
+
+void limit_friction(ContactConstraint& constraint, double normal_mN, const VectorXd& u_mm) {
+  constraint.friction_limit_mN = constraint.friction * normal_mN;
   if (constraint.friction_limit_mN == 0) return;
   constraint.normal = gap_of(constraint, u_mm).normal;
   constraint.friction_mN -= constraint.friction_mN.dot(constraint.normal) * constraint.normal;

@@ -47,8 +47,11 @@ struct Gap {
 };
 [[nodiscard]] Gap gap_of(const ContactConstraint& constraint, const Eigen::VectorXd& u_mm);
 
-// Sets the limit of friction, mu times the normal multiplier, and the tangential plane as the tool faces it now.
-void limit_friction(ContactConstraint& constraint, const Eigen::VectorXd& u_mm);
+// From now on it slides from where it is, on a tool of that pose.
+void anchor(ContactConstraint& constraint, const Pose& tool, const Eigen::VectorXd& u_mm);
+
+// Sets the limit of friction, mu times that normal force, and the tangential plane as the tool faces it now.
+void limit_friction(ContactConstraint& constraint, double normal_mN, const Eigen::VectorXd& u_mm);
 
 // The tangential force on it, minus its derivative by the place, and its energy.
 struct FrictionForce {

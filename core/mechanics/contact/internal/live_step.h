@@ -100,10 +100,14 @@ class LiveStep {
     Eigen::Vector3d forward;
   };
 
-  Result<void> take_tools(const LiveState& from);
+  Result<void> take_tools(const LiveState& from, Until until);
+  Result<void> take_touching(std::size_t tool, const TouchingTool& touching, const LiveState& from);
+  void begin(const LiveState& from, Until until);
   Result<void> take_patch(std::size_t tool, const ToolLoad& patch);
   void find_places();
+  void add_place(const TrackedContact& tracked);
   void place_rods();
+  void limit_friction();
   [[nodiscard]] Pose pose_of(std::size_t tool) const;
   [[nodiscard]] Eigen::Vector3d forward_of(std::size_t tool) const {
     return std::get<TouchingTool>(tools_[tool].what).pose.forward();
@@ -112,6 +116,7 @@ class LiveStep {
   [[nodiscard]] Unbalanced under_loads(Eigen::VectorXd resisting_mN, int inverted_points) const;
   Eigen::VectorXd with_tools(const Unbalanced& balance, const Eigen::VectorXd& u_mm);
   void look_at_rows(const Eigen::VectorXd& u_mm);
+  void add_friction_rows(const ContactConstraint& place, const Eigen::VectorXd& u_mm, const Eigen::Vector3d& forward);
   Eigen::VectorXd alone(const Unbalanced& balance) const;
   Eigen::VectorXd direction(const SplineLevels::WithRows& levels, const Eigen::VectorXd& r_mN, int gradients,
                             bool settling);
@@ -137,6 +142,7 @@ class LiveStep {
   std::vector<Gripped> grips_;
   std::vector<Spread> patches_;
   std::vector<ContactConstraint> places_;
+  std::shared_ptr<const LiveBegin> began_;
   std::vector<StiffRow> rows_;
   std::vector<Bend> bends_;
   double tools_mN_ = 0, moved_mm_ = std::numeric_limits<double>::infinity();

@@ -1,0 +1,330 @@
+// What the tools do to a live body: the places that they touch, their forces, and the rows that the preconditioner
+// sees.
+
+#include <algorithm>
+#include <cmath>
+#include <Eigen/Geometry>
+
+#include "mechanics/contact/internal/live_step.h"
+#include "mechanics/contact/internal/tool_contact_potential.h"
+
+namespace glisson::mechanics {
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+constexpr double jaws_are_stiffer = 20;
+
+}  // namespace
+
+Result<void> LiveStep::take_tools(const LiveState& from, Until until) {
+  further_of_.assign(tools_.size(), -1);
+  advance_mm_ = VectorXd::Zero(static_cast<Eigen::Index>(tools_.size()));
+  for (std::size_t t = 0; t < tools_.size(); ++t) {
+    if (const auto* touching = std::get_if<TouchingTool>(&tools_[t].what)) {
+      if (auto taken = take_touching(t, *touching, from); !taken) return taken;
+      continue;
+    }
+    if (const auto* patch = std::get_if<ToolLoad>(&tools_[t].what)) {
+      if (auto taken = take_patch(t, *patch); !taken) return taken;
+      continue;
+    }
+    const auto& grasp = std::get<Grasp>(tools_[t].what);
+    auto gripped = grip(parts_.surface, t, grasp);
+    if (!gripped) return failure(std::move(gripped.error()));
+    Jaws held{{}, gripped->weights, Vector3d::Zero(), t};
+    for (const int point : gripped->points) held.nodes.push_back(parts_.node_of_point[static_cast<std::size_t>(point)]);
+    if (const double* pull_mN = std::get_if<double>(&grasp.drawn)) {
+      for (std::size_t i = 0; i < held.nodes.size(); ++i) {
+        dead_mN_.segment<3>(3 * held.nodes[i]) += held.weights[i] * *pull_mN * grasp.direction.normalized();
+      }
+    } else {
+      held.wanted_mm = std::get<Vector3d>(grasp.drawn);
+      for (std::size_t i = 0; i < held.nodes.size(); ++i) {
+        held.wanted_mm += held.weights[i] * parts_.untouched.u_mm.segment<3>(3 * held.nodes[i]);
+      }
+      jaws_.push_back(std::move(held));
+    }
+    grips_.push_back(std::move(*gripped));
+  }
+  begin(from, until);
+  for (std::size_t t = 0; t < tools_.size(); ++t) {
+    const auto* touching = std::get_if<TouchingTool>(&tools_[t].what);
+    for (const LivePlace& place : from.places) {
+      if (touching == nullptr || place.tool != tools_[t].id || place.rod >= touching->shape.size()) continue;
+      add_place({t, place.rod, place.points, place.weights});
+      places_.back().multiplier_mN = place.multiplier_mN;
+      const auto& anchored_mm = until == Until::shown ? place.anchor_mm : place.anchor_before_mm;
+      if (anchored_mm) places_.back().from_on_tool_mm = *anchored_mm;
+    }
+  }
+  place_rods();
+  return {};
+}
+
+Result<void> LiveStep::take_touching(std::size_t tool, const TouchingTool& touching, const LiveState& from) {
+  if (auto checked = check_tool(touching.shape, touching.pose); !checked) return failure(std::move(checked.error()));
+  if (!touching.push_mN) return {};
+  further_of_[tool] = further_++;
+  double& advance_mm = advance_mm_[static_cast<Eigen::Index>(tool)];
+  const auto before = from.advance_mm.find(tools_[tool].id);
+  if (before != from.advance_mm.end()) {
+    advance_mm = before->second;
+    return {};
+  }
+  const auto way_mm = way_to_surface(parts_.surface, touching, parts_.surface_of(from.u_mm));
+  if (!way_mm) return failure(way_mm.error());
+  advance_mm = *way_mm;
+  return {};
+}
+
+// A step begins where the one before ended; settling goes on with the step under way.
+void LiveStep::begin(const LiveState& from, Until until) {
+  LiveBegin now = until == Until::settled && from.began ? *from.began : LiveBegin{from.surface_mm, from.poses};
+  for (std::size_t t = 0; t < tools_.size(); ++t) {
+    if (std::holds_alternative<TouchingTool>(tools_[t].what)) now.poses.try_emplace(tools_[t].id, pose_of(t));
+  }
+  began_ = std::make_shared<const LiveBegin>(std::move(now));
+}
+
+Result<void> LiveStep::take_patch(std::size_t tool, const ToolLoad& patch) {
+  const auto force_mN = load_vector(parts_.body.mesh, parts_.body.layout, parts_.body.boundary,
+                                    parts_.body.options.density_kg_mm3, {patch});
+  if (!force_mN) return failure(force_mN.error());
+  dead_mN_ += *force_mN;
+  Spread spread{tool, {}};
+  for (int node = 0; node < parts_.body.layout.nodes(); ++node) {
+    const Vector3d on_node = force_mN->segment<3>(3 * node);
+    if (!on_node.isZero(0)) spread.force_mN.emplace_back(node, on_node);
+  }
+  patches_.push_back(std::move(spread));
+  return {};
+}
+
+// Those that come near join without a force; those that were left go.
+void LiveStep::find_places() {
+  constexpr double margin_mm = 1.0;
+  std::erase_if(places_, [&](const ContactConstraint& place) {
+    const Gap gap = gap_of(place, state_.u_mm);
+    return gap.mm > margin_mm && normal_force_mN(place, parts_.k_mN_mm, gap) == 0;
+  });
+  std::vector<TrackedContact> kept;
+  for (const ContactConstraint& place : places_) kept.push_back(place.place);
+  const VectorXd moved_mm = parts_.surface_of(state_.u_mm);
+  for (const ContactCandidate& near : contact_candidates(parts_.surface, tools_, advance_mm_, moved_mm, margin_mm)) {
+    keep({near.tool, near.rod, near.points, near.weights}, parts_.surface, kept);
+  }
+  for (std::size_t i = places_.size(); i < kept.size(); ++i) add_place(kept[i]);
+  place_rods();
+}
+
+void LiveStep::add_place(const TrackedContact& tracked) {
+  ContactConstraint& place = places_.emplace_back(constraint_at(tracked, parts_.surface, parts_.node_of_point));
+  place.friction = std::get<TouchingTool>(tools_[tracked.tool].what).friction;
+  if (place.friction == 0) return;
+  Vector3d began_mm = place.rest_mm;
+  for (int c = 0; c < 3; ++c) {
+    began_mm += tracked.weights[c] * began_->surface_mm[static_cast<std::size_t>(tracked.points[c])];
+  }
+  const Pose& tool = began_->poses.at(tools_[tracked.tool].id);
+  place.from_on_tool_mm = tool.rotation.transpose() * (began_mm - tool.position_mm);
+}
+
+// As what presses now allows.
+void LiveStep::limit_friction() {
+  for (ContactConstraint& place : places_) {
+    if (place.friction == 0) continue;
+    mechanics::limit_friction(place, normal_force_mN(place, parts_.k_mN_mm, gap_of(place, state_.u_mm)), state_.u_mm);
+  }
+}
+
+void LiveStep::place_rods() {
+  for (ContactConstraint& place : places_) {
+    const auto& tool = std::get<TouchingTool>(tools_[place.place.tool].what);
+    const Pose pose = pose_of(place.place.tool);
+    place.rod = placed({tool.shape[place.place.rod]}, pose).front();
+    place.from_mm = pose.rotation * place.from_on_tool_mm + pose.position_mm;
+  }
+}
+
+Pose LiveStep::pose_of(std::size_t tool) const {
+  Pose pose = std::get<TouchingTool>(tools_[tool].what).pose;
+  pose.position_mm += advance_mm_[static_cast<Eigen::Index>(tool)] * pose.forward();
+  return pose;
+}
+
+VectorXd LiveStep::with_tools(const Unbalanced& balance, const VectorXd& u_mm) {
+  VectorXd r_mN = alone(balance);
+  tools_mN_ = 0;
+  for (const ContactConstraint& place : places_) {
+    const Gap gap = gap_of(place, u_mm);
+    const Vector3d force_mN = normal_force_mN(place, parts_.k_mN_mm, gap) * gap.normal +
+                              friction_force_of(place, parts_.k_mN_mm, u_mm).force_mN;
+    tools_mN_ += force_mN.norm();
+    for (int c = 0; c < 3; ++c) r_mN.segment<3>(3 * place.nodes[c]) += place.place.weights[c] * force_mN;
+    const std::size_t t = place.place.tool;
+    if (further_of_[t] >= 0) r_mN[n_ + further_of_[t]] -= force_mN.dot(forward_of(t));
+  }
+  for (const Jaws& held : jaws_) {
+    Vector3d off_mm = held.wanted_mm;
+    for (std::size_t i = 0; i < held.nodes.size(); ++i) off_mm -= held.weights[i] * u_mm.segment<3>(3 * held.nodes[i]);
+    const Vector3d pull_mN = jaws_are_stiffer * parts_.k_mN_mm * off_mm;
+    tools_mN_ += pull_mN.norm();
+    for (std::size_t i = 0; i < held.nodes.size(); ++i) {
+      r_mN.segment<3>(3 * held.nodes[i]) += held.weights[i] * pull_mN;
+    }
+  }
+  parts_.free(r_mN);
+  return r_mN;
+}
+
+// Of all that is near, as the tangent sees it.
+void LiveStep::look_at_rows(const VectorXd& u_mm) {
+  rows_.clear();
+  bends_.clear();
+  for (const ContactConstraint& place : places_) {
+    const Gap gap = gap_of(place, u_mm);
+    const std::size_t t = place.place.tool;
+    const Vector3d forward = further_of_[t] >= 0 ? forward_of(t) : Vector3d::Zero();
+    StiffRow row;
+    for (int c = 0; c < 3; ++c) row.on.emplace_back(place.nodes[c], place.place.weights[c] * gap.normal);
+    row.further = further_of_[t];
+    row.along = gap.normal.dot(forward);
+    row.stiffness = parts_.k_mN_mm;
+    row.gap_mm = gap.mm - place.multiplier_mN / parts_.k_mN_mm;
+    const double force = normal_force_mN(place, parts_.k_mN_mm, gap);
+    if (force > 0) bends_.push_back({&place, -force * gap.bend, further_of_[t], forward});
+    rows_.push_back(std::move(row));
+    if (place.friction_limit_mN > 0) add_friction_rows(place, u_mm, forward);
+  }
+  for (const Jaws& held : jaws_) {
+    Vector3d off_mm = -held.wanted_mm;
+    for (std::size_t i = 0; i < held.nodes.size(); ++i) off_mm += held.weights[i] * u_mm.segment<3>(3 * held.nodes[i]);
+    for (int d = 0; d < 3; ++d) {
+      StiffRow row;
+      for (std::size_t i = 0; i < held.nodes.size(); ++i) {
+        row.on.emplace_back(held.nodes[i], held.weights[i] * Vector3d::Unit(d));
+      }
+      row.stiffness = jaws_are_stiffer * parts_.k_mN_mm;
+      row.gap_mm = off_mm[d];
+      row.two_sided = true;
+      rows_.push_back(std::move(row));
+    }
+  }
+}
+
+// Along the surface. Where it slips the force grows no more: its secant never goes too far, and half of that not so far
+// that the step after would be longer (over-relaxation of a majorizer).
+void LiveStep::add_friction_rows(const ContactConstraint& place, const VectorXd& u_mm, const Vector3d& forward) {
+  Vector3d off_mm = place_of(place, u_mm) - place.from_mm;
+  off_mm -= off_mm.dot(place.normal) * place.normal;
+  const double slid_mm = off_mm.norm();
+  const bool slips = parts_.k_mN_mm * slid_mm > place.friction_limit_mN;
+  const double secant_mN_mm = slips ? place.friction_limit_mN / slid_mm : parts_.k_mN_mm;
+  const Vector3d way = slips ? Vector3d(off_mm / slid_mm) : place.normal.unitOrthogonal();
+  for (const Vector3d& along : {way, Vector3d(place.normal.cross(way))}) {
+    StiffRow row;
+    for (int c = 0; c < 3; ++c) row.on.emplace_back(place.nodes[c], place.place.weights[c] * along);
+    row.further = further_of_[place.place.tool];
+    row.along = along.dot(forward);
+    row.stiffness = (slips && along == way ? 0.5 : 1.0) * secant_mN_mm;
+    row.gap_mm = secant_mN_mm * along.dot(off_mm) / row.stiffness;
+    row.two_sided = true;
+    rows_.push_back(std::move(row));
+  }
+}
+
+void LiveStep::move_multipliers_on() {
+  for (ContactConstraint& place : places_) {
+    place.multiplier_mN = normal_force_mN(place, parts_.k_mN_mm, gap_of(place, state_.u_mm));
+  }
+}
+
+double LiveStep::deepest_mm() const {
+  double deepest = 0;
+  for (const ContactConstraint& place : places_) deepest = std::max(deepest, -gap_of(place, state_.u_mm).mm);
+  return deepest;
+}
+
+LiveState LiveStep::finished(const Stopwatch& watch) {
+  if (!began_->poses.empty()) state_.began = began_;
+  for (std::size_t t = 0; t < tools_.size(); ++t) {
+    const double advance_mm = advance_mm_[static_cast<Eigen::Index>(t)];
+    if (further_of_[t] >= 0) state_.advance_mm[tools_[t].id] = advance_mm;
+    if (std::holds_alternative<TouchingTool>(tools_[t].what)) state_.poses[tools_[t].id] = pose_of(t);
+    ToolContact contact{tools_[t].id, Vector3d::Zero(), 0, advance_mm, 0};
+    state_.tools.push_back(std::move(contact));
+  }
+  // What multipliers were moved on by is not yet pressed with.
+  for (ContactConstraint& place : places_) {
+    const Gap gap = gap_of(place, state_.u_mm);
+    const double normal_mN = state_.settled ? normal_force_mN(place, parts_.k_mN_mm, gap) : place.multiplier_mN;
+    ToolContact& contact = state_.tools[place.place.tool];
+    contact.penetration_mm = std::max(contact.penetration_mm, -gap.mm);
+    LivePlace kept{tools_[place.place.tool].id, place.place.rod, place.place.points, place.place.weights,
+                   place.multiplier_mN};
+    Vector3d force_mN = normal_mN * gap.normal;
+    if (place.friction > 0) {
+      mechanics::limit_friction(place, normal_mN, state_.u_mm);
+      const FrictionForce friction = friction_force_of(place, parts_.k_mN_mm, state_.u_mm);
+      if (normal_mN > 0) ++(friction.slips ? contact.slipping : contact.sticking);
+      force_mN += friction.force_mN;
+      const Pose pose = pose_of(place.place.tool);
+      kept.anchor_before_mm = place.from_on_tool_mm;
+      const Vector3d drawn_mm = place_of(place, state_.u_mm) + friction.force_mN / parts_.k_mN_mm;
+      if (normal_mN > 0) {
+        kept.anchor_mm = friction.slips ? Vector3d(pose.rotation.transpose() * (drawn_mm - pose.position_mm))
+                                        : place.from_on_tool_mm;
+      }
+    }
+    if (normal_mN > 0) ++contact.contacts;
+    contact.force_mN += force_mN;
+    state_.moment_uJ += place_of(place, state_.u_mm).cross(force_mN);
+    state_.places.push_back(std::move(kept));
+  }
+  for (const Gripped& gripped : grips_) {
+    ToolContact& contact = state_.tools[gripped.tool];
+    contact.contacts = static_cast<int>(gripped.points.size());
+    const auto& grasp = std::get<Grasp>(tools_[gripped.tool].what);
+    if (const double* pull_mN = std::get_if<double>(&grasp.drawn)) {
+      contact.force_mN = *pull_mN * grasp.direction.normalized();
+    }
+    for (const Jaws& held : jaws_) {
+      if (held.tool != gripped.tool) continue;
+      Vector3d off_mm = held.wanted_mm;
+      for (std::size_t i = 0; i < held.nodes.size(); ++i) {
+        off_mm -= held.weights[i] * state_.u_mm.segment<3>(3 * held.nodes[i]);
+      }
+      contact.force_mN = jaws_are_stiffer * parts_.k_mN_mm * off_mm;
+    }
+    for (std::size_t i = 0; i < gripped.points.size(); ++i) {
+      const int point = gripped.points[i];
+      const Vector3d at_mm = parts_.surface.points_mm[static_cast<std::size_t>(point)] +
+                             state_.u_mm.segment<3>(3 * parts_.node_of_point[static_cast<std::size_t>(point)]);
+      state_.moment_uJ += at_mm.cross(gripped.weights[i] * contact.force_mN);
+    }
+  }
+  for (const Spread& patch : patches_) {
+    ToolContact& contact = state_.tools[patch.tool];
+    contact.contacts = static_cast<int>(patch.force_mN.size());
+    for (const auto& [node, force] : patch.force_mN) {
+      const Vector3d at_mm =
+          parts_.body.layout.positions_mm[static_cast<std::size_t>(node)] + state_.u_mm.segment<3>(3 * node);
+      contact.force_mN += force;
+      state_.moment_uJ += at_mm.cross(force);
+    }
+  }
+  ContactReport& report = state_.report;
+  report.penetration_mm = deepest_mm();
+  report.movement_mm = std::isfinite(moved_mm_) ? moved_mm_ : 0.0;
+  report.inverted_cells = now_.inverted_points;
+  report.converged = now_.inverted_points == 0;
+  if (!squared_.empty()) report.largest_strain = parts_.cells.largest_strain(parts_.body, state_.u_mm, squared_);
+  state_.resisting_mN = std::move(now_.resisting_mN);
+  parts_.show(state_);
+  report.solve_ms = 1e3 * watch.seconds();
+  return std::move(state_);
+}
+
+}  // namespace glisson::mechanics
