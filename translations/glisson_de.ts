@@ -6104,14 +6104,6 @@
         <translation>Versuche müssen über 5 % Dehnung gehen, höchstens bis 100 %, Kräfte höchstens 100 N betragen und eine Leber 200 Zellen oder mehr haben.</translation>
     </message>
     <message>
-        <source>A linear law needs measurements at 5 % strain or less, and compression is negative in strain and stress.</source>
-        <translation>Ein lineares Gesetz braucht Messungen bei 5 % Dehnung oder weniger, und Druck ist in Dehnung und Spannung negativ.</translation>
-    </message>
-    <message>
-        <source>With {0} measurements no equilibrium was found: {1}</source>
-        <translation>Mit {0} Messungen wurde kein Gleichgewicht gefunden: {1}</translation>
-    </message>
-    <message>
         <source>The kinds are palpation, material, platform, guidance and full-field.</source>
         <translation>Die Arten sind palpation, material, platform, guidance und full-field.</translation>
     </message>

@@ -6104,14 +6104,6 @@
         <translation>Los ensayos deben pasar del 5 % de deformación, como mucho hasta 100 %, las fuerzas no pasar de 100 N, y un hígado tener 200 celdas o más.</translation>
     </message>
     <message>
-        <source>A linear law needs measurements at 5 % strain or less, and compression is negative in strain and stress.</source>
-        <translation>Una ley lineal necesita mediciones a 5 % de deformación o menos, y la compresión es negativa en deformación y tensión.</translation>
-    </message>
-    <message>
-        <source>With {0} measurements no equilibrium was found: {1}</source>
-        <translation>Con {0} mediciones no se encontró equilibrio: {1}</translation>
-    </message>
-    <message>
         <source>The kinds are palpation, material, platform, guidance and full-field.</source>
         <translation>Las clases son palpation, material, platform, guidance y full-field.</translation>
     </message>

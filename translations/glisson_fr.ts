@@ -6104,14 +6104,6 @@
         <translation>Les essais doivent dépasser 5 % de déformation, 100 % au plus, les forces ne pas dépasser 100 N, et un foie avoir 200 cellules ou plus.</translation>
     </message>
     <message>
-        <source>A linear law needs measurements at 5 % strain or less, and compression is negative in strain and stress.</source>
-        <translation>Une loi linéaire demande des mesures à 5 % de déformation ou moins, et la compression est négative en déformation et en contrainte.</translation>
-    </message>
-    <message>
-        <source>With {0} measurements no equilibrium was found: {1}</source>
-        <translation>Avec {0} mesures, aucun équilibre n’a été trouvé : {1}</translation>
-    </message>
-    <message>
         <source>The kinds are palpation, material, platform, guidance and full-field.</source>
         <translation>Les sortes sont palpation, material, platform, guidance et full-field.</translation>
     </message>

@@ -19,13 +19,13 @@ struct Options {
 
 std::string words_of(const studies::DataDrivenRow& row) {
   return fmt::format(
-      "  {:5} measurements, noise {:4.1f} %: {}by a line through all {:.2f} mm, by the line up to 5 % strain {:.2f} "
-      "mm; "
-      "{} on that line\n",
+      "  {:5} measurements, noise {:4.1f} %: {}by a line through all {:.2f} mm, by the line up to 5 % strain {}; "
+      "{} on that line{}\n",
       row.measurements, 100 * row.noise,
       row.from_data ? fmt::format("from data {:.2f} mm off on average, ", row.from_data->mean_mm)
                     : fmt::format("lifted by {:.1f} mm from data; ", row.retraction_mm),
-      row.by_line.mean_mm, row.by_region_line.mean_mm, row.on_the_line);
+      row.by_line.mean_mm, row.by_region_line ? fmt::format("{:.2f} mm", row.by_region_line->mean_mm) : "none",
+      row.on_the_line, row.converged ? "" : fmt::format("; states still wandered after {} rounds", row.rounds));
 }
 
 Result<Outcome> run(const Options& options, const Progress& progress) {
@@ -38,6 +38,9 @@ Result<Outcome> run(const Options& options, const Progress& progress) {
     asked.measured = std::move(*measured);
   }
   const auto study = studies::run_data_driven(asked, progress);
+  if (!study && options.measured_file && study.error().code == "data-invalid") {
+    return failure(Error(study.error()).in_file(*options.measured_file));
+  }
   if (!study) return failure(study.error());
   if (auto written = studies::write_data_driven(options.out, *study); !written) return failure(written.error());
   auto document = read_json_file(std::filesystem::path(options.out) / "summary.json");

@@ -98,18 +98,21 @@ Result<DataDrivenStudy> run_data_driven(const DataDrivenStudyOptions& options, c
 Result<void> write_data_driven(const std::filesystem::path& out, const DataDrivenStudy& study) {
   std::string csv =
       "measurements,noise_percent,outliers,on_the_line,slope_kPa,slope_region_kPa,retraction_mm,data_mean_mm,"
-      "data_max_mm,line_mean_mm,line_max_mm,region_line_mean_mm,region_line_max_mm,strained_beyond_percent,rounds\n";
+      "data_max_mm,line_mean_mm,line_max_mm,region_line_mean_mm,region_line_max_mm,strained_beyond_percent,rounds,"
+      "converged\n";
   Json document{{"simulated", study.simulated}, {"cells", study.cells}, {"rows", Json::array()}};
   if (study.true_retraction_mm) document["true_retraction_mm"] = *study.true_retraction_mm;
   for (const DataDrivenRow& row : study.rows) {
-    const auto of_data = [&](double PointErrors::*which) {
-      return row.from_data ? fmt::format("{:.4g}", (*row.from_data).*which) : std::string();
+    const auto cell = [](const std::optional<PointErrors>& errors, double PointErrors::*which) {
+      return errors ? fmt::format("{:.4g}", (*errors).*which) : std::string();
     };
-    csv += fmt::format(
-        "{},{:.4g},{},{},{:.6g},{:.6g},{:.5g},{},{},{:.4g},{:.4g},{:.4g},{:.4g},{:.3g},{}\n", row.measurements,
-        100 * row.noise, row.outliers, row.on_the_line, row.slope_kPa, row.slope_region_kPa, row.retraction_mm,
-        of_data(&PointErrors::mean_mm), of_data(&PointErrors::largest_mm), row.by_line.mean_mm, row.by_line.largest_mm,
-        row.by_region_line.mean_mm, row.by_region_line.largest_mm, 100 * row.strained_beyond, row.rounds);
+    csv +=
+        fmt::format("{},{:.4g},{},{},{:.6g},{:.6g},{:.5g},{},{},{:.4g},{:.4g},{},{},{:.3g},{},{}\n", row.measurements,
+                    100 * row.noise, row.outliers, row.on_the_line, row.slope_kPa, row.slope_region_kPa,
+                    row.retraction_mm, cell(row.from_data, &PointErrors::mean_mm),
+                    cell(row.from_data, &PointErrors::largest_mm), row.by_line.mean_mm, row.by_line.largest_mm,
+                    cell(row.by_region_line, &PointErrors::mean_mm), cell(row.by_region_line, &PointErrors::largest_mm),
+                    100 * row.strained_beyond, row.rounds, row.converged ? 1 : 0);
     const auto errors = [](const PointErrors& of) {
       return Json{{"mean_mm", of.mean_mm}, {"largest_mm", of.largest_mm}};
     };
@@ -121,9 +124,10 @@ Result<void> write_data_driven(const std::filesystem::path& out, const DataDrive
               {"slope_region_kPa", row.slope_region_kPa},
               {"retraction_mm", row.retraction_mm},
               {"by_line", errors(row.by_line)},
-              {"by_region_line", errors(row.by_region_line)},
               {"strained_beyond_percent", 100 * row.strained_beyond},
-              {"rounds", row.rounds}};
+              {"rounds", row.rounds},
+              {"converged", row.converged}};
+    if (row.by_region_line) line["by_region_line"] = errors(*row.by_region_line);
     if (row.from_data) line["from_data"] = errors(*row.from_data);
     document["rows"].push_back(std::move(line));
   }
@@ -217,14 +221,6 @@ Result<DataDrivenRow> answered(const Question& question, std::vector<StressStrai
   row.slope_kPa = slope_of(measured, [](const StressStrain&) { return true; });
   row.slope_region_kPa =
       slope_of(measured, [](const StressStrain& point) { return std::abs(point.strain) <= linear_region; });
-  if (!(row.slope_kPa > 0) || !(row.slope_region_kPa > 0)) {
-    return failure(Error{"data-invalid",
-                         GLISSON_TEXT("The measured stress does not grow with the strain."),
-                         {},
-                         GLISSON_TEXT("A linear law needs measurements at 5 % strain or less, and compression is "
-                                      "negative in strain and stress."),
-                         {}});
-  }
   for (const StressStrain& point : measured) {
     const double off_kPa = std::abs(point.stress_kPa - row.slope_region_kPa * point.strain);
     row.on_the_line += off_kPa <= (0.05 + 3 * noise) * largest_kPa ? 1 : 0;
@@ -235,24 +231,26 @@ Result<DataDrivenRow> answered(const Question& question, std::vector<StressStrai
   const auto found = mechanics::find_equilibrium_from_data(question.liver, *data, question.supports, question.loads,
                                                            density_kg_mm3, {}, progress);
   if (!found) return failure(found.error());
-  if (!found->result.may_be_used()) {
-    return failure("not-converged", GLISSON_TEXT("With {0} measurements no equilibrium was found: {1}"),
-                   {std::to_string(row.measurements), found->result.why_stopped});
-  }
   row.retraction_mm = found->result.max_displacement_mm;
   row.rounds = found->result.iterations;
+  row.converged = found->result.may_be_used();
   row.strained_beyond = found->share_beyond_data;
   const Displacements& truth_mm = question.truth_mm ? *question.truth_mm : found->result.displacement_mm;
   if (question.truth_mm) row.from_data = errors_between(found->result.displacement_mm, truth_mm);
   mechanics::StaticOptions linear;
   linear.poisson_ratio = question.poisson_ratio;
-  for (const auto& [slope_kPa, errors] :
-       {std::pair{row.slope_kPa, &row.by_line}, std::pair{row.slope_region_kPa, &row.by_region_line}}) {
-    const auto by_line =
-        mechanics::solve_static(question.liver, std::vector<double>(question.liver.cells.size(), slope_kPa),
-                                question.supports, question.loads, linear);
-    if (!by_line) return failure(by_line.error());
-    *errors = errors_between(by_line->displacement_mm, truth_mm);
+  const auto errors_by_line = [&](double slope_kPa) {
+    return mechanics::solve_static(question.liver, std::vector<double>(question.liver.cells.size(), slope_kPa),
+                                   question.supports, question.loads, linear)
+        .map([&](const StaticResult& by_line) { return errors_between(by_line.displacement_mm, truth_mm); });
+  };
+  const auto by_line = errors_by_line(row.slope_kPa);
+  if (!by_line) return failure(by_line.error());
+  row.by_line = *by_line;
+  if (row.slope_region_kPa > 0) {
+    const auto by_region_line = errors_by_line(row.slope_region_kPa);
+    if (!by_region_line) return failure(by_region_line.error());
+    row.by_region_line = *by_region_line;
   }
   row.measured = std::move(measured);
   return row;
@@ -303,10 +301,10 @@ report::Page page_of(const DataDrivenStudy& study) {
                           {std::to_string(row.outliers)},
                           {std::to_string(row.on_the_line)},
                           {row.from_data ? both(*row.from_data) : "-"},
-                          {both(row.by_region_line)},
+                          {row.by_region_line ? both(*row.by_region_line) : "-"},
                           {both(row.by_line)},
                           {fmt::format("{:.2g}", 100 * row.strained_beyond)},
-                          {std::to_string(row.rounds)}});
+                          {row.converged ? std::to_string(row.rounds) : fmt::format("{}, not at rest", row.rounds)}});
   }
   page.blocks.emplace_back(std::move(table));
   page.footer = fmt::format("Glisson {}. Not a medical device.", version());

@@ -20,9 +20,9 @@
 namespace glisson::studies {
 
 struct DataDrivenStudyOptions {
-  std::vector<mechanics::StressStrain> measured;  // empty: SIMULATED
-  std::vector<int> counts{21, 100, 400};          // of simulated measurements; the dissertation has some twenty
-  std::vector<double> noises{0, 0.02, 0.05};      // standard deviation of a stress, of the largest measured stress
+  std::vector<mechanics::StressStrain> measured = {};  // empty: SIMULATED
+  std::vector<int> counts{21, 100, 400};               // of simulated measurements; the dissertation has some twenty
+  std::vector<double> noises{0, 0.02, 0.05};           // standard deviation of a stress, of the largest measured stress
   int outliers_one_in = 40;  // where there is noise: one measurement in so many is half the largest stress off; 0: none
   double farthest_strain = 0.35;  // of a simulated test, either way
   double force_N = 1;             // half of the retractor's usual force: within the strains that are tested
@@ -47,10 +47,12 @@ struct DataDrivenRow {
   double slope_region_kPa = 0;  // of the line through those of the linear region
   double retraction_mm = 0;     // the largest displacement, from data
   int rounds = 0;
+  bool converged = true;       // else the answer where the rounds ended: noise may keep states wandering
   double strained_beyond = 0;  // share of the body's volume that is strained farther than was measured
   // Against the truth where it is known; without a truth, against the answer from data.
   std::optional<PointErrors> from_data;
-  PointErrors by_line, by_region_line;
+  PointErrors by_line;
+  std::optional<PointErrors> by_region_line;  // absent where noise gives the linear region no slope above zero
   std::vector<mechanics::StressStrain> measured;
 };
 
@@ -61,7 +63,8 @@ struct DataDrivenStudy {
   std::size_t cells = 0;
 };
 
-// Failures: "study-options" (a number out of range), those of material data and of the solver, "not-converged".
+// Failures: "study-options" (a number out of range), those of material data and of the solver,
+// "not-converged" (the truth's own law).
 Result<DataDrivenStudy> run_data_driven(const DataDrivenStudyOptions& options, const Progress& progress = {});
 
 // data-driven.csv, measured.csv (of the last row), summary.json and report.html.
