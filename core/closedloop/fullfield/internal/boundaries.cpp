@@ -201,22 +201,14 @@ void Finder::add_groups_without_name() {
 bool Finder::moved_as_one(const std::vector<int>& points, int axis) const {
   bool seen = false;
   for (const PlaneTrial& trial : field_.trials) {
-    double sum = 0, squares = 0, count = 0;
-    for (const int point : points) {
-      const double moved = trial.displacement(axis, point);
-      if (!std::isfinite(moved)) continue;
-      sum += moved;
-      squares += moved * moved;
-      count += 1;
-    }
-    if (count < 3) continue;
+    const BoundaryMove move = boundary_move(trial, axis, points);
+    if (move.count < 3) continue;
     seen = true;
     double largest = 0;
     for (const double moved : trial.displacement.reshaped()) {
       if (std::isfinite(moved)) largest = std::max(largest, std::abs(moved));
     }
-    const double spread = std::sqrt(std::max(0.0, squares / count - (sum / count) * (sum / count)));
-    if (spread > std::max(2 * field_.noise, 2e-3 * largest)) return false;
+    if (move.spread > std::max(2 * field_.noise, 2e-3 * largest)) return false;
   }
   return seen;
 }
@@ -231,6 +223,20 @@ void Finder::add_sides_that_moved_as_one() {
 }
 
 }  // namespace
+
+BoundaryMove boundary_move(const PlaneTrial& trial, int axis, const std::vector<int>& points) {
+  double sum = 0, squares = 0, count = 0;
+  for (const int point : points) {
+    const double moved = trial.displacement(axis, point);
+    if (!std::isfinite(moved)) continue;
+    sum += moved;
+    squares += moved * moved;
+    count += 1;
+  }
+  if (count == 0) return {};
+  const double mean = sum / count;
+  return {count, mean, std::sqrt(std::max(0.0, squares / count - mean * mean))};
+}
 
 void assign_boundaries(const Json& declared, const geometry::Surface& mesh,
                        const std::vector<std::vector<ReactionRow>>& reactions,

@@ -35,4 +35,12 @@ void assign_boundaries(const Json& declared, const geometry::Surface& mesh,
                        const std::vector<std::vector<ReactionRow>>& reactions,
                        const std::vector<std::vector<PrescribedRow>>& prescribed, FullField& field);
 
+// How the points of a boundary that were measured moved along an axis in a trial.
+struct BoundaryMove {
+  double count = 0;  // of points measured
+  double mean = 0;
+  double spread = 0;  // standard deviation, of all of them
+};
+[[nodiscard]] BoundaryMove boundary_move(const PlaneTrial& trial, int axis, const std::vector<int>& points);
+
 }  // namespace glisson::closedloop

@@ -7,6 +7,8 @@
 #include <limits>
 #include <set>
 
+#include "closedloop/fullfield/internal/boundaries.h"
+
 namespace glisson::closedloop {
 namespace {
 
@@ -80,16 +82,7 @@ void Plate::prescribe(std::size_t which) {
     const auto& [b, d] = moved_[m];
     const std::vector<int>& points = field_.boundaries[b].points;
     const double said = trial.prescribed(d, static_cast<Eigen::Index>(b));
-    double sum = 0, squares = 0, count = 0;
-    for (const int point : points) {
-      const double measured = trial.displacement(d, point);
-      if (!std::isfinite(measured)) continue;
-      sum += measured;
-      squares += measured * measured;
-      count += 1;
-    }
-    const double mean = count > 0 ? sum / count : 0;
-    const double spread = count > 0 ? std::sqrt(std::max(0.0, squares / count - mean * mean)) : 0;
+    const auto [count, mean, spread] = boundary_move(trial, d, points);
     constexpr double noises_of_one = 5;
     constexpr double share_of_one = 0.02;
     const bool as_one = spread <= std::max(noises_of_one * field_.noise, share_of_one * std::abs(mean));
@@ -229,6 +222,11 @@ std::optional<Eigen::VectorXd> Plate::equilibrium(ElementOrder order, const Plan
 Eigen::VectorXd Plate::read(ElementOrder order, std::size_t trial, const Eigen::VectorXd& displacement,
                             const Eigen::VectorXd& forces) const {
   const Eigen::VectorXd on_boundaries = field_.thickness * (body(order).moves.transpose() * forces);
+  return rows_of(trial, displacement, on_boundaries);
+}
+
+Eigen::VectorXd Plate::rows_of(std::size_t trial, const Eigen::VectorXd& displacement,
+                               const Eigen::VectorXd& on_boundaries) const {
   Eigen::VectorXd values(row_count(trial));
   for (std::size_t r = 0; r < rows_[trial].size(); ++r) {
     const Row& row = rows_[trial][r];
@@ -248,14 +246,7 @@ Eigen::VectorXd Plate::response(std::size_t trial, const PlaneElements::Tangent&
   const Eigen::VectorXd moved = linear_.elements.solved(*about.factor, -forces);
   const Eigen::VectorXd on_boundaries =
       field_.thickness * (linear_.moves.transpose() * forces + about.along.transpose() * moved);
-  Eigen::VectorXd values(row_count(trial));
-  for (std::size_t r = 0; r < rows_[trial].size(); ++r) {
-    const Row& row = rows_[trial][r];
-    double value = 0;
-    for (const auto& [move, share] : row.of_moves) value += share * on_boundaries[move];
-    values[static_cast<Eigen::Index>(r)] = row.point >= 0 ? moved[2 * row.point + row.direction] : value;
-  }
-  return values;
+  return rows_of(trial, moved, on_boundaries);
 }
 
 Eigen::MatrixXd Plate::response_to_moves(std::size_t trial, const PlaneElements::Tangent& about) const {

@@ -86,6 +86,9 @@ class Plate {
     return order == ElementOrder::linear ? linear_ : quadratic_;
   }
   [[nodiscard]] std::vector<bool> fixed() const;
+  // Of a displacement and the forces on all boundaries and directions that are prescribed.
+  [[nodiscard]] Eigen::VectorXd rows_of(std::size_t trial, const Eigen::VectorXd& displacement,
+                                        const Eigen::VectorXd& on_boundaries) const;
   [[nodiscard]] Body make_body(ElementOrder order) const;
   void prescribe(std::size_t trial);
   void choose_rows();
