@@ -128,31 +128,29 @@ Result<GrowResult> grow_from_seeds(const imaging::Volume& image, const std::vect
   if (progress.cancelled()) return cancelled();
   progress.report(static_cast<double>(maximum_rounds + 1) / (maximum_rounds + 2),
                   GLISSON_TEXT("Smoothing the outline"));
-  const auto bordered = [&](const Settled& grown) {
-    return with_border_refined(finished(grown.region, image.grid, block, options), image, grown.tissue.mean,
-                               grown.tissue.sd);
+  const auto outlined = [&](const Settled& grown) {
+    RefinedBorder refined = with_border_refined(finished(grown.region, image.grid, block, options), image,
+                                                grown.tissue.mean, grown.tissue.sd);
+    GrowResult result;
+    result.rounds = grown.rounds;
+    result.mask = without_crumbs(std::move(refined.outline));
+    result.unsure_border = refined.unsure_share;
+    result.volume_ml = volume_ml(result.mask);
+    result.tissue_mean = grown.tissue.mean;
+    result.tissue_sd = grown.tissue.sd;
+    result.doubts = doubts_about(result, *seeds, grown.region);
+    return result;
   };
-  RefinedBorder refined = bordered(*settled);
-  if (refined.unsure_share > very_unsure_border) {
+  GrowResult result = outlined(*settled);
+  if (result.unsure_border > very_unsure_border) {
     const auto wider = wider_plateau(*settled, working, *seeds, drift, smallest_sd, options, progress);
     if (!wider) return failure(wider.error());
     if (*wider) {
-      RefinedBorder other = bordered(**wider);
-      if (other.unsure_share < refined.unsure_share) {
-        refined = std::move(other);
-        *settled = **wider;
-      }
+      GrowResult other = outlined(**wider);
+      // The air around a body has a border of its own too.
+      if (other.unsure_border < result.unsure_border && !other.probably_leaked()) result = std::move(other);
     }
   }
-  const TissueModel& tissue = settled->tissue;
-  GrowResult result;
-  result.rounds = settled->rounds;
-  result.mask = without_crumbs(std::move(refined.outline));
-  result.unsure_border = refined.unsure_share;
-  result.volume_ml = volume_ml(result.mask);
-  result.tissue_mean = tissue.mean;
-  result.tissue_sd = tissue.sd;
-  result.doubts = doubts_about(result, *seeds, settled->region);
   progress.report(1.0, GLISSON_TEXT("Smoothing the outline"));
   return result;
 }
