@@ -5,7 +5,9 @@
 // First the pose alone, by points to planes with weights of Student's t; then pose and forces together. Forces stand
 // on what is not seen: what is seen is free, but for the tools. How large they may be is decided by the evidence
 // (internal/evidence_fit.h), so that a frame without deformation invents none. The posterior covariance of forces and
-// pose gives the standard deviation of each target. Positions at rest are in the scan's frame, mm.
+// pose gives the standard deviation of each target. An organ whose supports are known is fitted otherwise
+// (internal/supported_fit.h): it cannot drift, and a narrow pull bends it far. Positions at rest are in the scan's
+// frame, mm.
 
 #include <Eigen/Geometry>
 #include <string>
@@ -29,6 +31,14 @@ struct RegistrationOptions {
   double surface_error_mm = 0.3;       // of a surface of triangles, beside the noise
   double touched_by_unseen = 0.01;     // variance of forces where the surface is seen, beside those elsewhere
   double seen_within_mm = 15;
+  // Of organs whose supports are known.
+  int supported_rounds = 24;
+  double widest_mm = 15;     // that points may be off by in the first round
+  int widest_rounds = 14;    // until they are trusted by the noise alone
+  int narrow_forces = 3;     // at most, on narrow patches
+  double narrow_sd_mm = 15;  // that each moves its own patch by
+  double narrow_gain = 8;    // of the log evidence: there are some hundred places to choose from
+  double contact_sd_mm = 4;  // of where a tool touches
 };
 
 struct FoundTool {

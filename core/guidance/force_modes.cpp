@@ -5,9 +5,10 @@
 #include <numeric>
 
 #include "base/units.h"
+#include "geometry/nearest.h"
 #include "mechanics/elements/body.h"
 #include "mechanics/potentials/stiffness_matrix.h"
-#include "mechanics/solvers/cholesky_factor.h"
+#include "mechanics/solvers/constrained_system.h"
 
 namespace glisson::guidance {
 
@@ -62,14 +63,21 @@ struct ForceModes::Impl {
   Eigen::VectorXd mass_kg;       // 3 equal values a point
   Eigen::MatrixXd rigid;         // 3 values a point x 6 motions, about the centroid
   Eigen::MatrixXd rigid_weight;  // takes displacements to the amounts of the six motions, weighed by mass
-  std::optional<mechanics::CholeskyFactor> factor;
+  bool is_supported = false;
+  Eigen::VectorXd prescribed_mm;  // by the supports, 3 a point; empty where they prescribe nothing
+  std::optional<mechanics::ConstrainedSystem> system;
   Eigen::MatrixXd modes_mm;
+  std::vector<Vector3d> narrow_centers_mm;
+  Eigen::MatrixXd narrow_modes_mm;
 
   void lay_out_rigid_motions();
-  [[nodiscard]] Eigen::MatrixXd patch_forces(double overlap) const;
-  // Without resultant and moment; displacements without rigid part.
+  [[nodiscard]] double area_mm2() const { return std::accumulate(areas_mm2.begin(), areas_mm2.end(), 0.0); }
+  // Of 1 mN in x, y and z in turn on each patch, by Gaussian weights of this standard deviation.
+  [[nodiscard]] Eigen::MatrixXd patch_forces(const std::vector<Vector3d>& middles_mm, double width_mm) const;
+  // Of a free body: without resultant and moment; displacements without rigid part.
   [[nodiscard]] Eigen::MatrixXd answer(Eigen::MatrixXd forces_mN) const;
   void scale_modes();
+  void scale_narrow_modes();
 };
 
 Result<ForceModes> ForceModes::create(geometry::TetMesh mesh, const std::vector<double>& youngs_kPa,
@@ -78,9 +86,14 @@ Result<ForceModes> ForceModes::create(geometry::TetMesh mesh, const std::vector<
   mechanics::StaticOptions body_options;
   body_options.poisson_ratio = poisson_ratio;
   body_options.order = mechanics::ElementOrder::linear;
-  auto body = mechanics::prepare_body(std::move(mesh), youngs_kPa, {}, body_options, mechanics::Holding::optional);
+  body_options.prescribed_displacements = true;
+  const bool is_supported = !options.supports.empty();
+  auto body = mechanics::prepare_body(std::move(mesh), youngs_kPa, options.supports, body_options,
+                                      is_supported ? mechanics::Holding::required : mechanics::Holding::optional);
   if (!body) return failure(std::move(body.error()));
   auto impl = std::make_shared<Impl>();
+  impl->is_supported = is_supported;
+  impl->prescribed_mm = body->resolved.prescribed_mm;
   impl->mesh = body->mesh;
   impl->surface = geometry::boundary_surface(impl->mesh);
   for (const double point : geometry::find_field(impl->surface.point_fields, "mesh_point")->values) {
@@ -88,19 +101,25 @@ Result<ForceModes> ForceModes::create(geometry::TetMesh mesh, const std::vector<
   }
   impl->areas_mm2 = areas_of_points(impl->surface);
   impl->centers_mm = spread(impl->surface.points_mm, options.patches);
+  if (is_supported) impl->narrow_centers_mm = spread(impl->surface.points_mm, options.narrow_patches);
   impl->lay_out_rigid_motions();
 
   Eigen::SparseMatrix<double> matrix = mechanics::assemble_stiffness(*body);
-  const double mean_diagonal = matrix.diagonal().sum() / impl->mass_kg.sum();
-  const Eigen::Index unknowns = matrix.rows();
-  for (Eigen::Index i = 0; i < unknowns; ++i) {
-    matrix.coeffRef(i, i) += softest_spring * mean_diagonal * impl->mass_kg[i] * 1e-2;
+  if (!is_supported) {
+    const double mean_diagonal = matrix.diagonal().sum() / impl->mass_kg.sum();
+    for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+      matrix.coeffRef(i, i) += softest_spring * mean_diagonal * impl->mass_kg[i] * 1e-2;
+    }
   }
-  auto factor = mechanics::CholeskyFactor::create(matrix, body_options.memory_limit_bytes, progress.part(0.1, 0.5));
-  if (!factor) return failure(std::move(factor.error()));
-  impl->factor = std::move(*factor);
-  impl->modes_mm = impl->answer(impl->patch_forces(options.overlap));
+  auto system = mechanics::ConstrainedSystem::create(std::move(matrix), body->resolved.fixed,
+                                                     body_options.memory_limit_bytes, progress.part(0.1, 0.5));
+  if (!system) return failure(std::move(system.error()));
+  impl->system = std::move(*system);
+  const double wide_mm = options.overlap * std::sqrt(impl->area_mm2() / static_cast<double>(impl->centers_mm.size()));
+  impl->modes_mm = impl->answer(impl->patch_forces(impl->centers_mm, wide_mm));
   impl->scale_modes();
+  impl->narrow_modes_mm = impl->answer(impl->patch_forces(impl->narrow_centers_mm, options.narrow_mm));
+  impl->scale_narrow_modes();
   if (progress.cancelled()) return cancelled();
   return ForceModes(std::move(impl));
 }
@@ -127,14 +146,12 @@ void ForceModes::Impl::lay_out_rigid_motions() {
   rigid_weight = inertia.ldlt().solve(weighed.transpose());
 }
 
-Eigen::MatrixXd ForceModes::Impl::patch_forces(double overlap) const {
-  const double area = std::accumulate(areas_mm2.begin(), areas_mm2.end(), 0.0);
-  const double width_mm = overlap * std::sqrt(area / static_cast<double>(centers_mm.size()));
-  Eigen::MatrixXd forces = Eigen::MatrixXd::Zero(rigid.rows(), 3 * static_cast<Eigen::Index>(centers_mm.size()));
-  for (std::size_t k = 0; k < centers_mm.size(); ++k) {
+Eigen::MatrixXd ForceModes::Impl::patch_forces(const std::vector<Vector3d>& middles_mm, double width_mm) const {
+  Eigen::MatrixXd forces = Eigen::MatrixXd::Zero(rigid.rows(), 3 * static_cast<Eigen::Index>(middles_mm.size()));
+  for (std::size_t k = 0; k < middles_mm.size(); ++k) {
     std::vector<double> weights(areas_mm2.size());
     for (std::size_t p = 0; p < weights.size(); ++p) {
-      const double away = (surface.points_mm[p] - centers_mm[k]).squaredNorm() / (width_mm * width_mm);
+      const double away = (surface.points_mm[p] - middles_mm[k]).squaredNorm() / (width_mm * width_mm);
       weights[p] = areas_mm2[p] * std::exp(-0.5 * away);
     }
     const double all = std::accumulate(weights.begin(), weights.end(), 0.0);
@@ -148,8 +165,9 @@ Eigen::MatrixXd ForceModes::Impl::patch_forces(double overlap) const {
 }
 
 Eigen::MatrixXd ForceModes::Impl::answer(Eigen::MatrixXd forces_mN) const {
+  if (is_supported) return system->respond(forces_mN).u;
   forces_mN -= rigid_weight.transpose() * (rigid.transpose() * forces_mN);
-  Eigen::MatrixXd moved_mm = factor->solve(forces_mN);
+  Eigen::MatrixXd moved_mm = system->respond(forces_mN).u;
   moved_mm -= rigid * (rigid_weight * moved_mm);
   return moved_mm;
 }
@@ -161,11 +179,29 @@ void ForceModes::Impl::scale_modes() {
   if (rms_mm > 0) modes_mm /= rms_mm;
 }
 
+void ForceModes::Impl::scale_narrow_modes() {
+  constexpr double barely = 1e-3;  // of what moves most: beside a support, which no force moves
+  const geometry::NearestPoint nearest(surface.points_mm);
+  Eigen::VectorXd own_mm(static_cast<Eigen::Index>(narrow_centers_mm.size()));
+  for (Eigen::Index k = 0; k < own_mm.size(); ++k) {
+    const int at = nearest.nearest(narrow_centers_mm[static_cast<std::size_t>(k)]).point;
+    own_mm[k] =
+        narrow_modes_mm.block<3, 3>(3 * mesh_point_of[static_cast<std::size_t>(at)], 3 * k).norm() / std::sqrt(3.0);
+  }
+  const double most_mm = own_mm.size() > 0 ? own_mm.maxCoeff() : 0;
+  for (Eigen::Index k = 0; k < own_mm.size(); ++k) {
+    narrow_modes_mm.middleCols<3>(3 * k) *= own_mm[k] > barely * most_mm ? 1 / own_mm[k] : 0.0;
+  }
+}
+
 const geometry::TetMesh& ForceModes::mesh() const { return impl_->mesh; }
 const geometry::Surface& ForceModes::surface() const { return impl_->surface; }
 const std::vector<int>& ForceModes::mesh_point_of() const { return impl_->mesh_point_of; }
 const Eigen::MatrixXd& ForceModes::displacement_mm() const { return impl_->modes_mm; }
 const std::vector<Vector3d>& ForceModes::centers_mm() const { return impl_->centers_mm; }
+const Eigen::MatrixXd& ForceModes::narrow_displacement_mm() const { return impl_->narrow_modes_mm; }
+const std::vector<Vector3d>& ForceModes::narrow_centers_mm() const { return impl_->narrow_centers_mm; }
+bool ForceModes::is_supported() const { return impl_->is_supported; }
 const Vector3d& ForceModes::centroid_mm() const { return impl_->centroid_mm; }
 
 Eigen::MatrixXd ForceModes::under_tool_mm_mN(const Vector3d& center_mm, double radius_mm) const {
@@ -185,16 +221,17 @@ Eigen::MatrixXd ForceModes::under_tool_mm_mN(const Vector3d& center_mm, double r
   return impl_->answer(std::move(forces));
 }
 
-Eigen::VectorXd ForceModes::under_gravity_mm(const Vector3d& acceleration_mm_s2) const {
-  // A free body in a uniform field falls without deforming: what deforms it is what holds it, which is not known.
-  // Held by all of its surface evenly, as by its neighbours, the interior sinks against the surface.
+Eigen::VectorXd ForceModes::known_mm(const Vector3d& acceleration_mm_s2) const {
   Eigen::MatrixXd forces = impl_->mass_kg;
   for (Eigen::Index p = 0; p < forces.rows() / 3; ++p)
     forces.block<3, 1>(3 * p, 0).array() *= acceleration_mm_s2.array();
+  if (impl_->is_supported) return impl_->system->solve(forces, impl_->prescribed_mm, {}).front().u;
+  // A free body in a uniform field falls without deforming: what deforms it is what holds it, which is not known.
+  // Held by all of its surface evenly, as by its neighbours, the interior sinks against the surface.
   const Vector3d weight_mN = 1.0 / 3.0 * impl_->mass_kg.sum() * acceleration_mm_s2;
-  const double area = std::accumulate(impl_->areas_mm2.begin(), impl_->areas_mm2.end(), 0.0);
+  const double area_mm2 = impl_->area_mm2();
   for (std::size_t p = 0; p < impl_->areas_mm2.size(); ++p) {
-    forces.block<3, 1>(3 * impl_->mesh_point_of[p], 0) -= impl_->areas_mm2[p] / area * weight_mN;
+    forces.block<3, 1>(3 * impl_->mesh_point_of[p], 0) -= impl_->areas_mm2[p] / area_mm2 * weight_mN;
   }
   return impl_->answer(std::move(forces));
 }

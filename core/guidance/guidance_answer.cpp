@@ -158,8 +158,10 @@ Json json_of_frame(const GuidanceCase& guidance, const FrameAnswer& frame) {
 }  // namespace
 
 Result<GuidanceAnswer> answer(const GuidanceCase& guidance, const Progress& progress) {
+  ForceModeOptions options;
+  options.supports = guidance.supports;
   const auto modes =
-      ForceModes::create(guidance.mesh, guidance.youngs_kPa, guidance.poisson_ratio, {}, progress.part(0.0, 0.3));
+      ForceModes::create(guidance.mesh, guidance.youngs_kPa, guidance.poisson_ratio, options, progress.part(0.0, 0.3));
   if (!modes) return failure(modes.error());
   return answer(*modes, guidance, progress.part(0.3, 1.0));
 }

@@ -12,6 +12,7 @@
 #include "geometry/mesh_file.h"
 #include "geometry/ply_file.h"
 #include "mechanics/scenario/mesh_moduli.h"
+#include "mechanics/scenario/scenario_file.h"
 
 namespace glisson::guidance {
 
@@ -174,6 +175,16 @@ void read_model(const Json& json, const fs::path& folder, GuidanceCase& guidance
   }
 }
 
+// As a scenario writes them, and read by its reader.
+std::vector<mechanics::Support> supports_from(const Json& json) {
+  auto scenario = mechanics::parse_scenario(Json{{"supports", json}}.dump());
+  if (!scenario) {
+    scenario.error().code = "guidance-invalid";
+    throw Refusal{std::move(scenario.error())};
+  }
+  return std::move(scenario->supports);
+}
+
 GuidanceCase guidance_from(const Json& json, const fs::path& folder) {
   if (!says(json, "format", "glisson-guidance/1")) {
     refuse_in("the document", "\"format\" must be \"glisson-guidance/1\"");
@@ -185,8 +196,11 @@ GuidanceCase guidance_from(const Json& json, const fs::path& folder) {
     guidance.gravity_mm_s2 = units::mm_s2_from_m_s2(1.0) * vector_in(*gravity, "gravity_m_s2");
   }
   if (const Json* supports = value_in(json, "supports"); supports != nullptr && !supports->empty()) {
-    guidance.notes.emplace_back(
-        "The supports that the file states are not used: forces on the unseen surface stand for them.");
+    guidance.supports = supports_from(*supports);
+    const auto ligaments = std::erase_if(guidance.supports, [](const mechanics::Support& support) {
+      return std::holds_alternative<mechanics::Ligament>(support.how);
+    });
+    if (ligaments > 0) guidance.notes.emplace_back("Ligaments among the supports, which only pull, are not used.");
   }
   const std::vector<CurveAtRest> at_rest = curves_at_rest(json, folder);
   const Json& frames = required(json, "frames", "the document");

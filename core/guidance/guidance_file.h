@@ -4,7 +4,7 @@
 //
 //   {"format": "glisson-guidance/1", "title": "...",
 //    "model": {"mesh": "liver.vtu", "youngs_modulus_kPa": 10 or "name of a cell array", "poisson_ratio": 0.45},
-//    "gravity_m_s2": [x,y,z],
+//    "supports": [...], "gravity_m_s2": [x,y,z],      supports as in a scenario, fixed in the scan's frame
 //    "features": [{"id": "falciform", "points": "falciform.csv"}],
 //    "frames": [{"id": "f0", "time_s": 0, "points": "f0.ply", "noise_mm": 0.7, "pose_guess": [16 numbers, row-major,
 //    scan to camera],
@@ -26,6 +26,7 @@
 #include "base/tissue.h"
 #include "geometry/tetrahedra.h"
 #include "guidance/frame.h"
+#include "mechanics/scenario/scenario.h"
 
 namespace glisson::guidance {
 
@@ -39,7 +40,8 @@ struct GuidanceCase {
   geometry::TetMesh mesh;
   std::vector<double> youngs_kPa;  // one a cell
   double poisson_ratio = usual_poisson_ratio;
-  Eigen::Vector3d gravity_mm_s2{0, 0, 0};  // in the scan's frame, beyond that of the scan itself
+  std::vector<mechanics::Support> supports;  // where they are known: the body is free where there are none
+  Eigen::Vector3d gravity_mm_s2{0, 0, 0};    // in the scan's frame, beyond that of the scan itself
   std::vector<SeenFrame> frames;
   std::vector<Target> targets;
   std::vector<Eigen::Vector3d> further_mm;  // at rest: places without a name whose error is wanted too, as of outlines

@@ -3,11 +3,10 @@
 
 #include <gmock/gmock.h>
 #include <fstream>
-#include <numeric>
-#include <random>
 
 #include "base/files.h"
 #include "base/json.h"
+#include "egg.h"
 #include "geometry/mesh_file.h"
 #include "guidance/guidance_answer.h"
 #include "guidance/guidance_file.h"
@@ -19,65 +18,6 @@ namespace {
 namespace fs = std::filesystem;
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
-
-// An egg of tetrahedra, 80 x 60 x 40 mm: a shape that fits into itself in few ways.
-geometry::TetMesh egg() {
-  constexpr int n = 8;
-  geometry::TetMesh mesh;
-  for (int z = 0; z <= n; ++z) {
-    for (int y = 0; y <= n; ++y) {
-      for (int x = 0; x <= n; ++x) {
-        const Vector3d cube = Vector3d(2.0 * x / n - 1, 2.0 * y / n - 1, 2.0 * z / n - 1);
-        const double largest = cube.cwiseAbs().maxCoeff();
-        Vector3d ball = largest > 0 ? Vector3d(cube.normalized() * largest) : Vector3d(0, 0, 0);
-        ball[0] *= 1 + 0.25 * ball[1];
-        mesh.points_mm.push_back(ball.cwiseProduct(Vector3d(40, 30, 20)));
-      }
-    }
-  }
-  const auto at = [](int x, int y, int z) { return (z * (n + 1) + y) * (n + 1) + x; };
-  constexpr int paths[6][3] = {{1, 3, 7}, {3, 2, 7}, {2, 6, 7}, {6, 4, 7}, {4, 5, 7}, {5, 1, 7}};
-  for (int z = 0; z < n; ++z) {
-    for (int y = 0; y < n; ++y) {
-      for (int x = 0; x < n; ++x) {
-        const auto corner = [&](int k) { return at(x + (k & 1), y + (k >> 1 & 1), z + (k >> 2 & 1)); };
-        for (const auto& path : paths) {
-          std::array<int, 4> cell{corner(0), corner(path[0]), corner(path[1]), corner(path[2])};
-          mesh.cells.push_back(cell);
-          if (geometry::cell_volume_mm3(mesh, mesh.cells.size() - 1) < 0)
-            std::swap(mesh.cells.back()[0], mesh.cells.back()[1]);
-        }
-      }
-    }
-  }
-  return mesh;
-}
-
-Isometry3d somewhere() {
-  Isometry3d pose = Isometry3d::Identity();
-  pose.rotate(Eigen::AngleAxisd(1.1, Vector3d(1, 2, -1).normalized()));
-  pose.pretranslate(Vector3d(15, -40, 160));
-  return pose;
-}
-
-// The half of the egg's surface that looks along +z, with noise of 0.4 mm.
-SeenFrame half_seen(const geometry::TetMesh& mesh, const Isometry3d& pose) {
-  std::mt19937 random(3);
-  std::normal_distribution<double> noise(0, 0.4);
-  SeenFrame frame;
-  frame.id = "f0";
-  frame.noise_mm = 0.4;
-  const geometry::Surface surface = geometry::boundary_surface(mesh);
-  for (const auto& triangle : surface.triangles) {
-    const auto corner = [&](int k) { return surface.points_mm[static_cast<std::size_t>(triangle[k])]; };
-    for (const Vector3d& weights : {Vector3d(0.6, 0.2, 0.2), Vector3d(0.2, 0.6, 0.2), Vector3d(0.2, 0.2, 0.6)}) {
-      const Vector3d place = weights[0] * corner(0) + weights[1] * corner(1) + weights[2] * corner(2);
-      if (place[2] < 0) continue;
-      frame.points_mm.push_back(pose * place + Vector3d(noise(random), noise(random), noise(random)));
-    }
-  }
-  return frame;
-}
 
 TEST(ElasticRegistration, ARigidOrganIsPlacedAndNoDeformationInvented) {
   const geometry::TetMesh mesh = egg();
@@ -99,7 +39,8 @@ TEST(ElasticRegistration, ARigidOrganIsPlacedAndNoDeformationInvented) {
 
 TEST(ForceModes, AreBalancedAndWithoutRigidPart) {
   const geometry::TetMesh mesh = egg();
-  const auto modes = ForceModes::create(mesh, std::vector<double>(mesh.cells.size(), 5.0), 0.45, {.patches = 12});
+  const auto modes =
+      ForceModes::create(mesh, std::vector<double>(mesh.cells.size(), 5.0), 0.45, {.patches = 12, .supports = {}});
   ASSERT_TRUE(modes);
   ASSERT_EQ(modes->displacement_mm().cols(), 36);
   Eigen::RowVectorXd mean = Eigen::RowVectorXd::Zero(36);

@@ -5,14 +5,18 @@
 
 A CASE is a folder with guidance.json and truth.json (or truth/truth.json). For each frame: the mean and the largest
 error of the targets, the error of the best rigid motion that knows the truth, and how many targets lie within 2.5 of
-the stated standard deviations (90 % should).
+the stated standard deviations (90 % should). Below: the mean and median of the error over the best rigid motion's, over
+frames that are deformed, and the median error of the tools' forces (as vectors, and of their size) where they are known.
 """
 import json
 import math
 import pathlib
+import statistics
 import subprocess
 import sys
 import tempfile
+
+DEFORMED_MM = 0.1
 
 
 def judged(program, folder):
@@ -26,20 +30,35 @@ def judged(program, folder):
         at = {target["id"]: target["position_mm"] for target in known["targets"]}
         errors = [math.dist(target["position_mm"], at[target["id"]]) for target in frame["targets"]]
         within = [error < 2.5 * target["sd_mm"] for error, target in zip(errors, frame["targets"])]
-        yield frame, known["best_rigid_tre_mm"]["mean"], errors, within
+        forces = {tool["id"]: tool["force_N"] for tool in known.get("tools", [])}
+        off = [(math.dist(tool["force_N"], forces[tool["id"]]) / math.hypot(*forces[tool["id"]]),
+                abs(math.hypot(*tool["force_N"]) / math.hypot(*forces[tool["id"]]) - 1))
+               for tool in frame.get("tools", []) if tool["id"] in forces]
+        yield frame, known["best_rigid_tre_mm"]["mean"], errors, within, off
 
 
 def main():
     if len(sys.argv) < 3:
         sys.exit(__doc__)
     print(f"{'case':16}{'frame':6}{'mean mm':>8}{'max mm':>8}{'best rigid':>11}{'within':>8}{'seconds':>8}")
+    ratios, forces, inside = [], [], []
     for case in map(pathlib.Path, sys.argv[2:]):
-        for frame, best_rigid, errors, within in judged(sys.argv[1], case):
+        for frame, best_rigid, errors, within, off in judged(sys.argv[1], case):
             if not errors:
                 print(f"{case.name:16}{frame['id']:6}not answered: {frame.get('note', '')}")
                 continue
             print(f"{case.name:16}{frame['id']:6}{sum(errors) / len(errors):8.2f}{max(errors):8.2f}{best_rigid:11.2f}"
                   f"{100 * sum(within) / len(within):7.0f}%{frame['seconds']:8.1f}")
+            forces += off
+            inside += within
+            if best_rigid > DEFORMED_MM:
+                ratios.append(sum(errors) / len(errors) / best_rigid)
+    if ratios:
+        print(f"of the best rigid motion's: mean {statistics.mean(ratios):.2f}, median {statistics.median(ratios):.2f};"
+              f" within {100 * statistics.mean(inside):.0f}%")
+    if forces:
+        print(f"tools' forces off by {100 * statistics.median(vector for vector, _ in forces):.0f} %,"
+              f" their size by {100 * statistics.median(size for _, size in forces):.0f} % (medians)")
 
 
 if __name__ == "__main__":

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <Eigen/LU>
 #include <limits>
 
 #include "base/dense.h"
@@ -18,10 +19,9 @@ struct Chosen {
   double kappa = 1;
 };
 
-}  // namespace
-
-EvidenceFit fit_by_evidence(const Eigen::MatrixXd& modes, const Eigen::MatrixXd& free, const Eigen::VectorXd& rows,
-                            double independent_rows, double largest_variance) {
+// Of `count` rows, each of which is a `share` of an independent one.
+EvidenceFit fitted(const Eigen::MatrixXd& modes, const Eigen::MatrixXd& free, const Eigen::VectorXd& rows, double count,
+                   double share, double largest_variance) {
   // The free unknowns are projected out; what is left decides on the modes alone.
   const Eigen::MatrixXd gram_free = free.transpose() * free;
   const Eigen::MatrixXd inverse_free = dense_inverse(gram_free);
@@ -34,8 +34,6 @@ EvidenceFit fit_by_evidence(const Eigen::MatrixXd& modes, const Eigen::MatrixXd&
   const SymmetricModes spectrum = symmetric_modes(gram);
   const Eigen::ArrayXd values = spectrum.values.array().max(0.0);
   const Eigen::ArrayXd along = (spectrum.vectors.transpose() * gradient).array();
-  const double count = std::max<double>(1.0, static_cast<double>(rows.size() - free.cols()));
-  const double share = std::min(1.0, independent_rows / count);
 
   Chosen best;
   for (int step = 0;; ++step) {
@@ -47,10 +45,12 @@ EvidenceFit fit_by_evidence(const Eigen::MatrixXd& modes, const Eigen::MatrixXd&
     if (log_evidence > best.log_evidence) best = {log_evidence, variance, left / count};
   }
 
-  EvidenceFit fit{best.variance, best.kappa, best.log_evidence, {}, {}, {}};
+  EvidenceFit fit{best.variance, best.kappa, best.log_evidence, {}, {}, {}, 0};
   const Eigen::ArrayXd shrunk = best.variance / (1 + best.variance * values);
   fit.modes = spectrum.vectors * (shrunk * along).matrix();
   fit.free = inverse_free * (free_rows - cross * fit.modes);
+  fit.log_occam = 0.5 * ((1 + best.variance * share * values).log().sum() +
+                         symmetric_modes(gram_free).values.array().max(1e-300).log().sum());
   const Eigen::Index q = modes.cols(), all = q + free.cols();
   fit.precision.resize(all, all);
   fit.precision.topLeftCorner(q, q) = share * gram_modes;
@@ -59,6 +59,39 @@ EvidenceFit fit_by_evidence(const Eigen::MatrixXd& modes, const Eigen::MatrixXd&
   fit.precision.topRightCorner(q, free.cols()) = share * cross.transpose();
   fit.precision.bottomRightCorner(free.cols(), free.cols()) = share * gram_free;
   return fit;
+}
+
+}  // namespace
+
+EvidenceFit fit_by_evidence(const Eigen::MatrixXd& modes, const Eigen::MatrixXd& free, const Eigen::VectorXd& rows,
+                            double independent_rows, double largest_variance) {
+  const double count = std::max<double>(1.0, static_cast<double>(rows.size() - free.cols()));
+  return fitted(modes, free, rows, count, std::min(1.0, independent_rows / count), largest_variance);
+}
+
+EvidenceFit fit_weighed_by_evidence(const Eigen::MatrixXd& modes, const Eigen::MatrixXd& free,
+                                    const Eigen::VectorXd& rows, double count, double largest_variance) {
+  return fitted(modes, free, rows, std::max(1.0, count), 1.0, largest_variance);
+}
+
+Eigen::VectorXd evidence_gains(const EvidenceFit& fit, const Eigen::MatrixXd& modes, const Eigen::MatrixXd& free,
+                               const Eigen::VectorXd& rows, const Eigen::MatrixXd& further) {
+  Eigen::MatrixXd fitted(rows.size(), modes.cols() + free.cols());
+  fitted << modes, free;
+  const Eigen::MatrixXd cross = fitted.transpose() * further;
+  const Eigen::MatrixXd solved = dense_inverse(fit.precision) * cross;
+  const Eigen::VectorXd left = rows - modes * fit.modes - free * fit.free;
+  Eigen::VectorXd gains(further.cols() / 3);
+  for (Eigen::Index k = 0; k < gains.size(); ++k) {
+    const auto columns = further.middleCols<3>(3 * k);
+    const Eigen::Matrix3d seen =
+        (columns.transpose() * columns - cross.middleCols<3>(3 * k).transpose() * solved.middleCols<3>(3 * k)) /
+        fit.kappa;
+    const Eigen::Vector3d pull = columns.transpose() * left / fit.kappa;
+    const Eigen::Matrix3d precision = Eigen::Matrix3d::Identity() + seen;
+    gains[k] = 0.5 * pull.dot(precision.inverse() * pull) - 0.5 * std::log(precision.determinant());
+  }
+  return gains;
 }
 
 Eigen::MatrixXd EvidenceFit::covariance() const { return kappa * dense_inverse(precision); }

@@ -18,6 +18,7 @@ struct SeenRow {
   Eigen::Vector3d at_mm{0, 0, 0};
   double noise_mm = 1;
   double trust = 1;  // of a robust fit: 0 for what does not belong to the organ
+  double share = 1;  // of an independent row: neighbours on one surface say the same, and err alike
 };
 
 // The surface as it lies now, with what finding places on it needs.

@@ -1,0 +1,155 @@
+#include "guidance/internal/organ_fit.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "guidance/internal/seen_surface.h"
+
+namespace glisson::guidance {
+
+using Eigen::Isometry3d;
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+namespace {
+
+// Of the standard deviation, from tests on bodies that were not judged (docs/guidance.md): the part of the elastic
+// displacement that the model gets wrong; and what is left of a rigid organ.
+constexpr double elastic_share = 0.3;
+constexpr double smallest_sd_mm = 0.25;
+
+}  // namespace
+
+OrganFit::OrganFit(const ForceModes& the_modes, const SeenFrame& the_frame, const Isometry3d& from,
+                   const Vector3d& gravity_mm_s2, const RegistrationOptions& the_options)
+    : modes(the_modes),
+      frame(the_frame),
+      options(the_options),
+      equations(the_modes, the_frame, the_options),
+      guess(from),
+      pose(from),
+      further_mm(the_modes.displacement_mm().rows(), 0) {
+  at_rest_mm = gravity_mm_s2.isZero() && !modes.is_supported() ? VectorXd::Zero(modes.displacement_mm().rows())
+                                                               : modes.known_mm(gravity_mm_s2);
+  known_mm = at_rest_mm;
+  u_mm = known_mm;
+}
+
+std::vector<Vector3d> OrganFit::displaced() const {
+  std::vector<Vector3d> points = modes.mesh().points_mm;
+  for (std::size_t p = 0; p < points.size(); ++p) points[p] += u_mm.segment<3>(3 * static_cast<Eigen::Index>(p));
+  return points;
+}
+
+// ---- The rounds ----
+
+void OrganFit::move_pose(const Vector3d& shift_mm, const Vector3d& turn) {
+  const double angle = turn.norm();
+  const Vector3d center = modes.centroid_mm();
+  Isometry3d motion = Isometry3d::Identity();
+  if (angle > 0) motion.rotate(Eigen::AngleAxisd(angle, turn / angle));
+  motion.translation() = center + shift_mm - motion.linear() * center;
+  pose = pose * motion;
+}
+
+void OrganFit::fit_pose() {
+  const MatrixXd none(u_mm.size(), 0);
+  for (int round = 0; round < options.rigid_rounds; ++round) {
+    seen = equations.rows(pose, displaced(),
+                          {.coarsest_mm = 1.5 + 10.0 * (1.0 - static_cast<double>(round) / options.rigid_rounds)});
+    VectorXd right = equations.residuals(seen.rows, u_mm);
+    const MatrixXd columns = equations.free_columns(seen.rows, {none}, guess.inverse() * pose, 1.0, right);
+    const Eigen::Matrix<double, 6, 6> normal = columns.transpose() * columns;
+    const Eigen::Matrix<double, 6, 1> step = normal.ldlt().solve(columns.transpose() * right);
+    move_pose(step.head<3>(), step.tail<3>());
+  }
+}
+
+SeenEquations::RowMatrix OrganFit::modes_by_what_is_seen(double seen_root) const {
+  const geometry::NearestPoint nearest = seen_in_scan();
+  SeenEquations::RowMatrix weighed = modes.displacement_mm();
+  for (std::size_t k = 0; k < modes.centers_mm().size(); ++k) {
+    const double away_mm = std::sqrt(nearest.nearest(modes.centers_mm()[k]).squared_distance_mm2);
+    if (away_mm < options.seen_within_mm) weighed.middleCols<3>(3 * static_cast<Eigen::Index>(k)) *= seen_root;
+  }
+  return weighed;
+}
+
+// ---- What came of it ----
+
+Eigen::Matrix<double, 3, Eigen::Dynamic> OrganFit::columns_at(const mechanics::PointInMesh& place) const {
+  const Eigen::Index q = scaled_modes.cols(), others = further_mm.cols();
+  Eigen::Matrix<double, 3, Eigen::Dynamic> columns = Eigen::Matrix<double, 3, Eigen::Dynamic>::Zero(3, q + 6 + others);
+  const auto& cell = modes.mesh().cells[static_cast<std::size_t>(place.cell)];
+  Vector3d arm_mm = -modes.centroid_mm();
+  for (int k = 0; k < 4; ++k) {
+    columns.leftCols(q) += place.barycentric[k] * scaled_modes.middleRows<3>(3 * cell[k]);
+    columns.rightCols(others) += place.barycentric[k] * further_mm.middleRows<3>(3 * cell[k]);
+    arm_mm += place.barycentric[k] *
+              (modes.mesh().points_mm[static_cast<std::size_t>(cell[k])] + u_mm.segment<3>(3 * cell[k]));
+  }
+  columns.block<3, 3>(0, q).setIdentity();
+  for (int axis = 0; axis < 3; ++axis) columns.block<3, 1>(0, q + 3 + axis) = Vector3d::Unit(axis).cross(arm_mm);
+  return columns;
+}
+
+// The cloud, brought back to the scan's frame.
+geometry::NearestPoint OrganFit::seen_in_scan() const {
+  std::vector<Vector3d> seen_mm;
+  const Isometry3d back = pose.inverse();
+  for (const Vector3d& point : equations.cloud_mm()) seen_mm.push_back(back * point);
+  return geometry::NearestPoint(std::move(seen_mm));
+}
+
+double OrganFit::visible_share() const {
+  const geometry::NearestPoint nearest = seen_in_scan();
+  const std::vector<Vector3d> now_mm = displaced();
+  std::size_t visible = 0;
+  for (const int p : modes.mesh_point_of()) {
+    const auto found = nearest.nearest(now_mm[static_cast<std::size_t>(p)]);
+    if (found.squared_distance_mm2 < 100) ++visible;
+  }
+  return static_cast<double>(visible) / static_cast<double>(std::max<std::size_t>(1, modes.mesh_point_of().size()));
+}
+
+ElasticPlacement OrganFit::outcome(const std::vector<mechanics::PointInMesh>& targets, double posterior_factor,
+                                   const AskedTools& asked) const {
+  ElasticPlacement placed;
+  placed.pose = pose;
+  const std::vector<Vector3d> now_mm = displaced();
+  double square = 0;
+  for (const int p : modes.mesh_point_of()) square += u_mm.segment<3>(3 * p).squaredNorm();
+  placed.elastic_rms_mm = std::sqrt(square / static_cast<double>(modes.mesh_point_of().size()));
+  for (std::size_t p = 0; p < now_mm.size(); ++p) {
+    placed.displacement_mm.push_back(now_mm[p] - modes.mesh().points_mm[p]);
+  }
+  placed.residual_rms_mm = seen.rms_mm;
+  placed.visible_share = visible_share();
+  const MatrixXd covariance = fit.covariance();
+  for (const mechanics::PointInMesh& place : targets) {
+    const auto& cell = modes.mesh().cells[static_cast<std::size_t>(place.cell)];
+    placed.target_mm.push_back(pose * between(now_mm, cell, place.barycentric));
+    const auto columns = columns_at(place);
+    const double posterior_mm = std::sqrt((columns * covariance * columns.transpose()).trace() / 3);
+    placed.target_sd_mm.push_back(
+        std::hypot(posterior_factor * posterior_mm, elastic_share * placed.elastic_rms_mm, smallest_sd_mm));
+  }
+  for (std::size_t t = 0; t < asked.tools.size(); ++t) {
+    const auto first = 6 + 3 * static_cast<Eigen::Index>(t);
+    const Eigen::Index in_covariance = scaled_modes.cols() + first;
+    const double variance = covariance.block<3, 3>(in_covariance, in_covariance).trace() / 3;
+    placed.tools.push_back({asked.tools[t], asked.unit_mN * (pose.linear() * fit.free.segment<3>(first)),
+                            asked.sd_factor * asked.unit_mN * std::sqrt(variance)});
+  }
+  if (placed.visible_share < 0.05) {
+    placed.why_not = {GLISSON_TEXT("Less than 5 % of the organ is seen: too little to say where the rest is."), {}};
+  } else if (seen.trusted_share < 0.5 || seen.rms_mm > 3 * seen.noise_mm) {
+    placed.why_not = {
+        GLISSON_TEXT("What is seen does not fit this organ: more than half of the points lie far from it."), {}};
+  }
+  placed.converged = placed.why_not.text.empty();
+  return placed;
+}
+
+}  // namespace glisson::guidance

@@ -1,0 +1,63 @@
+#pragma once
+// The state of one fit of an organ to a frame, and what every fit does: the pose alone, by points to planes with
+// weights of Student's t (iteratively reweighted), and the answer with its standard deviations. What is searched for
+// between them differs: elastic_registration.cpp for an organ that nothing is known to hold, supported_fit.h otherwise.
+// Inside of this room.
+
+#include <string>
+#include <vector>
+
+#include "geometry/nearest.h"
+#include "guidance/elastic_registration.h"
+#include "guidance/internal/evidence_fit.h"
+#include "guidance/internal/seen_equations.h"
+
+namespace glisson::guidance {
+
+constexpr double coarsest_noise_mm = 2.0;  // that elastic rounds take the cloud for
+constexpr int rounds_to_full_forces = 12;
+constexpr double pulled_mm = 6.0;    // that some of the cloud lies off the rigid organ where a tool may be at work
+constexpr double tool_sd_mN = 10e3;  // of each component of a force that is asked for
+
+// Which tools' forces were asked for: three of the further amounts each, from the first.
+struct AskedTools {
+  std::vector<std::string> tools;
+  double unit_mN = 1;    // that an amount of 1 is
+  double sd_factor = 1;  // of the posterior's standard deviation
+};
+
+struct OrganFit {
+  // All but `from` and `gravity_mm_s2` must outlive it.
+  OrganFit(const ForceModes& the_modes, const SeenFrame& the_frame, const Eigen::Isometry3d& from,
+           const Eigen::Vector3d& gravity_mm_s2, const RegistrationOptions& the_options);
+
+  // From where the pose is, with the displacement as it is.
+  void fit_pose();
+  void move_pose(const Eigen::Vector3d& shift_mm, const Eigen::Vector3d& turn);
+  // The points of the mesh now, in the scan's frame.
+  [[nodiscard]] std::vector<Eigen::Vector3d> displaced() const;
+  // The modes with those of patches that the cloud covers times `seen_root`: what is seen is touched less.
+  [[nodiscard]] SeenEquations::RowMatrix modes_by_what_is_seen(double seen_root) const;
+  [[nodiscard]] ElasticPlacement outcome(const std::vector<mechanics::PointInMesh>& targets, double posterior_factor,
+                                         const AskedTools& asked) const;
+
+  const ForceModes& modes;
+  const SeenFrame& frame;
+  const RegistrationOptions& options;
+  SeenEquations equations;
+  Eigen::Isometry3d guess, pose;
+  Eigen::VectorXd at_rest_mm;  // displacement under weight and by the supports, 3 a point
+  Eigen::VectorXd known_mm;    // under the tools' known forces too
+  Eigen::VectorXd u_mm;
+  SeenEquations::RowMatrix scaled_modes;  // times the root of each force's own variance
+  Eigen::MatrixXd further_mm;             // by one of each further amount, 3 values a point
+  EvidenceFit fit;
+  SeenRows seen;  // where the last round ended
+
+ private:
+  [[nodiscard]] geometry::NearestPoint seen_in_scan() const;
+  [[nodiscard]] double visible_share() const;
+  [[nodiscard]] Eigen::Matrix<double, 3, Eigen::Dynamic> columns_at(const mechanics::PointInMesh& place) const;
+};
+
+}  // namespace glisson::guidance
