@@ -6,7 +6,8 @@
 A CASE is a folder with guidance.json and truth.json (or truth/truth.json). For each frame: the mean and the largest
 error of the targets, the error of the best rigid motion that knows the truth, and how many targets lie within 2.5 of
 the stated standard deviations (90 % should). Below: the mean and median of the error over the best rigid motion's, over
-frames that are deformed, and the median error of the tools' forces (as vectors, and of their size) where they are known.
+frames that are deformed, and the median error of the tools' forces (as vectors, and of their size) where they are
+known, with how many of them lie within 2.5 of their standard deviations.
 """
 import json
 import math
@@ -32,7 +33,8 @@ def judged(program, folder):
         within = [error < 2.5 * target["sd_mm"] for error, target in zip(errors, frame["targets"])]
         forces = {tool["id"]: tool["force_N"] for tool in known.get("tools", [])}
         off = [(math.dist(tool["force_N"], forces[tool["id"]]) / math.hypot(*forces[tool["id"]]),
-                abs(math.hypot(*tool["force_N"]) / math.hypot(*forces[tool["id"]]) - 1))
+                abs(math.hypot(*tool["force_N"]) / math.hypot(*forces[tool["id"]]) - 1),
+                math.dist(tool["force_N"], forces[tool["id"]]) < 2.5 * tool["sd_N"])
                for tool in frame.get("tools", []) if tool["id"] in forces]
         yield frame, known["best_rigid_tre_mm"]["mean"], errors, within, off
 
@@ -57,8 +59,9 @@ def main():
         print(f"of the best rigid motion's: mean {statistics.mean(ratios):.2f}, median {statistics.median(ratios):.2f};"
               f" within {100 * statistics.mean(inside):.0f}%")
     if forces:
-        print(f"tools' forces off by {100 * statistics.median(vector for vector, _ in forces):.0f} %,"
-              f" their size by {100 * statistics.median(size for _, size in forces):.0f} % (medians)")
+        print(f"tools' forces off by {100 * statistics.median(vector for vector, _, _ in forces):.0f} %,"
+              f" their size by {100 * statistics.median(size for _, size, _ in forces):.0f} % (medians);"
+              f" within {100 * statistics.mean(within for _, _, within in forces):.0f}%")
 
 
 if __name__ == "__main__":

@@ -14,10 +14,7 @@ using Eigen::VectorXd;
 
 namespace {
 
-// Of the standard deviation, from tests on bodies that were not judged (docs/guidance.md): the part of the elastic
-// displacement that the model gets wrong; and what is left of a rigid organ.
-constexpr double elastic_share = 0.3;
-constexpr double smallest_sd_mm = 0.25;
+constexpr double smallest_sd_mm = 0.25;  // what is left of a rigid organ
 
 }  // namespace
 
@@ -139,8 +136,9 @@ ElasticPlacement OrganFit::outcome(const std::vector<mechanics::PointInMesh>& ta
     const auto first = 6 + 3 * static_cast<Eigen::Index>(t);
     const Eigen::Index in_covariance = scaled_modes.cols() + first;
     const double variance = covariance.block<3, 3>(in_covariance, in_covariance).trace() / 3;
-    placed.tools.push_back({asked.tools[t], asked.unit_mN * (pose.linear() * fit.free.segment<3>(first)),
-                            asked.sd_factor * asked.unit_mN * std::sqrt(variance)});
+    const Vector3d force_mN = asked.unit_mN * (pose.linear() * fit.free.segment<3>(first));
+    const double posterior_mN = asked.sd_factor * asked.unit_mN * std::sqrt(variance);
+    placed.tools.push_back({asked.tools[t], force_mN, std::hypot(posterior_mN, asked.wrong_share * force_mN.norm())});
   }
   if (placed.visible_share < 0.05) {
     placed.why_not = {GLISSON_TEXT("Less than 5 % of the organ is seen: too little to say where the rest is."), {}};

@@ -201,7 +201,8 @@ double SupportedFit::log_evidence() const {
 }
 
 ElasticPlacement SupportedFit::outcome(const std::vector<mechanics::PointInMesh>& targets) const {
-  AskedTools asked{{}, tool_sd_mN, posterior_factor};
+  // A tool's displacement that is wrong by a share is a force that is wrong by it.
+  AskedTools asked{{}, tool_sd_mN, posterior_factor, elastic_share};
   for (const SeenTool& tool : fit_.frame.tools) {
     if (!tool.force_mN) asked.tools.push_back(tool.id);
   }
