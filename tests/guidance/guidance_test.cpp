@@ -167,6 +167,24 @@ TEST_F(BadGuidance, AMirroringPoseAnUnknownFeatureAndAFrameWithoutAnyHintAreRefu
   }
 }
 
+TEST_F(BadGuidance, SupportsThatNameNothingOrLackTheirSizeAreRefusedAndLigamentsAreSaidToBeUnused) {
+  Json json = document();
+  json["supports"] = {{{"sphere", {{"center_mm", {0, 0, 0}}}}}};
+  EXPECT_THAT(read(json).error().message(), ::testing::HasSubstr("radius_mm"));
+  json["supports"] = {{{"point_array", "nothing"}}};
+  const auto unnamed = answer(read(json).value());
+  ASSERT_FALSE(unnamed);
+  EXPECT_THAT(unnamed.error().message(), ::testing::HasSubstr("nothing"));
+  json["supports"] = {{{"sphere", {{"center_mm", {40, 0, 0}}, {"radius_mm", 15}}}},
+                      {{"sphere", {{"center_mm", {-30, 0, 0}}, {"radius_mm", 15}}},
+                       {"ligament", {{"anchor_mm", {-60, 0, 0}}, {"stiffness_N_per_mm", 0.1}}}}};
+  const auto guidance = read(json);
+  ASSERT_TRUE(guidance) << guidance.error().message();
+  EXPECT_EQ(guidance->supports.size(), 1u);
+  ASSERT_EQ(guidance->notes.size(), 1u);
+  EXPECT_THAT(guidance->notes[0], ::testing::HasSubstr("Ligaments"));
+}
+
 TEST_F(BadGuidance, AnotherFormatATextForANumberAndABrokenTargetSayWhatIsWrong) {
   Json other = document();
   other["format"] = 1;
