@@ -1,5 +1,5 @@
 // An organ whose supports are known: a tool's force and the targets of a body moved by another room's statics on other
-// elements, under a wrong guess of the pose; weight and known forces as loads; files.
+// elements, under a wrong guess of the pose; weight and known forces as loads; a liver of another group.
 
 #include <gmock/gmock.h>
 

@@ -20,7 +20,7 @@ using Eigen::VectorXd;
 namespace {
 
 constexpr std::array rounds_of_narrow_forces{3, 6, 9, 12, 15};  // when one more is tried
-constexpr double least_variance = 1e-4;                         // of all the modes together, that may be left out
+constexpr double negligible_variance = 1e-4;                    // of all the modes together, that may be left out
 constexpr double lost_noise_mm = 1.2;      // that no good fit of a pulled organ leaves: another start is worth its time
 constexpr double compared_error_mm = 0.5;  // of the surface, where fits are compared: beside the noise
 constexpr double farthest_mm = 30.0;       // that a point counts for there
@@ -102,7 +102,7 @@ void SupportedFit::choose_forces(Forces forces) {
   Eigen::Index kept = spectrum.values.size();
   double left_out = 0;
   while (kept > 1 &&
-         left_out + spectrum.values[spectrum.values.size() - kept] < least_variance * spectrum.values.sum()) {
+         left_out + spectrum.values[spectrum.values.size() - kept] < negligible_variance * spectrum.values.sum()) {
     left_out += spectrum.values[spectrum.values.size() - kept--];
   }
   fit_.scaled_modes = modes_mm * spectrum.vectors.rightCols(kept);
