@@ -194,6 +194,11 @@ bool Finding::look_about() {
   }
   systematic_ = {};
   systematic_.directions = std::move(directions);
+  // What smoothing left of the noise is an error that neighbours share, and of no known shape.
+  if (plate_.is_smoothed()) {
+    const double rough = plate_.roughness() / plate_.field().noise;
+    systematic_.indistinct = std::sqrt(1 - rough * rough);
+  }
   return true;
 }
 

@@ -1,6 +1,7 @@
 #include "closedloop/inference/internal/search_swaps.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace glisson::closedloop {
@@ -78,12 +79,25 @@ bool comes_before(const ForwardModel& model, const std::string& kind, const std:
   return place(kind) < place(other);
 }
 
+// Their predictions differ by less than an error whose shape nobody knows, and which `other` does not exceed either: of
+// those, evidence that takes rows for independent finds the shape of the error. (Where a shape is expected, how much of
+// it shows is weighed by itself: share_of.)
+bool within_error_of_unknown_shape(const Search& search, const Candidate& other, const Candidate& chosen) {
+  if (search.indistinct() == 0 || search.systematic().expected.size() > 0 || !search.leaves_nothing(other))
+    return false;
+  const Eigen::VectorXd difference =
+      (other.fit.predicted - chosen.fit.predicted).cwiseQuotient(search.model().observations().noise);
+  return difference.norm() <= search.indistinct() * std::sqrt(static_cast<double>(difference.size()));
+}
+
 bool takes_the_place(const Search& search, const Candidate& other, const Candidate& chosen, std::size_t which) {
   const double clearly = search.options().search.swap_bic;
   const double alike_bic = search.options().alike_bic;
   const double gain = search.bic_of(chosen) - search.bic_of(other);
   const auto more = parameter_count(other.fit.settings) - parameter_count(chosen.fit.settings);
   // Of two that the data cannot tell apart, the one of fewer numbers leads.
+  if (more != 0 && within_error_of_unknown_shape(search, more < 0 ? other : chosen, more < 0 ? chosen : other))
+    return more < 0;
   if (more < 0 && gain > -alike_bic)
     return (search.leaves_nothing(other) || !search.leaves_nothing(chosen)) &&
            other.left_out.chi2 <= search.options().search.about_as_well_left_out * chosen.left_out.chi2;
