@@ -11,6 +11,7 @@
 #include "mechanics/contact/internal/quadratic_cells.h"
 #include "mechanics/contact/large_contact.h"
 #include "mechanics/potentials/elastic.h"
+#include "mechanics/scenario/cut.h"
 #include "mechanics/scenario/mesh_moduli.h"
 #include "mechanics/simulation.h"
 #include "mechanics/statics/displacements.h"
@@ -77,6 +78,41 @@ TEST_F(LiveBlock, EightCellsAtATimeGiveTheForcesOfTheSlowIntegral) {
     EXPECT_LT((force_mN + exact_mN).norm(), 1e-9 * exact_mN.norm());
     EXPECT_GT(cells.largest_strain(body, u_mm, room), 0.1);
   }
+}
+
+// The live levels join what lies close together, over a cut's walls too; where it rests must not know of that.
+TEST_F(LiveBlock, MeshedWithACutItRestsUnderADeadLoadWhereNewtonsStepsSay) {
+  const OpenedBody opened = open_cuts(mesh_, {Cut{{30.5, 30, 30}, {1, 0.1, 0}, 25}}, Along::nearly).value();
+  ASSERT_FALSE(opened.walls.empty());
+  const auto youngs_kPa = test::uniform(opened.mesh, 5);
+  const ToolLoad pull{{42, 30, 30}, 10, {400, 0, 100}};
+  const Body body = prepare_body(opened.mesh, youngs_kPa, supports_, options_, Holding::required).value();
+  const auto slow = find_equilibrium(body, materials_of(body, MaterialLaw::neo_hookean),
+                                     applied_loads(body, {pull}, Gas::follows_the_surface).value())
+                        .value();
+  ASSERT_TRUE(slow.may_be_used()) << slow.why_stopped;
+
+  auto model = StaticModel::create(opened.mesh, youngs_kPa, supports_, options_).value();
+  const auto places = locate_points(opened.mesh, {{42, 30, 22}, {20, 30, 22}});
+  const LiveBody live = LiveBody::create(std::move(model), neo_hookean, supports_, {}, places, places.size()).value();
+  LiveState state = live.untouched();
+  std::vector<ContactTool> tools;
+  for (const double share : {0.5, 1.0}) {
+    tools = {{"pull", ToolLoad{pull.center_mm, pull.radius_mm, share * pull.force_mN}}};
+    state = live.step(state, tools).value();
+  }
+  LiveOptions patient;
+  patient.settling_rounds = 60;
+  state = live.settle(state, tools, patient).value();
+  ASSERT_TRUE(state.settled);
+  const StaticResult rested = live.whole_result(state);
+  double farthest_mm = 0, error_mm = 0;
+  for (std::size_t p = 0; p < rested.displacement_mm.size(); ++p) {
+    farthest_mm = std::max(farthest_mm, slow.displacement_mm[p].norm());
+    error_mm = std::max(error_mm, (rested.displacement_mm[p] - slow.displacement_mm[p]).norm());
+  }
+  EXPECT_GT(opening_of(opened, slow.displacement_mm).largest_opening_mm, 2.0);
+  EXPECT_LT(error_mm, 1e-3 * farthest_mm) << "of " << farthest_mm << " mm";
 }
 
 TEST_F(LiveBlock, RestsWhereTheSlowWayDoes) {
