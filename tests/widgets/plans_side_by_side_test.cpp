@@ -287,6 +287,8 @@ class PlansSideBySideTest : public QObject {
   }
   void press(const char* name) {
     auto* button = child<QAbstractButton>(name);
+    // Where a fold has just opened, once it is laid out.
+    QTRY_VERIFY(button->isVisible() && button->height() >= button->minimumSizeHint().height());
     panel_->findChild<QScrollArea*>()->ensureWidgetVisible(button);
     QTest::mouseClick(button, Qt::LeftButton, {}, {8, button->height() / 2});
   }
