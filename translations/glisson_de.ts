@@ -6283,6 +6283,18 @@
         <source>Residual after, trial {0} at its worst: arrows {1} times as long, red at {2}</source>
         <translation>Residuum nachher, Versuch {0}, wo es am größten ist: Pfeile {1}-mal so lang, rot bei {2}</translation>
     </message>
+    <message>
+        <source>Set the cut</source>
+        <translation>Schnitt setzen</translation>
+    </message>
+    <message>
+        <source>Take the cut away</source>
+        <translation>Schnitt wegnehmen</translation>
+    </message>
+    <message>
+        <source>Change the cut</source>
+        <translation>Schnitt ändern</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

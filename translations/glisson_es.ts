@@ -6283,6 +6283,18 @@
         <source>Residual after, trial {0} at its worst: arrows {1} times as long, red at {2}</source>
         <translation>Residuo después, ensayo {0} en su peor momento: flechas {1} veces más largas, rojo en {2}</translation>
     </message>
+    <message>
+        <source>Set the cut</source>
+        <translation>Poner la sección</translation>
+    </message>
+    <message>
+        <source>Take the cut away</source>
+        <translation>Quitar la sección</translation>
+    </message>
+    <message>
+        <source>Change the cut</source>
+        <translation>Cambiar la sección</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

@@ -6283,6 +6283,18 @@
         <source>Residual after, trial {0} at its worst: arrows {1} times as long, red at {2}</source>
         <translation>Résidu après, essai {0} au pire : flèches {1} fois plus longues, rouge à {2}</translation>
     </message>
+    <message>
+        <source>Set the cut</source>
+        <translation>Placer la section</translation>
+    </message>
+    <message>
+        <source>Take the cut away</source>
+        <translation>Retirer la section</translation>
+    </message>
+    <message>
+        <source>Change the cut</source>
+        <translation>Modifier la section</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

@@ -12,6 +12,7 @@
 #include <QtTest>
 
 #include "base/files.h"
+#include "drag_in_view.h"
 #include "kept_pictures.h"
 #include "run_test.h"
 #include "shown.h"
@@ -205,11 +206,16 @@ class PlanByAnatomyTest : public QObject {
     QCOMPARE(read_text_file(followed).value(), first);
     QVERIFY(std::abs(normal().dot(first_normal)) > 1 - 1e-9);
     QTRY_VERIFY_WITH_TIMEOUT(live().kept().back().followed, patience_ms);
+    // Between the two, the first plane was taken away and the second set.
+    go(Qt::ControlModifier);
+    QVERIFY(!panel_->plane());
+    go(Qt::ControlModifier);
+    QVERIFY(std::abs(panel_->plane()->normal().dot(first_normal)) > 1 - 1e-9);
     go(Qt::ControlModifier);
     QVERIFY(!planned_course(patient_).course && !std::filesystem::exists(followed.parent_path()));
     go(Qt::ControlModifier | Qt::ShiftModifier);
     QCOMPARE(read_text_file(followed).value(), first);
-    go(Qt::ControlModifier | Qt::ShiftModifier);
+    for (int step = 0; step < 3; ++step) go(Qt::ControlModifier | Qt::ShiftModifier);
     QCOMPARE(read_text_file(followed).value(), second);
     // A plan that is dropped is followed again once that is undone.
     auto* plans = child<QTableWidget>("plans");
@@ -221,6 +227,41 @@ class PlanByAnatomyTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(!window_->undo().busy() && !planned_course(patient_).course, patience_ms);
     go(Qt::ControlModifier);
     QCOMPARE(read_text_file(followed).value(), second);
+  }
+
+  // However far it goes; and so is a number, however many digits are typed.
+  void a_drag_of_the_plane_is_a_step_of_undo() {
+    if (child<QPushButton>("no_cut")->isEnabled()) child<QPushButton>("no_cut")->click();
+    const Eigen::Vector3d middle_mm = liver_.center_mm();
+    window_->views().set_crosshair(middle_mm);
+    child<QComboBox>("cut_across")->setCurrentIndex(0);
+    child<QPushButton>("cut_through_crosshair")->click();
+    const double set_mm = panel_->plane()->shift_mm;
+    SliceView& coronal = window_->views().slice(SliceDirection::coronal);
+    drag_in(coronal, middle_mm + Eigen::Vector3d(0, 0, 15), middle_mm + Eigen::Vector3d(12, 0, 15));
+    const double dragged_mm = panel_->plane()->shift_mm;
+    QVERIFY2(std::abs(dragged_mm - set_mm - 12) < 1.5, qPrintable(QString::number(dragged_mm - set_mm)));
+    auto* shift = child<QDoubleSpinBox>("cut_shift");
+    shift->setFocus();
+    shift->selectAll();
+    QTest::keyClicks(shift, "-17");
+    QTest::keyClick(shift, Qt::Key_Return);
+    QCOMPARE(panel_->plane()->shift_mm, -17.0);
+    panel_->setFocus();
+    const auto go_and_find_mm = [&](Qt::KeyboardModifiers keys) {
+      (void)QTest::qWaitFor([&] { return !window_->undo().busy(); }, patience_ms);
+      press_key(*window_, Qt::Key_Z, keys);
+      (void)QTest::qWaitFor([&] { return !window_->undo().busy(); }, patience_ms);
+      return panel_->plane() ? panel_->plane()->shift_mm : 1000.0;
+    };
+    const Qt::KeyboardModifiers back = Qt::ControlModifier, forth = Qt::ControlModifier | Qt::ShiftModifier;
+    QVERIFY(std::abs(go_and_find_mm(back) - dragged_mm) < 1e-6);
+    QVERIFY(std::abs(go_and_find_mm(back) - set_mm) < 1e-6);
+    QCOMPARE(go_and_find_mm(back), 1000.0);
+    QVERIFY(std::abs(go_and_find_mm(forth) - set_mm) < 1e-6);
+    QVERIFY(std::abs(go_and_find_mm(forth) - dragged_mm) < 1e-6);
+    QVERIFY(std::abs(go_and_find_mm(forth) + 17) < 1e-6);
+    QVERIFY(std::abs(shift->value() + 17) < 0.05);
   }
 
   void names_branches_in_words() {

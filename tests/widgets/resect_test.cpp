@@ -14,6 +14,7 @@
 #include <QtTest>
 
 #include "block_patient.h"
+#include "drag_in_view.h"
 #include "kept_pictures.h"
 #include "run_test.h"
 #include "shown.h"
@@ -161,7 +162,7 @@ class ResectTest : public QObject {
     SliceView& coronal = window_->views().slice(SliceDirection::coronal);
     const double before_mm = panel_->plane()->point_mm().x();
     const Eigen::Vector3d from_mm(85, 40, 60), to_mm(88, 40, 60);
-    drag(coronal, from_mm, to_mm);
+    drag_in(coronal, from_mm, to_mm);
     QVERIFY(std::abs(panel_->plane()->point_mm().x() - before_mm - 3) < 0.5);
     // Nor has the crosshair moved: the hand held the line.
     QVERIFY((coronal.crosshair_mm() - Eigen::Vector3d(85, 40, 40)).norm() < 1e-9);
@@ -194,7 +195,7 @@ class ResectTest : public QObject {
     const LineInSlice line = line_in_slice(*panel_->plane(), {60, 40, 40}, transverse.view().camera().sight);
     const Eigen::Vector3d end_mm = line.at_mm + 45 * line.along;
     const double aside_mm = 15;
-    drag(transverse, end_mm, end_mm + Eigen::Vector3d(aside_mm, 0, 0));
+    drag_in(transverse, end_mm, end_mm + Eigen::Vector3d(aside_mm, 0, 0));
     const double expected_deg = std::atan2(aside_mm, 45) * 180 / M_PI;
     const double turned_deg = std::acos(std::abs(panel_->plane()->normal().x())) * 180 / M_PI;
     QVERIFY2(std::abs(turned_deg - expected_deg) < 1.5, qPrintable(QString::number(turned_deg)));
@@ -240,7 +241,7 @@ class ResectTest : public QObject {
     const double before_ml = specimen_ml();
     QTest::mouseClick(child<QPushButton>("cut_draw"), Qt::LeftButton);
     window_->views().set_crosshair({60, 40, 40});
-    drag(transverse, {70, 40, 40}, {60, 40, 40});
+    drag_in(transverse, {70, 40, 40}, {60, 40, 40});
     QVERIFY(std::abs(panel_->points_mm()[1].x() - 60) < 1);
     QTRY_VERIFY_WITH_TIMEOUT(specimen_ml() > before_ml + 5, patience_ms);
     QTest::mouseClick(child<QPushButton>("cut_drop_last"), Qt::LeftButton);
@@ -321,18 +322,8 @@ class ResectTest : public QObject {
     panel_->findChild<QScrollArea*>()->ensureWidgetVisible(widget);
     QTest::qWait(50);
   }
-  static QPoint pixel(const RenderWidget& view, const Eigen::Vector3d& position_mm) {
-    const Eigen::Vector2d at = view.view().pixel_of(position_mm) / view.devicePixelRatioF();
-    return QPointF(at.x(), at.y()).toPoint();
-  }
   static void click(RenderWidget& view, const Eigen::Vector3d& position_mm) {
-    QTest::mouseClick(&view, Qt::LeftButton, Qt::NoModifier, pixel(view, position_mm));
-  }
-  static void drag(RenderWidget& view, const Eigen::Vector3d& from_mm, const Eigen::Vector3d& to_mm) {
-    const QPoint from = pixel(view, from_mm), to = pixel(view, to_mm);
-    QTest::mousePress(&view, Qt::LeftButton, Qt::NoModifier, from);
-    for (int step = 1; step <= 5; ++step) QTest::mouseMove(&view, from + (to - from) * step / 5);
-    QTest::mouseRelease(&view, Qt::LeftButton, Qt::NoModifier, to);
+    QTest::mouseClick(&view, Qt::LeftButton, Qt::NoModifier, pixel_in(view, position_mm));
   }
   void type(const char* name, const QString& number) {
     auto* box = child<QDoubleSpinBox>(name);

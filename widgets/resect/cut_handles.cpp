@@ -143,6 +143,7 @@ bool CutHandles::slice_event(SliceView& slice, QMouseEvent& event) {
   if (held_.part == Part::none) return false;
   if (event.type() == QEvent::MouseButtonRelease) {
     held_ = {};
+    Q_EMIT let_go();
   } else {
     drag_in_slice(slice, position_in(slice, event.position()));
   }
@@ -203,6 +204,7 @@ bool CutHandles::space_event(QMouseEvent& event) {
   if (held_.part == Part::none) return false;
   if (event.type() == QEvent::MouseButtonRelease) {
     held_ = {};
+    Q_EMIT let_go();
   } else if (held_.part == Part::point) {
     // On whatever is seen there, as it was set.
     if (const auto pick = space.view().pick(at.x(), at.y())) Q_EMIT point_moved(held_.point, pick->position_mm);

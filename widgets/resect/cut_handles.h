@@ -38,6 +38,7 @@ class CutHandles : public QObject {
   void plane_moved(const glisson::widgets::CutPlane& plane);
   void point_clicked(const Eigen::Vector3d& position_mm);
   void point_moved(std::size_t point, const Eigen::Vector3d& position_mm);
+  void let_go();  // what was dragged
 
  private:
   enum class Part { none, line, near_end, far_end, middle, tip, point };

@@ -3,14 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <QJsonValue>
 #include <QLocale>
 #include <QVBoxLayout>
 
-#include "base/json.h"
-#include "planning/plan_file.h"
 #include "vasculature/couinaud.h"
 #include "widgets/panels/parts.h"
+#include "widgets/resect/kept_cuts.h"
 #include "widgets/resect/plan_by_anatomy.h"
 #include "widgets/words/keep_translated.h"
 #include "widgets/words/translated.h"
@@ -21,19 +19,6 @@ namespace {
 using planning::Cut;
 
 constexpr const char* kept_key = "resect/taken";
-
-// Cuts as a value of the history: a plan as its file has it, or null for none.
-QJsonValue value_of(const std::vector<Cut>& cuts) {
-  if (cuts.empty()) return QJsonValue::Null;
-  return QString::fromStdString(planning::plan_json({"taken", cuts}).dump());
-}
-
-std::vector<Cut> cuts_of(const QJsonValue& value) {
-  const Json document = Json::parse(value.toString().toStdString(), nullptr, false);
-  if (document.is_discarded()) return {};
-  const auto plan = planning::plan_from(document);
-  return plan ? plan->cuts : std::vector<Cut>();
-}
 
 // In words, as a list of what goes says it.
 QString told(const Cut& cut);

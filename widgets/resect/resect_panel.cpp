@@ -5,6 +5,7 @@
 #include <QVBoxLayout>
 
 #include "widgets/panels/parts.h"
+#include "widgets/resect/kept_cuts.h"
 #include "widgets/words/keep_translated.h"
 
 namespace glisson::widgets {
@@ -14,6 +15,13 @@ using Eigen::Vector3d;
 using Removed = casefile::PlannedCut::Removed;
 
 constexpr int farthest_apart_mm = 80;
+constexpr const char* kept_key = "resect/surface";
+
+Sentence step_between(const std::vector<planning::Cut>& before, const std::vector<planning::Cut>& after) {
+  if (before.empty()) return {GLISSON_TEXT("Set the cut"), {}};
+  if (after.empty()) return {GLISSON_TEXT("Take the cut away"), {}};
+  return {GLISSON_TEXT("Change the cut"), {}};
+}
 
 std::filesystem::path folder_of_plan(const Patient& patient) { return patient.folder / "results" / "resection"; }
 
@@ -36,10 +44,14 @@ ResectPanel::ResectPanel(WorkspaceContext context, QWidget* parent) : QWidget(pa
   connect(cut_controls_, &CutControls::kind_chosen, this, &ResectPanel::cut_changed);
   connect(cut_controls_, &CutControls::drawing_changed, this, &ResectPanel::set_drawing);
   connect(cut_controls_, &CutControls::through_crosshair, this, [this](const Vector3d& normal) {
-    if (!patient_.structures.empty()) move_plane(plane_through(context_.views.crosshair_mm(), normal));
+    if (patient_.structures.empty()) return;
+    move_plane(plane_through(context_.views.crosshair_mm(), normal));
+    note();
   });
   connect(cut_controls_, &CutControls::plane_typed, this, [this](double shift_mm, double turn_deg, double tilt_deg) {
-    if (plane_) move_plane({plane_->middle_mm, shift_mm, turn_deg, tilt_deg});
+    if (!plane_) return;
+    move_plane({plane_->middle_mm, shift_mm, turn_deg, tilt_deg});
+    note(By::typing);
   });
   connect(cut_controls_, &CutControls::last_dropped, this, [this] {
     auto fewer_mm = points_mm_;
@@ -48,6 +60,7 @@ ResectPanel::ResectPanel(WorkspaceContext context, QWidget* parent) : QWidget(pa
   });
   connect(cut_controls_, &CutControls::cleared, this, [this] { set_points({}); });
   connect(handles_, &CutHandles::plane_moved, this, &ResectPanel::move_plane);
+  connect(handles_, &CutHandles::let_go, this, [this] { note(); });
   connect(handles_, &CutHandles::point_clicked, this, &ResectPanel::take_click);
   connect(handles_, &CutHandles::point_moved, this, [this](std::size_t point, const Vector3d& position_mm) {
     if (point >= points_mm_.size()) return;
@@ -69,6 +82,9 @@ ResectPanel::ResectPanel(WorkspaceContext context, QWidget* parent) : QWidget(pa
   connect(by_anatomy_, &PlanByAnatomy::taken_changed, this, &ResectPanel::cut_changed);
   connect(by_anatomy_, &PlanByAnatomy::drawing_changed, this, &ResectPanel::show_scene);
   connect(by_anatomy_, &PlanByAnatomy::plan_chosen, this, &ResectPanel::take_up);
+  context_.undo.keep(kept_key, [this](const QJsonValue& value) {
+    if (!patient_.structures.empty()) take_up({{}, cuts_of(value)});
+  });
   keep_translated(this, [this, title = title] {
     title->setText(tr("Plan a resection"));
     missing_->setText(tr("Needs a model of the liver. Build it first, or open the demo patient."));
@@ -123,11 +139,13 @@ QWidget* ResectPanel::make_outcome() {
   connect(other_part_, &QPushButton::clicked, this, [this] {
     removed_ = removed_ == Removed::smaller ? Removed::larger : Removed::smaller;
     cut_changed();
+    note();
   });
   connect(no_cut_, &QPushButton::clicked, this, [this] {
     plane_.reset();
     points_mm_.clear();
     clicks_mm_.clear();
+    note();
     by_anatomy_->clear();
     cut_changed();
   });
@@ -151,7 +169,10 @@ void ResectPanel::show_patient(const Patient& patient) {
   live_->set_patient(patient);
   by_anatomy_->show_patient(patient);
   hold_as_rehearsed();
-  if (other) take_up_kept_plan();
+  if (other) {
+    take_up_kept_plan();
+    noted_ = value_of(surface());
+  }
   cut_changed();
 }
 
@@ -190,6 +211,7 @@ void ResectPanel::take_up(const planning::Plan& plan) {
       removed_ = sheet->removed == planning::Removed::larger ? Removed::larger : Removed::smaller;
     }
   }
+  noted_ = value_of(surface());
   cut_changed();
 }
 
@@ -233,6 +255,7 @@ void ResectPanel::take_click(const Vector3d& position_mm) {
     } else {
       plane_ = plane_through(first_mm, normal);
       cut_controls_->stop_drawing();
+      note();
     }
   }
   cut_changed();
@@ -246,6 +269,27 @@ void ResectPanel::move_plane(const CutPlane& plane) {
 void ResectPanel::set_points(std::vector<Vector3d> points_mm) {
   points_mm_ = std::move(points_mm);
   cut_changed();
+  note();
+}
+
+std::vector<planning::Cut> ResectPanel::surface() const {
+  const auto removed = removed_ == Removed::larger ? planning::Removed::larger : planning::Removed::smaller;
+  std::vector<planning::Cut> set;
+  if (cut_controls_->kind() == CutControls::sheet_cut) {
+    if (!points_mm_.empty()) set.emplace_back(planning::SheetCut{points_mm_, removed});
+  } else if (plane_) {
+    set.emplace_back(planning::PlaneCut{plane_->point_mm(), plane_->normal(), removed});
+  }
+  return set;
+}
+
+void ResectPanel::note(By by) {
+  const QJsonValue before = noted_;
+  noted_ = value_of(surface());
+  const bool goes_on = by == By::typing && last_noted_ == By::typing;
+  last_noted_ = by;
+  context_.undo.value_changed(step_between(cuts_of(before), surface()), kept_key, before, noted_,
+                              goes_on ? Undo::Joins::with_same : Undo::Joins::never);
 }
 
 void ResectPanel::set_drawing(bool drawing) {

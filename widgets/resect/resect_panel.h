@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <QCheckBox>
+#include <QJsonValue>
 #include <QLabel>
 #include <QPushButton>
 #include <QSlider>
@@ -42,6 +43,11 @@ class ResectPanel : public QWidget {
   void take_click(const Eigen::Vector3d& position_mm);
   void move_plane(const CutPlane& plane);
   void set_points(std::vector<Eigen::Vector3d> points_mm);
+  // Plane or sheet as it has been set, none where it has not.
+  [[nodiscard]] std::vector<planning::Cut> surface() const;
+  // A person has set or changed the plane or sheet: a step of undo. What is typed in a row is one.
+  enum class By { hand, typing };
+  void note(By by = By::hand);
   void take_up_kept_plan();
   // Its plane or sheet; what else it takes, by_anatomy_ knows.
   void take_up(const planning::Plan& plan);
@@ -70,6 +76,8 @@ class ResectPanel : public QWidget {
   std::vector<Eigen::Vector3d> points_mm_;  // of the sheet
   std::vector<Eigen::Vector3d> clicks_mm_;  // of a plane, until there are three
   casefile::PlannedCut::Removed removed_ = casefile::PlannedCut::Removed::smaller;
+  QJsonValue noted_ = QJsonValue::Null;  // the surface that undo knows of
+  By last_noted_ = By::hand;
   std::shared_ptr<const geometry::Surface> drawn_plane_;  // within a little more than the liver
   ResectionScene pieces_;
   QWidget* controls_;
