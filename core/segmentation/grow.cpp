@@ -11,6 +11,7 @@
 
 #include "imaging/filters.h"
 #include "segmentation/edit.h"
+#include "segmentation/growth_doubts.h"
 #include "segmentation/outline_border.h"
 #include "segmentation/seeds.h"
 #include "segmentation/slice_holes.h"
@@ -31,14 +32,7 @@ constexpr int maximum_rounds = 30;  // the region is usually the same after six 
 
 constexpr double settled_fraction = 1e-3;  // rounds that turn fewer of the region's voxels may go on in a circle
 
-// Adults' livers hold about -794 + 1267 BSA ml (Vauthey et al., Liver Transplantation 8:233, 2002): 0.7 l at 1.2 m2 of
-// body surface, 2.5 l at 2.6 m2. Wider on both sides for small remnants and large, fatty livers.
-constexpr double smallest_liver_ml = 500;
-constexpr double largest_liver_ml = 3500;
-
 Result<void> check(const imaging::Volume& image, const std::vector<Vector3d>& seeds_mm, const GrowOptions& options);
-
-constexpr double much_unsure_border = 0.3;
 
 // What is known of one seed.
 struct Seed {
@@ -79,8 +73,6 @@ constexpr double very_unsure_border = 0.4;  // of its border, where it is asked 
 
 Mask finished(const Region& region, const Grid& grid, const std::array<int, 3>& block, const GrowOptions& options);
 Mask without_crumbs(Mask mask);
-std::vector<GrowResult::Doubt> doubts_about(const GrowResult& result, const std::vector<Seed>& seeds,
-                                            const Region& region);
 
 // The finite values but for the lowest and highest fiftieth: metal and noise do not stretch it.
 struct Range {
@@ -91,13 +83,6 @@ Range range_of(const std::vector<float>& values);
 double changed_fraction(const std::vector<std::uint8_t>& before, const std::vector<std::uint8_t>& after);
 
 }  // namespace
-
-bool GrowResult::probably_leaked() const {
-  return std::any_of(doubts.begin(), doubts.end(), [](const Doubt& doubt) {
-    return doubt.kind == GrowthDoubt::leaves_image || doubt.kind == GrowthDoubt::too_large ||
-           doubt.kind == GrowthDoubt::seeds_disagree;
-  });
-}
 
 Result<GrowResult> grow_from_seeds(const imaging::Volume& image, const std::vector<Vector3d>& seeds_mm,
                                    const GrowOptions& options, const Progress& progress) {
@@ -128,6 +113,8 @@ Result<GrowResult> grow_from_seeds(const imaging::Volume& image, const std::vect
   if (progress.cancelled()) return cancelled();
   progress.report(static_cast<double>(maximum_rounds + 1) / (maximum_rounds + 2),
                   GLISSON_TEXT("Smoothing the outline"));
+  std::vector<double> brightness;
+  for (const Seed& seed : *seeds) brightness.push_back(seed.brightness);
   const auto outlined = [&](const Settled& grown) {
     RefinedBorder refined = with_border_refined(finished(grown.region, image.grid, block, options), image,
                                                 grown.tissue.mean, grown.tissue.sd);
@@ -138,7 +125,7 @@ Result<GrowResult> grow_from_seeds(const imaging::Volume& image, const std::vect
     result.volume_ml = volume_ml(result.mask);
     result.tissue_mean = grown.tissue.mean;
     result.tissue_sd = grown.tissue.sd;
-    result.doubts = doubts_about(result, *seeds, grown.region);
+    result.doubts = doubts_about(result, brightness, grown.region.holds_seed);
     return result;
   };
   GrowResult result = outlined(*settled);
@@ -301,73 +288,6 @@ Result<std::vector<Seed>> look_around_seeds(const WorkingImage& image, const std
     seeds.push_back(std::move(seed));
   }
   return seeds;
-}
-
-std::vector<GrowResult::Doubt> doubts_about(const GrowResult& result, const std::vector<Seed>& seeds,
-                                            const Region& region) {
-  std::vector<GrowResult::Doubt> doubts;
-  const auto [darkest, brightest] = std::minmax_element(
-      seeds.begin(), seeds.end(), [](const Seed& a, const Seed& b) { return a.brightness < b.brightness; });
-  if (brightest->brightness - darkest->brightness > 3 * result.tissue_sd) {
-    doubts.push_back(
-        {GrowthDoubt::seeds_disagree,
-         {GLISSON_TEXT("Seed {0} is much brighter ({1}) than seed {2} ({3}): one of them is probably not in the liver. "
-                       "Take it away."),
-          {std::to_string(brightest - seeds.begin() + 1), fmt::format("{:.0f}", brightest->brightness),
-           std::to_string(darkest - seeds.begin() + 1), fmt::format("{:.0f}", darkest->brightness)}}});
-  }
-  for (std::size_t n = 0; n < seeds.size(); ++n) {
-    if (region.holds_seed[n]) continue;
-    doubts.push_back({GrowthDoubt::seed_ignored,
-                      {GLISSON_TEXT("Nothing grew from seed {0}: the tissue around it is too thin or uneven. Move it "
-                                    "to the middle of the liver."),
-                       {std::to_string(n + 1)}}});
-  }
-
-  bool first_or_last_slice = false, other_face = false;
-  const Grid& grid = result.mask.grid;
-  for (int k = 0; k < grid.size[2]; ++k) {
-    for (int j = 0; j < grid.size[1]; ++j) {
-      for (int i = 0; i < grid.size[0]; ++i) {
-        if (result.mask.at(i, j, k) == 0) continue;
-        if (k == 0 || k + 1 == grid.size[2]) first_or_last_slice = true;
-        if (i == 0 || j == 0 || i + 1 == grid.size[0] || j + 1 == grid.size[1]) other_face = true;
-      }
-    }
-  }
-  if (result.unsure_border > much_unsure_border) {
-    doubts.push_back(
-        {GrowthDoubt::unsure_border,
-         {GLISSON_TEXT("On {0} % of its border the outline lies on tissue that hardly differs from it: look "
-                       "there before you trust it, and add a point where a part is missing."),
-          {fmt::format("{:.0f}", 100 * result.unsure_border)}}});
-  }
-  const std::string volume_ml = fmt::format("{:.0f}", result.volume_ml);
-  if (other_face) {
-    doubts.push_back({GrowthDoubt::leaves_image,
-                      {GLISSON_TEXT("The region reaches the side of the image: it has probably leaked into the body "
-                                    "wall. Cut it there, or raise neck_radius_mm."),
-                       {}}});
-  }
-  if (first_or_last_slice) {
-    doubts.push_back({GrowthDoubt::cut_by_image,
-                      {GLISSON_TEXT("The region reaches the first or last slice: the liver is not wholly in the image, "
-                                    "and its volume is that of the part seen."),
-                       {}}});
-  }
-  if (result.volume_ml > largest_liver_ml) {
-    doubts.push_back({GrowthDoubt::too_large,
-                      {GLISSON_TEXT("{0} ml is more than a liver holds: the region has probably leaked into a "
-                                    "neighbour. Raise neck_radius_mm, or cut it by hand."),
-                       {volume_ml}}});
-  }
-  if (result.volume_ml < smallest_liver_ml && !first_or_last_slice) {
-    doubts.push_back({GrowthDoubt::too_small,
-                      {GLISSON_TEXT("{0} ml is less than an adult's liver holds: the growth has probably stopped "
-                                    "early. Add a seed in the part that is missing, or raise tolerance_sd."),
-                       {volume_ml}}});
-  }
-  return doubts;
 }
 
 Result<void> check(const imaging::Volume& image, const std::vector<Vector3d>& seeds_mm, const GrowOptions& options) {
