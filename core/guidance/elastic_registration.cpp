@@ -123,12 +123,8 @@ void FreeFit::fit_pose_and_forces(Forces forces) {
     VectorXd right = fit_.equations.residuals(seen, fit_.known_mm);
     const MatrixXd free = fit_.equations.free_columns(seen, {fit_.further_mm, tool_sd_mN},
                                                       fit_.guess.inverse() * fit_.pose, 1.0 / std::sqrt(share), right);
-    const double opened = std::min(1.0, (round + 1.0) / rounds_to_full_forces);
-    fit_.fit = fit_by_evidence(SeenEquations::mode_columns(seen, fit_.scaled_modes, free.cols()), free, right,
-                               independent, std::pow(options.largest_rms_mm * opened, 2));
-    fit_.u_mm = fit_.known_mm + fit_.scaled_modes * fit_.fit.modes +
-                fit_.further_mm * fit_.fit.free.tail(fit_.further_mm.cols());
-    fit_.move_pose(fit_.fit.free.head<3>(), fit_.fit.free.segment<3>(3));
+    fit_.follow(fit_by_evidence(SeenEquations::mode_columns(seen, fit_.scaled_modes, free.cols()), free, right,
+                                independent, fit_.largest_variance(round)));
     double weights = 0;
     for (const SeenRow& row : seen) weights += std::log(std::sqrt(std::max(row.trust, min_trust)) / row.noise_mm);
     log_evidence_ = fit_.fit.log_evidence + share * weights;

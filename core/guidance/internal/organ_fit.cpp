@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "guidance/internal/seen_surface.h"
 
@@ -14,6 +15,7 @@ using Eigen::VectorXd;
 
 namespace {
 
+constexpr int rounds_to_full_forces = 12;
 constexpr double smallest_sd_mm = 0.25;  // what is left of a rigid organ
 
 }  // namespace
@@ -61,6 +63,17 @@ void OrganFit::fit_pose() {
     const Eigen::Matrix<double, 6, 1> step = normal.ldlt().solve(columns.transpose() * right);
     move_pose(step.head<3>(), step.tail<3>());
   }
+}
+
+double OrganFit::largest_variance(int round) const {
+  const double opened = std::min(1.0, (round + 1.0) / rounds_to_full_forces);
+  return std::pow(options.largest_rms_mm * opened, 2);
+}
+
+void OrganFit::follow(EvidenceFit found) {
+  fit = std::move(found);
+  u_mm = known_mm + scaled_modes * fit.modes + further_mm * fit.free.tail(further_mm.cols());
+  move_pose(fit.free.head<3>(), fit.free.segment<3>(3));
 }
 
 SeenEquations::RowMatrix OrganFit::modes_by_what_is_seen(double seen_root) const {

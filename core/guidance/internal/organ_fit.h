@@ -15,7 +15,6 @@
 namespace glisson::guidance {
 
 constexpr double coarsest_noise_mm = 2.0;  // that elastic rounds take the cloud for
-constexpr int rounds_to_full_forces = 12;
 constexpr double pulled_mm = 6.0;    // that some of the cloud lies off the rigid organ where a tool may be at work
 constexpr double tool_sd_mN = 10e3;  // of each component of a force that is asked for
 // Of the elastic displacement, that the model gets wrong: from tests on bodies that were not judged (docs/guidance.md).
@@ -36,7 +35,10 @@ struct OrganFit {
 
   // From where the pose is, with the displacement as it is.
   void fit_pose();
-  void move_pose(const Eigen::Vector3d& shift_mm, const Eigen::Vector3d& turn);
+  // Of the forces in a round: they are let grow slowly, so that the pose comes first.
+  [[nodiscard]] double largest_variance(int round) const;
+  // Takes over what a round has found: displacement and pose.
+  void follow(EvidenceFit found);
   // The points of the mesh now, in the scan's frame.
   [[nodiscard]] std::vector<Eigen::Vector3d> displaced() const;
   // The modes with those of patches that the cloud covers times `seen_root`: what is seen is touched less.
@@ -58,6 +60,7 @@ struct OrganFit {
   SeenRows seen;  // where the last round ended
 
  private:
+  void move_pose(const Eigen::Vector3d& shift_mm, const Eigen::Vector3d& turn);
   [[nodiscard]] geometry::NearestPoint seen_in_scan() const;
   [[nodiscard]] double visible_share() const;
   [[nodiscard]] Eigen::Matrix<double, 3, Eigen::Dynamic> columns_at(const mechanics::PointInMesh& place) const;

@@ -176,11 +176,7 @@ void SupportedFit::fit_pose_and_forces(Forces forces, const Isometry3d& from) {
     const MatrixXd modes = SeenEquations::mode_columns(seen, fit_.scaled_modes, free.cols());
     double independent = 0;
     for (const SeenRow& row : seen) independent += row.share;
-    const double opened = std::min(1.0, (round + 1.0) / rounds_to_full_forces);
-    fit_.fit = fit_weighed_by_evidence(modes, free, right, independent, std::pow(options.largest_rms_mm * opened, 2));
-    fit_.u_mm = fit_.known_mm + fit_.scaled_modes * fit_.fit.modes +
-                fit_.further_mm * fit_.fit.free.tail(fit_.further_mm.cols());
-    fit_.move_pose(fit_.fit.free.head<3>(), fit_.fit.free.segment<3>(3));
+    fit_.follow(fit_weighed_by_evidence(modes, free, right, independent, fit_.largest_variance(round)));
     const bool try_narrow = std::count(rounds_of_narrow_forces.begin(), rounds_of_narrow_forces.end(), round) > 0;
     if (try_narrow && static_cast<int>(narrow_.size()) < options.narrow_forces) add_narrow_force(modes, free, right);
   }
