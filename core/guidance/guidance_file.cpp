@@ -175,16 +175,6 @@ void read_model(const Json& json, const fs::path& folder, GuidanceCase& guidance
   }
 }
 
-// As a scenario writes them, and read by its reader.
-std::vector<mechanics::Support> supports_from(const Json& json) {
-  auto scenario = mechanics::parse_scenario(Json{{"supports", json}}.dump());
-  if (!scenario) {
-    scenario.error().code = "guidance-invalid";
-    throw Refusal{std::move(scenario.error())};
-  }
-  return std::move(scenario->supports);
-}
-
 GuidanceCase guidance_from(const Json& json, const fs::path& folder) {
   if (!says(json, "format", "glisson-guidance/1")) {
     refuse_in("the document", "\"format\" must be \"glisson-guidance/1\"");
@@ -196,7 +186,7 @@ GuidanceCase guidance_from(const Json& json, const fs::path& folder) {
     guidance.gravity_mm_s2 = units::mm_s2_from_m_s2(1.0) * vector_in(*gravity, "gravity_m_s2");
   }
   if (const Json* supports = value_in(json, "supports"); supports != nullptr && !supports->empty()) {
-    guidance.supports = supports_from(*supports);
+    guidance.supports = taken(mechanics::parse_supports(supports->dump(), "guidance-invalid"));
     const auto ligaments = std::erase_if(guidance.supports, [](const mechanics::Support& support) {
       return std::holds_alternative<mechanics::Ligament>(support.how);
     });

@@ -97,12 +97,7 @@ void read_specimen(const Json& json, const Source& source, Palpation& palpation)
 
 // Supports are written as in a scenario, and read by its reader.
 std::vector<mechanics::Support> supports_from(const Json& json) {
-  auto scenario = mechanics::parse_scenario(Json{{"supports", json}}.dump());
-  if (!scenario) {
-    scenario.error().code = "experiment-invalid";
-    throw Refusal{std::move(scenario.error())};
-  }
-  return std::move(scenario->supports);
+  return taken(mechanics::parse_supports(json.dump(), "experiment-invalid"));
 }
 
 namespace {

@@ -41,6 +41,17 @@ Result<Scenario> parse_scenario(std::string_view json, const std::filesystem::pa
   return reading("scenario-invalid", file, [&] { return scenario_from(*document); });
 }
 
+Result<std::vector<Support>> parse_supports(std::string_view json, const std::string& code) {
+  const auto document = parse_json(json, {});
+  if (!document) return failure(document.error());
+  auto scenario = reading("scenario-invalid", {}, [&] { return scenario_from(Json{{"supports", *document}}); });
+  if (!scenario) {
+    scenario.error().code = code;
+    return failure(std::move(scenario.error()));
+  }
+  return std::move(scenario->supports);
+}
+
 std::string scenario_text(const Scenario& scenario) {
   constexpr const char* materials[] = {"linear", "corotational", "neo-hookean", "veronda-westmann"};
   Json json;

@@ -13,7 +13,9 @@
 //    "landmarks": [{"id": "tumour-1", "position_mm": [x,y,z]}]}
 
 #include <filesystem>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/result.h"
 #include "mechanics/scenario/scenario.h"
@@ -24,6 +26,9 @@ namespace glisson::mechanics {
 // and what was probably meant), "not-available" (a feature that this version does not compute), those of reading.
 Result<Scenario> read_scenario(const std::filesystem::path& file);
 Result<Scenario> parse_scenario(std::string_view json, const std::filesystem::path& file = {});
+
+// A list of supports as a scenario has it, of another format: what is wrong in it is refused by that format's `code`.
+Result<std::vector<Support>> parse_supports(std::string_view json, const std::string& code);
 
 // The same scenario as JSON text, which parse_scenario reads back.
 std::string scenario_text(const Scenario& scenario);
