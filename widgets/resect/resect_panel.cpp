@@ -17,9 +17,10 @@ using Removed = casefile::PlannedCut::Removed;
 constexpr int farthest_apart_mm = 80;
 constexpr const char* kept_key = "resect/surface";
 
-Sentence step_between(const std::vector<planning::Cut>& before, const std::vector<planning::Cut>& after) {
-  if (before.empty()) return {GLISSON_TEXT("Set the cut"), {}};
-  if (after.empty()) return {GLISSON_TEXT("Take the cut away"), {}};
+// Null for no cut.
+Sentence step_between(const QJsonValue& before, const QJsonValue& after) {
+  if (before.isNull()) return {GLISSON_TEXT("Set the cut"), {}};
+  if (after.isNull()) return {GLISSON_TEXT("Take the cut away"), {}};
   return {GLISSON_TEXT("Change the cut"), {}};
 }
 
@@ -288,7 +289,7 @@ void ResectPanel::note(By by) {
   noted_ = value_of(surface());
   const bool goes_on = by == By::typing && last_noted_ == By::typing;
   last_noted_ = by;
-  context_.undo.value_changed(step_between(cuts_of(before), surface()), kept_key, before, noted_,
+  context_.undo.value_changed(step_between(before, noted_), kept_key, before, noted_,
                               goes_on ? Undo::Joins::with_same : Undo::Joins::never);
 }
 
