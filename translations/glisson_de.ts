@@ -6295,6 +6295,74 @@
         <source>Change the cut</source>
         <translation>Schnitt ändern</translation>
     </message>
+    <message>
+        <source>{0} failed ({1}): {2}</source>
+        <translation>{0} ist fehlgeschlagen ({1}): {2}</translation>
+    </message>
+    <message>
+        <source>Run it by hand to see all that it says.</source>
+        <translation>Starten Sie es von Hand, um alles zu sehen, was es meldet.</translation>
+    </message>
+    <message>
+        <source>In the command {0} a quotation mark is not closed.</source>
+        <translation>Im Befehl {0} ist ein Anführungszeichen nicht geschlossen.</translation>
+    </message>
+    <message>
+        <source>Close it, or write \ before it.</source>
+        <translation>Schließen Sie es, oder schreiben Sie \ davor.</translation>
+    </message>
+    <message>
+        <source>The command is empty.</source>
+        <translation>Der Befehl ist leer.</translation>
+    </message>
+    <message>
+        <source>There is no program {0} on this computer.</source>
+        <translation>Es gibt kein Programm {0} auf diesem Computer.</translation>
+    </message>
+    <message>
+        <source>Install it, or write where it lies.</source>
+        <translation>Installieren Sie es, oder schreiben Sie, wo es liegt.</translation>
+    </message>
+    <message>
+        <source>{0} could not be started: {1}</source>
+        <translation>{0} konnte nicht gestartet werden: {1}</translation>
+    </message>
+    <message>
+        <source>Check that it may be run.</source>
+        <translation>Prüfen Sie, ob es ausgeführt werden darf.</translation>
+    </message>
+    <message>
+        <source>Handing over the images</source>
+        <translation>Bilder werden übergeben</translation>
+    </message>
+    <message>
+        <source>As in: TotalSegmentator -i {image} -o {folder}</source>
+        <translation>Wie in: TotalSegmentator -i {image} -o {folder}</translation>
+    </message>
+    <message>
+        <source>The command {0} is given no image.</source>
+        <translation>Der Befehl {0} bekommt kein Bild.</translation>
+    </message>
+    <message>
+        <source>The command {0} is not told where to put what it outlines.</source>
+        <translation>Dem Befehl {0} ist nicht gesagt, wohin er seine Umrisse legen soll.</translation>
+    </message>
+    <message>
+        <source>The command {0} ended, and left no label map.</source>
+        <translation>Der Befehl {0} ist zu Ende und hat keine Labelkarte hinterlassen.</translation>
+    </message>
+    <message>
+        <source>Run it by hand, and see which files it writes, and where.</source>
+        <translation>Starten Sie ihn von Hand, und sehen Sie nach, welche Dateien er wohin schreibt.</translation>
+    </message>
+    <message>
+        <source>In Settings, {0} does not say what a value of the outlining program is.</source>
+        <translation>In den Einstellungen sagt {0} nicht, was ein Wert des Umriss-Programms ist.</translation>
+    </message>
+    <message>
+        <source>Write value and name, as in 1=liver, 2=tumour-1.</source>
+        <translation>Schreiben Sie Wert und Namen, wie in 1=liver, 2=tumour-1.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>
@@ -10325,6 +10393,24 @@ sicher %</translation>
         <source>Click into the middle of it. Points so far: %1</source>
         <translation>In die Mitte davon klicken. Punkte bisher: %1</translation>
     </message>
+    <message>
+        <source>Outline with another program...</source>
+        <translation>Mit einem anderen Programm umreißen...</translation>
+    </message>
+    <message>
+        <source>Outline with another program</source>
+        <translation>Mit einem anderen Programm umreißen</translation>
+    </message>
+    <message>
+        <source>Its command, as in TotalSegmentator -i {image} -o {folder}
+(kept in Settings):</source>
+        <translation>Sein Befehl, wie in TotalSegmentator -i {image} -o {folder}
+(bleibt in den Einstellungen):</translation>
+    </message>
+    <message>
+        <source>Outlining with another program</source>
+        <translation>Ein anderes Programm umreißt</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::SeriesTable</name>
@@ -10442,6 +10528,22 @@ sicher %</translation>
     <message>
         <source>Close</source>
         <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>&amp;Outlining program</source>
+        <translation>&amp;Umriss-Programm</translation>
+    </message>
+    <message>
+        <source>Its &amp;values</source>
+        <translation>Seine &amp;Werte</translation>
+    </message>
+    <message>
+        <source>A program of yours that outlines organs, for Segment (Add). {image} stands for the images of the case and {folder} for where its label maps go. Values are named only where its files do not say what they are.</source>
+        <translation>Ein eigenes Programm, das Organe umreißt, für Segmentieren (Hinzufügen). {image} steht für die Bilder des Falls und {folder} für den Ort seiner Labelkarten. Werte werden nur benannt, wo seine Dateien nicht sagen, was sie sind.</translation>
+    </message>
+    <message>
+        <source>As in: %1</source>
+        <translation>Wie in: %1</translation>
     </message>
 </context>
 <context>

@@ -6295,6 +6295,74 @@
         <source>Change the cut</source>
         <translation>Cambiar la sección</translation>
     </message>
+    <message>
+        <source>{0} failed ({1}): {2}</source>
+        <translation>{0} ha fallado ({1}): {2}</translation>
+    </message>
+    <message>
+        <source>Run it by hand to see all that it says.</source>
+        <translation>Ejecútelo a mano para ver todo lo que dice.</translation>
+    </message>
+    <message>
+        <source>In the command {0} a quotation mark is not closed.</source>
+        <translation>En la orden {0} hay una comilla sin cerrar.</translation>
+    </message>
+    <message>
+        <source>Close it, or write \ before it.</source>
+        <translation>Ciérrela, o escriba \ delante.</translation>
+    </message>
+    <message>
+        <source>The command is empty.</source>
+        <translation>La orden está vacía.</translation>
+    </message>
+    <message>
+        <source>There is no program {0} on this computer.</source>
+        <translation>No hay ningún programa {0} en este ordenador.</translation>
+    </message>
+    <message>
+        <source>Install it, or write where it lies.</source>
+        <translation>Instálelo, o escriba dónde está.</translation>
+    </message>
+    <message>
+        <source>{0} could not be started: {1}</source>
+        <translation>No se pudo iniciar {0}: {1}</translation>
+    </message>
+    <message>
+        <source>Check that it may be run.</source>
+        <translation>Compruebe que se puede ejecutar.</translation>
+    </message>
+    <message>
+        <source>Handing over the images</source>
+        <translation>Entregando las imágenes</translation>
+    </message>
+    <message>
+        <source>As in: TotalSegmentator -i {image} -o {folder}</source>
+        <translation>Como en: TotalSegmentator -i {image} -o {folder}</translation>
+    </message>
+    <message>
+        <source>The command {0} is given no image.</source>
+        <translation>La orden {0} no recibe ninguna imagen.</translation>
+    </message>
+    <message>
+        <source>The command {0} is not told where to put what it outlines.</source>
+        <translation>A la orden {0} no se le dice dónde poner lo que contornea.</translation>
+    </message>
+    <message>
+        <source>The command {0} ended, and left no label map.</source>
+        <translation>La orden {0} terminó y no dejó ningún mapa de etiquetas.</translation>
+    </message>
+    <message>
+        <source>Run it by hand, and see which files it writes, and where.</source>
+        <translation>Ejecútela a mano y vea qué archivos escribe y dónde.</translation>
+    </message>
+    <message>
+        <source>In Settings, {0} does not say what a value of the outlining program is.</source>
+        <translation>En Ajustes, {0} no dice qué es un valor del programa de contornos.</translation>
+    </message>
+    <message>
+        <source>Write value and name, as in 1=liver, 2=tumour-1.</source>
+        <translation>Escriba valor y nombre, como en 1=liver, 2=tumour-1.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>
@@ -10328,6 +10396,24 @@ seguro %</translation>
         <source>Click into the middle of it. Points so far: %1</source>
         <translation>Haga clic en el medio. Puntos hasta ahora: %1</translation>
     </message>
+    <message>
+        <source>Outline with another program...</source>
+        <translation>Contornear con otro programa...</translation>
+    </message>
+    <message>
+        <source>Outline with another program</source>
+        <translation>Contornear con otro programa</translation>
+    </message>
+    <message>
+        <source>Its command, as in TotalSegmentator -i {image} -o {folder}
+(kept in Settings):</source>
+        <translation>Su orden, como en TotalSegmentator -i {image} -o {folder}
+(queda en Ajustes):</translation>
+    </message>
+    <message>
+        <source>Outlining with another program</source>
+        <translation>Contorneando con otro programa</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::SeriesTable</name>
@@ -10445,6 +10531,22 @@ seguro %</translation>
     <message>
         <source>Close</source>
         <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>&amp;Outlining program</source>
+        <translation>Pr&amp;ograma de contornos</translation>
+    </message>
+    <message>
+        <source>Its &amp;values</source>
+        <translation>Sus &amp;valores</translation>
+    </message>
+    <message>
+        <source>A program of yours that outlines organs, for Segment (Add). {image} stands for the images of the case and {folder} for where its label maps go. Values are named only where its files do not say what they are.</source>
+        <translation>Un programa suyo que contornea órganos, para Segmentar (Añadir). {image} son las imágenes del caso y {folder} el lugar de sus mapas de etiquetas. Los valores se nombran solo donde sus archivos no dicen qué son.</translation>
+    </message>
+    <message>
+        <source>As in: %1</source>
+        <translation>Como en: %1</translation>
     </message>
 </context>
 <context>

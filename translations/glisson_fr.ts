@@ -6295,6 +6295,74 @@
         <source>Change the cut</source>
         <translation>Modifier la section</translation>
     </message>
+    <message>
+        <source>{0} failed ({1}): {2}</source>
+        <translation>{0} a échoué ({1}) : {2}</translation>
+    </message>
+    <message>
+        <source>Run it by hand to see all that it says.</source>
+        <translation>Lancez-le à la main pour voir tout ce qu’il dit.</translation>
+    </message>
+    <message>
+        <source>In the command {0} a quotation mark is not closed.</source>
+        <translation>Dans la commande {0}, un guillemet n’est pas fermé.</translation>
+    </message>
+    <message>
+        <source>Close it, or write \ before it.</source>
+        <translation>Fermez-le, ou écrivez \ devant.</translation>
+    </message>
+    <message>
+        <source>The command is empty.</source>
+        <translation>La commande est vide.</translation>
+    </message>
+    <message>
+        <source>There is no program {0} on this computer.</source>
+        <translation>Il n’y a pas de programme {0} sur cet ordinateur.</translation>
+    </message>
+    <message>
+        <source>Install it, or write where it lies.</source>
+        <translation>Installez-le, ou écrivez où il se trouve.</translation>
+    </message>
+    <message>
+        <source>{0} could not be started: {1}</source>
+        <translation>{0} n’a pas pu être lancé : {1}</translation>
+    </message>
+    <message>
+        <source>Check that it may be run.</source>
+        <translation>Vérifiez qu’il peut être exécuté.</translation>
+    </message>
+    <message>
+        <source>Handing over the images</source>
+        <translation>Remise des images</translation>
+    </message>
+    <message>
+        <source>As in: TotalSegmentator -i {image} -o {folder}</source>
+        <translation>Comme dans : TotalSegmentator -i {image} -o {folder}</translation>
+    </message>
+    <message>
+        <source>The command {0} is given no image.</source>
+        <translation>La commande {0} ne reçoit aucune image.</translation>
+    </message>
+    <message>
+        <source>The command {0} is not told where to put what it outlines.</source>
+        <translation>Rien ne dit à la commande {0} où mettre ses contours.</translation>
+    </message>
+    <message>
+        <source>The command {0} ended, and left no label map.</source>
+        <translation>La commande {0} s’est terminée sans laisser de carte d’étiquettes.</translation>
+    </message>
+    <message>
+        <source>Run it by hand, and see which files it writes, and where.</source>
+        <translation>Lancez-la à la main, et voyez quels fichiers elle écrit, et où.</translation>
+    </message>
+    <message>
+        <source>In Settings, {0} does not say what a value of the outlining program is.</source>
+        <translation>Dans les réglages, {0} ne dit pas ce qu’est une valeur du programme de contours.</translation>
+    </message>
+    <message>
+        <source>Write value and name, as in 1=liver, 2=tumour-1.</source>
+        <translation>Écrivez valeur et nom, comme dans 1=liver, 2=tumour-1.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>
@@ -10328,6 +10396,24 @@ sûr %</translation>
         <source>Click into the middle of it. Points so far: %1</source>
         <translation>Cliquez au milieu. Points jusqu&apos;ici : %1</translation>
     </message>
+    <message>
+        <source>Outline with another program...</source>
+        <translation>Tracer par un autre programme...</translation>
+    </message>
+    <message>
+        <source>Outline with another program</source>
+        <translation>Tracer par un autre programme</translation>
+    </message>
+    <message>
+        <source>Its command, as in TotalSegmentator -i {image} -o {folder}
+(kept in Settings):</source>
+        <translation>Sa commande, comme dans TotalSegmentator -i {image} -o {folder}
+(gardée dans les réglages) :</translation>
+    </message>
+    <message>
+        <source>Outlining with another program</source>
+        <translation>Un autre programme trace les contours</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::SeriesTable</name>
@@ -10445,6 +10531,22 @@ sûr %</translation>
     <message>
         <source>Close</source>
         <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>&amp;Outlining program</source>
+        <translation>Programme de c&amp;ontours</translation>
+    </message>
+    <message>
+        <source>Its &amp;values</source>
+        <translation>Ses &amp;valeurs</translation>
+    </message>
+    <message>
+        <source>A program of yours that outlines organs, for Segment (Add). {image} stands for the images of the case and {folder} for where its label maps go. Values are named only where its files do not say what they are.</source>
+        <translation>Un programme à vous qui trace les contours d’organes, pour Segmenter (Ajouter). {image} désigne les images du cas et {folder} l’endroit où vont ses cartes d’étiquettes. Les valeurs ne sont nommées que là où ses fichiers ne disent pas ce qu’elles sont.</translation>
+    </message>
+    <message>
+        <source>As in: %1</source>
+        <translation>Comme dans : %1</translation>
     </message>
 </context>
 <context>

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <charconv>
 
 #include "casefile/import.h"
 #include "command.h"
@@ -21,16 +20,6 @@ struct Options {
   bool replace = false;
 };
 
-// "5=liver"; empty where it is anything else.
-std::optional<std::pair<int, std::string>> named_value(const std::string& text) {
-  const std::size_t equals = text.find('=');
-  int value = 0;
-  if (equals == std::string::npos || equals + 1 == text.size()) return std::nullopt;
-  const auto [end, problem] = std::from_chars(text.data(), text.data() + equals, value);
-  if (problem != std::errc() || end != text.data() + equals || value < 1 || value > 65535) return std::nullopt;
-  return std::pair(value, text.substr(equals + 1));
-}
-
 Result<casefile::NewCase> add_to_case(const imaging::Study& study, const Options& options,
                                       const casefile::ImportChoice& choice, const Progress& progress) {
   auto patient = casefile::Case::open(options.case_folder);
@@ -43,7 +32,7 @@ Result<casefile::NewCase> add_to_case(const imaging::Study& study, const Options
 
 Result<Outcome> import_path(const Options& options, const Progress& progress) {
   casefile::ImportChoice choice = options.choice;
-  for (const std::string& text : options.label_values) choice.label_names.insert(*named_value(text));
+  for (const std::string& text : options.label_values) choice.label_names.insert(*casefile::named_value(text));
   const auto study = imaging::scan(options.path, progress.part(0.0, 0.3));
   if (!study) return failure(study.error());
   const Progress rest = progress.part(0.3, 1.0);
@@ -108,7 +97,7 @@ void add_import(CLI::App& app, Action& chosen) {
       ->add_option("--label-value", options->label_values,
                    "What a value of a label map is: 5=liver (several may be given; values without a name stay out)")
       ->allow_extra_args(false)
-      ->check([](const std::string& text) { return named_value(text) ? std::string() : "VALUE=NAME, as in 5=liver"; });
+      ->check([](const std::string& text) { return casefile::named_value(text) ? std::string() : "VALUE=NAME, as in 5=liver"; });
   command->add_flag("--add", options->add,
                     "Into the case that is there; refused where the images are not of its patient");
   command->add_flag("--replace", options->replace,

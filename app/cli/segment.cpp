@@ -1,10 +1,12 @@
 // glisson-cli segment CASE --structure NAME (--seed X,Y,Z ... | --labels FILE | --range LOW,HIGH | --unite OTHER |
-// --intersect OTHER | --subtract OTHER): one labelled structure.
+// --intersect OTHER | --subtract OTHER): one labelled structure; or
+// glisson-cli segment CASE --with COMMAND: all that another program outlines.
 
 #include <fmt/format.h>
 #include <algorithm>
 
-#include "casefile/import.h"
+#include "casefile/label_map.h"
+#include "casefile/outlined_by_program.h"
 #include "casefile/structures.h"
 #include "command.h"
 #include "shared_options.h"
@@ -20,6 +22,8 @@ struct Options {
   std::optional<int> label_value;
   std::vector<double> range;
   std::optional<std::string> inside, unite, intersect, subtract;
+  std::string with;
+  std::vector<std::string> named;  // "1=liver"
 };
 
 Result<casefile::SavedStructure> change(casefile::Case& patient, const Options& options, const Progress& progress) {
@@ -60,18 +64,36 @@ Result<Outcome> segment(const Options& options, const Progress& progress) {
       fmt::format("{}: {:.1f} ml, {} voxels\n", saved->name, saved->volume_ml, saved->voxels) + bullet_list(notes)};
 }
 
+Result<Outcome> outline(const Options& options, const Progress& progress) {
+  auto patient = casefile::Case::open(options.case_folder);
+  if (!patient) return failure(patient.error());
+  casefile::OutliningProgram program{options.with};
+  for (const std::string& text : options.named) program.names.insert(*casefile::named_value(text));
+  const auto outlined = casefile::outline_by_program(*patient, program, progress);
+  if (!outlined) return failure(outlined.error());
+  Outcome outcome{{{"structures", Json::array()}}, ""};
+  for (const casefile::ImportedStructure& structure : *outlined) {
+    const std::string name = structure.id.substr(7);
+    const std::vector<std::string> notes = messages(structure.notes);
+    outcome.document["structures"].push_back(
+        {{"structure", name}, {"volume_ml", structure.volume_ml}, {"notes", notes}});
+    outcome.text += fmt::format("{}: {:.1f} ml\n", name, structure.volume_ml) + bullet_list(notes);
+  }
+  return outcome;
+}
+
 }  // namespace
 
 void add_segment(CLI::App& app, Action& chosen) {
   CLI::App* command = app.add_subcommand(
-      "segment", "Mark one structure: grown from seeds, from a label file, by grey values, or by another structure");
+      "segment",
+      "Mark a structure: grown from seeds, from a label file, by grey values, by another structure or program");
   auto options = std::make_shared<Options>();
   command->add_option("case", options->case_folder, "The case")->required();
-  command->add_option("--structure", options->structure, "liver, tumour-1, portal-vein, ...")
-      ->required()
-      ->check([](const std::string& name) {
-        return name == casefile::structure_name(name) ? std::string() : "use lower-case letters, digits and dashes";
-      });
+  CLI::Option* structure = command->add_option("--structure", options->structure, "liver, tumour-1, portal-vein, ...");
+  structure->check([](const std::string& name) {
+    return name == casefile::structure_name(name) ? std::string() : "use lower-case letters, digits and dashes";
+  });
   std::vector<CLI::Option*> ways;
   ways.push_back(command->add_option("--seed", options->seeds, "X,Y,Z in mm (LPS) inside it; may be repeated")
                      ->allow_extra_args(false));
@@ -85,12 +107,31 @@ void add_segment(CLI::App& app, Action& chosen) {
   ways.push_back(command->add_option("--intersect", options->intersect, "Keeps only what the other one holds too"));
   ways.push_back(command->add_option("--subtract", options->subtract, "Takes away what the other one holds"));
   command->add_option("--inside", options->inside, "Seeds and grey values: only inside of this structure of the case");
+  CLI::Option* with =
+      command
+          ->add_option("--with", options->with,
+                       "Another program's command, as TotalSegmentator -i {image} -o {folder}: all that it outlines")
+          ->excludes(structure);
+  ways.push_back(with);
+  command
+      ->add_option("--named", options->named,
+                   "What a value of its label map is, where the map does not say: 1=liver (several may be given)")
+      ->needs(with)
+      ->allow_extra_args(false)
+      ->check([](const std::string& text) {
+        return casefile::named_value(text) ? std::string() : "VALUE=NAME, as in 1=liver";
+      });
   for (std::size_t k = 0; k < ways.size(); ++k) {
     for (std::size_t n = 0; n < k; ++n) ways[k]->excludes(ways[n]);
   }
-  command->callback([&chosen, options, ways] {
+  command->callback([&chosen, options, ways, with, structure] {
+    if (with->count() > 0) {
+      chosen = [options](const Progress& progress) { return outline(*options, progress); };
+      return;
+    }
+    if (structure->count() == 0) throw CLI::RequiredError("--structure");
     if (std::none_of(ways.begin(), ways.end(), [](const CLI::Option* way) { return way->count() > 0; })) {
-      throw CLI::RequiredError("--seed, --labels, --range, --unite, --intersect or --subtract");
+      throw CLI::RequiredError("--seed, --labels, --range, --unite, --intersect, --subtract or --with");
     }
     if (options->range.size() == 2 && !(options->range[0] <= options->range[1])) {
       throw CLI::ValidationError("--range", "the lower value comes first");

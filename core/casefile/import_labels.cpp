@@ -69,6 +69,7 @@ Result<std::vector<ImportedStructure>> import_labels(Case& patient, const std::v
              {std::to_string(size[0]), std::to_string(size[1]), std::to_string(size[2])}});
       }
       brought.made.from.emplace_back("volumes/anatomy");
+      if (!wanted[k].drawn_by.empty()) brought.made.options["program"] = wanted[k].drawn_by;
       if (brought.name == "liver") {
         const auto image = patient.volume("volumes/anatomy");
         const bool fits = image && imaging::same_grid(image->grid, mask.grid);

@@ -1,5 +1,5 @@
 #pragma once
-// Structures that others outlined, taken into a case on the grid of its anatomy..
+// Structures that others outlined, taken into a case on the grid of its anatomy.
 
 #include <map>
 #include <string>
@@ -15,6 +15,7 @@ namespace glisson::casefile {
 struct WantedLabels {
   const imaging::Series* series;
   std::map<int, std::string> names = {};
+  std::string drawn_by = {};  // the command of the program that drew it just now; goes into how the entry was made
 };
 
 struct ImportedStructure {

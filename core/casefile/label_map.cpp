@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <charconv>
 #include <Eigen/Geometry>
 #include <optional>
 #include <string_view>
@@ -177,6 +178,15 @@ std::string usual_structure_name(const std::string& name) {
     if (numbered) return std::string(word.ours) + std::string(rest);
   }
   return simple;
+}
+
+std::optional<std::pair<int, std::string>> named_value(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  int value = 0;
+  if (equals == std::string::npos || equals + 1 == text.size()) return std::nullopt;
+  const auto [end, problem] = std::from_chars(text.data(), text.data() + equals, value);
+  if (problem != std::errc() || end != text.data() + equals || value < 1 || value > 65535) return std::nullopt;
+  return std::pair(value, text.substr(equals + 1));
 }
 
 namespace {

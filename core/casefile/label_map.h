@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -54,5 +55,8 @@ struct ReadLabelMap {
 
 // The same with Glisson's own word for it: "liver_tumor_2" -> "tumour-2", "inferior_vena_cava" -> "vena-cava".
 [[nodiscard]] std::string usual_structure_name(const std::string& name);
+
+// "5=liver" as a person types it: a value of 1 to 65535 and its name; nothing where it is anything else.
+[[nodiscard]] std::optional<std::pair<int, std::string>> named_value(const std::string& text);
 
 }  // namespace glisson::casefile

@@ -66,6 +66,26 @@ TEST_F(Segment, GreyValuesAreTakenInsideOfAStructure) {
   EXPECT_THAT(none.err, HasSubstr("grey value"));
 }
 
+// TotalSegmentator's own map of this CT, as it would write it: its names and volumes come in, whatever had the names.
+TEST_F(Segment, WhatAnotherProgramOutlinesComesInByItsNames) {
+  const std::string map = (data() / "example_seg_dicom.nii.gz").string();
+  const Finished done = glisson_cli({"segment", patient(), "--with",
+                                     "sh -c 'test -s \"$1\" && cp " + map + " \"$2\"' network {image} {folder}",
+                                     "--named", "5=liver", "--named", "1=spleen", "--json", "--quiet"});
+  ASSERT_EQ(done.exit_code, 0) << done.err;
+  double liver_ml = 0;
+  for (const Json& structure : done.json().at("structures")) {
+    if (structure.at("structure") == "liver") liver_ml = structure.at("volume_ml").get<double>();
+  }
+  EXPECT_DOUBLE_EQ(liver_ml, liver_ml_);
+  const Finished absent = glisson_cli({"segment", patient(), "--with", "no-such-network {image} {folder}"});
+  EXPECT_EQ(absent.exit_code, 1);
+  EXPECT_THAT(absent.err, HasSubstr("There is no program no-such-network on this computer."));
+  EXPECT_EQ(glisson_cli({"segment", patient(), "--with", "true {image} {folder}", "--structure", "liver"}).exit_code,
+            2);
+  EXPECT_EQ(glisson_cli({"segment", patient(), "--with", "true {image} {folder}", "--named", "liver"}).exit_code, 2);
+}
+
 TEST_F(Segment, WhatCannotBeIsSaid) {
   EXPECT_THAT(run("tumour-1", {"--range", "0,50", "--inside", "spleen"}).err, HasSubstr("spleen"));
   EXPECT_EQ(run("tumour-1", {"--range", "50,0"}).exit_code, 2);

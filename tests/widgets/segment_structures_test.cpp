@@ -3,12 +3,15 @@
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
 #include <QtTest>
 
 #include "run_test.h"
 #include "segment_workspace.h"
+#include "widgets/settings/settings_window.h"
 
 namespace glisson::widgets {
 namespace {
@@ -104,6 +107,37 @@ class SegmentStructuresTest : public SegmentWorkspace {
     within->setCurrentIndex(0);
     for (int n = 0; n < 5; ++n) undo();
     QCOMPARE(panel_->editor().structures().size(), std::size_t(1));
+  }
+
+  // A stand-in for a network, told in Settings, that outlines two structures; then one that is not installed.
+  void another_program_outlines_structures() {
+    const fs::path outlines = temporary_.path() / "outlines";
+    fs::create_directories(outlines);
+    QVERIFY(imaging::write_mask_file(outlines / "liver.nrrd", test::ball_mask(15), {"liver", 1, {1, 0, 0}}));
+    QVERIFY(imaging::write_mask_file(outlines / "spleen.nrrd", test::ball_mask(5), {"spleen", 1, {0, 1, 0}}));
+    SettingsWindow settings;
+    auto* program = settings.findChild<QLineEdit*>("outlining_program");
+    program->setText(
+        QString::fromStdString("sh -c 'cp " + outlines.string() + "/*.nrrd \"$2\"' network {image} {folder}"));
+    const auto outline = [&] {
+      auto* add = child<QPushButton>("add_structure");
+      Q_EMIT add->menu()->aboutToShow();
+      add->menu()->findChild<QAction*>("outline_with_program")->trigger();
+      settle();
+    };
+    outline();
+    QCOMPARE(panel_->editor().structures().size(), std::size_t(2));
+    QCOMPARE(test::voxels_of(folder_, "liver"), segmentation::voxel_count(test::ball_mask(15)));
+    QCOMPARE(test::voxels_of(folder_, "spleen"), segmentation::voxel_count(test::ball_mask(5)));
+    undo();
+    QCOMPARE(panel_->editor().structures().size(), std::size_t(1));
+    QCOMPARE(test::voxels_of(folder_, "liver"), start_);
+
+    program->setText("no-such-network {image} {folder}");
+    outline();
+    QVERIFY(child<QLabel>("notice_text")->text().contains("no-such-network"));
+    QCOMPARE(test::voxels_of(folder_, "liver"), start_);
+    program->setText({});
   }
 
   void cleanupTestCase() { close(); }

@@ -48,6 +48,7 @@ class SegmentPanel : public QWidget {
   void tell_volumes();
   void list_names(QMenu& menu, const std::function<void(const std::string&)>& chosen);
   void name_otherwise(const std::function<void(const std::string&)>& chosen);
+  void outline_with_program();
   void choose_tool(Tool tool);
   void show_space();
   void show_state();

@@ -15,6 +15,8 @@ namespace fs = std::filesystem;
 
 constexpr const char* names_key = "show_names_outside";
 constexpr const char* threads_key = "threads";
+constexpr const char* program_key = "outlining_program";
+constexpr const char* values_key = "outlining_program_values";
 constexpr const char* recent_key = "recent_cases";
 constexpr const char* windows_key = "grey_windows";
 constexpr qsizetype maximum_recent_cases = 8;
@@ -40,6 +42,15 @@ int kept_threads() { return std::max(0, settings().value(threads_key, 0).toInt()
 void keep_threads(int threads) {
   settings().setValue(threads_key, threads);
   set_thread_count(threads);
+}
+
+KeptProgram kept_program() {
+  return {settings().value(program_key).toString(), settings().value(values_key).toString()};
+}
+
+void keep_program(const KeptProgram& program) {
+  settings().setValue(program_key, program.command.trimmed());
+  settings().setValue(values_key, program.values.trimmed());
 }
 
 std::vector<fs::path> recent_cases() {

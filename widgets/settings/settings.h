@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <QString>
 #include <vector>
 
 #include "widgets/views/grey_window.h"
@@ -20,6 +21,14 @@ void show_names_outside(bool shown);
 // Processors that computations may take; 0 for all.
 [[nodiscard]] int kept_threads();
 void keep_threads(int threads);  // at once, too
+
+// Another program that outlines structures, and what the values of its label maps are, as a person typed both: a command
+// (casefile/outlined_by_program.h) and "1=liver, 2=tumour-1". Empty until given.
+struct KeptProgram {
+  QString command, values;
+};
+[[nodiscard]] KeptProgram kept_program();
+void keep_program(const KeptProgram& program);
 
 // Cases opened before that are still there, the last one first; at most eight.
 [[nodiscard]] std::vector<std::filesystem::path> recent_cases();

@@ -4,6 +4,7 @@
 #include <QComboBox>
 #include <QFormLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QThread>
 
@@ -57,20 +58,36 @@ SettingsWindow::SettingsWindow(QWidget* parent) : QDialog(parent) {
   threads->setValue(kept_threads());
   connect(threads, &NumberBox::valueChanged, this, [](double chosen) { keep_threads(static_cast<int>(chosen)); });
 
+  auto* program = new QLineEdit(kept_program().command);
+  program->setObjectName("outlining_program");
+  auto* values = new QLineEdit(kept_program().values);
+  values->setObjectName("outlining_program_values");
+  for (QLineEdit* line : {program, values}) {
+    connect(line, &QLineEdit::textChanged, this, [=] { keep_program({program->text(), values->text()}); });
+  }
+  QLabel* program_why = explanation();
+
   auto* theme_label = new QLabel;
   auto* language_label = new QLabel;
   auto* threads_label = new QLabel;
+  auto* program_label = new QLabel;
+  auto* values_label = new QLabel;
   form->addRow(theme_label, theme);
   form->addRow(language_label, language);
   form->addRow(threads_label, threads);
   form->addRow(names);
   form->addRow(names_why);
+  form->addRow(program_label, program);
+  form->addRow(values_label, values);
+  form->addRow(program_why);
   auto* close = new QPushButton;
   connect(close, &QPushButton::clicked, this, &QDialog::accept);
   form->addRow(close);
   theme_label->setBuddy(theme);
   language_label->setBuddy(language);
   threads_label->setBuddy(threads);
+  program_label->setBuddy(program);
+  values_label->setBuddy(values);
   setMinimumWidth(460);
 
   keep_translated(this, [=, this] {
@@ -85,6 +102,13 @@ SettingsWindow::SettingsWindow(QWidget* parent) : QDialog(parent) {
     threads->setToolTip(tr("How many processors long computations may take"));
     names->setText(tr("&Patients' names in what leaves this window"));
     names_why->setText(tr("Pictures, movies and reports name a patient only then. The log never does."));
+    program_label->setText(tr("&Outlining program"));
+    values_label->setText(tr("Its &values"));
+    program->setPlaceholderText(tr("As in: %1").arg("TotalSegmentator -i {image} -o {folder}"));
+    values->setPlaceholderText(tr("As in: %1").arg("1=liver, 2=tumour-1"));
+    program_why->setText(
+        tr("A program of yours that outlines organs, for Segment (Add). {image} stands for the images of the case and "
+           "{folder} for where its label maps go. Values are named only where its files do not say what they are."));
     close->setText(tr("Close"));
   });
 }
