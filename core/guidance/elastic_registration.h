@@ -33,12 +33,13 @@ struct RegistrationOptions {
   double seen_within_mm = 15;
   // Of organs whose supports are known.
   int supported_rounds = 24;
-  double widest_mm = 15;      // that points may be off by in the first round
-  int widest_rounds = 14;     // until they are trusted by the noise alone
-  int narrow_forces = 3;      // at most, on narrow patches
-  double narrow_sd_mm = 15;   // that each moves its own patch by
-  double narrow_gain = 8;     // of the log evidence: there are some hundred places to choose from
-  double contact_sd_mm = 12;  // of where a tool touches: linear elasticity errs most there
+  double widest_mm = 15;          // that points may be off by in the first round
+  int widest_rounds = 14;         // until they are trusted by the noise alone
+  int narrow_forces = 3;          // at most, on narrow patches
+  double narrow_sd_mm = 15;       // that each moves its own patch by
+  double narrow_gain = 8;         // of the log evidence: there are some hundred places to choose from
+  double contact_sd_mm = 12;      // of where a tool touches: linear elasticity errs most there
+  bool large_deformation = true;  // tried too where an organ turns far; off: linear elasticity alone, some times faster
 };
 
 struct FoundTool {

@@ -12,6 +12,7 @@
 
 namespace glisson::guidance {
 
+using Eigen::MatrixXd;
 using Eigen::Vector3d;
 
 namespace {
@@ -54,7 +55,7 @@ std::vector<double> areas_of_points(const geometry::Surface& surface) {
 }  // namespace
 
 struct ForceModes::Impl {
-  geometry::TetMesh mesh;
+  mechanics::Body body;
   geometry::Surface surface;
   std::vector<int> mesh_point_of;
   std::vector<double> areas_mm2;  // one a point of the surface
@@ -64,7 +65,6 @@ struct ForceModes::Impl {
   Eigen::MatrixXd rigid;         // 3 values a point x 6 motions, about the centroid
   Eigen::MatrixXd rigid_weight;  // takes displacements to the amounts of the six motions, weighed by mass
   bool is_supported = false;
-  Eigen::VectorXd prescribed_mm;  // by the supports, 3 a point; empty where they prescribe nothing
   std::optional<mechanics::ConstrainedSystem> system;
   Eigen::MatrixXd modes_mm;
   std::vector<Vector3d> narrow_centers_mm;
@@ -93,9 +93,8 @@ Result<ForceModes> ForceModes::create(geometry::TetMesh mesh, const std::vector<
   if (!body) return failure(std::move(body.error()));
   auto impl = std::make_shared<Impl>();
   impl->is_supported = is_supported;
-  impl->prescribed_mm = body->resolved.prescribed_mm;
-  impl->mesh = body->mesh;
-  impl->surface = geometry::boundary_surface(impl->mesh);
+  impl->body = *std::move(body);
+  impl->surface = geometry::boundary_surface(impl->body.mesh);
   for (const double point : geometry::find_field(impl->surface.point_fields, "mesh_point")->values) {
     impl->mesh_point_of.push_back(static_cast<int>(point));
   }
@@ -104,14 +103,14 @@ Result<ForceModes> ForceModes::create(geometry::TetMesh mesh, const std::vector<
   if (is_supported) impl->narrow_centers_mm = spread(impl->surface.points_mm, options.narrow_patches);
   impl->lay_out_rigid_motions();
 
-  Eigen::SparseMatrix<double> matrix = mechanics::assemble_stiffness(*body);
+  Eigen::SparseMatrix<double> matrix = mechanics::assemble_stiffness(impl->body);
   if (!is_supported) {
     const double mean_diagonal = matrix.diagonal().sum() / impl->mass_kg.sum();
     for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
       matrix.coeffRef(i, i) += softest_spring * mean_diagonal * impl->mass_kg[i] * 1e-2;
     }
   }
-  auto system = mechanics::ConstrainedSystem::create(std::move(matrix), body->resolved.fixed,
+  auto system = mechanics::ConstrainedSystem::create(std::move(matrix), impl->body.resolved.fixed,
                                                      body_options.memory_limit_bytes, progress.part(0.1, 0.5));
   if (!system) return failure(std::move(system.error()));
   impl->system = std::move(*system);
@@ -125,6 +124,7 @@ Result<ForceModes> ForceModes::create(geometry::TetMesh mesh, const std::vector<
 }
 
 void ForceModes::Impl::lay_out_rigid_motions() {
+  const geometry::TetMesh& mesh = body.mesh;
   const auto points = static_cast<Eigen::Index>(mesh.points_mm.size());
   mass_kg = Eigen::VectorXd::Zero(3 * points);
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
@@ -194,7 +194,7 @@ void ForceModes::Impl::scale_narrow_modes() {
   }
 }
 
-const geometry::TetMesh& ForceModes::mesh() const { return impl_->mesh; }
+const geometry::TetMesh& ForceModes::mesh() const { return impl_->body.mesh; }
 const geometry::Surface& ForceModes::surface() const { return impl_->surface; }
 const std::vector<int>& ForceModes::mesh_point_of() const { return impl_->mesh_point_of; }
 const Eigen::MatrixXd& ForceModes::displacement_mm() const { return impl_->modes_mm; }
@@ -203,6 +203,11 @@ const Eigen::MatrixXd& ForceModes::narrow_displacement_mm() const { return impl_
 const std::vector<Vector3d>& ForceModes::narrow_centers_mm() const { return impl_->narrow_centers_mm; }
 bool ForceModes::is_supported() const { return impl_->is_supported; }
 const Vector3d& ForceModes::centroid_mm() const { return impl_->centroid_mm; }
+const mechanics::Body& ForceModes::body() const { return impl_->body; }
+
+MatrixXd ForceModes::forces_mN(const MatrixXd& displacement_mm) const {
+  return impl_->system->lower().selfadjointView<Eigen::Lower>() * displacement_mm;
+}
 
 Eigen::MatrixXd ForceModes::under_tool_mm_mN(const Vector3d& center_mm, double radius_mm) const {
   std::vector<double> weights(impl_->areas_mm2.size(), 0.0);
@@ -225,7 +230,7 @@ Eigen::VectorXd ForceModes::known_mm(const Vector3d& acceleration_mm_s2) const {
   Eigen::MatrixXd forces = impl_->mass_kg;
   for (Eigen::Index p = 0; p < forces.rows() / 3; ++p)
     forces.block<3, 1>(3 * p, 0).array() *= acceleration_mm_s2.array();
-  if (impl_->is_supported) return impl_->system->solve(forces, impl_->prescribed_mm, {}).front().u;
+  if (impl_->is_supported) return impl_->system->solve(forces, impl_->body.resolved.prescribed_mm, {}).front().u;
   // A free body in a uniform field falls without deforming: what deforms it is what holds it, which is not known.
   // Held by all of its surface evenly, as by its neighbours, the interior sinks against the surface.
   const Vector3d weight_mN = 1.0 / 3.0 * impl_->mass_kg.sum() * acceleration_mm_s2;

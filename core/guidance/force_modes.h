@@ -20,6 +20,7 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "geometry/tetrahedra.h"
+#include "mechanics/elements/body.h"
 #include "mechanics/scenario/scenario.h"
 
 namespace glisson::guidance {
@@ -57,6 +58,10 @@ class ForceModes {
   // under the body's own weight together with what the supports prescribe.
   [[nodiscard]] Eigen::MatrixXd under_tool_mm_mN(const Eigen::Vector3d& center_mm, double radius_mm) const;
   [[nodiscard]] Eigen::VectorXd known_mm(const Eigen::Vector3d& acceleration_mm_s2) const;
+  // The forces (mN, 3 a point) that make such displacements, a column each: those that moved a supported body, and what
+  // holds it where it is fixed.
+  [[nodiscard]] Eigen::MatrixXd forces_mN(const Eigen::MatrixXd& displacement_mm) const;
+  [[nodiscard]] const mechanics::Body& body() const;
 
  private:
   struct Impl;

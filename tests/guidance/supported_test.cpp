@@ -7,6 +7,8 @@
 #include "egg.h"
 #include "guidance/guidance_answer.h"
 #include "guidance/guidance_file.h"
+#include "guidance/internal/large_deformation.h"
+#include "mechanics/statics/equilibrium.h"
 #include "mechanics/statics/static_model.h"
 #include "support/data.h"
 
@@ -47,6 +49,15 @@ Isometry3d wrong(const Isometry3d& pose) {
   return guess;
 }
 
+Vector3d place_in(const geometry::TetMesh& mesh, const mechanics::PointInMesh& place) {
+  Vector3d there = Vector3d::Zero();
+  for (int k = 0; k < 4; ++k) {
+    const int point = mesh.cells[static_cast<std::size_t>(place.cell)][k];
+    there += place.barycentric[k] * mesh.points_mm[static_cast<std::size_t>(point)];
+  }
+  return there;
+}
+
 TEST(SupportedModes, StandStillWhereTheyAreFixed) {
   const geometry::TetMesh mesh = egg();
   const auto modes = supported_modes(mesh);
@@ -77,14 +88,7 @@ TEST(SupportedRegistration, FindsAToolsForceAndTheTargetsUnderAWrongGuess) {
   const auto targets = mechanics::locate_points(mesh, {Vector3d(0, 0, 0), Vector3d(15, 5, 5), Vector3d(-20, 0, -5)});
   const Isometry3d pose = somewhere();
   SeenFrame frame = half_seen(moved, pose);
-  const auto at = [&](std::size_t t) {
-    Vector3d place = Vector3d::Zero();
-    for (int k = 0; k < 4; ++k) {
-      const int point = mesh.cells[static_cast<std::size_t>(targets[t].cell)][k];
-      place += targets[t].barycentric[k] * moved.points_mm[static_cast<std::size_t>(point)];
-    }
-    return Vector3d(pose * place);
-  };
+  const auto at = [&](std::size_t t) { return pose * place_in(moved, targets[t]); };
   Vector3d touched_mm = Vector3d::Zero();
   double touched = 0;
   for (std::size_t p = 0; p < mesh.points_mm.size(); ++p) {
@@ -106,6 +110,83 @@ TEST(SupportedRegistration, FindsAToolsForceAndTheTargetsUnderAWrongGuess) {
   ASSERT_TRUE(known.converged) << known.why_not.message();
   EXPECT_TRUE(known.tools.empty());
   for (std::size_t t = 0; t < targets.size(); ++t) EXPECT_LT((known.target_mm[t] - at(t)).norm(), 1.0) << t;
+}
+
+std::vector<mechanics::Support> left_part() {
+  return {{geometry::Box{Vector3d(-60, -60, -30), Vector3d(-10, 60, 30)}, mechanics::Fixed{}}};
+}
+
+Result<mechanics::StaticResult> drawn_far(const geometry::TetMesh& mesh, const mechanics::Loads& loads) {
+  mechanics::StaticOptions options;
+  options.poisson_ratio = 0.4;
+  const auto body = mechanics::prepare_body(mesh, std::vector<double>(mesh.cells.size(), youngs_kPa), left_part(),
+                                            options, mechanics::Holding::required);
+  return mechanics::find_equilibrium(body.value(),
+                                     mechanics::materials_of(body.value(), mechanics::MaterialLaw::neo_hookean), loads);
+}
+
+const Vector3d right_end_mm{36, 0, 6};
+
+TEST(LargeDeformation, RepeatedIsTheEquilibriumOfStatics) {
+  const geometry::TetMesh mesh = egg();
+  const auto modes =
+      ForceModes::create(mesh, std::vector<double>(mesh.cells.size(), youngs_kPa), 0.4, {.supports = left_part()});
+  ASSERT_TRUE(modes) << modes.error().message();
+  const Eigen::VectorXd force_mN = modes->forces_mN(700 * modes->under_tool_mm_mN(right_end_mm, tool_mm).col(2));
+  const auto reference = mechanics::find_equilibrium(
+      modes->body(), mechanics::materials_of(modes->body(), mechanics::MaterialLaw::corotational), force_mN);
+  ASSERT_TRUE(reference) << reference.error().message();
+  LargeDeformation large(*modes, mechanics::MaterialLaw::corotational);
+  Eigen::VectorXd u_mm = Eigen::VectorXd::Zero(force_mN.size());
+  for (int step = 1; step <= 20; ++step) {  // the load in five parts
+    ASSERT_TRUE(large.turn_to(u_mm));
+    u_mm = large.under(std::min(1.0, 0.2 * step) * force_mN);
+  }
+  ASSERT_TRUE(large.turn_to(u_mm));
+  EXPECT_LT(large.off_equilibrium(force_mN), 1e-6);
+  double off_mm = 0, most_mm = 0;
+  for (std::size_t p = 0; p < mesh.points_mm.size(); ++p) {
+    const Vector3d there = reference->displacement_mm[p];
+    off_mm = std::max(off_mm, (there - u_mm.segment<3>(3 * static_cast<Eigen::Index>(p))).norm());
+    most_mm = std::max(most_mm, there.norm());
+  }
+  EXPECT_GT(most_mm, 20);
+  EXPECT_LT(off_mm, 1e-3);
+}
+
+// By another law on other elements.
+TEST(SupportedRegistration, FollowsAnOrganThatIsDrawnRoundByATool) {
+  const geometry::TetMesh mesh = egg();
+  const auto modes =
+      ForceModes::create(mesh, std::vector<double>(mesh.cells.size(), youngs_kPa), 0.4, {.supports = left_part()});
+  ASSERT_TRUE(modes) << modes.error().message();
+  const auto pulled = drawn_far(mesh, {mechanics::ToolLoad{right_end_mm, tool_mm, Vector3d(0, 0, 700)}});
+  ASSERT_TRUE(pulled) << pulled.error().message();
+  geometry::TetMesh moved = mesh;
+  std::size_t touched = 0;
+  for (std::size_t p = 0; p < mesh.points_mm.size(); ++p) {
+    moved.points_mm[p] += pulled->displacement_mm[p];
+    if ((mesh.points_mm[p] - right_end_mm).norm() < (mesh.points_mm[touched] - right_end_mm).norm()) touched = p;
+  }
+  const Isometry3d pose = somewhere();
+  SeenFrame frame = half_seen(moved, pose);
+  frame.tools = {{"grasper", pose * moved.points_mm[touched], tool_mm, {}}};
+  std::vector<Vector3d> inside_mm{{20, 0, 0}, {10, 10, -5}, {25, -8, 4}, {0, 0, 0}, {15, 5, 8}};
+  const auto targets = mechanics::locate_points(mesh, inside_mm);
+  const auto mean_error_mm = [&](const ElasticPlacement& placed) {
+    double sum_mm = 0;
+    for (std::size_t t = 0; t < targets.size(); ++t) {
+      sum_mm += (placed.target_mm[t] - pose * place_in(moved, targets[t])).norm();
+    }
+    return sum_mm / static_cast<double>(targets.size());
+  };
+  const ElasticPlacement placed = register_elastic(*modes, frame, wrong(pose), targets);
+  ASSERT_TRUE(placed.converged) << placed.why_not.message();
+  RegistrationOptions small;
+  small.large_deformation = false;
+  const ElasticPlacement linear = register_elastic(*modes, frame, wrong(pose), targets, Vector3d::Zero(), small);
+  EXPECT_LT(mean_error_mm(placed), 1.5);
+  EXPECT_LT(mean_error_mm(placed), 0.7 * mean_error_mm(linear));
 }
 
 TEST(SupportedRegistration, KnowsTheWeight) {

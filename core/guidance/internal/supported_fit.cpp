@@ -8,6 +8,7 @@
 
 #include "base/dense.h"
 #include "geometry/nearest.h"
+#include "guidance/internal/large_deformation.h"
 #include "guidance/internal/organ_fit.h"
 
 namespace glisson::guidance {
@@ -26,6 +27,16 @@ constexpr double compared_error_mm = 0.5;  // of the surface, where fits are com
 constexpr double farthest_mm = 30.0;       // that a point counts for there
 constexpr double posterior_factor = 2.0;   // of standard deviations, from bodies that were not judged
 
+// Of large deformation. Turning by u over a length L takes linear elasticity u^2 / 2L off.
+constexpr double neglected_turn_mm = 1.0;
+constexpr double most_displaced = 2.0;  // lengths of the organ: Newton's method diverges
+constexpr int rounds_a_tangent = 2;     // the forces are fitted about one state
+constexpr int equilibrium_steps = 8;    // under forces that stay, once they are found
+constexpr double off_equilibrium = 1e-2;
+// Log evidence by which linear elasticity must be better to be believed of an organ that turns, whose tissue cannot
+// obey it: "very strong" in Kass and Raftery 1995, J. Am. Stat. Assoc. 90:773.
+constexpr double linear_gain = 5.0;
+
 class SupportedFit {
  public:
   SupportedFit(const ForceModes& modes, const SeenFrame& frame, const Isometry3d& guess, const Vector3d& gravity_mm_s2,
@@ -37,11 +48,15 @@ class SupportedFit {
 
   void fit_pose() { fit_.fit_pose(); }
   void fit_pose_and_forces(Forces forces, const Isometry3d& from);
+  // The same by large deformation: whether the organ came to equilibrium. Of a fit that did not, nothing holds.
+  [[nodiscard]] bool fit_large(Forces forces, const Isometry3d& from, LargeDeformation& large);
   [[nodiscard]] const Isometry3d& pose() const { return fit_.pose; }
   // After fit_pose(): whether a tool may have drawn part of the surface away, which misleads the pose alone.
   [[nodiscard]] bool is_pulled() const;
   // That the cloud lies off the fit by.
   [[nodiscard]] double noise_mm() const { return fit_.seen.noise_mm; }
+  // Whether it moves the organ so far that linear elasticity errs by turning it.
+  [[nodiscard]] bool turns() const;
   // Of what is seen under this fit, comparable between fits.
   [[nodiscard]] double log_evidence() const;
   [[nodiscard]] ElasticPlacement outcome(const std::vector<mechanics::PointInMesh>& targets) const;
@@ -57,11 +72,20 @@ class SupportedFit {
   void choose_forces(Forces forces);
   void find_contacts();
   void lay_out_loads();
+  [[nodiscard]] bool turn_loads(LargeDeformation& large);
+  [[nodiscard]] bool settle(LargeDeformation& large);
+  [[nodiscard]] bool is_lost() const;
+  [[nodiscard]] double length_mm() const;
+  void begin(Forces forces, const Isometry3d& from);
+  void fit_once(int round);
   void add_narrow_force(const MatrixXd& mode_columns, const MatrixXd& free, const VectorXd& right);
 
   OrganFit fit_;
   std::vector<std::size_t> narrow_;  // which patches
   std::vector<Contact> contacts_;    // one a tool
+  // Of large deformation: the forces of the scaled modes, and of the known and further displacements.
+  MatrixXd modes_mN_, further_mN_;
+  VectorXd known_mN_;
 };
 
 // With where the tools are seen to touch.
@@ -158,29 +182,91 @@ void SupportedFit::add_narrow_force(const MatrixXd& mode_columns, const MatrixXd
   if (std::find(narrow_.begin(), narrow_.end(), patch) == narrow_.end()) narrow_.push_back(patch);
 }
 
-void SupportedFit::fit_pose_and_forces(Forces forces, const Isometry3d& from) {
-  const RegistrationOptions& options = fit_.options;
+void SupportedFit::begin(Forces forces, const Isometry3d& from) {
   fit_.pose = from;
   fit_.u_mm = fit_.at_rest_mm;
   narrow_.clear();
   contacts_.clear();
   choose_forces(forces);
-  for (int round = 0; round < options.supported_rounds; ++round) {
+}
+
+// Under loads and modes as they are laid out.
+void SupportedFit::fit_once(int round) {
+  const RegistrationOptions& options = fit_.options;
+  look_again(options.widest_mm * std::max(0.0, 1.0 - static_cast<double>(round) / options.widest_rounds));
+  const std::vector<SeenRow>& seen = fit_.seen.rows;
+  VectorXd right = fit_.equations.residuals(seen, fit_.known_mm);
+  const MatrixXd free =
+      fit_.equations.free_columns(seen, {fit_.further_mm}, fit_.guess.inverse() * fit_.pose, 1.0, right);
+  const MatrixXd modes = SeenEquations::mode_columns(seen, fit_.scaled_modes, free.cols());
+  double independent = 0;
+  for (const SeenRow& row : seen) independent += row.share;
+  fit_.follow(fit_weighed_by_evidence(modes, free, right, independent, fit_.largest_variance(round)));
+  const bool try_narrow = std::count(rounds_of_narrow_forces.begin(), rounds_of_narrow_forces.end(), round) > 0;
+  if (try_narrow && static_cast<int>(narrow_.size()) < options.narrow_forces) add_narrow_force(modes, free, right);
+}
+
+void SupportedFit::fit_pose_and_forces(Forces forces, const Isometry3d& from) {
+  begin(forces, from);
+  for (int round = 0; round < fit_.options.supported_rounds; ++round) {
     find_contacts();
     lay_out_loads();
-    look_again(options.widest_mm * std::max(0.0, 1.0 - static_cast<double>(round) / options.widest_rounds));
-    const std::vector<SeenRow>& seen = fit_.seen.rows;
-    VectorXd right = fit_.equations.residuals(seen, fit_.known_mm);
-    const MatrixXd free =
-        fit_.equations.free_columns(seen, {fit_.further_mm}, fit_.guess.inverse() * fit_.pose, 1.0, right);
-    const MatrixXd modes = SeenEquations::mode_columns(seen, fit_.scaled_modes, free.cols());
-    double independent = 0;
-    for (const SeenRow& row : seen) independent += row.share;
-    fit_.follow(fit_weighed_by_evidence(modes, free, right, independent, fit_.largest_variance(round)));
-    const bool try_narrow = std::count(rounds_of_narrow_forces.begin(), rounds_of_narrow_forces.end(), round) > 0;
-    if (try_narrow && static_cast<int>(narrow_.size()) < options.narrow_forces) add_narrow_force(modes, free, right);
+    fit_once(round);
   }
   look_again(0);
+}
+
+// Forces are known by what linear elasticity moves under them; from here on they move the organ about where it lies.
+bool SupportedFit::turn_loads(LargeDeformation& large) {
+  known_mN_ = fit_.modes.forces_mN(fit_.known_mm);
+  further_mN_ = fit_.modes.forces_mN(fit_.further_mm);
+  if (!large.turn_to(fit_.u_mm)) return false;
+  fit_.known_mm = large.under(known_mN_);
+  fit_.further_mm = large.moved_by(further_mN_);
+  fit_.scaled_modes = large.moved_by(modes_mN_);
+  return true;
+}
+
+// Equilibrium under the forces that were found.
+bool SupportedFit::settle(LargeDeformation& large) {
+  const VectorXd force_mN =
+      known_mN_ + modes_mN_ * fit_.fit.modes + further_mN_ * fit_.fit.free.tail(further_mN_.cols());
+  for (int step = 0; step < equilibrium_steps; ++step) {
+    if (!large.turn_to(fit_.u_mm)) return false;
+    if (large.off_equilibrium(force_mN) < off_equilibrium) return true;
+    fit_.u_mm = large.under(force_mN);
+    if (is_lost()) return false;
+  }
+  return false;
+}
+
+double SupportedFit::length_mm() const { return geometry::bounding_box(fit_.modes.mesh().points_mm).diagonal_mm(); }
+
+bool SupportedFit::turns() const {
+  double most_mm = 0;
+  for (const int p : fit_.modes.mesh_point_of()) most_mm = std::max(most_mm, fit_.u_mm.segment<3>(3 * p).norm());
+  return most_mm * most_mm > 2 * length_mm() * neglected_turn_mm;
+}
+
+bool SupportedFit::is_lost() const {
+  return !fit_.u_mm.allFinite() || fit_.u_mm.lpNorm<Eigen::Infinity>() > most_displaced * length_mm();
+}
+
+bool SupportedFit::fit_large(Forces forces, const Isometry3d& from, LargeDeformation& large) {
+  begin(forces, from);
+  modes_mN_ = fit_.modes.forces_mN(fit_.scaled_modes);
+  for (int round = 0; round < fit_.options.supported_rounds; ++round) {
+    if (round % rounds_a_tangent == 0) {
+      find_contacts();
+      lay_out_loads();
+      if (!turn_loads(large)) return false;
+    }
+    fit_once(round);
+    if (is_lost()) return false;
+  }
+  const bool is_settled = settle(large);
+  if (is_settled) look_again(0);
+  return is_settled;
 }
 
 double SupportedFit::log_evidence() const {
@@ -228,13 +314,18 @@ ElasticPlacement register_supported(const ForceModes& modes, const SeenFrame& fr
   ElasticPlacement best;
   double best_evidence = -std::numeric_limits<double>::infinity();
   double best_noise_mm = 0;
-  const auto try_from = [&](const Isometry3d& start, Forces forces) {
-    fit.fit_pose_and_forces(forces, start);
-    const double log_evidence = fit.log_evidence();
+  bool turns = false;
+  const auto take_if_better = [&](double gain) {
+    const double log_evidence = fit.log_evidence() + gain;
     if (log_evidence <= best_evidence) return;
     best_evidence = log_evidence;
     best_noise_mm = fit.noise_mm();
+    turns = fit.turns();
     best = fit.outcome(targets);
+  };
+  const auto try_from = [&](const Isometry3d& start, Forces forces) {
+    fit.fit_pose_and_forces(forces, start);
+    take_if_better(0);
   };
   std::vector<Isometry3d> starts{fit.pose()};
   const bool is_pulled = fit.is_pulled();
@@ -242,9 +333,15 @@ ElasticPlacement register_supported(const ForceModes& modes, const SeenFrame& fr
   for (const Isometry3d& start : starts) {
     for (const Forces forces : {Forces::unseen, Forces::anywhere}) try_from(start, forces);
   }
-  if (!is_pulled || best_noise_mm < lost_noise_mm) return best;
-  for (const Isometry3d& start : turned(from, modes.centroid_mm(), options.guess_sd_deg)) {
-    try_from(start, Forces::anywhere);
+  if (is_pulled && best_noise_mm >= lost_noise_mm) {
+    for (const Isometry3d& start : turned(from, modes.centroid_mm(), options.guess_sd_deg)) {
+      try_from(start, Forces::anywhere);
+    }
+  }
+  if (!turns || !options.large_deformation) return best;
+  LargeDeformation large(modes, mechanics::MaterialLaw::corotational);
+  for (const Isometry3d& start : starts) {
+    if (fit.fit_large(Forces::anywhere, start, large)) take_if_better(linear_gain);
   }
   return best;
 }

@@ -6,7 +6,11 @@
 // Points far off are trusted at first and less from round to round (graduated non-convexity; Blake and Zisserman,
 // Visual Reconstruction), so that a part of the surface that a tool has drawn away is not passed over. Where a declared
 // tool is seen to touch is a row in each direction. A narrow patch of the surface is pulled by itself, declared or not,
-// where the evidence grows much by it. Inside of this room.
+// where the evidence grows much by it.
+//
+// Where linear elasticity would err by more than 1 mm in turning the organ, it is fitted by corotational elasticity too
+// (large_deformation.h): forces act about where the organ lies, anew every second round, and at last they are in
+// equilibrium with it. Linear elasticity is kept only where the evidence says so very strongly. Inside of this room.
 
 #include "guidance/elastic_registration.h"
 
