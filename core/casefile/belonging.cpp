@@ -2,7 +2,8 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <array>
+#include <charconv>
+#include <chrono>
 
 #include "base/secret_hash.h"
 #include "casefile/label_map.h"
@@ -14,14 +15,22 @@ namespace {
 
 using imaging::Series;
 
+constexpr const char* patient_option = "whose-patient";
 constexpr const char* salt_option = "whose-salt";
+constexpr const char* check_option = "whose-check";
+constexpr const char* day_option = "whose-day";
 
 // What the images say of themselves, in the clear: never leaves this file.
 struct Named {
   const char* option;
   std::string name;
 };
-std::vector<Named> named_in(const Series& series);
+std::vector<Named> named_in(const imaging::SegmentationSource& source);
+// Nothing of formats that name nobody.
+std::optional<imaging::SegmentationSource> source_of(const Series& series);
+
+// What two cases of a patient have in common, and the day of this one (see belonging.h).
+std::map<std::string, std::string> to_compare(const std::string& patient, const std::string& study_date);
 
 const Sentence& doubt_about(std::string_view option) {
   static const Sentence patient{GLISSON_TEXT("They are of another patient."), {}};
@@ -35,11 +44,14 @@ const Sentence& doubt_about(std::string_view option) {
 
 std::map<std::string, std::string> whose(const Series& series) {
   std::map<std::string, std::string> options;
+  const auto source = source_of(series);
+  if (!source) return options;
   const std::string salt = new_salt();
-  for (const Named& named : named_in(series)) {
+  for (const Named& named : named_in(*source)) {
     if (named.name.empty()) continue;
     options[named.option] = secret_hash(named.name, salt);
     options[salt_option] = salt;
+    if (std::string_view(named.option) == patient_option) options.merge(to_compare(named.name, source->study_date));
   }
   return options;
 }
@@ -63,7 +75,8 @@ std::vector<Sentence> doubts_of_belonging(const Case& patient, const imaging::St
     const auto series = std::find_if(study.series.begin(), study.series.end(),
                                      [&](const Series& one) { return one.uid == wanted.uid; });
     if (series == study.series.end()) continue;
-    for (const Named& named : named_in(*series)) {
+    const auto source = source_of(*series);
+    for (const Named& named : source ? named_in(*source) : std::vector<Named>()) {
       const auto known = options.find(named.option);
       if (known == options.end() || named.name.empty() || !options.contains(salt_option)) continue;
       auto [hash, is_new] = hashed.try_emplace(std::string(named.option) + named.name);
@@ -88,15 +101,72 @@ bool would_replace_anatomy(const Case& patient, const std::vector<SeriesRole>& r
 
 namespace {
 
+const std::string* anatomy_option(const Case& patient, const char* option) {
+  const Entry* anatomy = patient.find("volumes/anatomy");
+  if (anatomy == nullptr) return nullptr;
+  const auto found = anatomy->made.options.find(option);
+  return found == anatomy->made.options.end() ? nullptr : &found->second;
+}
+
+std::optional<int> number_of(const std::string* text) {
+  int number = 0;
+  if (text == nullptr) return std::nullopt;
+  const auto [end, error] = std::from_chars(text->data(), text->data() + text->size(), number);
+  return error == std::errc() && end == text->data() + text->size() ? std::optional(number) : std::nullopt;
+}
+
+}  // namespace
+
+SamePatient same_patient(const Case& a, const Case& b) {
+  const std::string* one = anatomy_option(a, check_option);
+  const std::string* other = anatomy_option(b, check_option);
+  if (one == nullptr || other == nullptr) return SamePatient::unknown;
+  return *one == *other ? SamePatient::yes : SamePatient::no;
+}
+
+std::optional<int> days_between(const Case& earlier, const Case& later) {
+  const auto from = number_of(anatomy_option(earlier, day_option)), to = number_of(anatomy_option(later, day_option));
+  if (!from || !to || same_patient(earlier, later) != SamePatient::yes) return std::nullopt;
+  return *to - *from;
+}
+
+namespace {
+
+std::optional<imaging::SegmentationSource> source_of(const Series& series) {
+  if (series.files.empty() || imaging::has_volume_file_name(series.files.front())) return std::nullopt;
+  auto source = imaging::segmentation_source({series.files.front()});
+  return source ? std::optional(std::move(*source)) : std::nullopt;
+}
+
 // A number that two hospitals may both give counts with the name that goes with it.
-std::vector<Named> named_in(const Series& series) {
-  if (series.files.empty() || imaging::has_volume_file_name(series.files.front())) return {};
-  const auto source = imaging::segmentation_source({series.files.front()});
-  if (!source) return {};
-  const bool known = !source->patient_id.empty() || !source->patient_name.empty();
-  return {{"whose-patient", known ? source->patient_id + '\n' + source->patient_name : std::string()},
-          {"whose-study", source->study_uid},
-          {"whose-frame", source->frame_of_reference_uid}};
+std::vector<Named> named_in(const imaging::SegmentationSource& source) {
+  const bool known = !source.patient_id.empty() || !source.patient_name.empty();
+  return {{patient_option, known ? source.patient_id + '\n' + source.patient_name : std::string()},
+          {"whose-study", source.study_uid},
+          {"whose-frame", source.frame_of_reference_uid}};
+}
+
+// Days since 1970 of YYYYMMDD; nothing where that is no date.
+std::optional<int> day_of(const std::string& date) {
+  const auto all = number_of(&date);
+  if (!all || date.size() != 8 || *all < 0) return std::nullopt;
+  const std::chrono::year_month_day day{std::chrono::year(*all / 10000),
+                                        std::chrono::month(static_cast<unsigned>(*all / 100 % 100)),
+                                        std::chrono::day(static_cast<unsigned>(*all % 100))};
+  if (!day.ok()) return std::nullopt;
+  return static_cast<int>(std::chrono::sys_days(day).time_since_epoch().count());
+}
+
+std::map<std::string, std::string> to_compare(const std::string& patient, const std::string& study_date) {
+  constexpr std::size_t check_digits = 4, shift_digits = 8;
+  constexpr unsigned long century_days = 36525;
+  const std::string hash = secret_hash(patient, "glisson: two cases of one patient");
+  std::map<std::string, std::string> options{{check_option, hash.substr(0, check_digits)}};
+  if (const auto day = day_of(study_date)) {
+    const auto shift = std::stoul(hash.substr(check_digits, shift_digits), nullptr, 16) % century_days;
+    options[day_option] = std::to_string(*day + static_cast<int>(shift));
+  }
+  return options;
 }
 
 }  // namespace
