@@ -29,6 +29,7 @@ void add_segment(CLI::App& app, Action& chosen);
 void add_vessels(CLI::App& app, Action& chosen);
 void add_territories(CLI::App& app, Action& chosen);
 void add_plan(CLI::App& app, Action& chosen);
+void add_growth(CLI::App& app, Action& chosen);
 void add_mesh(CLI::App& app, Action& chosen);
 void add_stiffness(CLI::App& app, Action& chosen);
 void add_invert(CLI::App& app, Action& chosen);

@@ -12,6 +12,7 @@ void add_commands(CLI::App& app, Action& chosen) {
   add_vessels(app, chosen);
   add_territories(app, chosen);
   add_plan(app, chosen);
+  add_growth(app, chosen);
   add_invert(app, chosen);
   add_mesh(app, chosen);
   add_stiffness(app, chosen);

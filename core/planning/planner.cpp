@@ -255,6 +255,12 @@ std::vector<std::string> Planner::tumours() const {
   return names;
 }
 
+double Planner::tumours_ml() const {
+  const std::vector<std::uint8_t>& tumour = liver_->tumour;
+  const auto healthy = std::count(tumour.begin(), tumour.end(), std::uint8_t{0});
+  return static_cast<double>(tumour.size() - static_cast<std::size_t>(healthy)) * liver_->organ.voxel_ml();
+}
+
 std::array<Tissue, 9> Planner::segments() const {
   std::array<TissueSum, 9> sums;
   for (std::size_t v = 0; v < liver_->organ.voxels; ++v) {

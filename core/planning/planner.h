@@ -113,6 +113,7 @@ class Planner {
 
   [[nodiscard]] const vasculature::VesselTrees& trees() const;
   [[nodiscard]] std::vector<std::string> tumours() const;
+  [[nodiscard]] double tumours_ml() const;  // of all together
   // The whole tissue: of each segment (0: all), and of each branch by itself.
   [[nodiscard]] std::array<Tissue, 9> segments() const;
   [[nodiscard]] std::vector<Tissue> branches() const;

@@ -1,0 +1,45 @@
+#pragma once
+// Two cases of one patient, as before and after an embolisation, compared (planning/growth.h): what each case keeps of
+// segments, stiffness and plans, whether both are of one patient, and how many days lie between.
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/progress.h"
+#include "casefile/case.h"
+#include "casefile/vascular.h"
+#include "planning/growth.h"
+
+namespace glisson::casefile {
+
+struct GrowthQuestion {
+  // By its name: each case's own plan of that name. Where one case alone has it, the other takes it over if it goes by
+  // segments and territories; any other cut has its place in its own study.
+  std::optional<std::string> plan;
+  planning::GrowthOptions options;  // days: where the images' dates do not tell
+  // Of images that name two patients: refused, or a person said that they are of one.
+  enum class Patients { as_images_say, one } patients = Patients::as_images_say;
+};
+
+enum class DaysFrom { unknown, dates, person };
+
+struct ComparedStudies {
+  planning::Growth growth;
+  std::string plan;  // empty: none
+  std::optional<double> days, standard_liver_ml;
+  DaysFrom days_from = DaysFrom::unknown;
+  double segment_error_percent = 0, remnant_error_percent = 0;  // as asked
+  std::array<SegmentsBy, 2> segments_by{};                      // before, after
+  std::vector<Sentence> remarks;
+};
+
+// Segments are those that the cases keep; nothing is found anew, and neither case is changed. Fails with
+// "growth-same-case", "growth-not-one-patient", "growth-order" (the second is the earlier one), "growth-days-differ"
+// (from what the dates say), "growth-segments-missing", "growth-segments-stale", "plan-unknown",
+// "growth-plan-in-one-study", and as planning::growth_between and open_planner do.
+Result<ComparedStudies> compare_studies(const Case& before, const Case& after, const GrowthQuestion& question,
+                                        const Progress& progress = {});
+
+}  // namespace glisson::casefile
