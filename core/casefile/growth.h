@@ -18,7 +18,9 @@ struct GrowthQuestion {
   // By its name: each case's own plan of that name. Where one case alone has it, the other takes it over if it goes by
   // segments and territories; any other cut has its place in its own study.
   std::optional<std::string> plan;
-  planning::GrowthOptions options;  // days: where the images' dates do not tell
+  // days: where the images' dates do not tell. Errors: where absent, what was measured of segments found this way
+  // (docs/territories.md).
+  planning::GrowthOptions options;
   // Of images that name two patients: refused, or a person said that they are of one.
   enum class Patients { as_images_say, one } patients = Patients::as_images_say;
 };
@@ -30,8 +32,9 @@ struct ComparedStudies {
   std::string plan;  // empty: none
   std::optional<double> days, standard_liver_ml;
   DaysFrom days_from = DaysFrom::unknown;
-  double segment_error_percent = 0, remnant_error_percent = 0;  // as asked
-  std::array<SegmentsBy, 2> segments_by{};                      // before, after
+  // By which changes are within_error; none of a remnant whose cut is not by segments or territories.
+  std::optional<double> segment_error_percent, remnant_error_percent;
+  std::array<SegmentsBy, 2> segments_by{};  // before, after
   std::vector<Sentence> remarks;
 };
 

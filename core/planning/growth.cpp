@@ -11,11 +11,12 @@ struct Whole {
   double before_ml, after_ml;
 };
 
-PartGrowth part_of(const Tissue& before, const Tissue& after, const Whole& whole, double error_percent) {
+PartGrowth part_of(const Tissue& before, const Tissue& after, const Whole& whole,
+                   const std::optional<double>& error_percent = {}) {
   const auto share = [](double ml, double whole_ml) { return whole_ml > 0 ? 100 * ml / whole_ml : 0; };
   PartGrowth part{before, after, share(before.ml, whole.before_ml), share(after.ml, whole.after_ml), false};
   const auto change = part.change_percent();
-  part.within_error = change && std::abs(*change) <= error_percent;
+  part.within_error = change && error_percent && std::abs(*change) <= *error_percent;
   return part;
 }
 
@@ -46,7 +47,7 @@ Result<Growth> growth_between(const Planner& before, const Planner& after, const
   const Whole whole{options.standard_liver_ml.value_or(segments_before[0].ml),
                     options.standard_liver_ml.value_or(segments_after[0].ml)};
   Growth growth;
-  growth.liver = part_of(segments_before[0], segments_after[0], whole, 0);
+  growth.liver = part_of(segments_before[0], segments_after[0], whole);
   growth.tumours_before_ml = before.tumours_ml();
   growth.tumours_after_ml = after.tumours_ml();
   for (std::size_t s = 1; s < segments_before.size(); ++s) {

@@ -52,10 +52,9 @@ struct Growth {
 struct GrowthOptions {
   std::optional<double> days;               // between the studies, more than 0
   std::optional<double> standard_liver_ml;  // the whole in both; absent: each study's own liver without tumours
-  // What nine of ten changes are wrong by where a known one is found again in real livers, in per cent of the volume
-  // before (docs/territories.md, growth): of one segment, and of a remnant of several.
-  double segment_error_percent = 30;
-  double remnant_error_percent = 15;
+  // How far a change may be off, in per cent of the volume before: of a segment, of the remnant. Absent: nothing is
+  // within_error.
+  std::optional<double> segment_error_percent, remnant_error_percent;
 };
 
 // The same plan in each study; a plane's place is that study's own.

@@ -53,10 +53,10 @@ std::vector<Sentence> growth_sentences(const ComparedStudies& compared) {
                     {compared.plan, whole(remnant.before.ml), whole(remnant.after.ml), change(remnant)}});
     const std::string points = signed_fine(growth.remnant->hypertrophy_points());
     if (compared.standard_liver_ml) {
-      said.push_back({GLISSON_TEXT("That is {1} % of the standard liver volume of {3} ml, {0} % before: a degree of "
-                                   "hypertrophy of {2} percentage points."),
-                      {fine(remnant.before_percent), fine(remnant.after_percent), points,
-                       whole(*compared.standard_liver_ml)}});
+      said.push_back(
+          {GLISSON_TEXT("That is {1} % of the standard liver volume of {3} ml, {0} % before: a degree of "
+                        "hypertrophy of {2} percentage points."),
+           {fine(remnant.before_percent), fine(remnant.after_percent), points, whole(*compared.standard_liver_ml)}});
     } else {
       said.push_back({GLISSON_TEXT("That is {1} % of the liver without tumours of its own study, {0} % before: a "
                                    "degree of hypertrophy of {2} percentage points."),
@@ -74,7 +74,7 @@ std::vector<Sentence> growth_sentences(const ComparedStudies& compared) {
     if (remnant.within_error) {
       said.push_back({GLISSON_TEXT("A remnant's change of up to {0} % may be none: volumes of what is parted anew are "
                                    "off by as much in one of ten."),
-                      {whole(compared.remnant_error_percent)}});
+                      {whole(*compared.remnant_error_percent)}});
     }
   }
   const bool any = std::any_of(growth.segments.begin(), growth.segments.end(),
@@ -82,7 +82,7 @@ std::vector<Sentence> growth_sentences(const ComparedStudies& compared) {
   if (any) {
     said.push_back({GLISSON_TEXT("A segment's change of up to {0} % (~) may be none: volumes of segments that are "
                                  "parted anew are off by as much in one of ten."),
-                    {whole(compared.segment_error_percent)}});
+                    {whole(*compared.segment_error_percent)}});
   }
   said.insert(said.end(), compared.remarks.begin(), compared.remarks.end());
   return said;
@@ -106,7 +106,7 @@ Json growth_json(const ComparedStudies& compared) {
     one.update(part_json(segment.part));
     one["within_error"] = segment.part.within_error;
   }
-  json["segment_error_percent"] = compared.segment_error_percent;
+  if (compared.segment_error_percent) json["segment_error_percent"] = *compared.segment_error_percent;
   if (growth.remnant) {
     Json& remnant = json["remnant"] = Json{{"plan", compared.plan}};
     remnant.update(part_json(growth.remnant->part));
@@ -117,7 +117,7 @@ Json growth_json(const ComparedStudies& compared) {
     } else {
       remnant["kinetic_growth_rate_reason"] = "the days between the studies are not known";
     }
-    json["remnant_error_percent"] = compared.remnant_error_percent;
+    if (compared.remnant_error_percent) json["remnant_error_percent"] = *compared.remnant_error_percent;
   }
   json["sentences"] = messages(growth_sentences(compared));
   return json;

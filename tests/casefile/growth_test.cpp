@@ -179,6 +179,7 @@ TEST_F(Growth, IsWhatWasPutThere) {
   EXPECT_EQ(compared->days, 21);  // over the 29th of February
   EXPECT_NEAR(*remnant.points_per_week, points / 3, 1e-6);
   EXPECT_TRUE(compared->remarks.empty()) << remarks(*compared);
+  EXPECT_TRUE(compared->segment_error_percent && compared->remnant_error_percent);
 }
 
 TEST_F(Growth, IsRefusedForTwoPatientsUnlessAPersonSaysThatTheyAreOne) {
@@ -248,6 +249,7 @@ TEST_F(Growth, TakesOverAPlanByAnatomyAlone) {
   const auto compared = compare_studies(before, after, question);
   ASSERT_TRUE(compared) << compared.error().message();
   EXPECT_NE(compared->growth.remnant->part.before.ml, compared->growth.remnant->part.after.ml);
+  EXPECT_FALSE(compared->remnant_error_percent);  // that of segments says nothing of a plane
   question.plan = "Nowhere";
   EXPECT_EQ(refused(before, after, question), "plan-unknown");
 }

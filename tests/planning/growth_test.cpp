@@ -55,6 +55,7 @@ TEST(Growth, IsWhatTheVoxelsOfBothStudiesSay) {
   const std::vector<Cut> cuts{PlaneCut{{-5.5, 0, 0}, {1, 0, 0}, Removed::below}};
   GrowthOptions options;
   options.days = 21;
+  options.segment_error_percent = 10;
   const auto growth = growth_between(*before, *after, RemnantCuts{cuts, cuts}, options);
   ASSERT_TRUE(growth) << growth.error().message();
 
@@ -78,6 +79,7 @@ TEST(Growth, IsWhatTheVoxelsOfBothStudiesSay) {
     EXPECT_TRUE(segment.part.before.mean_kPa && segment.part.after.mean_kPa) << s;
   }
   ASSERT_TRUE(growth->remnant);
+  EXPECT_FALSE(growth->remnant->part.within_error);  // nothing was said of its error
   const PartGrowth& remnant = growth->remnant->part;
   // The cut goes by the voxels' centres, so that they agree to the voxel.
   EXPECT_NEAR(remnant.before.ml, was.above_ml, 1e-9);

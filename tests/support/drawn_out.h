@@ -3,6 +3,7 @@
 // along that axis, so that every volume there is the factor times what it was, and nothing else changes.
 
 #include <Eigen/Core>
+#include <Eigen/LU>
 
 #include "imaging/image.h"
 
@@ -22,9 +23,9 @@ struct DrawnOut {
   [[nodiscard]] imaging::Grid other_grid(const imaging::Grid& grid, double thicker = 1) const {
     Eigen::Vector3d low = grid.position_mm(0, 0, 0), high = low;
     for (int corner = 1; corner < 8; ++corner) {
-      const Eigen::Vector3d at = grid.position_mm((corner & 1) != 0 ? grid.size[0] - 1 : 0,
-                                                  (corner & 2) != 0 ? grid.size[1] - 1 : 0,
-                                                  (corner & 4) != 0 ? grid.size[2] - 1 : 0);
+      const Eigen::Vector3d at =
+          grid.position_mm((corner & 1) != 0 ? grid.size[0] - 1 : 0, (corner & 2) != 0 ? grid.size[1] - 1 : 0,
+                           (corner & 4) != 0 ? grid.size[2] - 1 : 0);
       low = low.cwiseMin(at);
       high = high.cwiseMax(at);
     }
@@ -44,12 +45,15 @@ struct DrawnOut {
   template <typename Value>
   [[nodiscard]] imaging::Image<Value> carried(const imaging::Image<Value>& image, const imaging::Grid& to) const {
     imaging::Image<Value> after{to, std::vector<Value>(to.voxels(), Value{0})};
+    // As Grid::index_of, whose inverse would be taken at every voxel.
+    const imaging::Grid& from = image.grid;
+    const Eigen::Matrix3d to_index = from.spacing_mm.cwiseInverse().asDiagonal() * from.direction.inverse();
     for (int k = 0; k < to.size[2]; ++k) {
       for (int j = 0; j < to.size[1]; ++j) {
         for (int i = 0; i < to.size[0]; ++i) {
-          const Eigen::Vector3d index = image.grid.index_of(before(to.position_mm(i, j, k))).array().round();
-          const Eigen::Vector3i at = index.cast<int>();
-          if (image.grid.contains(at.x(), at.y(), at.z())) after.at(i, j, k) = image.at(at.x(), at.y(), at.z());
+          const Eigen::Vector3d was_mm = before(to.position_mm(i, j, k));
+          const Eigen::Vector3i at = (to_index * (was_mm - from.origin_mm)).array().round().cast<int>();
+          if (from.contains(at.x(), at.y(), at.z())) after.at(i, j, k) = image.at(at.x(), at.y(), at.z());
         }
       }
     }

@@ -80,8 +80,7 @@ TEST_F(GrowthCommand, TellsWhatGrewBetweenTwoStudies) {
     EXPECT_NEAR(segment.at("after_ml"), is_ml, 1e-6);
     EXPECT_NEAR(segment.at("change_ml"), is_ml - was_ml, 1e-6);
     EXPECT_NEAR(segment.at("change_percent"), 100 * (is_ml / was_ml - 1), 1e-6);
-    const bool within =
-        std::abs(100 * (is_ml / was_ml - 1)) <= grown.at("segment_error_percent").get<double>();
+    const bool within = std::abs(100 * (is_ml / was_ml - 1)) <= grown.at("segment_error_percent").get<double>();
     EXPECT_EQ(segment.at("within_error"), within);
     all_before_ml += was_ml;
     all_after_ml += is_ml;
@@ -110,8 +109,8 @@ TEST_F(GrowthCommand, TellsWhatGrewBetweenTwoStudies) {
 
   const Json standard = answer(compare({"--plan", "Right side", "--standard-liver-ml", "1500"}));
   EXPECT_EQ(standard.at("percent_of"), "standard");
-  EXPECT_NEAR(standard.at("remnant").at("degree_of_hypertrophy_points"),
-              (remnant_after_ml - remnant_before_ml) / 15, 1e-6);
+  EXPECT_NEAR(standard.at("remnant").at("degree_of_hypertrophy_points"), (remnant_after_ml - remnant_before_ml) / 15,
+              1e-6);
   EXPECT_TRUE(standard.at("remnant").contains("kinetic_growth_rate_reason"));
   const Finished told = glisson_cli(compare({"--plan", "Right side", "--days", "28", "--quiet"}));
   EXPECT_THAT(told.out, HasSubstr("Kinetic growth rate"));

@@ -83,10 +83,10 @@ struct Errors {
     remnant.push_back(off(ml, {2, 3}));
   }
   void print(const char* what) const {
-    fmt::print("{}: livers {}, change of a segment off by {:.1f} points (median), {:.1f} in nine of ten; of a remnant "
-               "{:.1f}, {:.1f}\n",
-               what, remnant.size() / 2, median(segment), ninth_of_ten(segment), median(remnant),
-               ninth_of_ten(remnant));
+    fmt::print(
+        "{}: livers {}, change of a segment off by {:.1f} points (median), {:.1f} in nine of ten; of a remnant "
+        "{:.1f}, {:.1f}\n",
+        what, remnant.size() / 2, median(segment), ninth_of_ten(segment), median(remnant), ninth_of_ten(remnant));
     std::fflush(stdout);
   }
 };
