@@ -165,11 +165,26 @@ class PlanByAnatomyTest : public QObject {
     panel_->findChild<QScrollArea*>()->ensureWidgetVisible(child<QPushButton>("keep_plan"));
     QTest::qWait(300);
     QVERIFY(window_->grab().save(glisson::test::kept_picture("plan-compared.png")));
-    // Undone and done again like anything else.
-    press_key(*window_, Qt::Key_Z, Qt::ControlModifier);
+    // Undone and done again like anything else: each plan that was chosen, whole, and the one that was kept.
+    const auto go = [&](Qt::KeyboardModifiers keys) {
+      QTRY_VERIFY_WITH_TIMEOUT(!window_->undo().busy(), patience_ms);
+      press_key(*window_, Qt::Key_Z, keys);
+      QTRY_VERIFY_WITH_TIMEOUT(!window_->undo().busy(), patience_ms);
+    };
+    const Qt::KeyboardModifiers back = Qt::ControlModifier, forth = Qt::ControlModifier | Qt::ShiftModifier;
+    go(back);
+    QVERIFY(panel_->plane().has_value() && panel_->by_anatomy().taken().empty());
+    go(back);
+    QVERIFY(!panel_->plane() && panel_->by_anatomy().taken().size() == 2);  // as it was before either was chosen
+    go(back);
     QTRY_COMPARE_WITH_TIMEOUT(live().kept().size(), std::size_t{1}, patience_ms);
-    press_key(*window_, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    go(forth);
     QTRY_COMPARE_WITH_TIMEOUT(live().kept().size(), std::size_t{2}, patience_ms);
+    go(forth);
+    QVERIFY(panel_->plane().has_value() && panel_->by_anatomy().taken().empty());
+    go(forth);
+    QVERIFY(!panel_->plane() && panel_->by_anatomy().taken().size() == 2);
+    QTRY_COMPARE(plans->rowCount(), 2);
     plans->selectRow(0);
     child<QPushButton>("drop_plan")->click();
     QTRY_COMPARE_WITH_TIMEOUT(live().kept().size(), std::size_t{1}, patience_ms);

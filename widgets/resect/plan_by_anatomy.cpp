@@ -180,7 +180,8 @@ QWidget* PlanByAnatomy::make_unrolled() {
 
 void PlanByAnatomy::make_plans() {
   plans_ = new PlanList(this);
-  connect(plans_, &PlanList::chosen, this, [this](std::size_t plan) { take_up(live_->kept()[plan].kept.plan); });
+  connect(plans_, &PlanList::chosen, this,
+          [this](std::size_t plan) { Q_EMIT plan_chosen(live_->kept()[plan].kept.plan); });
   connect(plans_, &PlanList::keep_wanted, this, &PlanByAnatomy::keep);
   connect(plans_, &PlanList::copy_wanted, this, &PlanByAnatomy::copy);
   connect(plans_, &PlanList::drop_wanted, this, &PlanByAnatomy::drop);
@@ -274,7 +275,7 @@ void PlanByAnatomy::copy(std::size_t number) {
                        [&](const KeptPlanAnswer& other) { return other.kept.plan.name == name; });
   };
   for (int n = 2; is_kept(plan.name); ++n) plan.name = original.kept.plan.name + " (" + std::to_string(n) + ")";
-  take_up(plan);
+  Q_EMIT plan_chosen(plan);
   context_.undo.change(
       {GLISSON_TEXT("Copy the plan {0}"), {original.kept.plan.name}}, {},
       [folder = folder_, plan, answer = *original.answer, anatomy = live_->anatomy()] {

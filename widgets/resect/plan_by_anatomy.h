@@ -46,13 +46,16 @@ class PlanByAnatomy : public QWidget {
   [[nodiscard]] const std::vector<planning::Cut>& taken() const { return taken_; }
   [[nodiscard]] const LivePlan& live() const { return *live_; }
   void add_to(WorkspaceScene& scene) const;
+  static constexpr const char* taken_key = "resect/taken";
+  // What a plan takes besides plane or sheet; no step of undo by itself.
+  void take_up(const planning::Plan& plan);
   // Whether it draws the liver in its parts, so that nobody else need.
   [[nodiscard]] bool draws_liver() const;
 
  Q_SIGNALS:
   void taken_changed();
   void drawing_changed();
-  void plan_chosen(const glisson::planning::Plan& plan);
+  void plan_chosen(const glisson::planning::Plan& plan);  // to be taken up, here too
 
  private:
   QWidget* make_anatomy();
@@ -72,7 +75,6 @@ class PlanByAnatomy : public QWidget {
   enum class Step { of_its_own, joins_the_last };
   void keep_taken();
   void set_taken(const Sentence& step, std::vector<planning::Cut> taken, Step which = Step::of_its_own);
-  void take_up(const planning::Plan& plan);
   void show_taken();
   void suggest_territory();
   void cuts_changed();

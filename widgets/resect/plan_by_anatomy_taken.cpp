@@ -18,8 +18,6 @@ namespace {
 
 using planning::Cut;
 
-constexpr const char* kept_key = "resect/taken";
-
 // In words, as a list of what goes says it.
 QString told(const Cut& cut);
 
@@ -68,7 +66,7 @@ QWidget* PlanByAnatomy::make_territory_and_ablation() {
 }
 
 void PlanByAnatomy::keep_taken() {
-  context_.undo.keep(kept_key, [this](const QJsonValue& value) {
+  context_.undo.keep(taken_key, [this](const QJsonValue& value) {
     taken_ = cuts_of(value);
     cuts_changed();
   });
@@ -153,7 +151,7 @@ void PlanByAnatomy::set_taken(const Sentence& step, std::vector<Cut> taken, Step
   const QJsonValue before = value_of(taken_), after = value_of(taken);
   taken_ = std::move(taken);
   if (before != after) {
-    context_.undo.value_changed(step, kept_key, before, after,
+    context_.undo.value_changed(step, taken_key, before, after,
                                 which == Step::joins_the_last ? Undo::Joins::with_same : Undo::Joins::never);
   }
   cuts_changed();
@@ -167,7 +165,6 @@ void PlanByAnatomy::take_up(const planning::Plan& plan) {
     }
   }
   plans_->set_name(QString::fromStdString(plan.name));
-  Q_EMIT plan_chosen(plan);
   cuts_changed();
 }
 

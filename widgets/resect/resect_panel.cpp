@@ -82,7 +82,7 @@ ResectPanel::ResectPanel(WorkspaceContext context, QWidget* parent) : QWidget(pa
   connect(live_, &LiveResection::changed, this, &ResectPanel::show_result);
   connect(by_anatomy_, &PlanByAnatomy::taken_changed, this, &ResectPanel::cut_changed);
   connect(by_anatomy_, &PlanByAnatomy::drawing_changed, this, &ResectPanel::show_scene);
-  connect(by_anatomy_, &PlanByAnatomy::plan_chosen, this, &ResectPanel::take_up);
+  connect(by_anatomy_, &PlanByAnatomy::plan_chosen, this, &ResectPanel::choose);
   context_.undo.keep(kept_key, [this](const QJsonValue& value) {
     if (!patient_.structures.empty()) take_up({{}, cuts_of(value)});
   });
@@ -199,6 +199,16 @@ void ResectPanel::take_up_kept_plan() {
 
 void ResectPanel::take_up(const planning::Plan& plan) {
   plane_.reset();
+void ResectPanel::choose(const planning::Plan& plan) {
+  const QJsonValue surface_before = noted_, taken_before = value_of(by_anatomy_->taken());
+  by_anatomy_->take_up(plan);
+  take_up(plan);
+  last_noted_ = By::hand;
+  context_.undo.values_changed({GLISSON_TEXT("Choose the plan {0}"), {plan.name}},
+                               {{kept_key, surface_before, noted_},
+                                {PlanByAnatomy::taken_key, taken_before, value_of(by_anatomy_->taken())}});
+}
+
   points_mm_.clear();
   clicks_mm_.clear();
   cut_controls_->choose(CutControls::plane_cut);

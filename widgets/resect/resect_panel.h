@@ -50,6 +50,8 @@ class ResectPanel : public QWidget {
   void note(By by = By::hand);
   void take_up_kept_plan();
   // Its plane or sheet; what else it takes, by_anatomy_ knows.
+  // A plan that is kept, whole: a step of undo.
+  void choose(const planning::Plan& plan);
   void take_up(const planning::Plan& plan);
   void set_drawing(bool drawing);
   // The cut has changed: plan it anew, and show where it is.

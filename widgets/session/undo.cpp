@@ -75,11 +75,20 @@ void Undo::change(const Sentence& name, const std::vector<std::string>& touches,
 
 void Undo::value_changed(const Sentence& name, const QString& key, const QJsonValue& before, const QJsonValue& after,
                          Joins joins) {
-  if (!history_ || refused_ || before == after) return;
-  const casefile::ValueChange value{key.toStdString(), text_of(before), text_of(after)};
-  queue([this, history = history_, name, value, joins]() -> std::function<void()> {
+  values_changed(name, {{key, before, after}}, joins);
+}
+
+void Undo::values_changed(const Sentence& name, const std::vector<Changed>& values, Joins joins) {
+  std::vector<casefile::ValueChange> changes;
+  for (const Changed& value : values) {
+    if (value.before != value.after) {
+      changes.push_back({value.key.toStdString(), text_of(value.before), text_of(value.after)});
+    }
+  }
+  if (!history_ || refused_ || changes.empty()) return;
+  queue([this, history = history_, name, changes, joins]() -> std::function<void()> {
     const auto outcome = history->record_values(
-        name, {value},
+        name, changes,
         joins == Joins::with_same ? casefile::History::Joins::last_of_same_keys : casefile::History::Joins::no);
     return [this, outcome] {
       if (!outcome) Q_EMIT failed(outcome.error());

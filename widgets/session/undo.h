@@ -56,6 +56,12 @@ class Undo : public QObject {
   enum class Joins { never, with_same };  // with_same: one step with the last, where that was of the same key
   void value_changed(const Sentence& name, const QString& key, const QJsonValue& before, const QJsonValue& after,
                      Joins joins = Joins::never);
+  // Several that change at once: one step of those that did.
+  struct Changed {
+    QString key;
+    QJsonValue before, after;
+  };
+  void values_changed(const Sentence& name, const std::vector<Changed>& values, Joins joins = Joins::never);
   void keep(const QString& key, std::function<void(const QJsonValue&)> apply);
   // What the case remembers of it; undefined where nothing.
   [[nodiscard]] QJsonValue value(const QString& key) const;
