@@ -15,6 +15,8 @@
 #include <QtTest>
 
 #include "imaging/dicom_seg.h"
+#include "imaging/segments_file.h"
+#include "imaging/volume_file.h"
 #include "kept_pictures.h"
 #include "planning/ranking.h"
 #include "run_test.h"
@@ -248,6 +250,52 @@ class PlansSideBySideTest : public QObject {
     QCOMPARE(child<QLineEdit>("plan_name")->text(), QString("Around (2)"));
     undo(Qt::ControlModifier);
     QTRY_COMPARE_WITH_TIMEOUT(live().kept().size(), std::size_t{3}, patience_ms);
+  }
+
+  // Of the earlier study a copy in which V stands with VIII, and is new since.
+  void tells_what_grew_since_an_earlier_study() {
+    const std::filesystem::path earlier = folder_.parent_path() / "earlier.glisson";
+    std::filesystem::copy(folder_, earlier, std::filesystem::copy_options::recursive);
+    auto before = casefile::Case::open(earlier);
+    QVERIFY(before.has_value());
+    auto segments = imaging::read_labels_file(before->file_of(casefile::couinaud_id).value()).value();
+    for (std::uint16_t& segment : segments.values) segment = segment == 5 ? std::uint16_t{8} : segment;
+    const casefile::Provenance made = before->find(casefile::couinaud_id)->made;
+    QVERIFY(before->add(casefile::couinaud_id, ".nrrd", made, [&](const std::filesystem::path& file) {
+      return imaging::write_segments_file(file, segments, casefile::couinaud_segment_infos());
+    }));
+
+    press("growing");
+    auto* growth = panel_->findChild<GrowthControls*>();
+    QVERIFY(child<QPushButton>("earlier_study")->isVisible() && !child<QTableWidget>("growth_table")->isVisible());
+    growth->compare_with(earlier);
+    QTRY_VERIFY_WITH_TIMEOUT(growth->result() != nullptr, patience_ms);
+    const auto* table = child<QTableWidget>("growth_table");
+    QVERIFY(table->isVisible() && !table->isColumnHidden(GrowthControls::stiffness_column));
+    QCOMPARE(table->rowCount(), 9);
+    const auto shown = [&](int row, int column) { return table->item(row, column)->text(); };
+    const auto tissue = live().anatomy()->planner.segments();
+    QCOMPARE(shown(4, GrowthControls::before_column), QString("0"));
+    QCOMPARE(shown(4, GrowthControls::now_column), QString::number(tissue[5].ml, 'f', 0));
+    QCOMPARE(shown(4, GrowthControls::change_column), QString("–"));
+    QCOMPARE(shown(7, GrowthControls::before_column), QString::number(tissue[5].ml + tissue[8].ml, 'f', 0));
+    QVERIFY(shown(7, GrowthControls::change_column).contains("-"));
+    QCOMPARE(shown(8, GrowthControls::change_column), QString("~+0 %"));
+    const auto told = [&] { return child<QLabel>("growth_told")->text(); };
+    QVERIFY2(told().contains("How many days"), qPrintable(told()));
+    // With a plan and the days that were typed.
+    auto* plan = child<QComboBox>("growth_plan");
+    plan->setCurrentIndex(1);
+    child<QDoubleSpinBox>("growth_days")->setValue(21);
+    QTRY_VERIFY_WITH_TIMEOUT(growth->result() && growth->result()->growth.remnant, patience_ms);
+    QCOMPARE(table->rowCount(), 10);
+    QVERIFY2(told().contains("a degree of hypertrophy of +0.0") && told().contains("21 days"), qPrintable(told()));
+    keep_pictures("growth_told", "growth");
+    // What may not be compared is said in its place.
+    growth->compare_with(folder_);
+    QTRY_VERIFY_WITH_TIMEOUT(told().contains("itself"), patience_ms);
+    QVERIFY(!table->isVisible() && !child<QPushButton>("one_patient")->isVisible());
+    press("growing");
   }
 
   // File, Export lists the plans; the file holds the outlines, the segments, and what stays and goes.

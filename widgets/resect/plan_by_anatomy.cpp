@@ -52,9 +52,13 @@ PlanByAnatomy::PlanByAnatomy(WorkspaceContext context, QWidget* parent)
   column->addWidget(make_answer());
   make_plans();
   column->addWidget(plans_);
+  column->addWidget(make_growth());
   connect(live_, &LivePlan::opened, this, &PlanByAnatomy::show_anatomy);
   connect(live_, &LivePlan::changed, this, &PlanByAnatomy::show_answer);
-  connect(live_, &LivePlan::kept_changed, this, [this] { plans_->show_plans(live_->kept()); });
+  connect(live_, &LivePlan::kept_changed, this, [this] {
+    plans_->show_plans(live_->kept());
+    growth_->offer(live_->kept());
+  });
   connect(&context_.undo, &Undo::entries_moved, this, [this](const QStringList& ids) {
     const bool plans = std::any_of(ids.begin(), ids.end(), [](const QString& id) {
       return id.startsWith("plans/") || id.startsWith("results/");  // the list, and which of them is followed
@@ -187,6 +191,13 @@ void PlanByAnatomy::make_plans() {
   connect(plans_, &PlanList::drop_wanted, this, &PlanByAnatomy::drop);
 }
 
+QWidget* PlanByAnatomy::make_growth() {
+  growth_ = new GrowthControls;
+  growing_ = new Fold("growing", growth_, Fold::At::closed, this);
+  keep_translated(growing_, [this] { growing_->set_title(tr("Growth since an earlier study")); });
+  return growing_;
+}
+
 void PlanByAnatomy::show_patient(const Patient& patient) {
   if (patient.folder != folder_) {
     taken_.clear();
@@ -195,6 +206,8 @@ void PlanByAnatomy::show_patient(const Patient& patient) {
   }
   folder_ = patient.folder;
   by_anatomy_->setVisible(!folder_.empty());
+  growing_->setVisible(!folder_.empty());
+  growth_->show_case(folder_);
   live_->open(patient.liver() != nullptr ? folder_ : std::filesystem::path());
 }
 

@@ -1,8 +1,9 @@
 #pragma once
 // The part of Resect that knows the liver's anatomy: its segments as a list and in colours, cuts of one click
 // (segments, around a tumour, along a territory, ablation zones), what a cut leaves alive and which branches it takes,
-// its surface unrolled flat, and the plans that the case keeps, side by side. The one that is kept last, where it is a
-// plane or sheet, is also what Rehearse, Guide and the report follow (results/resection).
+// its surface unrolled flat, the plans that the case keeps, side by side, and what grew since an earlier study. The
+// plan that is kept last, where it is a plane or sheet, is also what Rehearse, Guide and the report follow
+// (results/resection).
 
 #include <optional>
 #include <QCheckBox>
@@ -15,6 +16,7 @@
 
 #include "widgets/panels/fold.h"
 #include "widgets/resect/ablation_controls.h"
+#include "widgets/resect/growth_controls.h"
 #include "widgets/resect/live_plan.h"
 #include "widgets/resect/live_resection.h"
 #include "widgets/resect/plan_list.h"
@@ -42,13 +44,13 @@ class PlanByAnatomy : public QWidget {
   // No segment and no tumour is taken any more.
   void clear();
 
-  // What is taken besides plane or sheet.
+  // What is taken besides plane or sheet; where it stands in the history.
   [[nodiscard]] const std::vector<planning::Cut>& taken() const { return taken_; }
-  [[nodiscard]] const LivePlan& live() const { return *live_; }
-  void add_to(WorkspaceScene& scene) const;
   static constexpr const char* taken_key = "resect/taken";
   // What a plan takes besides plane or sheet; no step of undo by itself.
   void take_up(const planning::Plan& plan);
+  [[nodiscard]] const LivePlan& live() const { return *live_; }
+  void add_to(WorkspaceScene& scene) const;
   // Whether it draws the liver in its parts, so that nobody else need.
   [[nodiscard]] bool draws_liver() const;
 
@@ -63,6 +65,7 @@ class PlanByAnatomy : public QWidget {
   QWidget* make_territory_and_ablation();
   QWidget* make_unrolled();
   void make_plans();
+  QWidget* make_growth();
   void find_segments();
   void take_segments();
   void take_around();
@@ -126,6 +129,8 @@ class PlanByAnatomy : public QWidget {
   QLabel* nearest_;
   QLabel* resectogram_key_;
   PlanList* plans_;
+  Fold* growing_;
+  GrowthControls* growth_;
 };
 
 // "Portal vein, right, posterior, VI, 2" of portal/right/posterior/VI/2.
