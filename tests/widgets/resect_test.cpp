@@ -248,6 +248,34 @@ class ResectTest : public QObject {
     QCOMPARE(panel_->points_mm().size(), std::size_t{4});
   }
 
+  // From above the block to below it, 80 mm along its front face: what goes lies beside all that the eye sees there.
+  void a_line_drawn_in_space_is_cut_under() {
+    QTest::mouseClick(child<QPushButton>("no_cut"), Qt::LeftButton);
+    SpaceView& space = window_->views().space();
+    space.look_from(scene::PatientView::anterior);
+    auto* freehand = child<QPushButton>("cut_freehand");
+    scroll_to(freehand);
+    QTest::mouseClick(freehand, Qt::LeftButton);
+    QVERIFY(freehand->isChecked());
+    drag_in(space, {150, 0, -10}, {150, 0, 90});  // beside the block: said, and to be drawn again
+    QVERIFY(panel_->points_mm().empty() && freehand->isChecked());
+    const scene::Camera before = space.view().camera();
+    drag_in(space, {80, 0, -12}, {80, 0, 92});
+    QVERIFY(!freehand->isChecked());
+    QVERIFY(same(space.view().camera(), before));  // the hand drew, it did not turn the block
+    QVERIFY(panel_->points_mm().size() >= 8);
+    const Eigen::Vector2d seen = space.view().pixel_of({80, 0, 40});
+    const double back_x_mm = space.view().position_beside({80, 80, 40}, seen.x(), seen.y()).x();
+    const double wanted_ml = 0.5 * ((120 - 80) + (120 - back_x_mm)) * 80 * 80 / 1000;
+    QVERIFY(back_x_mm > 81);
+    QTRY_VERIFY_WITH_TIMEOUT(std::abs(specimen_ml() - wanted_ml) < 5, patience_ms);  // to a pixel
+    // Its points are those of a sheet: the front one in the middle can be dragged.
+    QTest::mouseClick(freehand, Qt::LeftButton);
+    QTest::mouseClick(child<QPushButton>("cut_draw"), Qt::LeftButton);
+    QVERIFY(!freehand->isChecked() && child<QPushButton>("cut_draw")->isChecked());
+    QTest::mouseClick(child<QPushButton>("cut_draw"), Qt::LeftButton);
+  }
+
   void the_parts_come_apart_in_the_picture() {
     const QImage together = window_->views().space().picture();
     child<QSlider>("apart")->setValue(60);

@@ -111,22 +111,38 @@ QWidget* CutControls::make_sheet() {
   column->setContentsMargins(0, 0, 0, 0);
   draw_ = named_button("cut_draw", group);
   draw_->setCheckable(true);
+  freehand_ = named_button("cut_freehand", group);
+  freehand_->setCheckable(true);
   drop_last_ = named_button("cut_drop_last", group);
   clear_ = named_button("cut_clear", group);
   auto* row = new QHBoxLayout;
-  for (QPushButton* each : {draw_, drop_last_, clear_}) row->addWidget(each);
+  for (QPushButton* each : {draw_, freehand_}) row->addWidget(each);
   column->addLayout(row);
+  auto* fewer = new QHBoxLayout;
+  for (QPushButton* each : {drop_last_, clear_}) fewer->addWidget(each);
+  column->addLayout(fewer);
   points_told_ = new QLabel(group);
   points_told_->setObjectName("faint");
   points_told_->setWordWrap(true);
   column->addWidget(points_told_);
   column->addStretch(1);
-  connect(draw_, &QPushButton::toggled, this, &CutControls::drawing_changed);
+  connect(draw_, &QPushButton::toggled, this, [this](bool on) {
+    if (on) freehand_->setChecked(false);
+    Q_EMIT drawing_changed(drawing());
+  });
+  connect(freehand_, &QPushButton::toggled, this, [this](bool on) {
+    if (on) draw_->setChecked(false);
+    Q_EMIT drawing_changed(drawing());
+  });
   connect(drop_last_, &QPushButton::clicked, this, &CutControls::last_dropped);
   connect(clear_, &QPushButton::clicked, this, &CutControls::cleared);
   keep_translated(group, [this] {
     draw_->setText(tr("Set points"));
     draw_->setToolTip(tr("Each click on the liver or in a slice sets a point; points can be dragged"));
+    freehand_->setText(tr("Draw a line"));
+    freehand_->setToolTip(tr(
+        "Then draw over the liver in the 3D view with the left button held: the cut goes straight down under the line, "
+        "as it is seen from there"));
     drop_last_->setText(tr("Drop the last"));
     clear_->setText(tr("Clear"));
   });
@@ -142,6 +158,7 @@ void CutControls::choose(Kind kind) {
 void CutControls::stop_drawing() {
   by_clicks_->setChecked(false);
   draw_->setChecked(false);
+  freehand_->setChecked(false);
 }
 
 void CutControls::show_plane(const std::optional<CutPlane>& plane) {

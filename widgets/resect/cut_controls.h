@@ -1,5 +1,6 @@
 #pragma once
-// The controls of a cut: a plane by its place and two angles, or points that a smooth surface passes through.
+// The controls of a cut: a plane by its place and two angles, or points that a smooth surface passes through, which are
+// set one by one or lie under a line drawn freehand.
 
 #include <optional>
 #include <QComboBox>
@@ -25,7 +26,9 @@ class CutControls : public QWidget {
   void choose(Kind kind);
   // The person sets places by clicks: three for a plane, or those of a sheet.
   [[nodiscard]] bool by_clicks() const { return by_clicks_->isChecked(); }
-  [[nodiscard]] bool drawing() const { return by_clicks_->isChecked() || draw_->isChecked(); }
+  [[nodiscard]] bool drawing() const { return by_clicks_->isChecked() || draw_->isChecked() || freehand(); }
+  // The person draws a line over the liver.
+  [[nodiscard]] bool freehand() const { return freehand_->isChecked(); }
   void stop_drawing();
   void show_plane(const std::optional<CutPlane>& plane);
   void show_points(std::size_t count);
@@ -54,6 +57,7 @@ class CutControls : public QWidget {
   NumberBox* turn_;
   NumberBox* tilt_;
   QPushButton* draw_;
+  QPushButton* freehand_;
   QPushButton* drop_last_;
   QPushButton* clear_;
   QLabel* points_told_;

@@ -45,6 +45,7 @@ void CutHandles::set_active(bool active) {
   if (active == active_) return;
   active_ = active;
   held_ = {};
+  if (!active) set_freehand(false);
   std::vector<RenderWidget*> all{&views_.space()};
   all.insert(all.end(), views_.slices().begin(), views_.slices().end());
   for (RenderWidget* view : all) {
@@ -69,6 +70,14 @@ void CutHandles::set_points(const std::vector<Vector3d>& points_mm) {
 }
 
 void CutHandles::set_drawing(bool drawing) { drawing_ = drawing; }
+
+void CutHandles::set_freehand(bool freehand) {
+  freehand_ = freehand;
+  line_begun_ = false;
+  line_.clear();
+  line_mm_.clear();
+  draw_line_in_space();
+}
 
 LineInSlice CutHandles::line_in(const SliceView& slice) const {
   return line_in_slice(*plane_, slice.crosshair_mm(), normal_of(slice));
@@ -189,6 +198,7 @@ void CutHandles::drag_in_slice(const SliceView& slice, const Vector3d& to_mm) {
 
 bool CutHandles::space_event(QMouseEvent& event) {
   SpaceView& space = views_.space();
+  if (freehand_) return freehand_event(event);
   const QPointF at = device(space, event.position());
   if (event.type() == QEvent::MouseMove && event.buttons() == Qt::NoButton) {
     const bool something = under_in_space(event.position()).part != Part::none;
@@ -212,6 +222,44 @@ bool CutHandles::space_event(QMouseEvent& event) {
     drag_in_space(space.view().position_in_focal_plane(at.x(), at.y()));
   }
   return true;
+}
+
+bool CutHandles::freehand_event(QMouseEvent& event) {
+  SpaceView& space = views_.space();
+  space.setCursor(Qt::CrossCursor);
+  if (event.type() == QEvent::MouseButtonPress) {
+    if (event.button() != Qt::LeftButton || event.modifiers() != Qt::NoModifier) return false;
+    line_begun_ = true;
+  }
+  if (!line_begun_) return false;
+  const QPointF at = device(space, event.position());
+  const scene::View& view = space.view();
+  const Vector3d through_mm = view.position_in_focal_plane(at.x(), at.y());
+  constexpr double deeper_mm = 100;
+  const Vector3d below_mm = view.position_beside(through_mm + deeper_mm * view.camera().sight, at.x(), at.y());
+  line_.push_back({through_mm, below_mm - through_mm});
+  constexpr double lifted_mm = 1.5;  // off the surface, which would hide it
+  if (const auto pick = view.pick(at.x(), at.y())) line_mm_.push_back(pick->position_mm + lifted_mm * pick->normal);
+  if (event.type() == QEvent::MouseButtonRelease) {
+    const std::vector<planning::SightLine> line = line_;
+    set_freehand(true);
+    Q_EMIT line_drawn(line);
+  } else {
+    draw_line_in_space();
+  }
+  return true;
+}
+
+void CutHandles::draw_line_in_space() {
+  std::vector<scene::DrawnLines> lines;
+  if (line_mm_.size() > 1) {
+    scene::DrawnLines& line = lines.emplace_back(scene::DrawnLines{{}, handle_colour, 3});
+    for (std::size_t p = 1; p < line_mm_.size(); ++p) {
+      line.ends_mm.insert(line.ends_mm.end(), {line_mm_[p - 1], line_mm_[p]});
+    }
+  }
+  views_.space().view().set_drawn_lines(lines);
+  views_.space().redraw();
 }
 
 CutHandles::Fixed CutHandles::under_in_space(const QPointF& pixel) const {

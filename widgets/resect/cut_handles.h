@@ -1,12 +1,14 @@
 #pragma once
 // What a hand takes hold of in the four views while a cut is planned: in each slice the plane's line (drag: shift it)
 // with a ball at each end (drag: tilt it), in space a ball on the plane and one on its normal's tip; and the points of
-// a sheet, which are set by clicks and dragged. Anything else in the views stays as it is.
+// a sheet, which are set by clicks and dragged, or a line drawn freehand in space. Anything else in the views stays as
+// it is.
 
 #include <optional>
 #include <QObject>
 #include <vector>
 
+#include "planning/freehand.h"
 #include "widgets/resect/cut_plane.h"
 #include "widgets/views/linked_views.h"
 
@@ -26,6 +28,8 @@ class CutHandles : public QObject {
   void set_points(const std::vector<Eigen::Vector3d>& points_mm);
   // On: a click in a slice is told by point_clicked().
   void set_drawing(bool drawing);
+  // On: the left button draws a line in space, told by line_drawn() when it is let go.
+  void set_freehand(bool freehand);
   // In the slices, where they are now.
   void draw_in_slices();
   // In space: marks and arrows for the workspace's scene.
@@ -39,6 +43,7 @@ class CutHandles : public QObject {
   void point_clicked(const Eigen::Vector3d& position_mm);
   void point_moved(std::size_t point, const Eigen::Vector3d& position_mm);
   void let_go();  // what was dragged
+  void line_drawn(const std::vector<glisson::planning::SightLine>& line);
 
  private:
   enum class Part { none, line, near_end, far_end, middle, tip, point };
@@ -51,6 +56,8 @@ class CutHandles : public QObject {
 
   bool slice_event(SliceView& slice, QMouseEvent& event);
   bool space_event(QMouseEvent& event);
+  bool freehand_event(QMouseEvent& event);
+  void draw_line_in_space();
   [[nodiscard]] Fixed under(const SliceView& slice, const QPointF& pixel) const;
   [[nodiscard]] Fixed under_in_space(const QPointF& pixel) const;
   void drag_in_slice(const SliceView& slice, const Eigen::Vector3d& to_mm);
@@ -61,6 +68,10 @@ class CutHandles : public QObject {
   LinkedViews& views_;
   bool active_ = false;
   bool drawing_ = false;
+  bool freehand_ = false;
+  bool line_begun_ = false;
+  std::vector<planning::SightLine> line_;
+  std::vector<Eigen::Vector3d> line_mm_;  // on the liver, as it is drawn
   std::optional<CutPlane> plane_;
   std::vector<Eigen::Vector3d> points_mm_;
   Fixed held_;

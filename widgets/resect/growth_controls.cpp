@@ -112,9 +112,10 @@ QWidget* GrowthControls::make_fields() {
     days_->setToolTip(tr("0: by the dates of the images. To be typed where these have none"));
     standard_name->setText(tr("Standard volume"));
     standard_->setSuffix(tr(" ml"));
-    standard_->setToolTip(tr("The liver's volume estimated from body size, of which the per cent are in both studies: "
-                             "-794.41 + 1267.28 × body surface in m² (Vauthey et al. 2002). 0: of each study's own "
-                             "liver"));
+    standard_->setToolTip(
+        tr("The liver's volume estimated from body size, of which the per cent are in both studies: "
+           "-794.41 + 1267.28 × body surface in m² (Vauthey et al. 2002). 0: of each study's own "
+           "liver"));
   });
   return fields_;
 }

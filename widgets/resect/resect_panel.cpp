@@ -7,6 +7,7 @@
 #include "widgets/panels/parts.h"
 #include "widgets/resect/kept_cuts.h"
 #include "widgets/words/keep_translated.h"
+#include "widgets/words/translated.h"
 
 namespace glisson::widgets {
 namespace {
@@ -68,8 +69,9 @@ ResectPanel::ResectPanel(WorkspaceContext context, QWidget* parent) : QWidget(pa
     points_mm_[point] = position_mm;
     cut_changed();
   });
+  connect(handles_, &CutHandles::line_drawn, this, &ResectPanel::cut_under);
   connect(&context_.views.space(), &SpaceView::clicked, this, [this](const scene::View::Pick& pick) {
-    if (isVisible() && cut_controls_->drawing()) take_click(pick.position_mm);
+    if (isVisible() && cut_controls_->drawing() && !cut_controls_->freehand()) take_click(pick.position_mm);
   });
   connect(&context_.patient_views, &PatientViews::slices_rebuilt, this, [this] {
     move_drawn_plane();
@@ -197,18 +199,18 @@ void ResectPanel::take_up_kept_plan() {
   }
 }
 
-void ResectPanel::take_up(const planning::Plan& plan) {
-  plane_.reset();
 void ResectPanel::choose(const planning::Plan& plan) {
   const QJsonValue surface_before = noted_, taken_before = value_of(by_anatomy_->taken());
   by_anatomy_->take_up(plan);
   take_up(plan);
   last_noted_ = By::hand;
-  context_.undo.values_changed({GLISSON_TEXT("Choose the plan {0}"), {plan.name}},
-                               {{kept_key, surface_before, noted_},
-                                {PlanByAnatomy::taken_key, taken_before, value_of(by_anatomy_->taken())}});
+  context_.undo.values_changed(
+      {GLISSON_TEXT("Choose the plan {0}"), {plan.name}},
+      {{kept_key, surface_before, noted_}, {PlanByAnatomy::taken_key, taken_before, value_of(by_anatomy_->taken())}});
 }
 
+void ResectPanel::take_up(const planning::Plan& plan) {
+  plane_.reset();
   points_mm_.clear();
   clicks_mm_.clear();
   cut_controls_->choose(CutControls::plane_cut);
@@ -272,6 +274,15 @@ void ResectPanel::take_click(const Vector3d& position_mm) {
   cut_changed();
 }
 
+// In the place of the points that were set.
+void ResectPanel::cut_under(const std::vector<planning::SightLine>& line) {
+  if (patient_.structures.empty()) return;
+  auto sheet = planning::sheet_under(*patient_.structures.front().surface, line);
+  if (!sheet) return context_.tell_status(translated(sheet.error()));  // to be drawn again
+  cut_controls_->stop_drawing();
+  set_points(std::move(sheet->through_mm));
+}
+
 void ResectPanel::move_plane(const CutPlane& plane) {
   plane_ = plane;
   cut_changed();
@@ -305,9 +316,11 @@ void ResectPanel::note(By by) {
 
 void ResectPanel::set_drawing(bool drawing) {
   clicks_mm_.clear();
-  handles_->set_drawing(drawing);
+  handles_->set_drawing(drawing && !cut_controls_->freehand());
+  handles_->set_freehand(cut_controls_->freehand());
   if (drawing) apart_->setValue(0);
-  context_.tell_status(!drawing ? QString()
+  context_.tell_status(!drawing                    ? QString()
+                       : cut_controls_->freehand() ? tr("Draw a line over the liver in the 3D view.")
                        : cut_controls_->by_clicks()
                            ? tr("Click three places on the liver or in the slices.")
                            : tr("Click on the liver or in the slices where the cut is to pass."));

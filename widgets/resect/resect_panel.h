@@ -41,6 +41,7 @@ class ResectPanel : public QWidget {
   QWidget* make_outcome();
   [[nodiscard]] CutPlane plane_through(const Eigen::Vector3d& place_mm, const Eigen::Vector3d& normal) const;
   void take_click(const Eigen::Vector3d& position_mm);
+  void cut_under(const std::vector<planning::SightLine>& line);
   void move_plane(const CutPlane& plane);
   void set_points(std::vector<Eigen::Vector3d> points_mm);
   // Plane or sheet as it has been set, none where it has not.
@@ -49,9 +50,9 @@ class ResectPanel : public QWidget {
   enum class By { hand, typing };
   void note(By by = By::hand);
   void take_up_kept_plan();
-  // Its plane or sheet; what else it takes, by_anatomy_ knows.
   // A plan that is kept, whole: a step of undo.
   void choose(const planning::Plan& plan);
+  // Its plane or sheet; what else it takes, by_anatomy_ knows.
   void take_up(const planning::Plan& plan);
   void set_drawing(bool drawing);
   // The cut has changed: plan it anew, and show where it is.
