@@ -41,7 +41,7 @@ struct HoldTool {
 struct ReleaseTool {
   std::string id;
 };
-// Opens a cut further, in both bodies (mechanics/cutting/opening.h); at small strain alone.
+// Opens a cut further, in both bodies (mechanics/cutting/opening.h).
 struct AdvanceCut {
   mechanics::CutStrip strip;
 };

@@ -70,31 +70,35 @@ Result<BodyState> SessionBody::settled(const BodyState& from, const std::vector<
 }
 
 Result<SessionBody> SessionBody::opened(const mechanics::CutStrip& strip) const {
-  const auto* small = std::get_if<ContactBody>(&body_);
-  if (small == nullptr) {
-    return failure(Error{"not-available",
-                         GLISSON_TEXT("A cut can advance at small strain alone."),
-                         {},
-                         GLISSON_TEXT("Rehearse it with the linear material."),
-                         {}});
-  }
-  return small->opened(strip).map([](ContactBody body) { return SessionBody(std::move(body)); });
+  return std::visit(
+      [&](const auto& body) -> Result<SessionBody> {
+        return body.opened(strip).map([](auto opened) { return SessionBody(std::move(opened)); });
+      },
+      body_);
 }
 
 Result<bool> SessionBody::prepare(const mechanics::CutStrip& ahead) const {
-  const auto* small = std::get_if<ContactBody>(&body_);
-  return small == nullptr ? Result<bool>(false) : small->prepare(ahead);
+  return std::visit([&](const auto& body) { return body.prepare(ahead); }, body_);
 }
 
 std::optional<SessionCut> SessionBody::cut(const BodyState& state) const {
-  const auto* small = std::get_if<ContactBody>(&body_);
-  if (small == nullptr || small->opening() == nullptr) return {};
-  const ContactState& now = *std::get<SmallState>(state);
-  auto surface = small->opened_surface(now);
-  if (!surface) return {};
-  SessionCut cut{std::move(*surface), 0, small->opening()->open_mm2(), small->opening()->whole_mm2(), 0, {}};
-  for (const Vector3d& jump_mm : now.jumps_mm)
-    cut.largest_opening_mm = std::max(cut.largest_opening_mm, jump_mm.norm());
+  const mechanics::Opening* opening =
+      std::visit([](const auto& body) { return body.opening(); }, body_);
+  if (opening == nullptr) return {};
+  SessionCut cut{{}, 0, opening->open_mm2(), opening->whole_mm2(), 0, {}};
+  std::vector<Vector3d> jumps_mm;
+  if (const auto* large = std::get_if<LiveBody>(&body_)) {
+    const LiveState& now = *std::get<LargeState>(state);
+    cut.patient = large->opened_surface(now);
+    jumps_mm = large->jumps_mm(now);
+  } else {
+    const ContactState& now = *std::get<SmallState>(state);
+    auto surface = std::get<ContactBody>(body_).opened_surface(now);
+    if (!surface) return {};
+    cut.patient = std::move(*surface);
+    jumps_mm = now.jumps_mm;
+  }
+  for (const Vector3d& jump_mm : jumps_mm) cut.largest_opening_mm = std::max(cut.largest_opening_mm, jump_mm.norm());
   return cut;
 }
 
@@ -145,6 +149,7 @@ std::string bits_of(const BodyState& state) {
       add(&place.multiplier_mN, 1);
       if (place.anchor_mm) add(place.anchor_mm->data(), 3);
     }
+    add((*large)->wall_mN.data(), (*large)->wall_mN.size());
     return bits;
   }
   const ContactState& small = *std::get<SmallState>(state);

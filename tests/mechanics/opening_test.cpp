@@ -5,7 +5,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 
-#include "bodies.h"
+#include "cut_bar.h"
 #include "mechanics/contact/contact.h"
 #include "mechanics/cutting/opened_surface.h"
 #include "mechanics/cutting/opening.h"
@@ -17,65 +17,24 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
-using test::box;
+using test::at_corner;
+using test::bar;
+using test::cut_x_mm;
+using test::meshed_with_the_cut;
+using test::MeshedCut;
+using test::on_front_mm;
+using test::size_mm;
+using test::wall;
+using test::youngs_kPa;
 
-// A bar clamped at one end and resting on springs at a part of its bottom, pulled up at its other end in gas; an
-// oblique cut from above opens. Not the block on which the bridges' stiffness was chosen (opening.h).
-const Vector3d size_mm(80, 24, 40);
-constexpr double youngs_kPa = 8.0;
 const Loads loads{ToolLoad{{80, 12, 40}, 12, {-150, 40, 260}}, PressureLoad{0.4}, GravityLoad{{0, 0, -9810}}};
 
-// Where the cut crosses the bar at a height.
-double cut_x_mm(double z_mm) { return 33.7 + 0.3 * z_mm; }
-const geometry::CutSurface wall =
-    geometry::CutSurface::plane({cut_x_mm(0), 0, 0}, Vector3d(1, 0, -0.3).normalized()).value();
-Vector3d on_front_mm(double z_mm) { return {cut_x_mm(z_mm), 0, z_mm}; }
-
 StaticModel model_of(geometry::TetMesh mesh, const std::vector<int>& wall_points = {}) {
-  test::name_points(mesh, "clamped", [](const Vector3d& p) { return p.x() < 1e-6; });
-  test::name_points(mesh, "bed", [](const Vector3d& p) { return p.z() < 1e-6 && p.x() < 60.0; });
+  test::name_supports_of_bar(mesh);
   const std::size_t cells = mesh.cells.size();
-  return StaticModel::create(std::move(mesh), std::vector<double>(cells, youngs_kPa),
-                             {{NamedPoints{"clamped"}, Fixed{}}, {NamedPoints{"bed"}, Foundation{0.05}}}, {}, {},
+  return StaticModel::create(std::move(mesh), std::vector<double>(cells, youngs_kPa), test::supports_of_bar(), {}, {},
                              wall_points)
       .value();
-}
-
-geometry::TetMesh bar(int nx, int ny, int nz) {
-  geometry::TetMesh mesh = box(nx, ny, nz, size_mm);
-  test::disturb_inner_points(mesh, 0.1 * size_mm.x() / nx);
-  return mesh;
-}
-
-// The same bar, meshed with the cut: the points of its wall are doubled above the front.
-struct MeshedCut {
-  geometry::TetMesh mesh;
-  std::vector<int> wall_points;
-};
-MeshedCut meshed_with_the_cut(int nx, int ny, int nz, double front_z_mm) {
-  const int left = nx / 2;
-  const auto on_wall = [](const Vector3d& p) { return std::abs(p.x() - cut_x_mm(p.z())) < 1e-6; };
-  geometry::TetMesh mesh = test::bent_box(nx, ny, nz, [&](const Vector3d& unit) {
-    const double i = unit.x() * nx, z = unit.z() * size_mm.z(), cut = cut_x_mm(z);
-    return Vector3d(i <= left ? cut * i / left : cut + (size_mm.x() - cut) * (i - left) / (nx - left),
-                    unit.y() * size_mm.y(), z);
-  });
-  std::vector<int> double_of(mesh.points_mm.size(), -1), wall_points;
-  for (std::size_t p = 0, all = mesh.points_mm.size(); p < all; ++p) {
-    const Vector3d at = mesh.points_mm[p];
-    if (!on_wall(at) || at.z() < front_z_mm + 1e-6) continue;
-    double_of[p] = static_cast<int>(mesh.points_mm.size());
-    mesh.points_mm.push_back(at);
-    wall_points.insert(wall_points.end(), {static_cast<int>(p), double_of[p]});
-  }
-  for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
-    const Vector3d middle = geometry::cell_centroid_mm(mesh, c);
-    if (middle.x() < cut_x_mm(middle.z())) continue;
-    for (int& p : mesh.cells[c]) {
-      if (double_of[p] >= 0) p = double_of[p];
-    }
-  }
-  return {std::move(mesh), std::move(wall_points)};
 }
 
 // All corners are seen.
@@ -98,14 +57,6 @@ std::vector<Vector3d> displaced(const StaticModel& model, const Opening& opening
     u_mm[p] += by_cut_mm.segment<3>(3 * static_cast<Eigen::Index>(p));
   }
   return u_mm;
-}
-
-Vector3d at_corner(const geometry::TetMesh& mesh, const std::vector<Vector3d>& u_mm) {
-  for (std::size_t p = 0; p < mesh.points_mm.size(); ++p) {
-    if ((mesh.points_mm[p] - size_mm).norm() < 1e-6) return u_mm[p];
-  }
-  ADD_FAILURE() << "no corner";
-  return Vector3d::Zero();
 }
 
 Opening nothing_open(const StaticModel& model) { return Opening::of(model, loads, corners_of(model)).value(); }

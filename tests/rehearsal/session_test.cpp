@@ -267,6 +267,53 @@ TEST(SessionAtLargeStrain, ReplaysToTheBitWithItsSettling) {
   EXPECT_FALSE(replay(again, read).has_value());
 }
 
+// The same as at small strain: a grasper holds one side up while the cut advances towards it and past it, and every
+// advance goes back to the bit.
+TEST(SessionAtLargeStrain, ACutOpensUnderTractionStepByStepAndBackAgain) {
+  auto engine = SessionEngine::create(soft_block()).value();
+  Recording recording;
+  const auto carry_out = [&](const SessionCommand& command) {
+    const SessionState& state = engine.step(command);
+    EXPECT_EQ(state.refused, "");
+    recording.emplace_back(command, state.digest);
+    return state;
+  };
+  const auto come_to_rest = [&] {
+    for (int i = 0; i < SessionEngine::most_settles && !engine.state().settled; ++i) carry_out(Settle{});
+    EXPECT_TRUE(engine.state().settled);
+    return engine.state();
+  };
+  carry_out(HoldTool{{"grasper", Grasp{{30, 56, 40}, 9, 300.0, {0, 0.6, 1}}}});
+  const SessionState uncut = come_to_rest();
+  EXPECT_EQ(uncut.cut, nullptr);
+  const SessionState picture = carry_out(advance(80, 55));
+  ASSERT_TRUE(picture.error_bound_mm.has_value());
+  EXPECT_FALSE(picture.settled);
+  const SessionState first = come_to_rest();
+  for (std::size_t l = 0; l < first.patient.landmarks.size(); ++l) {
+    EXPECT_LE((picture.patient.landmarks[l].displaced_mm - first.patient.landmarks[l].displaced_mm).norm(),
+              *picture.error_bound_mm);
+  }
+  while (engine.prepare_the_next_cut()) continue;
+  carry_out(advance(55, 25));
+  const SessionState second = come_to_rest();
+  ASSERT_TRUE(first.cut && second.cut);
+  EXPECT_GT(second.cut->open_mm2, first.cut->open_mm2);
+  EXPECT_GT(second.cut->largest_opening_mm, first.cut->largest_opening_mm);
+  EXPECT_GT(second.patient.max_displacement_mm, uncut.patient.max_displacement_mm);
+  EXPECT_LE(second.patient_step.report.overlap_mm, 0.1);
+  EXPECT_TRUE(geometry::check_surface(second.cut->patient));
+  EXPECT_TRUE(second.atlas.has_value());
+  carry_out(Undo{});
+  EXPECT_EQ(engine.state().digest, first.digest);
+  carry_out(Undo{});
+  EXPECT_EQ(engine.state().digest, uncut.digest);
+  EXPECT_EQ(engine.state().cut, nullptr);
+  const auto read = parse_recording(recording_text(recording)).value();
+  auto again = SessionEngine::create(soft_block()).value();
+  EXPECT_FALSE(replay(again, read).has_value());
+}
+
 // Pressed in and drawn along; where it was stuck to is in the recording's bits, and undo goes back to it.
 TEST(SessionAtLargeStrain, AToolWithFrictionPullsAlongAndReplaysToTheBit) {
   const auto drawn = [](double way_mm, double friction) {

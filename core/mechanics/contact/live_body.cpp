@@ -1,6 +1,7 @@
 #include "mechanics/contact/live_body.h"
 
 #include "mechanics/contact/internal/live_step.h"
+#include "mechanics/cutting/opened_surface.h"
 #include "mechanics/elements/shape_functions.h"
 #include "mechanics/potentials/total_potential.h"
 #include "mechanics/statics/displacements.h"
@@ -11,8 +12,14 @@ namespace glisson::mechanics {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-struct LiveBody::Impl : LiveParts {
-  using LiveParts::LiveParts;
+struct LiveBody::Impl {
+  std::shared_ptr<const LiveParts> parts;
+  std::shared_ptr<const LiveCut> cut;  // nullptr: nothing is cut
+
+  [[nodiscard]] LiveStep step(const LiveState& from, const std::vector<ContactTool>& tools, const LiveOptions& options,
+                              const Progress& progress = {}) const {
+    return {*parts, cut.get(), from, tools, options, progress};
+  }
 };
 
 Result<LiveBody> LiveBody::create(StaticModel model, const ChosenLaw& law, const std::vector<Support>& supports,
@@ -25,10 +32,11 @@ Result<LiveBody> LiveBody::create(StaticModel model, const ChosenLaw& law, const
   }
   auto prepared = prepare_body(model.mesh(), model.youngs_kPa(), supports, options, Holding::required);
   if (!prepared) return failure(std::move(prepared.error()));
-  auto made = std::make_shared<Impl>(std::move(model), std::move(*prepared), law);
-  Impl& parts = *made;
+  auto made = std::make_shared<LiveParts>(std::move(model), std::move(*prepared), law);
+  LiveParts& parts = *made;
   auto loads = applied_loads(parts.body, standing_loads, Gas::follows_the_surface);
   if (!loads) return failure(std::move(loads.error()));
+  parts.standing_loads = standing_loads;
   parts.standing = std::move(*loads);
   parts.around = boundary_potentials(parts.body, parts.standing.follower_pressure_kPa);
   parts.surface = geometry::boundary_surface(parts.body.mesh);
@@ -36,10 +44,11 @@ Result<LiveBody> LiveBody::create(StaticModel model, const ChosenLaw& law, const
     parts.node_of_point.push_back(parts.body.layout.node_of_point[static_cast<std::size_t>(p)]);
   }
   parts.watched = std::move(watched);
+  parts.judged = judged;
   parts.k_mN_mm = penalty_stiffness_mN_mm(5, parts.body, parts.surface);
   if (judged > 0) {
-    const auto answered = parts.model.respond(parts.unit_forces_at_watched(judged));
-    parts.adjoints = answered.displacement_mm.cast<float>();
+    const auto answered = parts.model.respond(parts.unit_forces_at_judged());
+    parts.adjoints = std::make_shared<Eigen::MatrixXf>(answered.displacement_mm.cast<float>());
   }
   // Under the standing loads, put on in parts where all of them at once find no rest.
   const VectorXd rest_mm = VectorXd::Zero(parts.unknowns());
@@ -60,37 +69,76 @@ Result<LiveBody> LiveBody::create(StaticModel model, const ChosenLaw& law, const
   }
   const std::vector<ContactTool> no_tools;
   const LiveOptions usual;
-  auto untouched = LiveStep(parts, standing, no_tools, usual, {}).run(standing, Until::settled);
+  auto untouched = LiveStep(parts, nullptr, standing, no_tools, usual, {}).run(standing, Until::settled);
   if (!untouched) return failure(std::move(untouched.error()));
   if (!untouched->settled) {
     return failure("not-converged", GLISSON_TEXT("The body has no rest under its standing loads."));
   }
   parts.untouched = std::move(*untouched);
-  return LiveBody(std::move(made));
+  return LiveBody(std::make_shared<Impl>(Impl{std::move(made), nullptr}));
 }
 
 Result<LiveState> LiveBody::step(const LiveState& from, const std::vector<ContactTool>& tools,
                                  const LiveOptions& options) const {
-  return LiveStep(*impl_, from, tools, options, {}).run(from, Until::shown);
+  return impl_->step(from, tools, options).run(from, Until::shown);
 }
 
 Result<LiveState> LiveBody::settle(const LiveState& from, const std::vector<ContactTool>& tools,
                                    const LiveOptions& options, const Progress& progress) const {
-  return LiveStep(*impl_, from, tools, options, progress).run(from, Until::settled);
+  return impl_->step(from, tools, options, progress).run(from, Until::settled);
+}
+
+Result<LiveBody> LiveBody::opened(const CutStrip& strip) const {
+  const LiveParts& parts = *impl_->parts;
+  auto before = impl_->cut ? Result<Opening>(impl_->cut->opening)
+                           : Opening::of(parts.model, {}, judged_places(parts));
+  if (!before) return failure(std::move(before.error()));
+  auto advanced = before->advanced(strip);
+  if (!advanced) return failure(std::move(advanced.error()));
+  const std::size_t advances = impl_->cut ? impl_->cut->advances + 1 : 1;
+  auto cut = std::make_shared<LiveCut>(parts, std::move(*advanced), advances);
+  if (auto weighed = cut->adjoints(parts); !weighed) return failure(std::move(weighed.error()));
+  return LiveBody(std::make_shared<Impl>(Impl{impl_->parts, std::move(cut)}));
+}
+
+const Opening* LiveBody::opening() const { return impl_->cut ? &impl_->cut->opening : nullptr; }
+
+Result<bool> LiveBody::prepare(const CutStrip& ahead) const {
+  return impl_->cut ? impl_->cut->opening.prepare(ahead) : Result<bool>(false);
+}
+
+std::vector<Vector3d> LiveBody::jumps_mm(const LiveState& state) const {
+  std::vector<Vector3d> jumps_mm;
+  for (auto at = impl_->parts->unknowns(); at < state.u_mm.size(); at += 3) {
+    jumps_mm.emplace_back(state.u_mm.segment<3>(at));
+  }
+  return jumps_mm;
+}
+
+geometry::Surface LiveBody::opened_surface(const LiveState& state) const {
+  const Body& body = impl_->parts->body;
+  std::vector<Vector3d> moved_mm;
+  for (const int node : body.layout.node_of_point) {
+    moved_mm.push_back(node < 0 ? Vector3d(0, 0, 0) : Vector3d(state.u_mm.segment<3>(3 * node)));
+  }
+  return mechanics::opened_surface(body.mesh, surface(), opening() == nullptr ? std::vector<OpenCell>() : opening()->cells(),
+                                   moved_mm, jumps_mm(state));
 }
 
 StaticResult LiveBody::whole_result(const LiveState& state) const {
-  StaticResult result =
-      state_of(impl_->body, impl_->materials, state.u_mm, impl_->standing, VectorXd::Zero(state.u_mm.size()));
+  const LiveParts& parts = *impl_->parts;
+  const VectorXd u_mm = state.u_mm.head(parts.unknowns());
+  StaticResult result = state_of(parts.body, parts.materials, u_mm, parts.standing, VectorXd::Zero(u_mm.size()));
+  if (impl_->cut) impl_->cut->correct(result, parts, state);
   result.status = state.settled ? SolveStatus::converged : SolveStatus::not_converged;
   result.relative_residual = state.report.relative_residual;
   result.iterations = state.report.rounds;
   return result;
 }
 
-const LiveState& LiveBody::untouched() const { return impl_->untouched; }
-const geometry::Surface& LiveBody::surface() const { return impl_->surface; }
-const StaticModel& LiveBody::model() const { return impl_->model; }
+const LiveState& LiveBody::untouched() const { return impl_->parts->untouched; }
+const geometry::Surface& LiveBody::surface() const { return impl_->parts->surface; }
+const StaticModel& LiveBody::model() const { return impl_->parts->model; }
 
 VectorXd LiveParts::surface_of(const VectorXd& u_mm) const {
   VectorXd moved(3 * static_cast<Eigen::Index>(node_of_point.size()));
@@ -100,7 +148,7 @@ VectorXd LiveParts::surface_of(const VectorXd& u_mm) const {
   return moved;
 }
 
-Eigen::MatrixXd LiveParts::unit_forces_at_watched(std::size_t judged) const {
+Eigen::MatrixXd LiveParts::unit_forces_at_judged() const {
   Eigen::MatrixXd unit = Eigen::MatrixXd::Zero(unknowns(), 3 * static_cast<Eigen::Index>(judged));
   for (std::size_t w = 0; w < judged; ++w) {
     const auto& nodes = body.layout.cells[static_cast<std::size_t>(watched[w].cell)];

@@ -1,6 +1,6 @@
 #pragma once
 // A hyperelastic body under rigid tools and jaws at the speed of a hand: at large deformation, with all that is around
-// it (supports, foundations, ligaments, capsule, gas, gravity), with Coulomb's friction, without cuts. The fast
+// it (supports, foundations, ligaments, capsule, gas, gravity), with Coulomb's friction, and with cuts that open. The fast
 // counterpart of large_contact.h: the same energy, whose minimum is not found by factors of each new tangent but by a
 // few conjugate gradients a picture from the picture before.
 //
@@ -25,6 +25,13 @@
 // al. 2020, Incremental Potential Contact, ACM TOG 39:49). The spring gives by mu p / k, some hundredths of a
 // millimetre. Anchors move from one step to the next: settling looks for the rest of the step under way.
 //
+// A cut opens as at small strain (cutting/opening.h): the same cells are open, by jumps that follow the nodes among the
+// unknowns, the same springs bridge what the front has not passed. Nodes stay, and so does every level but one that is
+// made for the cut. Walls do not pass through each other: a point's jump is kept from closing beyond zero along the
+// wall's normal as it has turned, by multipliers as for tools, which holds while walls slide along each other by less
+// than a cell. Gas follows the walls. Tools touch the outer surface, by the triangles that it had before: none reaches
+// between the walls, and what is stretched over the gap still takes a tool.
+//
 // Lengths mm, forces mN, patient coordinates (LPS).
 
 #include <array>
@@ -37,6 +44,7 @@
 
 #include "base/progress.h"
 #include "mechanics/contact/contact.h"
+#include "mechanics/cutting/opening.h"
 #include "mechanics/scenario/scenario.h"
 
 namespace glisson::mechanics {
@@ -70,10 +78,12 @@ struct LiveBegin {
 };
 
 struct LiveState {
-  Eigen::VectorXd u_mm;                      // of all nodes
+  Eigen::VectorXd u_mm;                      // of all nodes, and then the jumps across a cut
+  std::size_t advances = 0;                  // of the cut that it is of
   Eigen::VectorXd resisting_mN;              // what body and supports resist with there; empty: not computed yet
   std::map<std::string, double> advance_mm;  // of pushed tools
   std::vector<LivePlace> places;
+  std::vector<double> wall_mN;              // by which walls push each other apart, one a jump
   std::vector<Eigen::Vector3d> surface_mm;  // displacement of each point of LiveBody::surface()
   std::vector<Eigen::Vector3d> watched_mm;
   std::vector<ToolContact> tools;
@@ -94,7 +104,7 @@ class LiveBody {
   static Result<LiveBody> create(StaticModel model, const ChosenLaw& law, const std::vector<Support>& supports,
                                  const Loads& standing_loads, std::vector<PointInMesh> watched, std::size_t judged);
 
-  // Under the standing loads alone, at rest.
+  // Under the standing loads alone, at rest; of a body that was cut, before it was.
   [[nodiscard]] const LiveState& untouched() const;
 
   // A first picture with the tools where they are now; between two none should move by more than some millimetres. The
@@ -106,7 +116,18 @@ class LiveBody {
   [[nodiscard]] Result<LiveState> settle(const LiveState& from, const std::vector<ContactTool>& tools,
                                          const LiveOptions& options = {}, const Progress& progress = {}) const;
 
+  // The body with a cut opened further. Its states begin from any of this one's; what is solved for is shared. Failures:
+  // those of Opening::advanced.
+  [[nodiscard]] Result<LiveBody> opened(const CutStrip& strip) const;
+  [[nodiscard]] const Opening* opening() const;  // nullptr: nothing is cut
+  // Opening::prepare; false where nothing is cut.
+  [[nodiscard]] Result<bool> prepare(const CutStrip& ahead) const;
+
   [[nodiscard]] const geometry::Surface& surface() const;
+  // The surface as it lies, divided where a cut has opened, with the cut's walls (opened_surface.h).
+  [[nodiscard]] geometry::Surface opened_surface(const LiveState& state) const;
+  // Across a live cut, at opening()'s points.
+  [[nodiscard]] std::vector<Eigen::Vector3d> jumps_mm(const LiveState& state) const;
   [[nodiscard]] const StaticModel& model() const;
   // Every mesh point's displacement (mm), and the whole result.
   [[nodiscard]] StaticResult whole_result(const LiveState& state) const;

@@ -3,15 +3,12 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
-#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <mutex>
-#include <optional>
 #include <utility>
 
 #include "mechanics/cutting/internal/jump_functions.h"
-#include "mechanics/cutting/internal/surface_in_body.h"
-#include "mechanics/cutting/internal/whole_walls.h"
+#include "mechanics/cutting/internal/opening_state.h"
 #include "mechanics/elements/load_vector.h"
 
 namespace glisson::mechanics {
@@ -25,57 +22,8 @@ namespace {
 
 constexpr std::size_t points_in_a_group = 4;  // a dozen right-hand sides, a tenth of a second on a liver
 
-// A point whose jump is open.
-struct OpenPoint {
-  int candidate;
-  std::shared_ptr<const SurfaceInBody> along;
-  std::shared_ptr<const SolvedPoint> solved;
-  [[nodiscard]] int point() const { return along->candidates[static_cast<std::size_t>(candidate)]; }
-};
-
-// A surface as far as it is cut.
-struct PartlyCut {
-  std::shared_ptr<const SurfaceInBody> along;
-  std::vector<CutStrip> strips;
-  std::vector<WholeWall> walls;  // of the crossing's cells
-};
-
 bool same(const geometry::CutSurface& a, const geometry::CutSurface& b);
 }  // namespace
-
-struct Opening::State {
-  State(StaticModel body, Loads loads, VectorXd force_mN, SeenPart part)
-      : model(std::move(body)),
-        standing_loads(std::move(loads)),
-        standing_force_mN(std::move(force_mN)),
-        seen(std::move(part)) {}
-
-  StaticModel model;
-  Loads standing_loads;
-  VectorXd standing_force_mN;
-  SeenPart seen;
-
-  std::vector<PartlyCut> cuts;
-  std::vector<OpenPoint> open;
-  MatrixXd stiffness;                          // S without the bridges
-  std::optional<Eigen::LLT<MatrixXd>> factor;  // none before anything is open
-
-  // For callers.
-  std::vector<int> points;
-  std::vector<Vector3d> normals;
-  VectorXd standing_load;
-  double relative_residual = 0;
-
-  [[nodiscard]] std::vector<int> candidates_to_open(const PartlyCut& cut) const;
-  [[nodiscard]] bool meets_another_cut(const std::vector<int>& new_points, const SurfaceInBody& along) const;
-  // What is known of a candidate, solved for with its group where it was not.
-  Result<std::shared_ptr<const SolvedPoint>> solved(const SurfaceInBody& along, int candidate) const;
-  [[nodiscard]] Result<void> solve_group(const SurfaceInBody& along, std::size_t group) const;
-  Result<void> open_points(const std::vector<int>& candidates, const std::shared_ptr<const SurfaceInBody>& along);
-  // Of each point of the mesh the number of its jump along that surface, -1: none.
-  [[nodiscard]] std::vector<int> jumps_along(const SurfaceInBody& along) const;
-  Result<void> factorise();
-};
 
 Result<Opening> Opening::of(StaticModel model, Loads standing_loads, SeenPart seen) {
   const Body& body = model.body();
@@ -363,24 +311,6 @@ VectorXd Opening::force_on_nodes_mN(const VectorXd& jumps_mm) const {
     force_mN -= open.along->coupling.middleCols(3 * open.candidate, 3) * jumps_mm.segment<3>(static_cast<Index>(3 * i));
   }
   return force_mN;
-}
-
-std::vector<OpenCell> Opening::cells() const {
-  const geometry::TetMesh& mesh = state_->model.mesh();
-  std::vector<OpenCell> cells;
-  for (const PartlyCut& cut : state_->cuts) {
-    const std::vector<int> number = state_->jumps_along(*cut.along);
-    for (const CrossedCell& crossed : cut.along->crossing.cells) {
-      OpenCell cell{crossed.cell, {}, Eigen::Vector4d::Zero(), crossed.division.wall};
-      for (int i = 0; i < 4; ++i) {
-        cell.jump[i] = number[mesh.cells[crossed.cell][i]];
-        cell.height_mm[i] = cut.along->crossing.height_mm[mesh.cells[crossed.cell][i]];
-      }
-      if (std::any_of(cell.jump.begin(), cell.jump.end(), [](int j) { return j >= 0; }))
-        cells.push_back(std::move(cell));
-    }
-  }
-  return cells;
 }
 
 namespace {

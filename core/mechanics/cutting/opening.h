@@ -16,8 +16,10 @@
 
 #include <array>
 #include <Eigen/Core>
+#include <Eigen/SparseCore>
 #include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "base/result.h"
@@ -54,6 +56,18 @@ struct OpenCell {
   std::vector<Eigen::Vector4d> wall;  // three or four places in order around it, barycentric
 };
 
+// Springs on jumps, alike along all axes (mN/mm): what still bridges the walls, and what of foundations lies under them.
+struct JumpSprings {
+  Eigen::SparseMatrix<double> with_nodes;  // one row a node and one column a jump
+  Eigen::SparseMatrix<double> between;     // jumps
+};
+
+// How far the cut along one surface has come, by its last strip.
+struct CutFront {
+  CutStrip last;
+  std::vector<int> jumps;  // across it
+};
+
 class Opening {
  public:
   // Nothing is open yet. Failures: those of load_vector; "not-converged".
@@ -73,6 +87,14 @@ class Opening {
   [[nodiscard]] const std::vector<int>& points() const;
   [[nodiscard]] const std::vector<Eigen::Vector3d>& normals() const;
   [[nodiscard]] std::vector<OpenCell> cells() const;
+
+  // For those who put a jump's functions together anew, L_i (H - H_i) at each of points(): what is more than the cells'
+  // own; dead loads on them (mN, 3 a jump; gas as at rest); and of places the jumps that are seen, with their values.
+  [[nodiscard]] JumpSprings springs() const;
+  [[nodiscard]] Eigen::VectorXd force_on_jumps_mN(const Loads& loads) const;
+  using JumpValues = std::vector<std::pair<int, double>>;
+  [[nodiscard]] std::vector<JumpValues> jumps_at(const std::vector<PointInMesh>& places) const;
+  [[nodiscard]] std::vector<CutFront> fronts() const;
 
   // The loads on the jumps, g - B^T K^-1 f (mN, 3 a point): of the standing loads; of a force (mN) on the point of the
   // mesh that is seen in three rows from `row`; of 1 mN that pushes the walls apart at a point, along the direction.

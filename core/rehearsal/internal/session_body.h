@@ -29,7 +29,7 @@ class SessionBody {
   // Some rounds nearer to rest; nothing changes where it rests. Failures: those of LiveBody::settle.
   [[nodiscard]] Result<BodyState> settled(const BodyState& from, const std::vector<mechanics::ContactTool>& tools,
                                           const Progress& progress) const;
-  // With a cut opened further. Failures: those of ContactBody::opened; "not-available" at large strain.
+  // With a cut opened further. Failures: those of ContactBody::opened and LiveBody::opened.
   [[nodiscard]] Result<SessionBody> opened(const mechanics::CutStrip& strip) const;
   [[nodiscard]] Result<bool> prepare(const mechanics::CutStrip& ahead) const;  // as ContactBody's
   // What its cut has come to in that state; nothing where none is open.

@@ -20,14 +20,17 @@ Result<LiveState> LiveStep::run(const LiveState& from, Until until) {
   if (auto taken = take_tools(from, until); !taken) return failure(std::move(taken.error()));
   const bool settling = until == Until::settled;
   const int most_rounds = settling ? options_.settling_rounds : options_.most_rounds;
-  now_ = from.resisting_mN.size() == n_ ? under_loads(from.resisting_mN, from.report.inverted_cells)
-                                        : unbalanced(state_.u_mm);
+  if (auto taken = take_cut(from); !taken) return failure(std::move(taken.error()));
+  const bool known = from.resisting_mN.size() == n_ && from.advances == state_.advances;
+  now_ = known ? under_loads(from.resisting_mN, from.report.inverted_cells) : unbalanced(state_.u_mm);
   for (int round = 0;; ++round) {
     find_places();
     limit_friction();
+    face_walls();
     const VectorXd r_mN = with_tools(now_, state_.u_mm);
     look_at_rows(state_.u_mm);
-    const SplineLevels::WithRows levels(parts_.levels, rows_, further_, alone(now_));
+    const SplineLevels::WithRows levels(parts_.levels, rows_, further_, alone(now_),
+                                        cut_ == nullptr ? nullptr : &cut_->level);
     // Nobody is told how good the picture was that a step begins with.
     const double left_mm = settling || round > 0 ? estimate(levels) : 0.0;
     state_.report.relative_residual = r_mN.norm() / (dead_mN_.norm() + tools_mN_ + parts_.k_mN_mm * hair_mm);
@@ -59,10 +62,23 @@ Result<LiveState> LiveStep::run(const LiveState& from, Until until) {
 }
 
 Unbalanced LiveStep::unbalanced(const VectorXd& u_mm) {
-  VectorXd resisting_mN = VectorXd::Zero(n_);
-  for (const auto& term : parts_.around) term->add_force(u_mm, resisting_mN);
-  const int inverted_points = parts_.cells.add_force(u_mm, resisting_mN, squared_).inverted_points;
+  if (cut_ == nullptr) {
+    VectorXd resisting_mN = VectorXd::Zero(n_);
+    const int inverted_points = add_whole_cells(u_mm, resisting_mN);
+    return under_loads(std::move(resisting_mN), inverted_points);
+  }
+  const Eigen::Index nodes = parts_.unknowns();
+  VectorXd on_nodes_mN = VectorXd::Zero(nodes), resisting_mN(n_);
+  int inverted_points = add_whole_cells(u_mm.head(nodes), on_nodes_mN);
+  resisting_mN << on_nodes_mN, VectorXd::Zero(n_ - nodes);
+  inverted_points += cut_->open.add_force(u_mm, resisting_mN);
   return under_loads(std::move(resisting_mN), inverted_points);
+}
+
+// And what is around the body; how many points are inside out.
+int LiveStep::add_whole_cells(const VectorXd& nodes_mm, VectorXd& force_mN) {
+  for (const auto& term : parts_.around) term->add_force(nodes_mm, force_mN);
+  return cells().add_force(nodes_mm, force_mN, squared_).inverted_points;
 }
 
 Unbalanced LiveStep::under_loads(VectorXd resisting_mN, int inverted_points) const {
@@ -84,14 +100,14 @@ VectorXd LiveStep::alone(const Unbalanced& balance) const {
 
 // How far the judged places are from rest, by what they answered to unit forces.
 double LiveStep::estimate(const SplineLevels::WithRows& levels) const {
-  if (parts_.adjoints.cols() == 0) return 0;
+  if (adjoints_->cols() == 0) return 0;
   VectorXd pressing_mN(static_cast<Eigen::Index>(rows_.size())), rest_mN;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const double force = -rows_[i].stiffness * rows_[i].gap_mm;
     pressing_mN[static_cast<Eigen::Index>(i)] = rows_[i].two_sided ? force : std::max(0.0, force);
   }
   levels.rest_of(pressing_mN, rest_mN);
-  const Eigen::VectorXf left_mm = parts_.adjoints.transpose() * rest_mN.head(n_).cast<float>();
+  const Eigen::VectorXf left_mm = adjoints_->transpose() * rest_mN.head(n_).cast<float>();
   double farthest_mm = 0;
   for (Eigen::Index l = 0; l < left_mm.size(); l += 3) {
     farthest_mm = std::max(farthest_mm, double{left_mm.segment<3>(l).norm()});

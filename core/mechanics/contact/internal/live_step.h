@@ -2,12 +2,14 @@
 // The parts of a live body, and one step of it: places that touch, conjugate gradients, the estimate of what is left
 // (live_body.h says how they go together). Inside of this room.
 
+#include <algorithm>
 #include <limits>
 #include <vector>
 
 #include "base/stopwatch.h"
 #include "mechanics/contact/internal/contact_candidates.h"
 #include "mechanics/contact/internal/contact_constraint.h"
+#include "mechanics/contact/internal/live_cut.h"
 #include "mechanics/contact/internal/quadratic_cells.h"
 #include "mechanics/contact/internal/spline_levels.h"
 #include "mechanics/contact/live_body.h"
@@ -25,6 +27,7 @@ struct LiveParts {
   StaticModel model;
   Body body;
   std::vector<Material> materials;
+  Loads standing_loads;
   AppliedLoads standing;
   Potentials around;  // what stands around the body
   QuadraticCells cells;
@@ -32,7 +35,9 @@ struct LiveParts {
   geometry::Surface surface;
   std::vector<int> node_of_point;
   std::vector<PointInMesh> watched;
-  Eigen::MatrixXf adjoints;  // three columns a judged place
+  std::size_t judged = 0;    // of the watched places
+  std::shared_ptr<const Eigen::MatrixXf> adjoints = std::make_shared<Eigen::MatrixXf>();  // three columns a judged place
+  std::shared_ptr<KeptAdjoints> of_last_cut = std::make_shared<KeptAdjoints>();
   double k_mN_mm = 0;
   LiveState untouched;
 
@@ -50,31 +55,35 @@ struct LiveParts {
     }
   }
   [[nodiscard]] Eigen::VectorXd surface_of(const Eigen::VectorXd& u_mm) const;
-  [[nodiscard]] Eigen::MatrixXd unit_forces_at_watched(std::size_t judged) const;
+  [[nodiscard]] Eigen::MatrixXd unit_forces_at_judged() const;
   void show(LiveState& state) const;
 };
 
-// Forces on the unknowns: the nodes' displacements, and after them the advances of pushed tools.
+// Forces on the unknowns: the nodes' displacements, the jumps across a cut, and after them the advances of pushed tools.
 struct Unbalanced {
   Eigen::VectorXd resisting_mN;  // what the body and its supports resist with
-  Eigen::VectorXd body_mN;       // of the nodes, without the tools
+  Eigen::VectorXd body_mN;       // of nodes and jumps, without the tools
   int inverted_points = 0;
 };
 
 enum class Until { shown, settled };
 
-// One step of a live body, from a state to the next. What it is given must outlive it.
+// One step of a live body, cut or not, from a state to the next. What it is given must outlive it.
 class LiveStep {
  public:
-  LiveStep(const LiveParts& parts, const LiveState& from, const std::vector<ContactTool>& tools,
+  LiveStep(const LiveParts& parts, const LiveCut* cut, const LiveState& from, const std::vector<ContactTool>& tools,
            const LiveOptions& options, Progress progress)
       : parts_(parts),
+        cut_(cut),
         tools_(tools),
         options_(options),
         progress_(std::move(progress)),
-        n_(parts.unknowns()),
-        dead_mN_(parts.standing.dead_mN) {
-    state_.u_mm = from.u_mm;
+        n_(parts.unknowns() + (cut == nullptr ? 0 : 3 * Eigen::Index{cut->open.jumps()})),
+        dead_mN_(n_) {
+    dead_mN_.head(parts.unknowns()) = parts.standing.dead_mN;
+    if (cut != nullptr) dead_mN_.tail(n_ - parts.unknowns()) = cut->standing_mN;
+    state_.u_mm = Eigen::VectorXd::Zero(n_);  // what opens now has not moved apart yet
+    state_.u_mm.head(from.u_mm.size()) = from.u_mm;
     state_.report.largest_strain = from.report.largest_strain;
   }
 
@@ -100,6 +109,25 @@ class LiveStep {
     Eigen::Vector3d forward;
   };
 
+  // Where two points that were one press on each other across a cut.
+  struct Facing {
+    double multiplier_mN;
+    Eigen::Vector3d normal{0, 0, 1};  // as its wall lay when the round began
+  };
+
+  Result<void> take_cut(const LiveState& from);
+  void face_walls();
+  [[nodiscard]] double gap_mm(std::size_t wall, const Eigen::VectorXd& u_mm) const {
+    return walls_[wall].normal.dot(u_mm.segment<3>(parts_.unknowns() + 3 * static_cast<Eigen::Index>(wall)));
+  }
+  [[nodiscard]] double pressing_mN(std::size_t wall, const Eigen::VectorXd& u_mm) const {
+    return std::max(0.0, walls_[wall].multiplier_mN - parts_.k_mN_mm * gap_mm(wall, u_mm));
+  }
+  void look_at_walls(const Eigen::VectorXd& u_mm);
+  [[nodiscard]] double overlap_mm() const;
+  void show_cut();
+  [[nodiscard]] const QuadraticCells& cells() const { return cut_ == nullptr ? parts_.cells : cut_->others; }
+
   Result<void> take_tools(const LiveState& from, Until until);
   Result<void> take_touching(std::size_t tool, const TouchingTool& touching, const LiveState& from);
   void begin(const LiveState& from, Until until);
@@ -113,6 +141,7 @@ class LiveStep {
     return std::get<TouchingTool>(tools_[tool].what).pose.forward();
   }
   Unbalanced unbalanced(const Eigen::VectorXd& u_mm);
+  int add_whole_cells(const Eigen::VectorXd& nodes_mm, Eigen::VectorXd& force_mN);
   [[nodiscard]] Unbalanced under_loads(Eigen::VectorXd resisting_mN, int inverted_points) const;
   Eigen::VectorXd with_tools(const Unbalanced& balance, const Eigen::VectorXd& u_mm);
   void look_at_rows(const Eigen::VectorXd& u_mm);
@@ -128,6 +157,7 @@ class LiveStep {
   LiveState finished(const Stopwatch& watch);
 
   const LiveParts& parts_;
+  const LiveCut* cut_;  // nullptr: nothing is cut
   const std::vector<ContactTool>& tools_;
   const LiveOptions& options_;
   Progress progress_;
@@ -142,6 +172,8 @@ class LiveStep {
   std::vector<Gripped> grips_;
   std::vector<Spread> patches_;
   std::vector<ContactConstraint> places_;
+  std::vector<Facing> walls_;  // one a jump
+  std::shared_ptr<const Eigen::MatrixXf> adjoints_;
   std::shared_ptr<const LiveBegin> began_;
   std::vector<StiffRow> rows_;
   std::vector<Bend> bends_;

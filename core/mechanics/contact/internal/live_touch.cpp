@@ -92,7 +92,8 @@ Result<void> LiveStep::take_patch(std::size_t tool, const ToolLoad& patch) {
   const auto force_mN = load_vector(parts_.body.mesh, parts_.body.layout, parts_.body.boundary,
                                     parts_.body.options.density_kg_mm3, {patch});
   if (!force_mN) return failure(force_mN.error());
-  dead_mN_ += *force_mN;
+  dead_mN_.head(force_mN->size()) += *force_mN;
+  if (cut_ != nullptr) dead_mN_.tail(n_ - force_mN->size()) += cut_->opening.force_on_jumps_mN({patch});
   Spread spread{tool, {}};
   for (int node = 0; node < parts_.body.layout.nodes(); ++node) {
     const Vector3d on_node = force_mN->segment<3>(3 * node);
@@ -175,6 +176,11 @@ VectorXd LiveStep::with_tools(const Unbalanced& balance, const VectorXd& u_mm) {
       r_mN.segment<3>(3 * held.nodes[i]) += held.weights[i] * pull_mN;
     }
   }
+  for (std::size_t w = 0; w < walls_.size(); ++w) {
+    const double press_mN = pressing_mN(w, u_mm);
+    tools_mN_ += press_mN;
+    r_mN.segment<3>(parts_.unknowns() + 3 * static_cast<Eigen::Index>(w)) += press_mN * walls_[w].normal;
+  }
   parts_.free(r_mN);
   return r_mN;
 }
@@ -212,6 +218,7 @@ void LiveStep::look_at_rows(const VectorXd& u_mm) {
       rows_.push_back(std::move(row));
     }
   }
+  look_at_walls(u_mm);
 }
 
 // Along the surface. Where it slips the force grows no more: its secant never goes too far, and half of that not so far
@@ -239,10 +246,11 @@ void LiveStep::move_multipliers_on() {
   for (ContactConstraint& place : places_) {
     place.multiplier_mN = normal_force_mN(place, parts_.k_mN_mm, gap_of(place, state_.u_mm));
   }
+  for (std::size_t w = 0; w < walls_.size(); ++w) walls_[w].multiplier_mN = pressing_mN(w, state_.u_mm);
 }
 
 double LiveStep::deepest_mm() const {
-  double deepest = 0;
+  double deepest = overlap_mm();
   for (const ContactConstraint& place : places_) deepest = std::max(deepest, -gap_of(place, state_.u_mm).mm);
   return deepest;
 }
@@ -320,9 +328,10 @@ LiveState LiveStep::finished(const Stopwatch& watch) {
   report.movement_mm = std::isfinite(moved_mm_) ? moved_mm_ : 0.0;
   report.inverted_cells = now_.inverted_points;
   report.converged = now_.inverted_points == 0;
-  if (!squared_.empty()) report.largest_strain = parts_.cells.largest_strain(parts_.body, state_.u_mm, squared_);
+  if (!squared_.empty()) report.largest_strain = cells().largest_strain(parts_.body, state_.u_mm, squared_);
   state_.resisting_mN = std::move(now_.resisting_mN);
   parts_.show(state_);
+  if (cut_ != nullptr) show_cut();
   report.solve_ms = 1e3 * watch.seconds();
   return std::move(state_);
 }

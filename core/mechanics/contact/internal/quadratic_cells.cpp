@@ -226,6 +226,7 @@ HWY_AFTER_NAMESPACE();
 #include <algorithm>
 #include <cmath>
 #include <Eigen/SVD>
+#include <set>
 
 #include "mechanics/elements/quadrature.h"
 #include "mechanics/elements/shape_functions.h"
@@ -277,6 +278,17 @@ QuadraticCells::QuadraticCells(const Body& body, const ChosenLaw& law)
   }
 }
 
+QuadraticCells QuadraticCells::without(const std::vector<int>& cells) const {
+  const std::set<int> left_out(cells.begin(), cells.end());
+  QuadraticCells others = *this;
+  for (QuadraticBatch& batch : others.batches_) {
+    for (int lane = 0; lane < QuadraticBatch::lanes; ++lane) {
+      if (left_out.count(batch.cell[lane]) > 0) batch.volume[lane] = 0;
+    }
+  }
+  return others;
+}
+
 QuadraticCells::Strained QuadraticCells::add_force(const Eigen::VectorXd& u_mm, Eigen::VectorXd& force_mN,
                                                    std::vector<double>& squared) const {
   squared.resize(batches_.size() * QuadraticBatch::lanes);
@@ -305,7 +317,7 @@ double QuadraticCells::largest_strain(const Body& body, const Eigen::VectorXd& u
       largest = std::max(largest, (stretches.array() - 1).abs().maxCoeff());
     }
   };
-  if (squared.empty()) return 0;
+  if (squared.empty() || *std::max_element(squared.begin(), squared.end()) == 0) return 0;
   look_at(static_cast<std::size_t>(std::max_element(squared.begin(), squared.end()) - squared.begin()));
   for (std::size_t k = 0; k < squared.size(); ++k) {
     if (bound(squared[k]) > largest) look_at(k);

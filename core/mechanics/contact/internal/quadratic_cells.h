@@ -34,6 +34,9 @@ class QuadraticCells {
   // Neo-Hookean (the stable one) or Veronda-Westmann; the cells must be quadratic.
   QuadraticCells(const Body& body, const ChosenLaw& law);
 
+  // The same but for some of the cells, which then resist with nothing and are seen by nobody.
+  [[nodiscard]] QuadraticCells without(const std::vector<int>& cells) const;
+
   struct Strained {
     int inverted_points = 0;
     double largest_squared = 0;  // |C - I|^2, C = F^T F, of any point

@@ -29,11 +29,8 @@ bool SplineLevels::refresh(const Eigen::SparseMatrix<double>& lower) {
   MatrixXd coarse = MatrixXd::Zero(unknowns, unknowns);
   std::vector<Matrix3d> diagonal(static_cast<std::size_t>(lattice_.points()), Matrix3d::Zero());
   // A node's row times the splines first, then by the splines around the node.
-  std::vector<SplineLattice::Shares<float>> wide, narrow;
-  for (int node = 0; node < static_cast<int>(blocks.size()); ++node) {
-    wide.push_back(lattice_.wide_around(node));
-    narrow.push_back(lattice_.around(node));
-  }
+  std::vector<SplineLattice::Shares<float>> narrow;
+  for (int node = 0; node < static_cast<int>(blocks.size()); ++node) narrow.push_back(lattice_.around(node));
   const auto rows_times = [&](const std::vector<SplineLattice::Shares<float>>& around, int points, const auto& take) {
     std::vector<Matrix3d> product(static_cast<std::size_t>(points), Matrix3d::Zero());
     std::vector<std::uint8_t> is_touched(product.size(), 0);
@@ -56,7 +53,7 @@ bool SplineLevels::refresh(const Eigen::SparseMatrix<double>& lower) {
     }
   };
   using Shares = SplineLattice::Shares<float>;
-  rows_times(wide, lattice_.wide_points(),
+  rows_times(wide_of_node_, lattice_.wide_points(),
              [&](const Shares& own, const std::vector<int>& touched, const std::vector<Matrix3d>& product) {
                for (const int column : touched) {
                  for (const auto& [point, weight] : own) {
@@ -105,8 +102,8 @@ bool SplineLevels::refresh(const Eigen::SparseMatrix<double>& lower) {
 }
 
 SplineLevels::WithRows::WithRows(const SplineLevels& levels, const std::vector<StiffRow>& rows, int further,
-                                 VectorXd alone)
-    : levels_(levels), rows_(rows), further_(further), alone_(std::move(alone)), presses_(rows.size(), 0) {
+                                 VectorXd alone, const CutLevel* cut)
+    : levels_(levels), rows_(rows), cut_(cut), further_(further), alone_(std::move(alone)), presses_(rows.size(), 0) {
   double stiffest = 1;
   for (const StiffRow& row : rows) stiffest = std::max(stiffest, row.stiffness);
   soft_ = 1e-4 * stiffest;
@@ -129,13 +126,22 @@ void SplineLevels::WithRows::find_shares() {
   std::vector<int> used_at(static_cast<std::size_t>(lattice.wide_points()), -1);
   std::vector<SplineLattice::Shares<Eigen::Vector3f>> wide(rows_.size());
   narrow_.resize(rows_.size());
+  const auto nodes = static_cast<int>(levels_.inverse_diagonal_.size());
+  if (cut_ != nullptr) of_cut_ = MatrixXf::Zero(cut_->values(), static_cast<Eigen::Index>(rows_.size()));
   for (std::size_t r = 0; r < rows_.size(); ++r) {
     for (const auto& [node, direction] : rows_[r].on) {
       Eigen::Vector3f free = direction.cast<float>();
-      for (int d = 0; d < 3; ++d) {
+      const bool is_node = node < nodes;
+      for (int d = 0; is_node && d < 3; ++d) {
         if (lattice.is_fixed(node, d)) free[d] = 0;
       }
-      for (const auto& [point, weight] : lattice.wide_around(node)) {
+      if (cut_ != nullptr) {
+        for (const auto& [function, weight] : cut_->around(node)) {
+          of_cut_.col(static_cast<Eigen::Index>(r)).segment<3>(3 * function) += weight * free;
+        }
+      }
+      if (!is_node) continue;
+      for (const auto& [point, weight] : levels_.wide_of_node_[static_cast<std::size_t>(node)]) {
         int& at = used_at[static_cast<std::size_t>(point)];
         if (at < 0) {
           at = static_cast<int>(used_.size());
@@ -172,6 +178,7 @@ MatrixXd SplineLevels::WithRows::compliance() const {
   }
   const MatrixXf answers = between * wide_;
   MatrixXd sum = (wide_.transpose() * answers).cast<double>();
+  if (cut_ != nullptr) sum += (of_cut_.transpose() * cut_->inverse() * of_cut_).cast<double>();
   std::vector<Eigen::Vector3f> narrow(static_cast<std::size_t>(levels_.lattice_.points()), Eigen::Vector3f::Zero());
   for (Eigen::Index r = 0; r < sum.rows(); ++r) {
     const StiffRow& row = rows_[static_cast<std::size_t>(r)];
@@ -189,7 +196,7 @@ MatrixXd SplineLevels::WithRows::compliance() const {
       for (const auto& [node, direction] : row.on) {
         for (const auto& [other_node, other_direction] : other.on) {
           if (node != other_node) continue;
-          own += direction.dot(levels_.inverse_diagonal_[static_cast<std::size_t>(node)] * other_direction);
+          own += direction.dot(own_inverse(node) * other_direction);
         }
       }
       if (row.further >= 0 && row.further == other.further) own += row.along * other.along / soft_;
@@ -259,7 +266,14 @@ SplineLevels::WithRows::Answer SplineLevels::WithRows::answer_without_rows(const
   for (std::size_t p = 0; p < levels_.narrow_inverse_.size(); ++p) {
     answer.narrow[p].head<3>() = (levels_.narrow_inverse_[p] * answer.narrow[p].head<3>()).eval();
   }
+  if (cut_ != nullptr) answer.cut = cut_->answer(r);
   return answer;
+}
+
+const Matrix3d& SplineLevels::WithRows::own_inverse(int unknown) const {
+  const auto nodes = static_cast<int>(levels_.inverse_diagonal_.size());
+  return unknown < nodes ? levels_.inverse_diagonal_[static_cast<std::size_t>(unknown)]
+                         : cut_->own_inverse(unknown - nodes);
 }
 
 VectorXd SplineLevels::WithRows::seen_of(const Answer& answer, const VectorXd& r) const {
@@ -268,6 +282,7 @@ VectorXd SplineLevels::WithRows::seen_of(const Answer& answer, const VectorXd& r
     wide.segment<3>(3 * static_cast<Eigen::Index>(u)) = answer.wide.segment<3>(3 * used_[u]);
   }
   VectorXd seen = (wide_.transpose() * wide).cast<double>();
+  if (cut_ != nullptr) seen += (of_cut_.transpose() * answer.cut).cast<double>();
   const auto after = r.size() - further_;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const StiffRow& row = rows_[i];
@@ -276,7 +291,7 @@ VectorXd SplineLevels::WithRows::seen_of(const Answer& answer, const VectorXd& r
       of_row += double{value.dot(answer.narrow[static_cast<std::size_t>(point)].head<3>())};
     }
     for (const auto& [node, direction] : row.on) {
-      of_row += direction.dot(levels_.inverse_diagonal_[static_cast<std::size_t>(node)] * r.segment<3>(3 * node));
+      of_row += direction.dot(own_inverse(node) * r.segment<3>(3 * node));
     }
     if (row.further >= 0) of_row -= row.along * r[after + row.further] / soft_;
   }
@@ -323,6 +338,7 @@ void SplineLevels::WithRows::add_answers_of_rows(const VectorXd& force_mN, Answe
     answer.wide.noalias() += levels_.wide_inverse_.block(0, 3 * used_[u], answer.wide.size(), 3) *
                              wide.segment<3>(3 * static_cast<Eigen::Index>(u));
   }
+  if (cut_ != nullptr) answer.cut += cut_->inverse() * (of_cut_ * force_mN.cast<float>());
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const auto force = static_cast<float>(force_mN[static_cast<Eigen::Index>(i)]);
     if (force == 0) continue;
@@ -343,6 +359,13 @@ void SplineLevels::WithRows::spread(const Answer& answer, const VectorXd& r, Vec
   SplineLattice::Values narrow = answer.narrow;
   levels_.lattice_.up_from_wide(answer.wide, narrow);
   levels_.lattice_.up(narrow, z);
+  if (cut_ != nullptr) {
+    const auto nodes = static_cast<int>(levels_.inverse_diagonal_.size());
+    for (int j = 0; j < cut_->jumps(); ++j) {
+      z.segment<3>(3 * (nodes + j)) = cut_->own_inverse(j) * r.segment<3>(3 * (nodes + j));
+    }
+    cut_->spread(answer.cut, z);
+  }
   for (auto f = r.size() - further_; f < r.size(); ++f) z[f] = r[f] / soft_;
 }
 

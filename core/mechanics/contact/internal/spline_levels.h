@@ -8,20 +8,22 @@
 // locking, which trilinear ones do not near incompressibility. Inside of this room.
 //
 // Some rows c of stiffness k (contacts, jaws) may stand beside A. They are answered exactly, by what the levels answer
-// to them (Sherman, Morrison and Woodbury; e.g. Golub and Van Loan, Matrix Computations, 2.1.4).
+// to them (Sherman, Morrison and Woodbury; e.g. Golub and Van Loan, Matrix Computations, 2.1.4). A live cut joins as one
+// level more (cut_level.h): its jumps then follow the nodes, and rows may see them too.
 
 #include <cstdint>
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 #include <vector>
 
+#include "mechanics/contact/internal/cut_level.h"
 #include "mechanics/contact/internal/spline_lattice.h"
 
 namespace glisson::mechanics {
 
 // What a row sees: directions at nodes, and how far one of the further unknowns goes against it.
 struct StiffRow {
-  std::vector<std::pair<int, Eigen::Vector3d>> on;
+  std::vector<std::pair<int, Eigen::Vector3d>> on;  // nodes, and after their numbers those of jumps
   int further = -1;  // of the unknowns after the nodes; -1: none
   double along = 0;
   double stiffness = 0;
@@ -33,19 +35,25 @@ class SplineLevels {
  public:
   SplineLevels(const std::vector<Eigen::Vector3d>& positions_mm, const std::vector<std::uint8_t>& fixed,
                int most_wide_points)
-      : lattice_(positions_mm, fixed, most_wide_points) {}
+      : lattice_(positions_mm, fixed, most_wide_points) {
+    for (int node = 0; node < static_cast<int>(positions_mm.size()); ++node) {
+      wide_of_node_.push_back(lattice_.wide_around(node));
+    }
+  }
 
   // From A's lower triangle. False where it is not positive definite: the levels then are as they were.
   bool refresh(const Eigen::SparseMatrix<double>& lower);
 
   [[nodiscard]] const SplineLattice& lattice() const { return lattice_; }
+  [[nodiscard]] const std::vector<SplineLattice::Shares<float>>& wide_of_node() const { return wide_of_node_; }
 
   // What answers forces with the rows beside A; `further` unknowns follow those of the nodes. What is answered to
   // `alone`, the forces without the rows', and to each row is kept: forces that the rows add are answered from that.
   class WithRows {
    public:
     // Which of the rows press is decided by the levels' answer to `alone`.
-    WithRows(const SplineLevels& levels, const std::vector<StiffRow>& rows, int further, Eigen::VectorXd alone);
+    WithRows(const SplineLevels& levels, const std::vector<StiffRow>& rows, int further, Eigen::VectorXd alone,
+             const CutLevel* cut = nullptr);
     [[nodiscard]] bool presses(std::size_t row) const { return presses_[row] != 0; }
 
     void apply(const Eigen::VectorXd& r, Eigen::VectorXd& z) const;
@@ -58,6 +66,7 @@ class SplineLevels {
     struct Answer {
       Eigen::VectorXf wide;
       SplineLattice::Values narrow;
+      Eigen::VectorXf cut;
     };
     [[nodiscard]] Answer answer_without_rows(const Eigen::VectorXd& r) const;
     [[nodiscard]] Eigen::VectorXd seen_of(const Answer& answer, const Eigen::VectorXd& r) const;
@@ -67,14 +76,17 @@ class SplineLevels {
     void push_along_rows(const Eigen::VectorXd& force_mN, Eigen::VectorXd& r) const;
     void add_answers_of_rows(const Eigen::VectorXd& force_mN, Answer& answer) const;
     void spread(const Answer& answer, const Eigen::VectorXd& r, Eigen::VectorXd& z) const;
+    [[nodiscard]] const Eigen::Matrix3d& own_inverse(int unknown) const;
 
     const SplineLevels& levels_;
     const std::vector<StiffRow>& rows_;
+    const CutLevel* cut_;
     int further_;
     double soft_ = 1;                                             // stiffness of a further unknown on its own
     std::vector<int> used_;                                       // wide points that rows see
     Eigen::MatrixXf wide_;                                        // Q^T P^T c^T there, a column a row
     std::vector<SplineLattice::Shares<Eigen::Vector3f>> narrow_;  // P^T c^T
+    Eigen::MatrixXf of_cut_;                                      // Y^T c^T
     Eigen::VectorXd alone_;
     Answer to_alone_;
     Eigen::MatrixXd compliance_mm_mN_;  // of all rows, by all levels
@@ -85,6 +97,7 @@ class SplineLevels {
 
  private:
   SplineLattice lattice_;
+  std::vector<SplineLattice::Shares<float>> wide_of_node_;
   std::vector<Eigen::Matrix3d> inverse_diagonal_;
   std::vector<Eigen::Matrix3f> narrow_inverse_;
   Eigen::MatrixXf wide_inverse_;  // with padded rows

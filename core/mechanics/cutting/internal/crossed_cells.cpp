@@ -65,6 +65,43 @@ CellDivision divide(const Vector4d& height_mm) {
   return division;
 }
 
+// One corner alone on its side and the wedge behind it, or two wedges.
+std::vector<CellPiece> pieces_of(const Vector4d& height_mm) {
+  std::vector<int> above, below;
+  for (int i = 0; i < 4; ++i) (height_mm[i] > 0 ? above : below).push_back(i);
+  std::vector<CellPiece> pieces;
+  const auto add = [&](bool is_above, const Vector4d& a, const Vector4d& b, const Vector4d& c, const Vector4d& d) {
+    Eigen::Matrix4d corners;
+    corners << a, b, c, d;
+    pieces.push_back({corners, is_above});
+  };
+  const auto corner = [](int i) -> Vector4d { return Vector4d::Unit(i); };
+  const auto wedge = [&](bool is_above, const std::array<Vector4d, 3>& near, const std::array<Vector4d, 3>& far) {
+    add(is_above, near[0], near[1], near[2], far[0]);
+    add(is_above, near[1], near[2], far[0], far[1]);
+    add(is_above, near[2], far[0], far[1], far[2]);
+  };
+  if (above.size() == 2) {
+    const int p = above[0], q = above[1], r = below[0], s = below[1];
+    const Vector4d pr = on_edge(height_mm, p, r), ps = on_edge(height_mm, p, s);
+    const Vector4d qr = on_edge(height_mm, q, r), qs = on_edge(height_mm, q, s);
+    wedge(true, {corner(p), pr, ps}, {corner(q), qr, qs});
+    wedge(false, {corner(r), pr, qr}, {corner(s), ps, qs});
+    return pieces;
+  }
+  const bool lone_above = above.size() == 1;
+  const int lone = lone_above ? above[0] : below[0];
+  std::array<Vector4d, 3> wall, others;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const int other = (lone_above ? below : above)[i];
+    others[i] = corner(other);
+    wall[i] = on_edge(height_mm, lone, other);
+  }
+  add(lone_above, corner(lone), wall[0], wall[1], wall[2]);
+  wedge(!lone_above, wall, others);
+  return pieces;
+}
+
 Crossing crossing_of(const geometry::TetMesh& mesh, const geometry::CutSurface& surface) {
   Crossing crossing;
   const double nearest_mm = 0.01 * mean_edge_mm(mesh);

@@ -22,6 +22,14 @@ struct CellDivision {
 // Heights (mm) none of which is zero, and not all of one sign.
 [[nodiscard]] CellDivision divide(const Eigen::Vector4d& height_mm);
 
+// The same as tetrahedra, each by the barycentric coordinates of its corners, one a column; its determinant is its
+// share of the cell's volume, but for the sign.
+struct CellPiece {
+  Eigen::Matrix4d corners;
+  bool above;
+};
+[[nodiscard]] std::vector<CellPiece> pieces_of(const Eigen::Vector4d& height_mm);
+
 struct CrossedCell {
   int cell;
   CellDivision division;

@@ -69,6 +69,26 @@ void integrate(const Crossing& crossing, const BoundaryFace& face, const At& at)
   }
 }
 
+// The same over what of the boundary stands on springs: `at(face, barycentric, function values, mN/mm)`.
+template <typename At>
+void for_springs(const Body& body, const Crossing& crossing, const std::vector<int>& points, const At& at) {
+  const std::vector<std::size_t> touching = faces_touching(body, crossing, points);
+  for (const FoundationFace& spring : body.resolved.foundations) {
+    if (!std::binary_search(touching.begin(), touching.end(), spring.face)) continue;
+    const BoundaryFace& face = body.boundary[spring.face];
+    integrate(crossing, face, [&](const Vector3d& l, const Vector3d& values, double weight_mm2) {
+      at(face, l, values, spring.stiffness_kPa_per_mm * weight_mm2);
+    });
+  }
+}
+
+// Of the nodes of a face.
+using FaceValues = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 6, 1>;
+FaceValues values_of_nodes(ElementOrder order, const Vector3d& l) {
+  if (order == ElementOrder::linear) return l;
+  return quadratic_triangle_values(l);
+}
+
 }  // namespace
 
 Eigen::SparseMatrix<double> coupling(const Body& body, const Crossing& crossing, const std::vector<int>& points) {
@@ -100,27 +120,16 @@ Eigen::SparseMatrix<double> coupling(const Body& body, const Crossing& crossing,
       }
     }
   }
-  const std::vector<std::size_t> touching = faces_touching(body, crossing, points);
-  for (const FoundationFace& spring : body.resolved.foundations) {
-    if (!std::binary_search(touching.begin(), touching.end(), spring.face)) continue;
-    const BoundaryFace& face = body.boundary[spring.face];
-    const int nodes = layout.order == ElementOrder::linear ? 3 : 6;
-    integrate(crossing, face, [&](const Vector3d& l, const Vector3d& values, double weight_mm2) {
-      Eigen::Matrix<double, 6, 1> of_nodes = Eigen::Matrix<double, 6, 1>::Zero();
-      if (layout.order == ElementOrder::linear) {
-        of_nodes.head<3>() = l;
-      } else {
-        of_nodes = quadratic_triangle_values(l);
+  for_springs(body, crossing, points, [&](const BoundaryFace& face, const Vector3d& l, const Vector3d& values,
+                                          double stiffness) {
+    const FaceValues of_nodes = values_of_nodes(layout.order, l);
+    for (int i = 0; i < 3; ++i) {
+      if (number[face.points[i]] < 0) continue;
+      for (Eigen::Index a = 0; a < of_nodes.size(); ++a) {
+        add(face.nodes[a], number[face.points[i]], stiffness * values[i] * of_nodes[a] * Matrix3d::Identity());
       }
-      for (int i = 0; i < 3; ++i) {
-        if (number[face.points[i]] < 0) continue;
-        for (int a = 0; a < nodes; ++a) {
-          add(face.nodes[a], number[face.points[i]],
-              spring.stiffness_kPa_per_mm * weight_mm2 * values[i] * of_nodes[a] * Matrix3d::Identity());
-        }
-      }
-    });
-  }
+    }
+  });
   Eigen::SparseMatrix<double> columns(3 * layout.nodes(), 3 * static_cast<int>(points.size()));
   columns.setFromTriplets(entries.begin(), entries.end());
   return columns;
@@ -154,22 +163,41 @@ Eigen::MatrixXd stiffness_between(const Body& body, const Crossing& crossing, co
       }
     }
   }
-  const std::vector<std::size_t> touching = faces_touching(body, crossing, columns);
-  for (const FoundationFace& spring : body.resolved.foundations) {
-    if (!std::binary_search(touching.begin(), touching.end(), spring.face)) continue;
-    const BoundaryFace& face = body.boundary[spring.face];
-    integrate(crossing, face, [&](const Vector3d&, const Vector3d& values, double weight_mm2) {
-      for (int i = 0; i < 3; ++i) {
-        for (int j = 0; j < 3; ++j) {
-          const int row = row_of[face.points[i]], column = column_of[face.points[j]];
-          if (row < 0 || column < 0) continue;
-          stiffness.block<3, 3>(3 * row, 3 * column).diagonal().array() +=
-              spring.stiffness_kPa_per_mm * weight_mm2 * values[i] * values[j];
-        }
-      }
-    });
-  }
+  for_springs(body, crossing, columns,
+              [&](const BoundaryFace& face, const Vector3d&, const Vector3d& values, double of_spring) {
+                for (int i = 0; i < 3; ++i) {
+                  for (int j = 0; j < 3; ++j) {
+                    const int row = row_of[face.points[i]], column = column_of[face.points[j]];
+                    if (row < 0 || column < 0) continue;
+                    stiffness.block<3, 3>(3 * row, 3 * column).diagonal().array() += of_spring * values[i] * values[j];
+                  }
+                }
+              });
   return stiffness;
+}
+
+void add_foundation_springs(const Body& body, const Crossing& crossing, const std::vector<int>& number,
+                            std::vector<Eigen::Triplet<double>>& with_nodes,
+                            std::vector<Eigen::Triplet<double>>& between) {
+  std::vector<int> points;
+  for (std::size_t p = 0; p < number.size(); ++p) {
+    if (number[p] >= 0) points.push_back(static_cast<int>(p));
+  }
+  for_springs(body, crossing, points, [&](const BoundaryFace& face, const Vector3d& l, const Vector3d& values,
+                                          double stiffness) {
+    const FaceValues of_nodes = values_of_nodes(body.layout.order, l);
+    for (int i = 0; i < 3; ++i) {
+      const int jump = number[face.points[i]];
+      if (jump < 0) continue;
+      for (Eigen::Index a = 0; a < of_nodes.size(); ++a) {
+        with_nodes.emplace_back(face.nodes[a], jump, stiffness * values[i] * of_nodes[a]);
+      }
+      for (int j = 0; j < 3; ++j) {
+        const int other = number[face.points[j]];
+        if (other >= 0) between.emplace_back(jump, other, stiffness * values[i] * values[j]);
+      }
+    }
+  });
 }
 
 VectorXd load_on(const Body& body, const Crossing& crossing, const Loads& loads, const std::vector<int>& points) {

@@ -1,0 +1,83 @@
+#pragma once
+// Cells that a live cut has opened, at large deformation. On the side s of the cut (1 above, 0 below) the displacement
+// is u + sum over corners of (s - H_i) L_i a_i with the jump a_i of the corner i and H_i 1 where the corner lies above
+// (cutting/internal/jump_functions.h), so that F is the nodes' and a constant of each side. The cells' two sides are
+// divided into tetrahedra and integrated there, at four points each, in double precision and on one thread. Inside of
+// this room.
+//
+// Jumps follow the nodes among the unknowns: 3 values a node, then 3 a jump (mm, mN).
+
+#include <array>
+#include <Eigen/Core>
+#include <vector>
+
+#include "mechanics/cutting/opening.h"
+#include "mechanics/elements/body.h"
+#include "mechanics/materials/material.h"
+
+namespace glisson::mechanics {
+
+class OpenCells {
+ public:
+  // What bridges the walls, and foundations under them, are springs beside the cells. Gas at `gas_kPa` presses on the
+  // walls too: over a closed surface its energy is p times the volume inside, so that it joins the cells' stress by
+  // p cof F less what the boundary's part of it counts of these cells. The body and its materials must outlive it.
+  OpenCells(const Body& body, const std::vector<Material>& materials, const Opening& opening, double gas_kPa);
+
+  // Takes what they resist with off the forces. Back come the points that are inside out, of sides that are more than a
+  // twentieth of their cell: what is thinner has no energy to speak of.
+  int add_force(const Eigen::VectorXd& x_mm, Eigen::VectorXd& force_mN) const;
+  // How far the principal stretches differ from 1 at most, over the same points.
+  [[nodiscard]] double largest_strain(const Eigen::VectorXd& x_mm) const;
+  // The strain energy of these cells and of the bridges (uJ).
+  [[nodiscard]] double energy_uJ(const Eigen::VectorXd& x_mm) const;
+
+  // Of each jump the direction in which its walls part where they are now: the normals at rest, turned as the cells
+  // around are.
+  [[nodiscard]] std::vector<Eigen::Vector3d> normals(const Eigen::VectorXd& x_mm) const;
+
+  // The stiffness at rest of each jump alone (mN/mm).
+  [[nodiscard]] std::vector<Eigen::Matrix3d> own_stiffness() const;
+  [[nodiscard]] std::vector<int> cells() const;
+  [[nodiscard]] int jumps() const { return static_cast<int>(rest_normals_.size()); }
+
+  // A side of a cell: for the corners that have a jump s - H_i, and 0; and where its volume lies.
+  struct Side {
+    std::array<double, 4> of_jump;
+    double volume_mm3 = 0;
+    Eigen::Vector4d centroid;
+    std::size_t first = 0, last = 0;  // of the points
+    bool counts = true;
+  };
+  struct Cell {
+    std::size_t cell;
+    std::array<int, 4> jump;
+    Eigen::Matrix<double, 4, 3> barycentric_gradients;
+    std::array<Side, 2> sides;
+  };
+  [[nodiscard]] const std::vector<Cell>& all() const { return cells_; }
+  [[nodiscard]] const JumpSprings& springs() const { return springs_; }
+
+ private:
+  using Nodes = Eigen::Matrix<double, 3, 10>;
+  struct Point {
+    Eigen::Matrix<double, 10, 3> gradients;  // of the nodes' functions
+    double weight_mm3;
+  };
+  [[nodiscard]] Nodes nodes_of(const Cell& cell, const Eigen::VectorXd& x_mm) const;
+  [[nodiscard]] Eigen::Matrix3d of_jumps(const Cell& cell, const Side& side, const Eigen::VectorXd& x_mm) const;
+  [[nodiscard]] Eigen::Matrix3d stress_kPa(std::size_t cell, const Eigen::Matrix3d& f) const;
+  // F at every point of every side: `at(cell, side, point, F)`.
+  template <typename At>
+  void for_points(const Eigen::VectorXd& x_mm, const At& at) const;
+
+  const Body& body_;
+  const std::vector<Material>& materials_;
+  double gas_kPa_;
+  std::vector<Cell> cells_;
+  std::vector<Point> points_;
+  JumpSprings springs_;
+  std::vector<Eigen::Vector3d> rest_normals_;
+};
+
+}  // namespace glisson::mechanics

@@ -1,0 +1,65 @@
+#pragma once
+// What an opening is made of. Inside of this room.
+
+#include <Eigen/Cholesky>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "mechanics/cutting/internal/surface_in_body.h"
+#include "mechanics/cutting/internal/whole_walls.h"
+#include "mechanics/cutting/opening.h"
+
+namespace glisson::mechanics {
+
+// A point whose jump is open.
+struct OpenPoint {
+  int candidate;
+  std::shared_ptr<const SurfaceInBody> along;
+  std::shared_ptr<const SolvedPoint> solved;
+  [[nodiscard]] int point() const { return along->candidates[static_cast<std::size_t>(candidate)]; }
+};
+
+// A surface as far as it is cut.
+struct PartlyCut {
+  std::shared_ptr<const SurfaceInBody> along;
+  std::vector<CutStrip> strips;
+  std::vector<WholeWall> walls;  // of the crossing's cells
+};
+
+struct Opening::State {
+  State(StaticModel body, Loads loads, Eigen::VectorXd force_mN, SeenPart part)
+      : model(std::move(body)),
+        standing_loads(std::move(loads)),
+        standing_force_mN(std::move(force_mN)),
+        seen(std::move(part)) {}
+
+  StaticModel model;
+  Loads standing_loads;
+  Eigen::VectorXd standing_force_mN;
+  SeenPart seen;
+
+  std::vector<PartlyCut> cuts;
+  std::vector<OpenPoint> open;
+  Eigen::MatrixXd stiffness;                          // S without the bridges
+  std::optional<Eigen::LLT<Eigen::MatrixXd>> factor;  // none before anything is open
+
+  // For callers.
+  std::vector<int> points;
+  std::vector<Eigen::Vector3d> normals;
+  Eigen::VectorXd standing_load;
+  double relative_residual = 0;
+
+  [[nodiscard]] std::vector<int> candidates_to_open(const PartlyCut& cut) const;
+  [[nodiscard]] bool meets_another_cut(const std::vector<int>& new_points, const SurfaceInBody& along) const;
+  // What is known of a candidate, solved for with its group where it was not.
+  Result<std::shared_ptr<const SolvedPoint>> solved(const SurfaceInBody& along, int candidate) const;
+  [[nodiscard]] Result<void> solve_group(const SurfaceInBody& along, std::size_t group) const;
+  Result<void> open_points(const std::vector<int>& candidates, const std::shared_ptr<const SurfaceInBody>& along);
+  // Of each point of the mesh the number of its jump along that surface, -1: none.
+  [[nodiscard]] std::vector<int> jumps_along(const SurfaceInBody& along) const;
+  Result<void> factorise();
+};
+
+}  // namespace glisson::mechanics
