@@ -4920,14 +4920,6 @@
         <translation>Der geplante Schnitt geht an der Leber vorbei.</translation>
     </message>
     <message>
-        <source>A cut can advance at small strain alone.</source>
-        <translation>Ein Schnitt lässt sich nur bei kleiner Dehnung weiterführen.</translation>
-    </message>
-    <message>
-        <source>Rehearse it with the linear material.</source>
-        <translation>Proben Sie ihn mit dem linearen Material.</translation>
-    </message>
-    <message>
         <source>Plans compared</source>
         <translation>Pläne im Vergleich</translation>
     </message>
@@ -6460,10 +6452,6 @@
     <message>
         <source>Plan a plane in Resect and keep the plan, to cut along it here.</source>
         <translation>Planen Sie in Resektion eine Ebene und behalten Sie den Plan, um hier daran entlang zu schneiden.</translation>
-    </message>
-    <message>
-        <source>A cut advances at small deformations only: choose them above to cut.</source>
-        <translation>Ein Schnitt geht nur bei kleinen Verformungen weiter: wählen Sie diese oben, um zu schneiden.</translation>
     </message>
 </context>
 <context>

@@ -4920,14 +4920,6 @@
         <translation>El corte planificado no toca el hígado.</translation>
     </message>
     <message>
-        <source>A cut can advance at small strain alone.</source>
-        <translation>Un corte solo puede avanzar con deformación pequeña.</translation>
-    </message>
-    <message>
-        <source>Rehearse it with the linear material.</source>
-        <translation>Ensáyelo con el material lineal.</translation>
-    </message>
-    <message>
         <source>Plans compared</source>
         <translation>Planes comparados</translation>
     </message>
@@ -6460,10 +6452,6 @@
     <message>
         <source>Plan a plane in Resect and keep the plan, to cut along it here.</source>
         <translation>Planifique un plano en Resección y conserve el plan para cortar aquí según él.</translation>
-    </message>
-    <message>
-        <source>A cut advances at small deformations only: choose them above to cut.</source>
-        <translation>Un corte avanza solo con deformaciones pequeñas: elíjalas arriba para cortar.</translation>
     </message>
 </context>
 <context>

@@ -4920,14 +4920,6 @@
         <translation>La coupe prévue passe à côté du foie.</translation>
     </message>
     <message>
-        <source>A cut can advance at small strain alone.</source>
-        <translation>Une coupe ne peut avancer qu’en petite déformation.</translation>
-    </message>
-    <message>
-        <source>Rehearse it with the linear material.</source>
-        <translation>Répétez-la avec le matériau linéaire.</translation>
-    </message>
-    <message>
         <source>Plans compared</source>
         <translation>Plans comparés</translation>
     </message>
@@ -6460,10 +6452,6 @@
     <message>
         <source>Plan a plane in Resect and keep the plan, to cut along it here.</source>
         <translation>Planifiez un plan de coupe dans Résection et gardez-le, pour couper ici en le suivant.</translation>
-    </message>
-    <message>
-        <source>A cut advances at small deformations only: choose them above to cut.</source>
-        <translation>Une coupe n’avance qu’aux petites déformations : choisissez-les plus haut pour couper.</translation>
     </message>
 </context>
 <context>
