@@ -82,8 +82,7 @@ Result<bool> SessionBody::prepare(const mechanics::CutStrip& ahead) const {
 }
 
 std::optional<SessionCut> SessionBody::cut(const BodyState& state) const {
-  const mechanics::Opening* opening =
-      std::visit([](const auto& body) { return body.opening(); }, body_);
+  const mechanics::Opening* opening = std::visit([](const auto& body) { return body.opening(); }, body_);
   if (opening == nullptr) return {};
   SessionCut cut{{}, 0, opening->open_mm2(), opening->whole_mm2(), 0, {}};
   std::vector<Vector3d> jumps_mm;

@@ -90,8 +90,7 @@ Result<LiveState> LiveBody::settle(const LiveState& from, const std::vector<Cont
 
 Result<LiveBody> LiveBody::opened(const CutStrip& strip) const {
   const LiveParts& parts = *impl_->parts;
-  auto before = impl_->cut ? Result<Opening>(impl_->cut->opening)
-                           : Opening::of(parts.model, {}, judged_places(parts));
+  auto before = impl_->cut ? Result<Opening>(impl_->cut->opening) : Opening::of(parts.model, {}, judged_places(parts));
   if (!before) return failure(std::move(before.error()));
   auto advanced = before->advanced(strip);
   if (!advanced) return failure(std::move(advanced.error()));
@@ -121,8 +120,9 @@ geometry::Surface LiveBody::opened_surface(const LiveState& state) const {
   for (const int node : body.layout.node_of_point) {
     moved_mm.push_back(node < 0 ? Vector3d(0, 0, 0) : Vector3d(state.u_mm.segment<3>(3 * node)));
   }
-  return mechanics::opened_surface(body.mesh, surface(), opening() == nullptr ? std::vector<OpenCell>() : opening()->cells(),
-                                   moved_mm, jumps_mm(state));
+  return mechanics::opened_surface(body.mesh, surface(),
+                                   opening() == nullptr ? std::vector<OpenCell>() : opening()->cells(), moved_mm,
+                                   jumps_mm(state));
 }
 
 StaticResult LiveBody::whole_result(const LiveState& state) const {

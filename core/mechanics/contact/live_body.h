@@ -1,8 +1,8 @@
 #pragma once
 // A hyperelastic body under rigid tools and jaws at the speed of a hand: at large deformation, with all that is around
-// it (supports, foundations, ligaments, capsule, gas, gravity), with Coulomb's friction, and with cuts that open. The fast
-// counterpart of large_contact.h: the same energy, whose minimum is not found by factors of each new tangent but by a
-// few conjugate gradients a picture from the picture before.
+// it (supports, foundations, ligaments, capsule, gas, gravity), with Coulomb's friction, and with cuts that open. The
+// fast counterpart of large_contact.h: the same energy, whose minimum is not found by factors of each new tangent but
+// by a few conjugate gradients a picture from the picture before.
 //
 // A step looks for the places that touch, and moves on by truncated Newton (Nocedal and Wright, Numerical Optimization,
 // 7.1): the tangent's products are differences of the force, which costs two milliseconds for 20,000 cells, and two
@@ -116,8 +116,8 @@ class LiveBody {
   [[nodiscard]] Result<LiveState> settle(const LiveState& from, const std::vector<ContactTool>& tools,
                                          const LiveOptions& options = {}, const Progress& progress = {}) const;
 
-  // The body with a cut opened further. Its states begin from any of this one's; what is solved for is shared. Failures:
-  // those of Opening::advanced.
+  // The body with a cut opened further. Its states begin from any of this one's; what is solved for is shared.
+  // Failures: those of Opening::advanced.
   [[nodiscard]] Result<LiveBody> opened(const CutStrip& strip) const;
   [[nodiscard]] const Opening* opening() const;  // nullptr: nothing is cut
   // Opening::prepare; false where nothing is cut.

@@ -45,7 +45,8 @@ JumpSprings Opening::springs() const {
         between.emplace_back(static_cast<int>(i), static_cast<int>(j), bridges(3 * i, 3 * j));
     }
   }
-  JumpSprings springs{Eigen::SparseMatrix<double>(body.layout.nodes(), jumps), Eigen::SparseMatrix<double>(jumps, jumps)};
+  JumpSprings springs{Eigen::SparseMatrix<double>(body.layout.nodes(), jumps),
+                      Eigen::SparseMatrix<double>(jumps, jumps)};
   springs.with_nodes.setFromTriplets(with_nodes.begin(), with_nodes.end());
   springs.between.setFromTriplets(between.begin(), between.end());
   return springs;

@@ -56,7 +56,8 @@ struct OpenCell {
   std::vector<Eigen::Vector4d> wall;  // three or four places in order around it, barycentric
 };
 
-// Springs on jumps, alike along all axes (mN/mm): what still bridges the walls, and what of foundations lies under them.
+// Springs on jumps, alike along all axes (mN/mm): what still bridges the walls, and what of foundations lies under
+// them.
 struct JumpSprings {
   Eigen::SparseMatrix<double> with_nodes;  // one row a node and one column a jump
   Eigen::SparseMatrix<double> between;     // jumps

@@ -26,8 +26,7 @@ double sided(const CutFront& front, const Vector3d& place_mm);
 
 CutLevel::CutLevel(const Body& body, const SplineLattice& lattice, const std::vector<Shares>& wide_of_node,
                    const OpenCells& open, const std::vector<CutFront>& fronts)
-    : lattice_(lattice),
-      entry_of_(static_cast<std::size_t>(body.layout.nodes() + open.jumps()), -1) {
+    : lattice_(lattice), entry_of_(static_cast<std::size_t>(body.layout.nodes() + open.jumps()), -1) {
   // The splines that a jump has a share in, once for each front.
   std::vector<int> point_of_jump(static_cast<std::size_t>(open.jumps()), -1);
   for (const OpenCells::Cell& cell : open.all()) {
@@ -103,8 +102,7 @@ MatrixXd CutLevel::stiffness(const Body& body, const OpenCells& open, int functi
     for (std::size_t k = 0; k < here.size(); ++k) {
       for (std::size_t l = 0; l < here.size(); ++l) {
         if (here[l] > here[k]) continue;
-        Matrix3d block =
-            lambda * gradient[k] * gradient[l].transpose() + mu * gradient[l] * gradient[k].transpose();
+        Matrix3d block = lambda * gradient[k] * gradient[l].transpose() + mu * gradient[l] * gradient[k].transpose();
         block.diagonal().array() += mu * gradient[k].dot(gradient[l]);
         sum.block<3, 3>(3 * here[k], 3 * here[l]) += block;
       }

@@ -39,11 +39,10 @@ void LiveCut::correct(StaticResult& result, const LiveParts& parts, const LiveSt
   for (std::size_t c = 0; c < is_open.size(); ++c) {
     if (is_open[c]) continue;
     for (const TetPoint& point : tet_points_degree_2()) {
-      const Eigen::Matrix3d f =
-          Eigen::Matrix3d::Identity() +
-          displacement_gradient(parts.body.mesh, parts.body.layout, c, point.barycentric, u_mm);
-      result.strain_energy_uJ += point.weight * geometry::cell_volume_mm3(parts.body.mesh, c) *
-                                 energy_density_kPa(parts.materials[c], f);
+      const Eigen::Matrix3d f = Eigen::Matrix3d::Identity() +
+                                displacement_gradient(parts.body.mesh, parts.body.layout, c, point.barycentric, u_mm);
+      result.strain_energy_uJ +=
+          point.weight * geometry::cell_volume_mm3(parts.body.mesh, c) * energy_density_kPa(parts.materials[c], f);
     }
   }
   result.external_work_uJ += state.u_mm.tail(state.u_mm.size() - nodes).dot(standing_mN);

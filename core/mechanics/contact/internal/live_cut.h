@@ -1,7 +1,7 @@
 #pragma once
-// What a live body has more of where a cut has opened: its jumps' cells, a level for conjugate gradients, and the judged
-// places' answers to unit forces at small strain, by which the bound is weighted. Made anew with each advance; the
-// body's other parts stay. Inside of this room.
+// What a live body has more of where a cut has opened: its jumps' cells, a level for conjugate gradients, and the
+// judged places' answers to unit forces at small strain, by which the bound is weighted. Made anew with each advance;
+// the body's other parts stay. Inside of this room.
 
 #include <cstdint>
 #include <Eigen/Core>
@@ -25,7 +25,7 @@ struct LiveCut {
   OpenCells open;
   QuadraticCells others;  // the cells that are not open
   CutLevel level;
-  Eigen::VectorXd standing_mN;                 // dead loads on the jumps
+  Eigen::VectorXd standing_mN;                  // dead loads on the jumps
   std::vector<Opening::JumpValues> of_watched;  // the jumps that each watched place sees
 
   LiveCut(const LiveParts& parts, Opening opened, std::size_t advances);

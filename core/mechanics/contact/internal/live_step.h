@@ -35,8 +35,9 @@ struct LiveParts {
   geometry::Surface surface;
   std::vector<int> node_of_point;
   std::vector<PointInMesh> watched;
-  std::size_t judged = 0;    // of the watched places
-  std::shared_ptr<const Eigen::MatrixXf> adjoints = std::make_shared<Eigen::MatrixXf>();  // three columns a judged place
+  std::size_t judged = 0;  // of the watched places
+  std::shared_ptr<const Eigen::MatrixXf> adjoints =
+      std::make_shared<Eigen::MatrixXf>();  // three columns a judged place
   std::shared_ptr<KeptAdjoints> of_last_cut = std::make_shared<KeptAdjoints>();
   double k_mN_mm = 0;
   LiveState untouched;
@@ -59,7 +60,8 @@ struct LiveParts {
   void show(LiveState& state) const;
 };
 
-// Forces on the unknowns: the nodes' displacements, the jumps across a cut, and after them the advances of pushed tools.
+// Forces on the unknowns: the nodes' displacements, the jumps across a cut, and after them the advances of pushed
+// tools.
 struct Unbalanced {
   Eigen::VectorXd resisting_mN;  // what the body and its supports resist with
   Eigen::VectorXd body_mN;       // of nodes and jumps, without the tools

@@ -46,8 +46,7 @@ OpenCells::OpenCells(const Body& body, const std::vector<Material>& materials, c
         moment += volume_mm3 * piece.corners.rowwise().mean();
         for (const TetPoint& point : tet_points_degree_2()) {
           const Vector4d at = piece.corners * point.barycentric;
-          points_.push_back(
-              {tet_gradients(tet_derivatives(body.options.order, at), shape), point.weight * volume_mm3});
+          points_.push_back({tet_gradients(tet_derivatives(body.options.order, at), shape), point.weight * volume_mm3});
         }
       }
       side.last = points_.size();

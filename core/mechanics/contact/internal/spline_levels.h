@@ -8,8 +8,8 @@
 // locking, which trilinear ones do not near incompressibility. Inside of this room.
 //
 // Some rows c of stiffness k (contacts, jaws) may stand beside A. They are answered exactly, by what the levels answer
-// to them (Sherman, Morrison and Woodbury; e.g. Golub and Van Loan, Matrix Computations, 2.1.4). A live cut joins as one
-// level more (cut_level.h): its jumps then follow the nodes, and rows may see them too.
+// to them (Sherman, Morrison and Woodbury; e.g. Golub and Van Loan, Matrix Computations, 2.1.4). A live cut joins as
+// one level more (cut_level.h): its jumps then follow the nodes, and rows may see them too.
 
 #include <cstdint>
 #include <Eigen/Core>
@@ -24,7 +24,7 @@ namespace glisson::mechanics {
 // What a row sees: directions at nodes, and how far one of the further unknowns goes against it.
 struct StiffRow {
   std::vector<std::pair<int, Eigen::Vector3d>> on;  // nodes, and after their numbers those of jumps
-  int further = -1;  // of the unknowns after the nodes; -1: none
+  int further = -1;                                 // of the unknowns after the nodes; -1: none
   double along = 0;
   double stiffness = 0;
   double gap_mm = 0;       // it presses with -k times what this becomes

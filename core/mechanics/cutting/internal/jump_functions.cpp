@@ -120,16 +120,17 @@ Eigen::SparseMatrix<double> coupling(const Body& body, const Crossing& crossing,
       }
     }
   }
-  for_springs(body, crossing, points, [&](const BoundaryFace& face, const Vector3d& l, const Vector3d& values,
-                                          double stiffness) {
-    const FaceValues of_nodes = values_of_nodes(layout.order, l);
-    for (int i = 0; i < 3; ++i) {
-      if (number[face.points[i]] < 0) continue;
-      for (Eigen::Index a = 0; a < of_nodes.size(); ++a) {
-        add(face.nodes[a], number[face.points[i]], stiffness * values[i] * of_nodes[a] * Matrix3d::Identity());
-      }
-    }
-  });
+  for_springs(body, crossing, points,
+              [&](const BoundaryFace& face, const Vector3d& l, const Vector3d& values, double stiffness) {
+                const FaceValues of_nodes = values_of_nodes(layout.order, l);
+                for (int i = 0; i < 3; ++i) {
+                  if (number[face.points[i]] < 0) continue;
+                  for (Eigen::Index a = 0; a < of_nodes.size(); ++a) {
+                    add(face.nodes[a], number[face.points[i]],
+                        stiffness * values[i] * of_nodes[a] * Matrix3d::Identity());
+                  }
+                }
+              });
   Eigen::SparseMatrix<double> columns(3 * layout.nodes(), 3 * static_cast<int>(points.size()));
   columns.setFromTriplets(entries.begin(), entries.end());
   return columns;
@@ -183,21 +184,21 @@ void add_foundation_springs(const Body& body, const Crossing& crossing, const st
   for (std::size_t p = 0; p < number.size(); ++p) {
     if (number[p] >= 0) points.push_back(static_cast<int>(p));
   }
-  for_springs(body, crossing, points, [&](const BoundaryFace& face, const Vector3d& l, const Vector3d& values,
-                                          double stiffness) {
-    const FaceValues of_nodes = values_of_nodes(body.layout.order, l);
-    for (int i = 0; i < 3; ++i) {
-      const int jump = number[face.points[i]];
-      if (jump < 0) continue;
-      for (Eigen::Index a = 0; a < of_nodes.size(); ++a) {
-        with_nodes.emplace_back(face.nodes[a], jump, stiffness * values[i] * of_nodes[a]);
-      }
-      for (int j = 0; j < 3; ++j) {
-        const int other = number[face.points[j]];
-        if (other >= 0) between.emplace_back(jump, other, stiffness * values[i] * values[j]);
-      }
-    }
-  });
+  for_springs(body, crossing, points,
+              [&](const BoundaryFace& face, const Vector3d& l, const Vector3d& values, double stiffness) {
+                const FaceValues of_nodes = values_of_nodes(body.layout.order, l);
+                for (int i = 0; i < 3; ++i) {
+                  const int jump = number[face.points[i]];
+                  if (jump < 0) continue;
+                  for (Eigen::Index a = 0; a < of_nodes.size(); ++a) {
+                    with_nodes.emplace_back(face.nodes[a], jump, stiffness * values[i] * of_nodes[a]);
+                  }
+                  for (int j = 0; j < 3; ++j) {
+                    const int other = number[face.points[j]];
+                    if (other >= 0) between.emplace_back(jump, other, stiffness * values[i] * values[j]);
+                  }
+                }
+              });
 }
 
 VectorXd load_on(const Body& body, const Crossing& crossing, const Loads& loads, const std::vector<int>& points) {

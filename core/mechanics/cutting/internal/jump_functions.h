@@ -27,8 +27,8 @@ namespace glisson::mechanics {
 [[nodiscard]] Eigen::MatrixXd stiffness_between(const Body& body, const Crossing& crossing,
                                                 const std::vector<int>& rows, const std::vector<int>& columns);
 
-// What of that is the foundations' (mN/mm along each axis): one row a node and one column a jump, `number` being of each
-// point of the mesh its jump, -1: none.
+// What of that is the foundations' (mN/mm along each axis): one row a node and one column a jump, `number` being of
+// each point of the mesh its jump, -1: none.
 void add_foundation_springs(const Body& body, const Crossing& crossing, const std::vector<int>& number,
                             std::vector<Eigen::Triplet<double>>& with_nodes,
                             std::vector<Eigen::Triplet<double>>& between);
