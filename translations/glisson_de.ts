@@ -6355,6 +6355,146 @@
         <source>Write value and name, as in 1=liver, 2=tumour-1.</source>
         <translation>Schreiben Sie Wert und Namen, wie in 1=liver, 2=tumour-1.</translation>
     </message>
+    <message>
+        <source>Noted when {0}&apos;s liver was outlined:</source>
+        <translation>Beim Umreißen der Leber von {0} vermerkt:</translation>
+    </message>
+    <message>
+        <source>{0} is compared with itself.</source>
+        <translation>{0} wird mit sich selbst verglichen.</translation>
+    </message>
+    <message>
+        <source>Name the case of the earlier study first, then that of the later one.</source>
+        <translation>Nennen Sie zuerst den Fall der früheren Untersuchung, dann den der späteren.</translation>
+    </message>
+    <message>
+        <source>One study was parted into segments by its vessels, the other by the liver&apos;s shape alone: a part of what differs comes of that.</source>
+        <translation>Die eine Untersuchung wurde nach ihren Gefäßen in Segmente geteilt, die andere nach der Form der Leber allein: Ein Teil des Unterschieds kommt davon.</translation>
+    </message>
+    <message>
+        <source>{0} has no segments yet.</source>
+        <translation>{0} hat noch keine Segmente.</translation>
+    </message>
+    <message>
+        <source>Find them first: in Resect, or by glisson-cli territories CASE.</source>
+        <translation>Bestimmen Sie sie zuerst: in Resektion oder mit glisson-cli territories CASE.</translation>
+    </message>
+    <message>
+        <source>The segments of {0} are older than the outlines or vessels that they were made from, or of another version of Glisson.</source>
+        <translation>Die Segmente von {0} sind älter als die Umrisse oder Gefäße, aus denen sie gemacht wurden, oder von einer anderen Version von Glisson.</translation>
+    </message>
+    <message>
+        <source>Find them anew: in Resect, or by glisson-cli territories CASE.</source>
+        <translation>Bestimmen Sie sie neu: in Resektion oder mit glisson-cli territories CASE.</translation>
+    </message>
+    <message>
+        <source>Nothing shows whether {0} and {1} are of one patient: the images of one or both name nobody, or came into their case before cases kept what tells.</source>
+        <translation>Nichts zeigt, ob {0} und {1} von einem Patienten sind: Die Bilder eines oder beider nennen niemanden oder kamen in ihren Fall, bevor Fälle das behielten.</translation>
+    </message>
+    <message>
+        <source>The images of {0} and {1} name two patients; you said that they are of one.</source>
+        <translation>Die Bilder von {0} und {1} nennen zwei Patienten; Sie sagten, dass sie von einem sind.</translation>
+    </message>
+    <message>
+        <source>The images of {0} and {1} name two patients.</source>
+        <translation>Die Bilder von {0} und {1} nennen zwei Patienten.</translation>
+    </message>
+    <message>
+        <source>Where they are of one all the same, say so with --same-patient.</source>
+        <translation>Wenn sie trotzdem von einem sind, sagen Sie es mit --same-patient.</translation>
+    </message>
+    <message>
+        <source>By the dates of its images {0} is {1} days older than {2}.</source>
+        <translation>Nach den Daten seiner Bilder ist {0} um {1} Tage älter als {2}.</translation>
+    </message>
+    <message>
+        <source>By the dates of their images the studies are {0} days apart, and not {1}.</source>
+        <translation>Nach den Daten ihrer Bilder liegen die Untersuchungen {0} Tage auseinander und nicht {1}.</translation>
+    </message>
+    <message>
+        <source>Leave --days out: it is for studies without dates.</source>
+        <translation>Lassen Sie --days weg: Es ist für Untersuchungen ohne Daten.</translation>
+    </message>
+    <message>
+        <source>Both studies are of the same day: there is no growth rate.</source>
+        <translation>Beide Untersuchungen sind vom selben Tag: Eine Wachstumsrate gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>How many days lie between the studies is not known, so that there is no growth rate: their images have no dates, or name nobody. Say it (--days).</source>
+        <translation>Wie viele Tage zwischen den Untersuchungen liegen, ist nicht bekannt, sodass es keine Wachstumsrate gibt: Ihre Bilder haben keine Daten oder nennen niemanden. Sagen Sie es (--days).</translation>
+    </message>
+    <message>
+        <source>Neither {0} nor {1} has a plan {2}.</source>
+        <translation>Weder {0} noch {1} hat einen Plan {2}.</translation>
+    </message>
+    <message>
+        <source>{0} alone has the plan {1}, and not all of it goes by segments or territories: a plane, a sheet, a margin or a zone has its place in its own study.</source>
+        <translation>Nur {0} hat den Plan {1}, und nicht alles daran geht nach Segmenten oder Gebieten: Eine Ebene, eine Fläche, ein Abstand oder eine Zone hat ihren Ort in ihrer eigenen Untersuchung.</translation>
+    </message>
+    <message>
+        <source>Keep a plan of that name in the other case too.</source>
+        <translation>Behalten Sie auch im anderen Fall einen Plan dieses Namens.</translation>
+    </message>
+    <message>
+        <source>Less than {0} mm of the line lie over the liver.</source>
+        <translation>Weniger als {0} mm der Linie liegen über der Leber.</translation>
+    </message>
+    <message>
+        <source>Draw it across the liver, from one side to the other.</source>
+        <translation>Zeichnen Sie sie quer über die Leber, von einer Seite zur anderen.</translation>
+    </message>
+    <message>
+        <source>The line turns back on itself.</source>
+        <translation>Die Linie kehrt um.</translation>
+    </message>
+    <message>
+        <source>Draw it from one side of the liver to the other without turning.</source>
+        <translation>Zeichnen Sie sie von einer Seite der Leber zur anderen, ohne umzukehren.</translation>
+    </message>
+    <message>
+        <source>{0} days between the studies: the second must be later than the first.</source>
+        <translation>{0} Tage zwischen den Untersuchungen: Die zweite muss später sein als die erste.</translation>
+    </message>
+    <message>
+        <source>A standard liver volume of {0} ml is not more than 0.</source>
+        <translation>Ein Standardvolumen der Leber von {0} ml ist nicht größer als 0.</translation>
+    </message>
+    <message>
+        <source>The liver without tumours has {1} ml, {0} ml before ({2} %).</source>
+        <translation>Die Leber ohne Tumoren hat {1} ml, vorher {0} ml ({2} %).</translation>
+    </message>
+    <message>
+        <source>What the plan {0} leaves has {2} ml, {1} ml before ({3} %).</source>
+        <translation>Was der Plan {0} lässt, hat {2} ml, vorher {1} ml ({3} %).</translation>
+    </message>
+    <message>
+        <source>That is {1} % of the standard liver volume of {3} ml, {0} % before: a degree of hypertrophy of {2} percentage points.</source>
+        <translation>Das sind {1} % des Standardvolumens der Leber von {3} ml, vorher {0} %: ein Grad der Hypertrophie von {2} Prozentpunkten.</translation>
+    </message>
+    <message>
+        <source>That is {1} % of the liver without tumours of its own study, {0} % before: a degree of hypertrophy of {2} percentage points.</source>
+        <translation>Das sind {1} % der Leber ohne Tumoren der eigenen Untersuchung, vorher {0} %: ein Grad der Hypertrophie von {2} Prozentpunkten.</translation>
+    </message>
+    <message>
+        <source>Kinetic growth rate: {0} percentage points a week, over {1} days by the images&apos; dates.</source>
+        <translation>Kinetische Wachstumsrate: {0} Prozentpunkte je Woche, über {1} Tage nach den Daten der Bilder.</translation>
+    </message>
+    <message>
+        <source>Kinetic growth rate: {0} percentage points a week, over the {1} days that were given.</source>
+        <translation>Kinetische Wachstumsrate: {0} Prozentpunkte je Woche, über die {1} angegebenen Tage.</translation>
+    </message>
+    <message>
+        <source>A remnant&apos;s change of up to {0} % may be none: volumes of what is parted anew are off by as much in one of ten.</source>
+        <translation>Eine Änderung des Rests bis {0} % kann keine sein: Volumina neu bestimmter Teile liegen in einem von zehn Fällen um so viel daneben.</translation>
+    </message>
+    <message>
+        <source>A segment&apos;s change of up to {0} % (~) may be none: volumes of segments that are parted anew are off by as much in one of ten.</source>
+        <translation>Eine Änderung eines Segments bis {0} % (~) kann keine sein: Volumina neu bestimmter Segmente liegen in einem von zehn Fällen um so viel daneben.</translation>
+    </message>
+    <message>
+        <source>Choose the plan {0}</source>
+        <translation>Plan {0} wählen</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>
@@ -6953,6 +7093,14 @@
     <message>
         <source>Points set: %1. Drag them in any view.</source>
         <translation>Gesetzte Punkte: %1. Sie lassen sich in jeder Ansicht ziehen.</translation>
+    </message>
+    <message>
+        <source>Draw a line</source>
+        <translation>Linie zeichnen</translation>
+    </message>
+    <message>
+        <source>Then draw over the liver in the 3D view with the left button held: the cut goes straight down under the line, as it is seen from there</source>
+        <translation>Zeichnen Sie dann in der 3D-Ansicht mit gedrückter linker Taste über die Leber: Der Schnitt geht unter der Linie gerade in die Tiefe, so wie man sie von dort sieht</translation>
     </message>
 </context>
 <context>
@@ -7591,6 +7739,109 @@ Keine Messungen zur Hand? Probieren Sie das Beispiel: eine simulierte Gewebeprob
     <message>
         <source>changes nothing in the rehearsal</source>
         <translation>ändert an der Probe nichts</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::GrowthControls</name>
+    <message>
+        <source>Earlier study...</source>
+        <translation>Frühere Untersuchung...</translation>
+    </message>
+    <message>
+        <source>The case of this patient&apos;s earlier study, with its segments: a folder NAME.glisson</source>
+        <translation>Der Fall der früheren Untersuchung dieses Patienten mit seinen Segmenten: ein Ordner NAME.glisson</translation>
+    </message>
+    <message>
+        <source>They are of one patient</source>
+        <translation>Sie sind von einem Patienten</translation>
+    </message>
+    <message>
+        <source>Segment</source>
+        <translation>Segmentieren</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Vorher</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Jetzt</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Änderung</translation>
+    </message>
+    <message>
+        <source>kPa</source>
+        <translation>kPa</translation>
+    </message>
+    <message>
+        <source>ml without tumours, in the earlier study</source>
+        <translation>ml ohne Tumoren, in der früheren Untersuchung</translation>
+    </message>
+    <message>
+        <source>ml without tumours, in the open case</source>
+        <translation>ml ohne Tumoren, im offenen Fall</translation>
+    </message>
+    <message>
+        <source>Of what it was; ~: no more than such a volume may be off by</source>
+        <translation>Von dem, was es war; ~: nicht mehr, als ein solches Volumen danebenliegen kann</translation>
+    </message>
+    <message>
+        <source>Mean stiffness before and now</source>
+        <translation>Mittlere Steifigkeit vorher und jetzt</translation>
+    </message>
+    <message>
+        <source>Remnant of</source>
+        <translation>Rest nach</translation>
+    </message>
+    <message>
+        <source>no plan</source>
+        <translation>kein Plan</translation>
+    </message>
+    <message>
+        <source>Days between</source>
+        <translation>Tage dazwischen</translation>
+    </message>
+    <message>
+        <source>0: by the dates of the images. To be typed where these have none</source>
+        <translation>0: nach den Daten der Bilder. Einzugeben, wo diese keine haben</translation>
+    </message>
+    <message>
+        <source>Standard volume</source>
+        <translation>Standardvolumen</translation>
+    </message>
+    <message>
+        <source> ml</source>
+        <translation> ml</translation>
+    </message>
+    <message>
+        <source>The liver&apos;s volume estimated from body size, of which the per cent are in both studies: -794.41 + 1267.28 × body surface in m² (Vauthey et al. 2002). 0: of each study&apos;s own liver</source>
+        <translation>Das aus der Körpergröße geschätzte Lebervolumen, von dem die Prozente in beiden Untersuchungen sind: -794.41 + 1267.28 × Körperoberfläche in m² (Vauthey et al. 2002). 0: von der Leber der jeweiligen Untersuchung</translation>
+    </message>
+    <message>
+        <source>The case of the earlier study</source>
+        <translation>Der Fall der früheren Untersuchung</translation>
+    </message>
+    <message>
+        <source>Comparing...</source>
+        <translation>Wird verglichen...</translation>
+    </message>
+    <message>
+        <source>Remnant</source>
+        <translation>Rest</translation>
+    </message>
+    <message>
+        <source>Liver</source>
+        <translation>Leber</translation>
+    </message>
+    <message>
+        <source>%1 % of the liver</source>
+        <translation>%1 % der Leber</translation>
+    </message>
+    <message>
+        <source>%1 % and %2 % of it were measured.</source>
+        <translation>%1 % und %2 % davon wurden gemessen.</translation>
     </message>
 </context>
 <context>
@@ -8801,6 +9052,10 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Griffe am Fad
         <source>Two stages</source>
         <translation>Zwei Schritte</translation>
     </message>
+    <message>
+        <source>Growth since an earlier study</source>
+        <translation>Wachstum seit einer früheren Untersuchung</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::PlanList</name>
@@ -9919,6 +10174,10 @@ sicher %</translation>
     <message>
         <source>Place a tool in Rehearse first: a patch at small deformations that the model bears, not a rigid tool.</source>
         <translation>Setzen Sie zuerst in Proben ein Instrument an: eine Fläche bei kleinen Verformungen, die das Modell trägt, kein starres Instrument.</translation>
+    </message>
+    <message>
+        <source>Draw a line over the liver in the 3D view.</source>
+        <translation>Zeichnen Sie in der 3D-Ansicht eine Linie über die Leber.</translation>
     </message>
 </context>
 <context>

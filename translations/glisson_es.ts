@@ -6355,6 +6355,146 @@
         <source>Write value and name, as in 1=liver, 2=tumour-1.</source>
         <translation>Escriba valor y nombre, como en 1=liver, 2=tumour-1.</translation>
     </message>
+    <message>
+        <source>Noted when {0}&apos;s liver was outlined:</source>
+        <translation>Anotado al contornear el hígado de {0}:</translation>
+    </message>
+    <message>
+        <source>{0} is compared with itself.</source>
+        <translation>{0} se compara consigo mismo.</translation>
+    </message>
+    <message>
+        <source>Name the case of the earlier study first, then that of the later one.</source>
+        <translation>Nombre primero el caso del estudio anterior y después el del posterior.</translation>
+    </message>
+    <message>
+        <source>One study was parted into segments by its vessels, the other by the liver&apos;s shape alone: a part of what differs comes of that.</source>
+        <translation>Un estudio se dividió en segmentos según sus vasos, el otro según la forma del hígado sola: una parte de la diferencia viene de ahí.</translation>
+    </message>
+    <message>
+        <source>{0} has no segments yet.</source>
+        <translation>{0} aún no tiene segmentos.</translation>
+    </message>
+    <message>
+        <source>Find them first: in Resect, or by glisson-cli territories CASE.</source>
+        <translation>Hállelos primero: en Resección o con glisson-cli territories CASE.</translation>
+    </message>
+    <message>
+        <source>The segments of {0} are older than the outlines or vessels that they were made from, or of another version of Glisson.</source>
+        <translation>Los segmentos de {0} son más antiguos que los contornos o vasos de los que se hicieron, o de otra versión de Glisson.</translation>
+    </message>
+    <message>
+        <source>Find them anew: in Resect, or by glisson-cli territories CASE.</source>
+        <translation>Hállelos de nuevo: en Resección o con glisson-cli territories CASE.</translation>
+    </message>
+    <message>
+        <source>Nothing shows whether {0} and {1} are of one patient: the images of one or both name nobody, or came into their case before cases kept what tells.</source>
+        <translation>Nada muestra si {0} y {1} son de un mismo paciente: las imágenes de uno o de ambos no nombran a nadie, o entraron en su caso antes de que los casos lo guardaran.</translation>
+    </message>
+    <message>
+        <source>The images of {0} and {1} name two patients; you said that they are of one.</source>
+        <translation>Las imágenes de {0} y {1} nombran a dos pacientes; usted dijo que son de uno.</translation>
+    </message>
+    <message>
+        <source>The images of {0} and {1} name two patients.</source>
+        <translation>Las imágenes de {0} y {1} nombran a dos pacientes.</translation>
+    </message>
+    <message>
+        <source>Where they are of one all the same, say so with --same-patient.</source>
+        <translation>Si aun así son de uno, dígalo con --same-patient.</translation>
+    </message>
+    <message>
+        <source>By the dates of its images {0} is {1} days older than {2}.</source>
+        <translation>Según las fechas de sus imágenes, {0} es {1} días más antiguo que {2}.</translation>
+    </message>
+    <message>
+        <source>By the dates of their images the studies are {0} days apart, and not {1}.</source>
+        <translation>Según las fechas de sus imágenes, entre los estudios hay {0} días, y no {1}.</translation>
+    </message>
+    <message>
+        <source>Leave --days out: it is for studies without dates.</source>
+        <translation>Omita --days: es para estudios sin fechas.</translation>
+    </message>
+    <message>
+        <source>Both studies are of the same day: there is no growth rate.</source>
+        <translation>Ambos estudios son del mismo día: no hay tasa de crecimiento.</translation>
+    </message>
+    <message>
+        <source>How many days lie between the studies is not known, so that there is no growth rate: their images have no dates, or name nobody. Say it (--days).</source>
+        <translation>No se sabe cuántos días hay entre los estudios, de modo que no hay tasa de crecimiento: sus imágenes no tienen fechas o no nombran a nadie. Dígalo (--days).</translation>
+    </message>
+    <message>
+        <source>Neither {0} nor {1} has a plan {2}.</source>
+        <translation>Ni {0} ni {1} tienen un plan {2}.</translation>
+    </message>
+    <message>
+        <source>{0} alone has the plan {1}, and not all of it goes by segments or territories: a plane, a sheet, a margin or a zone has its place in its own study.</source>
+        <translation>Solo {0} tiene el plan {1}, y no todo en él va por segmentos o territorios: un plano, una superficie, un margen o una zona tienen su lugar en su propio estudio.</translation>
+    </message>
+    <message>
+        <source>Keep a plan of that name in the other case too.</source>
+        <translation>Conserve un plan de ese nombre también en el otro caso.</translation>
+    </message>
+    <message>
+        <source>Less than {0} mm of the line lie over the liver.</source>
+        <translation>Menos de {0} mm de la línea quedan sobre el hígado.</translation>
+    </message>
+    <message>
+        <source>Draw it across the liver, from one side to the other.</source>
+        <translation>Trácela a través del hígado, de un lado al otro.</translation>
+    </message>
+    <message>
+        <source>The line turns back on itself.</source>
+        <translation>La línea vuelve sobre sí misma.</translation>
+    </message>
+    <message>
+        <source>Draw it from one side of the liver to the other without turning.</source>
+        <translation>Trácela de un lado del hígado al otro sin volver atrás.</translation>
+    </message>
+    <message>
+        <source>{0} days between the studies: the second must be later than the first.</source>
+        <translation>{0} días entre los estudios: el segundo debe ser posterior al primero.</translation>
+    </message>
+    <message>
+        <source>A standard liver volume of {0} ml is not more than 0.</source>
+        <translation>Un volumen estándar del hígado de {0} ml no es mayor que 0.</translation>
+    </message>
+    <message>
+        <source>The liver without tumours has {1} ml, {0} ml before ({2} %).</source>
+        <translation>El hígado sin tumores tiene {1} ml, antes {0} ml ({2} %).</translation>
+    </message>
+    <message>
+        <source>What the plan {0} leaves has {2} ml, {1} ml before ({3} %).</source>
+        <translation>Lo que deja el plan {0} tiene {2} ml, antes {1} ml ({3} %).</translation>
+    </message>
+    <message>
+        <source>That is {1} % of the standard liver volume of {3} ml, {0} % before: a degree of hypertrophy of {2} percentage points.</source>
+        <translation>Es el {1} % del volumen estándar del hígado de {3} ml, antes el {0} %: un grado de hipertrofia de {2} puntos porcentuales.</translation>
+    </message>
+    <message>
+        <source>That is {1} % of the liver without tumours of its own study, {0} % before: a degree of hypertrophy of {2} percentage points.</source>
+        <translation>Es el {1} % del hígado sin tumores de su propio estudio, antes el {0} %: un grado de hipertrofia de {2} puntos porcentuales.</translation>
+    </message>
+    <message>
+        <source>Kinetic growth rate: {0} percentage points a week, over {1} days by the images&apos; dates.</source>
+        <translation>Tasa de crecimiento cinético: {0} puntos porcentuales por semana, en {1} días según las fechas de las imágenes.</translation>
+    </message>
+    <message>
+        <source>Kinetic growth rate: {0} percentage points a week, over the {1} days that were given.</source>
+        <translation>Tasa de crecimiento cinético: {0} puntos porcentuales por semana, en los {1} días que se dieron.</translation>
+    </message>
+    <message>
+        <source>A remnant&apos;s change of up to {0} % may be none: volumes of what is parted anew are off by as much in one of ten.</source>
+        <translation>Un cambio del remanente de hasta el {0} % puede no serlo: los volúmenes de lo que se divide de nuevo se desvían otro tanto en uno de cada diez casos.</translation>
+    </message>
+    <message>
+        <source>A segment&apos;s change of up to {0} % (~) may be none: volumes of segments that are parted anew are off by as much in one of ten.</source>
+        <translation>Un cambio de un segmento de hasta el {0} % (~) puede no serlo: los volúmenes de segmentos hallados de nuevo se desvían otro tanto en uno de cada diez casos.</translation>
+    </message>
+    <message>
+        <source>Choose the plan {0}</source>
+        <translation>Elegir el plan {0}</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>
@@ -6953,6 +7093,14 @@
     <message>
         <source>Points set: %1. Drag them in any view.</source>
         <translation>Puntos puestos: %1. Arrástrelos en cualquier vista.</translation>
+    </message>
+    <message>
+        <source>Draw a line</source>
+        <translation>Trazar una línea</translation>
+    </message>
+    <message>
+        <source>Then draw over the liver in the 3D view with the left button held: the cut goes straight down under the line, as it is seen from there</source>
+        <translation>Después trace sobre el hígado en la vista 3D con el botón izquierdo pulsado: la sección baja recta bajo la línea, tal como se ve desde allí</translation>
     </message>
 </context>
 <context>
@@ -7591,6 +7739,109 @@ Glisson dice cuánto se equivoca el modelo declarado, qué le falta y con qué c
     <message>
         <source>changes nothing in the rehearsal</source>
         <translation>no cambia nada en el ensayo</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::GrowthControls</name>
+    <message>
+        <source>Earlier study...</source>
+        <translation>Estudio anterior...</translation>
+    </message>
+    <message>
+        <source>The case of this patient&apos;s earlier study, with its segments: a folder NAME.glisson</source>
+        <translation>El caso del estudio anterior de este paciente, con sus segmentos: una carpeta NAME.glisson</translation>
+    </message>
+    <message>
+        <source>They are of one patient</source>
+        <translation>Son de un mismo paciente</translation>
+    </message>
+    <message>
+        <source>Segment</source>
+        <translation>Segmentar</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Antes</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Ahora</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Cambio</translation>
+    </message>
+    <message>
+        <source>kPa</source>
+        <translation>kPa</translation>
+    </message>
+    <message>
+        <source>ml without tumours, in the earlier study</source>
+        <translation>ml sin tumores, en el estudio anterior</translation>
+    </message>
+    <message>
+        <source>ml without tumours, in the open case</source>
+        <translation>ml sin tumores, en el caso abierto</translation>
+    </message>
+    <message>
+        <source>Of what it was; ~: no more than such a volume may be off by</source>
+        <translation>De lo que era; ~: no más de lo que puede desviarse un volumen así</translation>
+    </message>
+    <message>
+        <source>Mean stiffness before and now</source>
+        <translation>Rigidez media antes y ahora</translation>
+    </message>
+    <message>
+        <source>Remnant of</source>
+        <translation>Remanente de</translation>
+    </message>
+    <message>
+        <source>no plan</source>
+        <translation>ningún plan</translation>
+    </message>
+    <message>
+        <source>Days between</source>
+        <translation>Días entre ambos</translation>
+    </message>
+    <message>
+        <source>0: by the dates of the images. To be typed where these have none</source>
+        <translation>0: según las fechas de las imágenes. Hay que escribirlos si no las tienen</translation>
+    </message>
+    <message>
+        <source>Standard volume</source>
+        <translation>Volumen estándar</translation>
+    </message>
+    <message>
+        <source> ml</source>
+        <translation> ml</translation>
+    </message>
+    <message>
+        <source>The liver&apos;s volume estimated from body size, of which the per cent are in both studies: -794.41 + 1267.28 × body surface in m² (Vauthey et al. 2002). 0: of each study&apos;s own liver</source>
+        <translation>El volumen del hígado estimado por el tamaño del cuerpo, del que son los tantos por ciento en ambos estudios: -794.41 + 1267.28 × superficie corporal en m² (Vauthey et al. 2002). 0: del hígado de cada estudio</translation>
+    </message>
+    <message>
+        <source>The case of the earlier study</source>
+        <translation>El caso del estudio anterior</translation>
+    </message>
+    <message>
+        <source>Comparing...</source>
+        <translation>Comparando...</translation>
+    </message>
+    <message>
+        <source>Remnant</source>
+        <translation>Remanente</translation>
+    </message>
+    <message>
+        <source>Liver</source>
+        <translation>Hígado</translation>
+    </message>
+    <message>
+        <source>%1 % of the liver</source>
+        <translation>%1 % del hígado</translation>
+    </message>
+    <message>
+        <source>%1 % and %2 % of it were measured.</source>
+        <translation>Se midió el %1 % y el %2 %.</translation>
     </message>
 </context>
 <context>
@@ -8803,6 +9054,10 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar. Ctrl+arrastrar: girar. Tiradores 
         <source>Two stages</source>
         <translation>Dos tiempos</translation>
     </message>
+    <message>
+        <source>Growth since an earlier study</source>
+        <translation>Crecimiento desde un estudio anterior</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::PlanList</name>
@@ -9922,6 +10177,10 @@ seguro %</translation>
     <message>
         <source>Place a tool in Rehearse first: a patch at small deformations that the model bears, not a rigid tool.</source>
         <translation>Coloque antes un instrumento en Ensayar: una zona con deformaciones pequeñas que el modelo soporta, no un instrumento rígido.</translation>
+    </message>
+    <message>
+        <source>Draw a line over the liver in the 3D view.</source>
+        <translation>Trace una línea sobre el hígado en la vista 3D.</translation>
     </message>
 </context>
 <context>

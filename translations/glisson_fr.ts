@@ -6355,6 +6355,146 @@
         <source>Write value and name, as in 1=liver, 2=tumour-1.</source>
         <translation>Écrivez valeur et nom, comme dans 1=liver, 2=tumour-1.</translation>
     </message>
+    <message>
+        <source>Noted when {0}&apos;s liver was outlined:</source>
+        <translation>Noté en délimitant le foie de {0} :</translation>
+    </message>
+    <message>
+        <source>{0} is compared with itself.</source>
+        <translation>{0} est comparé à lui-même.</translation>
+    </message>
+    <message>
+        <source>Name the case of the earlier study first, then that of the later one.</source>
+        <translation>Nommez d’abord le cas de l’examen antérieur, puis celui de l’examen postérieur.</translation>
+    </message>
+    <message>
+        <source>One study was parted into segments by its vessels, the other by the liver&apos;s shape alone: a part of what differs comes of that.</source>
+        <translation>Un examen a été partagé en segments d’après ses vaisseaux, l’autre d’après la seule forme du foie : une part de la différence vient de là.</translation>
+    </message>
+    <message>
+        <source>{0} has no segments yet.</source>
+        <translation>{0} n’a pas encore de segments.</translation>
+    </message>
+    <message>
+        <source>Find them first: in Resect, or by glisson-cli territories CASE.</source>
+        <translation>Trouvez-les d’abord : dans Résection ou par glisson-cli territories CASE.</translation>
+    </message>
+    <message>
+        <source>The segments of {0} are older than the outlines or vessels that they were made from, or of another version of Glisson.</source>
+        <translation>Les segments de {0} sont plus anciens que les contours ou les vaisseaux dont ils ont été tirés, ou d’une autre version de Glisson.</translation>
+    </message>
+    <message>
+        <source>Find them anew: in Resect, or by glisson-cli territories CASE.</source>
+        <translation>Trouvez-les à nouveau : dans Résection ou par glisson-cli territories CASE.</translation>
+    </message>
+    <message>
+        <source>Nothing shows whether {0} and {1} are of one patient: the images of one or both name nobody, or came into their case before cases kept what tells.</source>
+        <translation>Rien ne montre si {0} et {1} sont d’un même patient : les images de l’un ou des deux ne nomment personne, ou sont entrées dans leur cas avant que les cas ne le gardent.</translation>
+    </message>
+    <message>
+        <source>The images of {0} and {1} name two patients; you said that they are of one.</source>
+        <translation>Les images de {0} et {1} nomment deux patients ; vous avez dit qu’elles sont d’un seul.</translation>
+    </message>
+    <message>
+        <source>The images of {0} and {1} name two patients.</source>
+        <translation>Les images de {0} et {1} nomment deux patients.</translation>
+    </message>
+    <message>
+        <source>Where they are of one all the same, say so with --same-patient.</source>
+        <translation>Si elles sont malgré tout d’un seul, dites-le par --same-patient.</translation>
+    </message>
+    <message>
+        <source>By the dates of its images {0} is {1} days older than {2}.</source>
+        <translation>D’après les dates de ses images, {0} est plus ancien de {1} jours que {2}.</translation>
+    </message>
+    <message>
+        <source>By the dates of their images the studies are {0} days apart, and not {1}.</source>
+        <translation>D’après les dates de leurs images, {0} jours séparent les examens, et non {1}.</translation>
+    </message>
+    <message>
+        <source>Leave --days out: it is for studies without dates.</source>
+        <translation>Omettez --days : c’est pour les examens sans dates.</translation>
+    </message>
+    <message>
+        <source>Both studies are of the same day: there is no growth rate.</source>
+        <translation>Les deux examens sont du même jour : il n’y a pas de taux de croissance.</translation>
+    </message>
+    <message>
+        <source>How many days lie between the studies is not known, so that there is no growth rate: their images have no dates, or name nobody. Say it (--days).</source>
+        <translation>On ne sait pas combien de jours séparent les examens, si bien qu’il n’y a pas de taux de croissance : leurs images n’ont pas de dates ou ne nomment personne. Dites-le (--days).</translation>
+    </message>
+    <message>
+        <source>Neither {0} nor {1} has a plan {2}.</source>
+        <translation>Ni {0} ni {1} n’ont de plan {2}.</translation>
+    </message>
+    <message>
+        <source>{0} alone has the plan {1}, and not all of it goes by segments or territories: a plane, a sheet, a margin or a zone has its place in its own study.</source>
+        <translation>Seul {0} a le plan {1}, et tout n’y va pas par segments ou territoires : un plan de coupe, une surface, une marge ou une zone a sa place dans son propre examen.</translation>
+    </message>
+    <message>
+        <source>Keep a plan of that name in the other case too.</source>
+        <translation>Gardez un plan de ce nom dans l’autre cas aussi.</translation>
+    </message>
+    <message>
+        <source>Less than {0} mm of the line lie over the liver.</source>
+        <translation>Moins de {0} mm de la ligne passent sur le foie.</translation>
+    </message>
+    <message>
+        <source>Draw it across the liver, from one side to the other.</source>
+        <translation>Tracez-la en travers du foie, d’un côté à l’autre.</translation>
+    </message>
+    <message>
+        <source>The line turns back on itself.</source>
+        <translation>La ligne revient sur elle-même.</translation>
+    </message>
+    <message>
+        <source>Draw it from one side of the liver to the other without turning.</source>
+        <translation>Tracez-la d’un côté du foie à l’autre sans revenir en arrière.</translation>
+    </message>
+    <message>
+        <source>{0} days between the studies: the second must be later than the first.</source>
+        <translation>{0} jours entre les examens : le second doit être postérieur au premier.</translation>
+    </message>
+    <message>
+        <source>A standard liver volume of {0} ml is not more than 0.</source>
+        <translation>Un volume standard du foie de {0} ml n’est pas supérieur à 0.</translation>
+    </message>
+    <message>
+        <source>The liver without tumours has {1} ml, {0} ml before ({2} %).</source>
+        <translation>Le foie sans tumeurs a {1} ml, {0} ml avant ({2} %).</translation>
+    </message>
+    <message>
+        <source>What the plan {0} leaves has {2} ml, {1} ml before ({3} %).</source>
+        <translation>Ce que laisse le plan {0} a {2} ml, {1} ml avant ({3} %).</translation>
+    </message>
+    <message>
+        <source>That is {1} % of the standard liver volume of {3} ml, {0} % before: a degree of hypertrophy of {2} percentage points.</source>
+        <translation>C’est {1} % du volume standard du foie de {3} ml, {0} % avant : un degré d’hypertrophie de {2} points de pourcentage.</translation>
+    </message>
+    <message>
+        <source>That is {1} % of the liver without tumours of its own study, {0} % before: a degree of hypertrophy of {2} percentage points.</source>
+        <translation>C’est {1} % du foie sans tumeurs de son propre examen, {0} % avant : un degré d’hypertrophie de {2} points de pourcentage.</translation>
+    </message>
+    <message>
+        <source>Kinetic growth rate: {0} percentage points a week, over {1} days by the images&apos; dates.</source>
+        <translation>Taux de croissance cinétique : {0} points de pourcentage par semaine, sur {1} jours d’après les dates des images.</translation>
+    </message>
+    <message>
+        <source>Kinetic growth rate: {0} percentage points a week, over the {1} days that were given.</source>
+        <translation>Taux de croissance cinétique : {0} points de pourcentage par semaine, sur les {1} jours indiqués.</translation>
+    </message>
+    <message>
+        <source>A remnant&apos;s change of up to {0} % may be none: volumes of what is parted anew are off by as much in one of ten.</source>
+        <translation>Un changement du foie restant jusqu’à {0} % peut n’en être pas un : les volumes de ce qui est partagé à nouveau s’écartent d’autant dans un cas sur dix.</translation>
+    </message>
+    <message>
+        <source>A segment&apos;s change of up to {0} % (~) may be none: volumes of segments that are parted anew are off by as much in one of ten.</source>
+        <translation>Un changement d’un segment jusqu’à {0} % (~) peut n’en être pas un : les volumes de segments trouvés à nouveau s’écartent d’autant dans un cas sur dix.</translation>
+    </message>
+    <message>
+        <source>Choose the plan {0}</source>
+        <translation>Choisir le plan {0}</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>
@@ -6953,6 +7093,14 @@
     <message>
         <source>Points set: %1. Drag them in any view.</source>
         <translation>Points posés&#xa0;: %1. Déplacez-les dans n’importe quelle vue.</translation>
+    </message>
+    <message>
+        <source>Draw a line</source>
+        <translation>Tracer une ligne</translation>
+    </message>
+    <message>
+        <source>Then draw over the liver in the 3D view with the left button held: the cut goes straight down under the line, as it is seen from there</source>
+        <translation>Tracez ensuite sur le foie dans la vue 3D, le bouton gauche enfoncé : la section descend tout droit sous la ligne, telle qu’on la voit de là</translation>
     </message>
 </context>
 <context>
@@ -7591,6 +7739,109 @@ Pas de mesures sous la main&#xa0;? Essayez l’exemple&#xa0;: un échantillon de
     <message>
         <source>changes nothing in the rehearsal</source>
         <translation>ne change rien à la répétition</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::GrowthControls</name>
+    <message>
+        <source>Earlier study...</source>
+        <translation>Examen antérieur...</translation>
+    </message>
+    <message>
+        <source>The case of this patient&apos;s earlier study, with its segments: a folder NAME.glisson</source>
+        <translation>Le cas de l’examen antérieur de ce patient, avec ses segments : un dossier NAME.glisson</translation>
+    </message>
+    <message>
+        <source>They are of one patient</source>
+        <translation>Ils sont d’un même patient</translation>
+    </message>
+    <message>
+        <source>Segment</source>
+        <translation>Segmenter</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Avant</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Maintenant</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Changement</translation>
+    </message>
+    <message>
+        <source>kPa</source>
+        <translation>kPa</translation>
+    </message>
+    <message>
+        <source>ml without tumours, in the earlier study</source>
+        <translation>ml sans tumeurs, dans l’examen antérieur</translation>
+    </message>
+    <message>
+        <source>ml without tumours, in the open case</source>
+        <translation>ml sans tumeurs, dans le cas ouvert</translation>
+    </message>
+    <message>
+        <source>Of what it was; ~: no more than such a volume may be off by</source>
+        <translation>De ce qu’il était ; ~ : pas plus que ce dont un tel volume peut s’écarter</translation>
+    </message>
+    <message>
+        <source>Mean stiffness before and now</source>
+        <translation>Rigidité moyenne avant et maintenant</translation>
+    </message>
+    <message>
+        <source>Remnant of</source>
+        <translation>Foie restant de</translation>
+    </message>
+    <message>
+        <source>no plan</source>
+        <translation>aucun plan</translation>
+    </message>
+    <message>
+        <source>Days between</source>
+        <translation>Jours entre les deux</translation>
+    </message>
+    <message>
+        <source>0: by the dates of the images. To be typed where these have none</source>
+        <translation>0 : d’après les dates des images. À saisir quand elles n’en ont pas</translation>
+    </message>
+    <message>
+        <source>Standard volume</source>
+        <translation>Volume standard</translation>
+    </message>
+    <message>
+        <source> ml</source>
+        <translation> ml</translation>
+    </message>
+    <message>
+        <source>The liver&apos;s volume estimated from body size, of which the per cent are in both studies: -794.41 + 1267.28 × body surface in m² (Vauthey et al. 2002). 0: of each study&apos;s own liver</source>
+        <translation>Le volume du foie estimé d’après la taille du corps, dont sont les pour cent dans les deux examens : -794.41 + 1267.28 × surface corporelle en m² (Vauthey et al. 2002). 0 : du foie de chaque examen</translation>
+    </message>
+    <message>
+        <source>The case of the earlier study</source>
+        <translation>Le cas de l’examen antérieur</translation>
+    </message>
+    <message>
+        <source>Comparing...</source>
+        <translation>Comparaison...</translation>
+    </message>
+    <message>
+        <source>Remnant</source>
+        <translation>Foie restant</translation>
+    </message>
+    <message>
+        <source>Liver</source>
+        <translation>Foie</translation>
+    </message>
+    <message>
+        <source>%1 % of the liver</source>
+        <translation>%1 % du foie</translation>
+    </message>
+    <message>
+        <source>%1 % and %2 % of it were measured.</source>
+        <translation>%1 % et %2 % en ont été mesurés.</translation>
     </message>
 </context>
 <context>
@@ -8803,6 +9054,10 @@ Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: déplacer. Ctrl+glisser&#xa0;: tour
         <source>Two stages</source>
         <translation>Deux temps</translation>
     </message>
+    <message>
+        <source>Growth since an earlier study</source>
+        <translation>Croissance depuis un examen antérieur</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::PlanList</name>
@@ -9922,6 +10177,10 @@ sûr %</translation>
     <message>
         <source>Place a tool in Rehearse first: a patch at small deformations that the model bears, not a rigid tool.</source>
         <translation>Placez d’abord un instrument dans Répéter : une surface aux petites déformations que le modèle supporte, pas un instrument rigide.</translation>
+    </message>
+    <message>
+        <source>Draw a line over the liver in the 3D view.</source>
+        <translation>Tracez une ligne sur le foie dans la vue 3D.</translation>
     </message>
 </context>
 <context>
