@@ -46,8 +46,8 @@ double farthest_mm(const LiveState& a, const LiveState& b) {
 }
 
 // Half through, by its own weight while it is tilted, in gas: loads that are alike on any mesh, as forces spread over a
-// patch of faces are not. The cut doubles how far the end sinks, by half of the bar's length. Springs that bridge the
-// front do not stiffen: with the law that does it sinks too far, by 6.2 % (docs/performance.md).
+// patch of faces are not. The cut doubles how far the end sinks, by half of the bar's length. With the law
+// that stiffens it sinks too far, by 6.2 % (docs/performance.md); perhaps as springs that bridge the front do not.
 TEST(LiveOpening, HalfThroughByItsOwnWeightItRestsAsTheBarMeshedWithTheCut) {
   const Loads weight{PressureLoad{0.4}, GravityLoad{{4000, 0, -9000}}};
   for (const ChosenLaw& law : {neo_hookean, stiffening}) {
