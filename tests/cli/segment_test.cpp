@@ -74,7 +74,8 @@ TEST_F(Segment, WhatAnotherProgramOutlinesComesInByItsNames) {
                                      "--named", "5=liver", "--named", "1=spleen", "--json", "--quiet"});
   ASSERT_EQ(done.exit_code, 0) << done.err;
   double liver_ml = 0;
-  for (const Json& structure : done.json().at("structures")) {
+  const Json answer = done.json();
+  for (const Json& structure : answer.at("structures")) {
     if (structure.at("structure") == "liver") liver_ml = structure.at("volume_ml").get<double>();
   }
   EXPECT_DOUBLE_EQ(liver_ml, liver_ml_);

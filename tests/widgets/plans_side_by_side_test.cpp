@@ -280,7 +280,7 @@ class PlansSideBySideTest : public QObject {
     QCOMPARE(shown(4, GrowthControls::change_column), QString("–"));
     QCOMPARE(shown(7, GrowthControls::before_column), QString::number(tissue[5].ml + tissue[8].ml, 'f', 0));
     QVERIFY(shown(7, GrowthControls::change_column).contains("-"));
-    QCOMPARE(shown(8, GrowthControls::change_column), QString("~+0 %"));
+    QCOMPARE(shown(8, GrowthControls::change_column), QString("+0 %"));
     const auto told = [&] { return child<QLabel>("growth_told")->text(); };
     QVERIFY2(told().contains("How many days"), qPrintable(told()));
     // With a plan and the days that were typed.

@@ -111,8 +111,8 @@ class SegmentStructuresTest : public SegmentWorkspace {
 
   // A stand-in for a network, told in Settings, that outlines two structures; then one that is not installed.
   void another_program_outlines_structures() {
-    const fs::path outlines = temporary_.path() / "outlines";
-    fs::create_directories(outlines);
+    const std::filesystem::path outlines = temporary_.path() / "outlines";
+    std::filesystem::create_directories(outlines);
     QVERIFY(imaging::write_mask_file(outlines / "liver.nrrd", test::ball_mask(15), {"liver", 1, {1, 0, 0}}));
     QVERIFY(imaging::write_mask_file(outlines / "spleen.nrrd", test::ball_mask(5), {"spleen", 1, {0, 1, 0}}));
     SettingsWindow settings;
