@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "geometry/line_and_triangle.h"
+
 namespace glisson::guidance {
 
 using Eigen::Vector2d;
@@ -176,20 +178,9 @@ std::optional<double> minimum_depth_mm(const std::vector<Vector3d>& organ_mm,
     const Vector3d sight = place / away_mm;
     double front_mm = away_mm;
     for (const auto& [a, b, c] : triangles) {
-      // Moeller and Trumbore's intersection (1997) of the line of sight with the triangle.
-      const Vector3d& corner = organ_mm[static_cast<std::size_t>(a)];
-      const Vector3d u = organ_mm[static_cast<std::size_t>(b)] - corner,
-                     v = organ_mm[static_cast<std::size_t>(c)] - corner;
-      const Vector3d across = sight.cross(v);
-      const double area = u.dot(across);
-      if (std::abs(area) < 1e-12) continue;
-      const double s = -corner.dot(across) / area;
-      if (s < 0 || s > 1) continue;
-      const Vector3d other = (-corner).cross(u);
-      const double t = sight.dot(other) / area;
-      if (t < 0 || s + t > 1) continue;
-      const double at_mm = v.dot(other) / area;
-      if (at_mm > 0) front_mm = std::min(front_mm, at_mm);
+      const auto corner = [&](int point) -> const Vector3d& { return organ_mm[static_cast<std::size_t>(point)]; };
+      const auto met = geometry::line_meets_triangle(Vector3d::Zero(), sight, corner(a), corner(b), corner(c));
+      if (met && met->at > 0) front_mm = std::min(front_mm, met->at);
     }
     if (!minimum || away_mm - front_mm < *minimum) minimum = away_mm - front_mm;
   }

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "geometry/cut_surface.h"
+#include "geometry/line_and_triangle.h"
 
 namespace glisson::planning {
 namespace {
@@ -79,28 +80,14 @@ Result<SheetCut> sheet_under(const geometry::Surface& liver, const std::vector<S
 
 namespace {
 
-// Moeller and Trumbore 1997, J Graph Tools 2:21; triangles from either side.
-std::optional<double> met_at(const SightLine& line, const Vector3d& a, const Vector3d& b, const Vector3d& c) {
-  const Vector3d ab = b - a, ac = c - a, across = line.towards.cross(ac);
-  const double volume = ab.dot(across);
-  if (std::abs(volume) < 1e-12) return std::nullopt;
-  const Vector3d from = line.through_mm - a;
-  const double u = from.dot(across) / volume;
-  if (u < 0 || u > 1) return std::nullopt;
-  const Vector3d turned = from.cross(ab);
-  const double v = line.towards.dot(turned) / volume;
-  if (v < 0 || u + v > 1) return std::nullopt;
-  return ac.dot(turned) / volume;
-}
-
 std::optional<Crossings> crossings(const geometry::Surface& surface, const SightLine& line) {
   double first = std::numeric_limits<double>::infinity(), last = -first;
   for (const auto& [a, b, c] : surface.triangles) {
     const auto point = [&](int index) -> const Vector3d& { return surface.points_mm[static_cast<std::size_t>(index)]; };
-    if (const auto at = met_at(line, point(a), point(b), point(c))) {
-      first = std::min(first, *at);
-      last = std::max(last, *at);
-    }
+    const auto met = geometry::line_meets_triangle(line.through_mm, line.towards, point(a), point(b), point(c));
+    if (!met) continue;
+    first = std::min(first, met->at);
+    last = std::max(last, met->at);
   }
   if (first > last) return std::nullopt;
   return Crossings{line.through_mm + first * line.towards, line.through_mm + last * line.towards};

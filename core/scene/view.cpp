@@ -2,6 +2,8 @@
 
 #include <Eigen/Geometry>
 
+#include "geometry/line_and_triangle.h"
+
 namespace glisson::scene {
 namespace {
 
@@ -12,26 +14,17 @@ struct Hit {
   Eigen::Vector3d weights{1, 0, 0};
 };
 
-// Moeller and Trumbore's test over all triangles; both sides count.
+// Of all triangles, seen from either side.
 std::optional<Hit> first_hit(const std::vector<std::array<int, 3>>& triangles,
                              const std::vector<Eigen::Vector3d>& points_mm, const Ray& ray) {
   std::optional<Hit> nearest;
   for (const auto& triangle : triangles) {
     const auto& a = points_mm[static_cast<std::size_t>(triangle[0])];
-    const Eigen::Vector3d along_b = points_mm[static_cast<std::size_t>(triangle[1])] - a;
-    const Eigen::Vector3d along_c = points_mm[static_cast<std::size_t>(triangle[2])] - a;
-    const Eigen::Vector3d across = ray.direction.cross(along_c);
-    const double determinant = along_b.dot(across);
-    if (std::abs(determinant) < 1e-12) continue;
-    const Eigen::Vector3d from_a = ray.origin_mm - a;
-    const double b = from_a.dot(across) / determinant;
-    if (b < 0 || b > 1) continue;
-    const Eigen::Vector3d other = from_a.cross(along_b);
-    const double c = ray.direction.dot(other) / determinant;
-    if (c < 0 || b + c > 1) continue;
-    const double distance_mm = along_c.dot(other) / determinant;
-    if (distance_mm <= 0 || (nearest && distance_mm >= nearest->distance_mm)) continue;
-    nearest = Hit{distance_mm, along_b.cross(along_c).normalized(), triangle, {1 - b - c, b, c}};
+    const auto& b = points_mm[static_cast<std::size_t>(triangle[1])];
+    const auto& c = points_mm[static_cast<std::size_t>(triangle[2])];
+    const auto met = geometry::line_meets_triangle(ray.origin_mm, ray.direction, a, b, c);
+    if (!met || met->at <= 0 || (nearest && met->at >= nearest->distance_mm)) continue;
+    nearest = Hit{met->at, (b - a).cross(c - a).normalized(), triangle, {1 - met->b - met->c, met->b, met->c}};
   }
   return nearest;
 }
