@@ -97,7 +97,9 @@ void add_import(CLI::App& app, Action& chosen) {
       ->add_option("--label-value", options->label_values,
                    "What a value of a label map is: 5=liver (several may be given; values without a name stay out)")
       ->allow_extra_args(false)
-      ->check([](const std::string& text) { return casefile::named_value(text) ? std::string() : "VALUE=NAME, as in 5=liver"; });
+      ->check([](const std::string& text) {
+        return casefile::named_value(text) ? std::string() : "VALUE=NAME, as in 5=liver";
+      });
   command->add_flag("--add", options->add,
                     "Into the case that is there; refused where the images are not of its patient");
   command->add_flag("--replace", options->replace,

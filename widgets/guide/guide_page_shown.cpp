@@ -7,13 +7,12 @@
 #include "guidance/hand_pose.h"
 #include "widgets/guide/guide_page.h"
 #include "widgets/guide/placed_scene.h"
+#include "widgets/words/numbers.h"
 #include "widgets/words/paths.h"
 #include "widgets/words/translated.h"
 
 namespace glisson::widgets {
 namespace {
-
-QString number(double value, int decimals = 1) { return QLocale().toString(value, 'f', decimals); }
 
 // A frame's name in files is not what the window calls it.
 QString why_not(const guidance::ElasticPlacement& placement, std::size_t frame) {

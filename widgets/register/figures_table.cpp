@@ -4,6 +4,8 @@
 #include <QHeaderView>
 #include <QLocale>
 
+#include "widgets/words/numbers.h"
+
 namespace glisson::widgets {
 namespace {
 
@@ -12,8 +14,6 @@ double mean(const std::vector<double>& values) {
 }
 
 QString none() { return QString::fromUtf8("\u2013"); }
-QString number(double value, int decimals) { return QLocale().toString(value, 'f', decimals); }
-
 }  // namespace
 
 FiguresTable::FiguresTable(QWidget* parent) : QTableWidget(row_count, 2, parent) {

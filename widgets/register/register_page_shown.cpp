@@ -5,15 +5,11 @@
 
 #include "widgets/register/reading_sentence.h"
 #include "widgets/register/register_page.h"
+#include "widgets/words/numbers.h"
 #include "widgets/words/paths.h"
 #include "widgets/words/translated.h"
 
 namespace glisson::widgets {
-namespace {
-
-QString number(double value, int decimals = 1) { return QLocale().toString(value, 'f', decimals); }
-
-}  // namespace
 
 void RegisterPage::show_frame() {
   if (!has_sequence()) return;

@@ -13,6 +13,7 @@
 #include "widgets/resect/small_table.h"
 #include "widgets/theme.h"
 #include "widgets/words/keep_translated.h"
+#include "widgets/words/numbers.h"
 #include "widgets/words/translated.h"
 #include "widgets/work/run_in_background.h"
 
@@ -21,8 +22,6 @@ namespace {
 
 using casefile::ComparedStudies;
 using casefile::GrowthQuestion;
-
-QString number(double value, int decimals) { return QLocale().toString(value, 'f', decimals); }
 
 // "+38 %", with ~ where it may be none.
 QString change_in(const planning::PartGrowth& part) {

@@ -13,6 +13,7 @@
 #include "widgets/resect/resection_scene.h"
 #include "widgets/resect/small_table.h"
 #include "widgets/theme.h"
+#include "widgets/words/numbers.h"
 #include "widgets/words/translated.h"
 
 namespace glisson::widgets {
@@ -23,8 +24,6 @@ scene::Colour colour_of_segment(std::size_t number) {
   const auto& [red, green, blue] = vasculature::segment_colour(number);
   return {red, green, blue};
 }
-
-QString number(double value, int decimals) { return QLocale().toString(value, 'f', decimals); }
 
 // Figures stand to the right.
 QTableWidgetItem* put(QTableWidget& table, int row, int column, const QString& text) {
