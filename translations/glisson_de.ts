@@ -6495,6 +6495,22 @@
         <source>Choose the plan {0}</source>
         <translation>Plan {0} wählen</translation>
     </message>
+    <message>
+        <source>An OpenCL device solves motions by finite elements with the material &quot;linear&quot; or &quot;corotational&quot;, without tools, ligaments, capsule or gas.</source>
+        <translation>Ein OpenCL-Gerät löst Bewegungen mit finiten Elementen aus dem Material &quot;linear&quot; oder &quot;corotational&quot;, ohne Werkzeuge, Bänder, Kapsel oder Gas.</translation>
+    </message>
+    <message>
+        <source>{0} cannot compile the kernels: {1}</source>
+        <translation>{0} kann die Kernel nicht übersetzen: {1}</translation>
+    </message>
+    <message>
+        <source>The matching takes {0} MB on {1}, which has {2} MB.</source>
+        <translation>Die Zuordnung braucht {0} MB auf {1}, das {2} MB hat.</translation>
+    </message>
+    <message>
+        <source>An OpenCL device matches by trwls in 16 bits.</source>
+        <translation>Ein OpenCL-Gerät ordnet mit trwls in 16 Bit zu.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

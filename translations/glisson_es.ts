@@ -6495,6 +6495,22 @@
         <source>Choose the plan {0}</source>
         <translation>Elegir el plan {0}</translation>
     </message>
+    <message>
+        <source>An OpenCL device solves motions by finite elements with the material &quot;linear&quot; or &quot;corotational&quot;, without tools, ligaments, capsule or gas.</source>
+        <translation>Un dispositivo OpenCL resuelve movimientos por elementos finitos con el material &quot;linear&quot; o &quot;corotational&quot;, sin herramientas, ligamentos, cápsula ni gas.</translation>
+    </message>
+    <message>
+        <source>{0} cannot compile the kernels: {1}</source>
+        <translation>{0} no puede compilar los núcleos: {1}</translation>
+    </message>
+    <message>
+        <source>The matching takes {0} MB on {1}, which has {2} MB.</source>
+        <translation>El emparejamiento necesita {0} MB en {1}, que tiene {2} MB.</translation>
+    </message>
+    <message>
+        <source>An OpenCL device matches by trwls in 16 bits.</source>
+        <translation>Un dispositivo OpenCL empareja con trwls en 16 bits.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

@@ -6495,6 +6495,22 @@
         <source>Choose the plan {0}</source>
         <translation>Choisir le plan {0}</translation>
     </message>
+    <message>
+        <source>An OpenCL device solves motions by finite elements with the material &quot;linear&quot; or &quot;corotational&quot;, without tools, ligaments, capsule or gas.</source>
+        <translation>Un appareil OpenCL résout des mouvements par éléments finis avec le matériau &quot;linear&quot; ou &quot;corotational&quot;, sans outils, ligaments, capsule ni gaz.</translation>
+    </message>
+    <message>
+        <source>{0} cannot compile the kernels: {1}</source>
+        <translation>{0} ne peut pas compiler les noyaux : {1}</translation>
+    </message>
+    <message>
+        <source>The matching takes {0} MB on {1}, which has {2} MB.</source>
+        <translation>L&apos;appariement prend {0} Mo sur {1}, qui a {2} Mo.</translation>
+    </message>
+    <message>
+        <source>An OpenCL device matches by trwls in 16 bits.</source>
+        <translation>Un appareil OpenCL apparie par trwls en 16 bits.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

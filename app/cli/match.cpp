@@ -8,6 +8,7 @@
 #include "mended_surface.h"
 #include "one_of.h"
 #include "registration/geo.h"
+#include "shared_options.h"
 
 namespace glisson::cli {
 namespace {
@@ -50,6 +51,10 @@ std::string table_of(const MatchCommand& command, const registration::SurfaceMat
 }
 
 Result<Outcome> run(const MatchCommand& command, const Progress& progress) {
+  if (command.options.device && (command.options.solver != registration::Solver::trwls ||
+                                 command.options.width != registration::WordWidth::bits_16)) {
+    return failure("not-available", GLISSON_TEXT("An OpenCL device matches by trwls in 16 bits."));
+  }
   const auto source = read_mended(command.source);
   if (!source) return failure(source.error());
   const auto target = read_mended(command.target);
@@ -112,6 +117,7 @@ void add_match(CLI::App& app, Action& chosen) {
       ->transform(one_of(Words<registration::Prior>{{"auto", registration::Prior::automatic},
                                                     {"none", registration::Prior::none},
                                                     {"positions", registration::Prior::positions}}));
+  add_opencl(*command, match->options.device);
   command->add_flag("--dense", match->dense, "Lead every point of the source to the target");
   command->add_option("--out", match->out, "CSV file: source_vertex,target_vertex")->required();
   command->callback([&chosen, match] { chosen = [match](const Progress& progress) { return run(*match, progress); }; });

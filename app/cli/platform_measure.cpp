@@ -8,6 +8,7 @@
 #include "hardware/measure.h"
 #include "hardware/opencl_product.h"
 #include "platform_commands.h"
+#include "shared_options.h"
 #include "studies/dissertation/product_tasks.h"
 
 namespace glisson::cli {
@@ -16,14 +17,13 @@ using namespace hardware;
 
 namespace {
 
-struct Options {
+struct PlatformMeasureCommand {
   MeasureOptions measure;
   std::string out;
   std::string product_case, tasks_out;
   studies::ProductTaskOptions product;
   std::string worn = "back";
-  std::string opencl_device;
-  bool opencl = false;
+  std::optional<std::string> device;  // of OpenCL
   double largest_MB = 1024;
   std::string trace;
   std::string run_log;
@@ -81,7 +81,7 @@ Result<std::vector<RunLog>> read_run_log(const std::string& file) {
   return log;
 }
 
-Result<TraceRuns> runs_in_trace(const Options& options) {
+Result<TraceRuns> runs_in_trace(const PlatformMeasureCommand& options) {
   TraceFormat format = options.format;
   for (const std::string& text : options.channels) {
     auto channel = parse_channel(text);
@@ -93,11 +93,11 @@ Result<TraceRuns> runs_in_trace(const Options& options) {
   return find_runs(*trace, options.runs);
 }
 
-Result<Measurement> measure_here(const Options& options, const Progress& progress) {
+Result<Measurement> measure_here(const PlatformMeasureCommand& options, const Progress& progress) {
   const MeasureOptions& measuring = options.measure;
   std::unique_ptr<ProductKernel> kernel = processor_product(measuring.nodes_in_domain, measuring.largest_bytes);
-  if (options.opencl) {
-    auto elsewhere = opencl_product(measuring.nodes_in_domain, measuring.largest_bytes, options.opencl_device);
+  if (options.device) {
+    auto elsewhere = opencl_product(measuring.nodes_in_domain, measuring.largest_bytes, *options.device);
     if (!elsewhere) return failure(elsewhere.error());
     kernel = std::move(*elsewhere);
   }
@@ -180,7 +180,7 @@ Outcome describe(const Measurement& measured, const std::optional<TraceRuns>& ru
   return outcome;
 }
 
-Result<Outcome> run(Options options, const Progress& progress) {
+Result<Outcome> run(PlatformMeasureCommand options, const Progress& progress) {
   options.measure.largest_bytes = static_cast<std::size_t>(options.largest_MB) * megabyte;
   for (const Worn worn : {Worn::head, Worn::belt, Worn::back}) {
     if (options.worn == to_string(worn)) options.measure.device.worn = worn;
@@ -234,7 +234,7 @@ Result<Outcome> run(Options options, const Progress& progress) {
 void add_platform_measure(CLI::App& platform, Action& chosen) {
   CLI::App* command = platform.add_subcommand(
       "measure", "Measure this machine, or read a recording of another, as a device to plan with");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<PlatformMeasureCommand>();
   DeviceDescription& device = options->measure.device;
   command->add_option("--out", options->out, "Where the device is written (JSON)")->required();
   command->add_option("--id", device.id, "Its id in plans")->capture_default_str();
@@ -270,8 +270,7 @@ void add_platform_measure(CLI::App& platform, Action& chosen) {
       ->needs(product)
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
-  command->add_flag("--opencl", options->opencl, "On an OpenCL device in place of the processors");
-  command->add_option("--opencl-device", options->opencl_device, "Part of its name")->needs("--opencl");
+  add_opencl(*command, options->device);
   CLI::Option* trace = command->add_option("--trace", options->trace, "Recording of its power (CSV)");
   command->add_option("--channel", options->channels, "COLUMN:AMPERES_PER_VOLT:SUPPLY_VOLTAGE[:CLIPS_AT], once a clamp")
       ->needs(trace);

@@ -49,6 +49,15 @@ Json direction_json(const Eigen::Matrix3d& direction) {
   return json;
 }
 
+void add_opencl(CLI::App& command, std::optional<std::string>& device) {
+  command
+      .add_option_function<std::string>(
+          "--opencl", [&device](const std::string& name) { device = name; },
+          "On an OpenCL device, the first or one with NAME in its name, in place of the processors")
+      ->expected(0, 1)
+      ->option_text("[NAME]");
+}
+
 std::string bullet_list(const std::vector<std::string>& sentences) {
   std::string list;
   for (const std::string& sentence : sentences) list += "  - " + sentence + "\n";

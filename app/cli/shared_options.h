@@ -1,7 +1,9 @@
 #pragma once
 // What several commands read from the command line or write to their answers in the same way.
 
+#include <CLI/CLI.hpp>
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +24,9 @@ struct PictureSize {
 Result<PictureSize> parse_size(const std::string& text);
 
 Json direction_json(const Eigen::Matrix3d& direction);  // nine numbers, row after row
+
+// --opencl [NAME]: on a GPU, where a command can use one.
+void add_opencl(CLI::App& command, std::optional<std::string>& device);
 
 // One "- sentence" a line.
 std::string bullet_list(const std::vector<std::string>& sentences);

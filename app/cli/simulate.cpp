@@ -16,12 +16,13 @@
 namespace glisson::cli {
 namespace {
 
-struct Options {
+struct SimulateCommand {
   std::optional<std::string> case_folder;
   std::optional<std::string> mesh_file;
   std::string scenario_file;
   std::optional<std::string> data_file;
   std::string out;
+  std::optional<std::string> device;  // of OpenCL
 };
 
 struct Question {
@@ -33,7 +34,7 @@ struct Question {
 
 // A case brings its mesh, and what the scenario leaves out: the usual supports, landmarks on tumours and vessels, and
 // accepted evidence.
-Result<Question> question(const Options& options, mechanics::Scenario scenario) {
+Result<Question> question(const SimulateCommand& options, mechanics::Scenario scenario) {
   if (options.mesh_file) {
     return geometry::read_tetrahedra(*options.mesh_file).map([&](geometry::TetMesh mesh) {
       return Question{std::move(mesh), std::move(scenario), {}, {}};
@@ -76,8 +77,10 @@ std::string describe(const mechanics::Simulation& simulation) {
 }
 
 // Measured strain and stress, where the person gave some, in place of the scenario's material.
-Result<mechanics::SimulationOptions> simulation_options(const Options& options, const mechanics::Scenario& scenario) {
+Result<mechanics::SimulationOptions> simulation_options(const SimulateCommand& options,
+                                                        const mechanics::Scenario& scenario) {
   mechanics::SimulationOptions simulation;
+  simulation.device = options.device;
   if (!options.data_file) return simulation;
   return closedloop::read_stress_strain(*options.data_file)
       .and_then([&](const std::vector<mechanics::StressStrain>& measured) {
@@ -91,7 +94,7 @@ Result<mechanics::SimulationOptions> simulation_options(const Options& options, 
           [&](const Error& error) { return error.file.empty() ? Error(error).in_file(*options.data_file) : error; });
 }
 
-Result<Outcome> simulate(const Options& options, const Progress& progress) {
+Result<Outcome> simulate(const SimulateCommand& options, const Progress& progress) {
   auto scenario = mechanics::read_scenario(options.scenario_file);
   if (!scenario) return failure(scenario.error());
   progress.report(0.0, GLISSON_TEXT("Reading the mesh"));
@@ -122,13 +125,14 @@ Result<Outcome> simulate(const Options& options, const Progress& progress) {
 void add_simulate(CLI::App& app, Action& chosen) {
   CLI::App* command =
       app.add_subcommand("simulate", "Move the liver: equilibrium or motion under supports, tools and loads");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SimulateCommand>();
   CLI::Option* case_folder = command->add_option("case", options->case_folder, "The case");
   CLI::Option* mesh = command->add_option("--mesh", options->mesh_file, "Tetrahedra (.vtu), instead of a case");
   command->add_option("--scenario", options->scenario_file, "Supports, loads and landmarks (JSON)")->required();
   command->add_option("--data", options->data_file,
                       "Measured strain and stress in place of the material: a CSV (strain, stress_kPa) or a material "
                       "experiment (JSON)");
+  add_opencl(*command, options->device);
   command->add_option("--out", options->out, "Folder for the result")->required();
   case_folder->excludes(mesh);
   command->callback([&chosen, options] {

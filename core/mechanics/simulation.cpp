@@ -24,6 +24,7 @@ bool has_friction(const Scenario& scenario);
 Result<void> check_tools(const Scenario& scenario);
 Result<void> check_anisotropy(const Scenario& scenario, const SimulationOptions& options);
 Result<void> check_walls(const Scenario& scenario, const SimulationOptions& options);
+Result<void> check_device(const Scenario& scenario, const SimulationOptions& options);
 Result<Answer> answer_to(const Question& question, const OpenedBody& body, const SimulationOptions& options,
                          const Progress& progress);
 Result<Answer> linear_equilibrium(const Question& question, const Progress& progress);
@@ -40,6 +41,7 @@ Result<Simulation> simulate(const geometry::TetMesh& whole, const Scenario& scen
   if (auto available = check_tools(scenario); !available) return failure(std::move(available.error()));
   if (auto available = check_anisotropy(scenario, options); !available) return failure(std::move(available.error()));
   if (auto available = check_walls(scenario, options); !available) return failure(std::move(available.error()));
+  if (auto available = check_device(scenario, options); !available) return failure(std::move(available.error()));
   const bool meshfree = scenario.engine == Engine::meshfree;
   const auto body = open_cuts(whole, scenario.cuts, meshfree ? Along::exactly : Along::nearly);
   if (!body) return failure(body.error());
@@ -50,7 +52,7 @@ Result<Simulation> simulate(const geometry::TetMesh& whole, const Scenario& scen
   auto places = locate_landmarks(mesh, scenario.landmarks, options.landmark_tolerance_mm);
   if (!places) return failure(std::move(places.error()));
 
-  auto answer = answer_to({mesh, moduli->youngs_kPa, scenario, *places}, *body, options, progress);
+  auto answer = answer_to({mesh, moduli->youngs_kPa, scenario, *places, {}, options.device}, *body, options, progress);
   if (!answer) return failure(std::move(answer.error()));
   progress.report(1.0, GLISSON_TEXT("Solved"));
 
@@ -213,6 +215,15 @@ Result<void> check_walls(const Scenario& scenario, const SimulationOptions& opti
       "not-available",
       GLISSON_TEXT("The walls of cuts can be kept apart in equilibrium by finite elements, without a grain and "
                    "not straight from data."));
+}
+
+Result<void> check_device(const Scenario& scenario, const SimulationOptions& options) {
+  const bool can_be =
+      scenario.motion && scenario.engine == Engine::fem && !options.data && moves_by_one_solve(scenario);
+  if (!options.device || can_be) return {};
+  return failure("not-available",
+                 GLISSON_TEXT("An OpenCL device solves motions by finite elements with the material \"linear\" or "
+                              "\"corotational\", without tools, ligaments, capsule or gas."));
 }
 
 Result<MeshModuli> moduli_for(const geometry::TetMesh& mesh, const Scenario& scenario) {

@@ -48,6 +48,10 @@ struct SimulationOptions {
   // Measured strain and stress in place of the scenario's material and modulus (data_driven.h): an equilibrium by
   // finite elements.
   std::optional<MaterialData> data = std::nullopt;
+
+  // The system of each step of a motion is solved on the first OpenCL device whose name contains this, "" for any: a
+  // motion by finite elements, linear or corotational, without tools.
+  std::optional<std::string> device = std::nullopt;
 };
 
 struct Simulation {

@@ -169,6 +169,7 @@ Result<MatchingSolution> solve(const MatchingProblem& problem, const GeoOptions&
   TrwlsOptions solving;
   solving.starts = Starts::one;  // match_surfaces has its own, and orientation to tell them apart
   solving.width = options.width;
+  solving.device = options.device;
   static_cast<SolverOptions&>(solving) = options.solving;
   return trwls(problem, solving);
 }

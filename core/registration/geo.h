@@ -31,7 +31,8 @@ struct GeoOptions {
   double relative_sigma = 0.5;
   double relative_tau = 0.3;
   Solver solver = Solver::trwls;
-  WordWidth width = WordWidth::bits_16;  // of trwls
+  WordWidth width = WordWidth::bits_16;              // of trwls
+  std::optional<std::string> device = std::nullopt;  // of trwls in 16 bits, as TrwlsOptions
   SolverOptions solving;
   Prior prior = Prior::automatic;
   double prior_weight = 0.5;  // a match as far off as tau costs this much of what all its pairs can cost

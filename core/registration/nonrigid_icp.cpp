@@ -22,14 +22,14 @@ using Maps = Eigen::MatrixX3d;  // four rows a point: its affine map, transposed
 constexpr double skew_weight = 1;  // gamma of the paper: what the linear part weighs beside the translation
 
 // A place on the source, within a triangle or at a point, and where it should go.
-struct Pair {
+struct ClosestPair {
   std::array<int, 3> points{};
   Vector3d weights{1, 0, 0};  // add to 1
   Vector3d target_mm{0, 0, 0};
 };
 
 struct Pairing {
-  std::vector<Pair> pairs;
+  std::vector<ClosestPair> pairs;
   double fraction = 0;  // of the points that looked for a partner
   double rms_mm = 0;
 };
@@ -260,7 +260,7 @@ Result<Maps> OptimalStep::solve(const Pairing& pairing, double stiffness, const 
   std::map<std::pair<int, int>, Block> blocks;
   const auto block = [&](int a, int b) -> Block& { return blocks.try_emplace({a, b}, Block::Zero()).first->second; };
   Maps right = Maps::Zero(unknowns, 3);
-  const auto lead = [&](const Pair& pair, double weight) {
+  const auto lead = [&](const ClosestPair& pair, double weight) {
     std::map<int, Eigen::Vector4d> row;  // the place on the source as a sum over the controls' maps
     for (std::size_t corner = 0; corner < 3; ++corner) {
       const double share_of_corner = pair.weights[static_cast<int>(corner)];
@@ -283,7 +283,7 @@ Result<Maps> OptimalStep::solve(const Pairing& pairing, double stiffness, const 
   // Pairs together weigh as much as the points of the source that they can be of.
   const auto points = static_cast<double>(source_.points_mm.size());
   const double data_weight = points * pairing.fraction * covered_ / std::max<std::size_t>(pairing.pairs.size(), 1);
-  for (const Pair& pair : pairing.pairs) lead(pair, data_weight);
+  for (const ClosestPair& pair : pairing.pairs) lead(pair, data_weight);
   for (const Landmark& landmark : landmarks) {
     const double weight = landmark_weight * points * covered_ / static_cast<double>(landmarks.size());
     lead({{landmark.source_point, 0, 0}, {1, 0, 0}, landmark.target_mm}, weight);

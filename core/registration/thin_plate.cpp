@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::size_t maximum_points = 6000;  // 0.3 GB, and some ten seconds
+constexpr std::size_t maximum_knots = 6000;  // 0.3 GB, and some ten seconds
 
 struct PointOrder {
   bool operator()(const Vector3d& a, const Vector3d& b) const {
@@ -44,9 +44,9 @@ Result<ThinPlateSpline> ThinPlateSpline::fit(std::vector<Vector3d> from_mm, std:
   }
   merge_duplicates(from_mm, to_mm);
   const std::size_t points = from_mm.size();
-  if (points > maximum_points) {
+  if (points > maximum_knots) {
     return failure("spline-too-many-points", GLISSON_TEXT("{0} points are too many for a spline; {1} is the most."),
-                   {std::to_string(points), std::to_string(maximum_points)});
+                   {std::to_string(points), std::to_string(maximum_knots)});
   }
   const auto too_few = [] {
     return failure("spline-too-few-points",

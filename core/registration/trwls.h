@@ -8,6 +8,9 @@
 // largest distance exceeds three times tau; a belief is divided among messages in whole steps, what is left over goes
 // to the last of them. Answers do not depend on the number of threads nor on the instructions.
 
+#include <optional>
+#include <string>
+
 #include "base/progress.h"
 #include "registration/mrf.h"
 
@@ -46,12 +49,16 @@ struct TrwlsOptions : SolverOptions {
   WordWidth width = WordWidth::bits_16;
   Instructions instructions = Instructions::widest;
   Order order = Order::head_first;
+  // Passes run on the first OpenCL device whose name contains this, "" for any, in 16 bits: the same answer, to the
+  // bit.
+  std::optional<std::string> device = std::nullopt;
 };
 
 // Energies are evaluated in double precision by eq. 3.2 for each pass's labelling. The lower bound is the fixed-point
 // one less all that rounding may have added to it, so that it is below the true least energy.
-// Fails as check() does. Cancelling ends it in the midst of a pass, with the best labelling of the passes that were
-// done; before the first, with each node's cheapest seed.
+// Fails as check() does, and where a device is asked for as opencl::Session::open does, with "opencl-failed" where its
+// memory does not suffice (2 nodes^2 labels bytes). Cancelling ends it in the midst of a pass, with the best labelling
+// of the passes that were done; before the first, with each node's cheapest seed.
 Result<MatchingSolution> trwls(const MatchingProblem& problem, const TrwlsOptions& options = {},
                                const Progress& progress = {});
 

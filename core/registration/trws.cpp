@@ -7,7 +7,7 @@
 namespace glisson::registration {
 namespace {
 
-enum class Direction { forth, back };
+enum class Sweep { forth, back };
 
 class Trws {
  public:
@@ -20,7 +20,7 @@ class Trws {
         belief_(static_cast<std::size_t>(labels_)),
         offset_(static_cast<std::size_t>(labels_)) {}
 
-  double sweep(Direction direction);
+  double sweep(Sweep direction);
   [[nodiscard]] Labelling labelling() const;
 
  private:
@@ -57,8 +57,8 @@ MatchingSolution trws(const StoredMrf& mrf, const SolverOptions& options, const 
   solution.energy = std::numeric_limits<double>::infinity();
   solution.lower_bound = -std::numeric_limits<double>::infinity();
   while (solution.stopped == StopReason::not_run) {
-    solver.sweep(Direction::forth);
-    const double lower_bound = solver.sweep(Direction::back);
+    solver.sweep(Sweep::forth);
+    const double lower_bound = solver.sweep(Sweep::back);
     Labelling labels = solver.labelling();
     const double energy = mrf.energy(labels);
     solution.passes.push_back({energy, lower_bound});
@@ -78,13 +78,13 @@ namespace {
 
 // Visits every node once and sends messages onward along the direction. Returns the lower bound, which holds for the
 // messages as they are when a sweep has ended.
-double Trws::sweep(Direction direction) {
+double Trws::sweep(Sweep direction) {
   double lower_bound = 0;
   for (int step = 0; step < nodes_; ++step) {
-    const int s = direction == Direction::forth ? step : nodes_ - 1 - step;
+    const int s = direction == Sweep::forth ? step : nodes_ - 1 - step;
     lower_bound += gather_belief(s);
     const double gamma = 1.0 / std::max(s, nodes_ - 1 - s);  // as many chains of nodes run through s
-    if (direction == Direction::forth) {
+    if (direction == Sweep::forth) {
       for (int t = s + 1; t < nodes_; ++t) lower_bound += update_message(s, t, gamma);
     } else {
       for (int t = s - 1; t >= 0; --t) lower_bound += update_message(s, t, gamma);

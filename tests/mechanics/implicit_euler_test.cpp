@@ -12,6 +12,7 @@
 #include "mechanics/slow_motion.h"
 #include "mechanics/statics/displacements.h"
 #include "mechanics/statics/equilibrium.h"
+#include "support/opencl.h"
 
 namespace glisson::mechanics {
 namespace {
@@ -39,11 +40,16 @@ geometry::TetMesh crooked_beam() {
 
 const Loads gravity{GravityLoad{{0, 0, -9810}}};
 
-TEST(Motion, EveryStepIsThatOfTheSlowReference) {
+void expect_steps_of_the_slow_reference(const std::optional<std::string>& device) {
   const Body body = body_of(crooked_beam(), {test::fixed("wall"), {NamedPoints{"belly"}, Foundation{0.02}}});
-  const DynamicsOptions options{
-      .step_s = 0.02, .mass_damping_per_s = 0.5, .stiffness_damping_s = 0.003, .relative_tolerance = 1e-9};
+  const DynamicsOptions options{.step_s = 0.02,
+                                .mass_damping_per_s = 0.5,
+                                .stiffness_damping_s = 0.003,
+                                .relative_tolerance = 1e-9,
+                                .max_iterations = 2000,
+                                .device = device};
   auto moving = ImplicitEuler::create(body, MaterialLaw::corotational, options).value();
+  EXPECT_EQ(moving.cost().device.empty(), !device);
   test::SlowMotion slow(body, options, moving.mass_kg());
   const VectorXd force = moving.force_of(gravity).value();
   for (int step = 0; step < 15; ++step) {
@@ -55,6 +61,13 @@ TEST(Motion, EveryStepIsThatOfTheSlowReference) {
   EXPECT_GT(slow.u_mm.cwiseAbs().maxCoeff(), 5);
   EXPECT_LT((moving.displacement_mm() - slow.u_mm).cwiseAbs().maxCoeff(), 1e-6);
   EXPECT_LT((moving.velocity_mm_s() - slow.v_mm_s).cwiseAbs().maxCoeff(), 1e-4);
+}
+
+TEST(Motion, EveryStepIsThatOfTheSlowReference) { expect_steps_of_the_slow_reference({}); }
+
+TEST(Motion, EveryStepOnADeviceIsThatOfTheSlowReference) {
+  GLISSON_NEEDS_OPENCL();
+  expect_steps_of_the_slow_reference("");
 }
 
 TEST(Motion, AFreeBodyFallsAsTheRecurrenceSays) {

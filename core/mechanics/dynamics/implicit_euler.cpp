@@ -5,7 +5,7 @@
 #include "base/stopwatch.h"
 #include "mechanics/dynamics/internal/corotational_elements.h"
 #include "mechanics/elements/load_vector.h"
-#include "mechanics/solvers/internal/conjugate_gradients.h"
+#include "mechanics/solvers/internal/device_gradients.h"
 
 namespace glisson::mechanics {
 
@@ -19,6 +19,7 @@ struct ImplicitEuler::Impl {
   BlockCsr constant;        // what of A does not turn: mass and foundations
   BlockCsr matrix;          // A
   LatticePreconditioner preconditioner;
+  std::optional<DeviceGradients> device;  // in place of the preconditioner
   GradientBuffers buffers;
   Eigen::VectorXd u_mm, v_mm_s, last_dv_mm_s;
   CorotationalElements::Turned turned;
@@ -33,6 +34,7 @@ struct ImplicitEuler::Impl {
     return options.step_s * (options.step_s + options.stiffness_damping_s);
   }
   void assemble();
+  int solve(double target_norm, int max_iterations);
   [[nodiscard]] Eigen::VectorXd right_hand_side(const Eigen::VectorXd& force_mN) const;
   [[nodiscard]] Eigen::VectorXd residual(const Eigen::VectorXd& b, const Eigen::VectorXd& dv) const;
   void add_foundation_force(double factor, const Eigen::VectorXd& w, Eigen::VectorXd& force) const;
@@ -52,7 +54,13 @@ double lattice_spacing_mm(const Body& body);
 Result<ImplicitEuler> ImplicitEuler::create(Body body, MaterialLaw law, const DynamicsOptions& options) {
   if (auto checked = check(body, law); !checked) return failure(std::move(checked.error()));
   if (auto checked = check_dynamics_options(options); !checked) return failure(std::move(checked.error()));
-  return ImplicitEuler(std::make_unique<Impl>(std::move(body), law, options));
+  auto parts = std::make_unique<Impl>(std::move(body), law, options);
+  if (options.device) {
+    auto device = DeviceGradients::open(parts->matrix, parts->mask, *options.device);
+    if (!device) return failure(std::move(device.error()));
+    parts->device = std::move(*device);
+  }
+  return ImplicitEuler(std::move(parts));
 }
 
 Result<void> check_dynamics_options(const DynamicsOptions& options) {
@@ -118,8 +126,7 @@ StepReport ImplicitEuler::step(const Eigen::VectorXd& force_mN) {
     const auto values = static_cast<Eigen::Index>(parts.mask.size()) - 1;
     Eigen::Map<Eigen::VectorXf>(parts.buffers.residual.data(), values) = residual.cast<float>();
     report.iterations +=
-        conjugate_gradients(parts.matrix, parts.mask, parts.preconditioner, 0.8 * options.relative_tolerance * scale,
-                            options.max_iterations - report.iterations, parts.buffers);
+        parts.solve(0.8 * options.relative_tolerance * scale, options.max_iterations - report.iterations);
     dv += Eigen::Map<const Eigen::VectorXf>(parts.buffers.solution.data(), values).cast<double>();
     residual = parts.residual(b, dv);
     if (!(relative() < 0.9 * report.relative_residual)) {
@@ -155,8 +162,19 @@ StepReport ImplicitEuler::step(const Eigen::VectorXd& force_mN) {
 void ImplicitEuler::Impl::assemble() {
   matrix.values() = constant.values();
   cells.add_stiffness(stiffness_factor(), matrix);
+  if (device) return;  // which has a preconditioner of its own
   preconditioner.refresh_diagonal(matrix);
   if (lattice_is_due) preconditioner.refresh_lattices(matrix);
+}
+
+int ImplicitEuler::Impl::solve(double target_norm, int max_iterations) {
+  if (device) {
+    if (const auto solved = device->solve(matrix, target_norm, max_iterations, buffers)) return *solved;
+    device.reset();
+    preconditioner.refresh_diagonal(matrix);
+    preconditioner.refresh_lattices(matrix);
+  }
+  return conjugate_gradients(matrix, mask, preconditioner, target_norm, max_iterations, buffers);
 }
 
 // h (f + h K v), with the damping's force in f: everything elastic is one pass over the cells at u + (h + beta) v.
@@ -235,7 +253,7 @@ Eigen::VectorXd ImplicitEuler::mass_kg() const {
 
 ImplicitEuler::Cost ImplicitEuler::cost() const {
   return {impl_->matrix.columns().items.size(), impl_->matrix.bytes_of_a_product(),
-          impl_->preconditioner.lattice_points()};
+          impl_->preconditioner.lattice_points(), impl_->device ? impl_->device->device_name() : std::string()};
 }
 
 namespace {

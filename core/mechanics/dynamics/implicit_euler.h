@@ -15,6 +15,8 @@
 #include <cstdint>
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
+#include <string>
 
 #include "base/progress.h"
 #include "base/result.h"
@@ -29,6 +31,8 @@ struct DynamicsOptions {
   double stiffness_damping_s = 0;    // beta
   double relative_tolerance = 1e-4;  // of the right-hand side, in double precision
   int max_iterations = 200;          // as in section 4.2 of the dissertation; most steps need a few dozen
+  // Conjugate gradients run on the first OpenCL device whose name contains this, "" for any (device_gradients.h).
+  std::optional<std::string> device = std::nullopt;
 };
 
 // Failure: "step-invalid" (which number is out of range).
@@ -47,13 +51,15 @@ struct StepReport {
 class ImplicitEuler {
  public:
   // At rest and still. The body must be laid out with linear cells; the law must be linear or corotational. Failures:
-  // "not-available" (another law), "step-invalid" (a number of the options is out of range).
+  // "not-available" (another law), "step-invalid" (a number of the options is out of range), and those of
+  // DeviceGradients::open where a device is asked for.
   static Result<ImplicitEuler> create(Body body, MaterialLaw law, const DynamicsOptions& options);
   ImplicitEuler(ImplicitEuler&&) noexcept;
   ImplicitEuler& operator=(ImplicitEuler&&) noexcept;
   ~ImplicitEuler();
 
-  // One step under dead forces on the nodes (mN). A step that does not converge moves nothing.
+  // One step under dead forces on the nodes (mN). A step that does not converge moves nothing. Where a device fails in
+  // the midst of it, the processors take it over, and the steps after it.
   StepReport step(const Eigen::VectorXd& force_mN);
 
   // Failures: those of load_vector.
@@ -71,6 +77,7 @@ class ImplicitEuler {
     std::size_t matrix_blocks = 0;
     std::uint64_t product_bytes = 0;  // moved by one product with the matrix
     std::size_t lattice_points = 0;
+    std::string device;  // that conjugate gradients run on; empty for the processors
   };
   [[nodiscard]] Cost cost() const;
 

@@ -29,6 +29,7 @@ struct Question {
   const Scenario& scenario;
   const Places& places;                      // of the landmarks
   std::vector<OpenedBody::Wall> walls = {};  // of cuts, to be kept apart
+  std::optional<std::string> device = {};    // as in SimulationOptions
 };
 
 [[nodiscard]] bool has_ligaments(const Scenario& scenario);
@@ -56,6 +57,8 @@ Result<Answer> nonlinear_equilibrium(const Question& question, const Progress& p
 Result<Answer> meshfree_equilibrium(const Question& question, const Progress& progress);
 
 // From rest, under loads that are there from the first moment.
+// Of a motion by finite elements: one linear system a step, and not Newton's method.
+[[nodiscard]] bool moves_by_one_solve(const Scenario& scenario);
 Result<Answer> end_of_motion(const Question& question, const Progress& progress);
 Result<Answer> end_of_meshfree_motion(const Question& question, const Progress& progress);
 

@@ -20,13 +20,6 @@ namespace glisson::mechanics {
 namespace {
 
 // One step solve moves what it can; Newton the rest.
-bool moves_by_one_solve(const Scenario& scenario) {
-  const bool gas = std::any_of(scenario.loads.begin(), scenario.loads.end(),
-                               [](const Load& load) { return std::holds_alternative<PressureLoad>(load); });
-  return !has_ligaments(scenario) && !scenario.capsule &&
-         (scenario.material == MaterialLaw::linear || (scenario.material == MaterialLaw::corotational && !gas));
-}
-
 // A body that can be moved on, of either engine.
 struct Mover {
   std::function<Result<StepReport>()> step;
@@ -50,6 +43,13 @@ Result<Answer> follow(const Mover& mover, const Body& body, const std::vector<Ma
 DynamicsOptions options_of(const Motion& motion);
 
 }  // namespace
+
+bool moves_by_one_solve(const Scenario& scenario) {
+  const bool gas = std::any_of(scenario.loads.begin(), scenario.loads.end(),
+                               [](const Load& load) { return std::holds_alternative<PressureLoad>(load); });
+  return scenario.tools.empty() && !has_ligaments(scenario) && !scenario.capsule &&
+         (scenario.material == MaterialLaw::linear || (scenario.material == MaterialLaw::corotational && !gas));
+}
 
 Result<Answer> end_of_motion(const Question& question, const Progress& progress) {
   const Scenario& scenario = question.scenario;
@@ -92,6 +92,7 @@ Result<Answer> end_of_motion(const Question& question, const Progress& progress)
     press(mover, *lagrangian, tools, *loads);
   } else if (moves_by_one_solve(scenario)) {
     motion_options.max_iterations = 5000;  // nobody waits for a frame here: stiff bodies get theirs
+    motion_options.device = question.device;
     auto created = ImplicitEuler::create(*body, scenario.material, motion_options);
     if (!created) return failure(std::move(created.error()));
     moving = std::move(*created);
