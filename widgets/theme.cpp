@@ -1,11 +1,11 @@
 #include "widgets/theme.h"
+#include "widgets/settings/program_settings.h"
 
 #include <map>
 #include <QApplication>
 #include <QEvent>
 #include <QFile>
 #include <QPalette>
-#include <QSettings>
 #include <QStyleFactory>
 #include <QTextStream>
 #include <QWidget>
@@ -22,16 +22,14 @@ namespace {
 constexpr const char* theme_key = "theme";
 Theme applied = Theme::dark;
 
-QSettings settings() { return QSettings("glisson", "glisson"); }
-
-QString text_of(const QString& resource) {
+QString resource_text(const QString& resource) {
   QFile file(resource);
   return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
 }
 
 // Lines "name #rrggbb".
 std::map<QString, QString> colours(Theme theme) {
-  QString lines = text_of(theme == Theme::dark ? ":/themes/dark.colours" : ":/themes/light.colours");
+  QString lines = resource_text(theme == Theme::dark ? ":/themes/dark.colours" : ":/themes/light.colours");
   QTextStream stream(&lines);
   std::map<QString, QString> found;
   while (!stream.atEnd()) {
@@ -71,7 +69,7 @@ void apply_theme(Theme theme) {
   take_in_resources();
   applied = theme;
   const auto named = colours(theme);
-  QString sheet = text_of(":/themes/window.qss");
+  QString sheet = resource_text(":/themes/window.qss");
   for (const auto& [name, colour] : named) sheet.replace('@' + name + '@', colour);
   QApplication::setStyle(QStyleFactory::create("Fusion"));
   QApplication::setPalette(palette_of(named));
@@ -85,10 +83,10 @@ QColor theme_colour(const char* name) {
   return QColor(named[applied == Theme::dark ? 0 : 1].at(name));
 }
 
-Theme kept_theme() { return settings().value(theme_key).toString() == "light" ? Theme::light : Theme::dark; }
+Theme kept_theme() { return program_settings().value(theme_key).toString() == "light" ? Theme::light : Theme::dark; }
 
 void keep_theme(Theme theme) {
-  settings().setValue(theme_key, theme == Theme::light ? "light" : "dark");
+  program_settings().setValue(theme_key, theme == Theme::light ? "light" : "dark");
   apply_theme(theme);
 }
 

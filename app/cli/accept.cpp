@@ -9,7 +9,7 @@
 namespace glisson::cli {
 namespace {
 
-struct Options {
+struct AcceptCommand {
   std::string case_folder;
   std::string model;
   std::vector<std::string> kinds;
@@ -17,7 +17,7 @@ struct Options {
   bool take_back = false;
 };
 
-Result<Outcome> run(const Options& options) {
+Result<Outcome> run(const AcceptCommand& options) {
   auto patient = casefile::Case::open(options.case_folder);
   if (!patient) return failure(patient.error());
   const auto evidence = options.take_back ? casefile::take_back_evidence(*patient, options.kinds)
@@ -37,7 +37,7 @@ Result<Outcome> run(const Options& options) {
 void add_accept(CLI::App& app, Action& chosen) {
   CLI::App* command = app.add_subcommand(
       "accept", "Take what explain found into a case's model, so that rehearsals have it, or take it back");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<AcceptCommand>();
   command->add_option("case", options->case_folder, "The case")->required();
   CLI::Option* model = command->add_option(
       "model", options->model, "Better model (model.json of explain); without: what was accepted is listed");

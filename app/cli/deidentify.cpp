@@ -10,7 +10,7 @@
 namespace glisson::cli {
 namespace {
 
-Outcome describe(const imaging::DeidentifyResult& result) {
+Outcome describe_deidentify(const imaging::DeidentifyResult& result) {
   Outcome outcome{{{"files", Json::array()},
                    {"removed", Json::object()},
                    {"warnings", result.warnings},
@@ -46,7 +46,7 @@ void add_deidentify(CLI::App& app, Action& chosen) {
                       "Secret that the new identifiers follow from, to be used again for the same patients");
   command->callback([&chosen, path, out, options] {
     chosen = [path, out, options](const Progress& progress) {
-      return imaging::deidentify(*path, *out, *options, progress).map(describe);
+      return imaging::deidentify(*path, *out, *options, progress).map(describe_deidentify);
     };
   });
 }

@@ -15,7 +15,7 @@ struct GateCasesCommand {
   double budget_minutes = 0;
 };
 
-Json json_of(const std::vector<studies::CaseWorth>& cases) {
+Json json_of_worths(const std::vector<studies::CaseWorth>& cases) {
   Json list = Json::array();
   for (const studies::CaseWorth& one : cases) {
     list.push_back({{"case", one.id},
@@ -38,11 +38,12 @@ Result<Outcome> run(const GateCasesCommand& command) {
   if (!command.out.empty()) {
     if (auto written = write_text_file(command.out, names); !written) return failure(written.error());
   }
-  return Outcome{
-      {{"minutes", choice->minutes}, {"chosen", json_of(choice->chosen)}, {"left_out", json_of(choice->left_out)}},
-      command.out.empty() ? names
-                          : fmt::format("{} of {} cases, {:.1f} minutes: {}\n", choice->chosen.size(),
-                                        histories->size(), choice->minutes, command.out)};
+  return Outcome{{{"minutes", choice->minutes},
+                  {"chosen", json_of_worths(choice->chosen)},
+                  {"left_out", json_of_worths(choice->left_out)}},
+                 command.out.empty() ? names
+                                     : fmt::format("{} of {} cases, {:.1f} minutes: {}\n", choice->chosen.size(),
+                                                   histories->size(), choice->minutes, command.out)};
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 namespace glisson::cli {
 namespace {
 
-struct Options {
+struct GrowthCommand {
   std::string before, after, out;
   casefile::GrowthQuestion question;
   bool same_patient = false;
@@ -42,7 +42,7 @@ std::string in_words(const casefile::ComparedStudies& compared, const std::vecto
   return text;
 }
 
-Result<Outcome> run(const Options& options, const Progress& progress) {
+Result<Outcome> run(const GrowthCommand& options, const Progress& progress) {
   const auto before = casefile::Case::open(options.before);
   if (!before) return failure(before.error());
   const auto after = casefile::Case::open(options.after);
@@ -69,7 +69,7 @@ Result<Outcome> run(const Options& options, const Progress& progress) {
 void add_growth(CLI::App& app, Action& chosen) {
   CLI::App* command = app.add_subcommand(
       "growth", "Compare two studies of one patient, as before and after an embolisation: what grew, by how much");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<GrowthCommand>();
   command->add_option("before", options->before, "The case of the earlier study, with its segments")->required();
   command->add_option("after", options->after, "The case of the later study, with its segments")->required();
   command->add_option("--out", options->out, "Folder for growth.json and growth.csv")->required();

@@ -11,7 +11,7 @@
 namespace glisson::cli {
 namespace {
 
-struct Options {
+struct ImportCommand {
   std::string path;
   std::string case_folder;
   casefile::ImportChoice choice;
@@ -20,7 +20,7 @@ struct Options {
   bool replace = false;
 };
 
-Result<casefile::NewCase> add_to_case(const imaging::Study& study, const Options& options,
+Result<casefile::NewCase> add_to_case(const imaging::Study& study, const ImportCommand& options,
                                       const casefile::ImportChoice& choice, const Progress& progress) {
   auto patient = casefile::Case::open(options.case_folder);
   if (!patient) return failure(patient.error());
@@ -30,7 +30,7 @@ Result<casefile::NewCase> add_to_case(const imaging::Study& study, const Options
   return casefile::NewCase{*std::move(patient), *std::move(imported)};
 }
 
-Result<Outcome> import_path(const Options& options, const Progress& progress) {
+Result<Outcome> import_path(const ImportCommand& options, const Progress& progress) {
   casefile::ImportChoice choice = options.choice;
   for (const std::string& text : options.label_values) choice.label_names.insert(*casefile::named_value(text));
   const auto study = imaging::scan(options.path, progress.part(0.0, 0.3));
@@ -79,7 +79,7 @@ Result<Outcome> import_path(const Options& options, const Progress& progress) {
 
 void add_import(CLI::App& app, Action& chosen) {
   CLI::App* command = app.add_subcommand("import", "Make a case from a study (DICOM, NIfTI, NRRD or MHA)");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ImportCommand>();
   command->add_option("path", options->path, "Folder, DICOMDIR or file")->required();
   command->add_option("--case", options->case_folder, "The case: NAME.glisson, made anew without --add")->required();
   command->add_option("--anatomy", options->choice.anatomy_uid, "Series that shows the anatomy");

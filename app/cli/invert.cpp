@@ -12,7 +12,7 @@ namespace {
 using elastography::InversionMethod;
 using elastography::LongWaves;
 
-struct Options {
+struct InvertCommand {
   std::string case_folder;
   elastography::AskedFor asked;
   std::string method = "direct";
@@ -20,7 +20,7 @@ struct Options {
   bool directional = false;
 };
 
-Outcome describe(const elastography::ModulusMap& map) {
+Outcome describe_invert(const elastography::ModulusMap& map) {
   Json frequencies = map.frequencies_Hz;
   Outcome outcome{{{"method", elastography::method_name(map.method)},
                    {"frequency_Hz", map.frequencies_Hz.front()},
@@ -47,7 +47,7 @@ Outcome describe(const elastography::ModulusMap& map) {
   return outcome;
 }
 
-Result<Outcome> invert(const Options& options, const Progress& progress) {
+Result<Outcome> invert(const InvertCommand& options, const Progress& progress) {
   auto patient = casefile::Case::open(options.case_folder);
   if (!patient) return failure(patient.error());
   elastography::InversionOptions inversion;
@@ -55,7 +55,7 @@ Result<Outcome> invert(const Options& options, const Progress& progress) {
   if (options.long_waves == "curl") inversion.long_waves = LongWaves::curl;
   if (options.long_waves == "keep") inversion.long_waves = LongWaves::keep;
   if (options.directional) inversion.directions = elastography::Directions::apart;
-  return casefile::invert_waves(*patient, options.asked, inversion, progress).map(describe);
+  return casefile::invert_waves(*patient, options.asked, inversion, progress).map(describe_invert);
 }
 
 }  // namespace
@@ -63,7 +63,7 @@ Result<Outcome> invert(const Options& options, const Progress& progress) {
 void add_invert(CLI::App& app, Action& chosen) {
   CLI::App* command = app.add_subcommand(
       "invert", "Compute the shear stiffness from the MRE waves; it takes the place of the case's stiffness map");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<InvertCommand>();
   command->add_option("case", options->case_folder, "The case")->required();
   command->add_option("--frequency-Hz", options->asked.frequency_Hz, "Of the vibration, where the headers say nothing")
       ->check(CLI::Range(1.0, 2000.0));

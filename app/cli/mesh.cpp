@@ -9,7 +9,7 @@
 namespace glisson::cli {
 namespace {
 
-Outcome describe(const meshing::LiverMesh& mesh) {
+Outcome describe_mesh(const meshing::LiverMesh& mesh) {
   const bool watertight = geometry::is_watertight(mesh.surface);
   const double volume_ml = units::ml_from_mm3(geometry::volume_mm3(mesh.body));
   Outcome outcome{
@@ -49,7 +49,7 @@ void add_mesh(CLI::App& app, Action& chosen) {
     chosen = [case_folder, options](const Progress& progress) -> Result<Outcome> {
       auto patient = casefile::Case::open(*case_folder);
       if (!patient) return failure(patient.error());
-      return casefile::mesh_liver(*patient, *options, progress).map(describe);
+      return casefile::mesh_liver(*patient, *options, progress).map(describe_mesh);
     };
   });
 }

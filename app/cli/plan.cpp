@@ -18,7 +18,7 @@
 namespace glisson::cli {
 namespace {
 
-struct Options {
+struct PlanCommand {
   std::string case_folder;
   bool list = false, compare = false;
   std::optional<std::string> add, drop, out, rank_by;
@@ -148,7 +148,7 @@ void add_share_of_body(Json& plan, double body_weight_kg) {
 
 // What the plan leaves after those portal branches were embolised; why not, where it cannot be said.
 void add_embolisation(Json& plan, const planning::Planner& planner, const std::vector<planning::Cut>& cuts,
-                      const Options& options) {
+                      const PlanCommand& options) {
   const auto stages = planning::two_stages(planner, options.embolised, cuts, options.growth_percent);
   if (!stages) {
     plan["remarks"].push_back(stages.error().message());
@@ -196,7 +196,7 @@ Result<planning::Planner::Unrolled> answered(const planning::Planner& planner, c
 }
 
 // All of them by what the case holds now.
-Result<Outcome> compare(casefile::Case& patient, const Options& options, const Progress& progress) {
+Result<Outcome> compare(casefile::Case& patient, const PlanCommand& options, const Progress& progress) {
   const auto plans = casefile::kept_plans(patient);
   if (!plans) return failure(plans.error());
   if (plans->empty()) {
@@ -242,7 +242,7 @@ Result<Outcome> compare(casefile::Case& patient, const Options& options, const P
   return outcome;
 }
 
-Result<Outcome> run(const Options& options, const Progress& progress) {
+Result<Outcome> run(const PlanCommand& options, const Progress& progress) {
   auto patient = casefile::Case::open(options.case_folder);
   if (!patient) return failure(patient.error());
   if (options.add) return add(*patient, *options.add, progress);
@@ -259,7 +259,7 @@ Result<Outcome> run(const Options& options, const Progress& progress) {
 void add_plan(CLI::App& app, Action& chosen) {
   CLI::App* command = app.add_subcommand(
       "plan", "Keep resection plans in a case and compare them: what each takes, what lives after it, what it cuts");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<PlanCommand>();
   command->add_option("case", options->case_folder, "The case")->required();
   CLI::Option_group* what = command->add_option_group("what");
   what->add_flag("--list", options->list, "The plans of the case, as they were answered when they were kept");

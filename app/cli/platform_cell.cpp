@@ -11,7 +11,7 @@ using namespace hardware;
 
 namespace {
 
-struct Options {
+struct PlatformCellCommand {
   std::string slow;
   std::vector<std::string> discharges;
   std::vector<std::string> predicted;
@@ -38,7 +38,7 @@ Json as_json(const Discharge& discharge) {
       {"last_temperature_C", discharge.temperature_C.empty() ? discharge.ambient_C : discharge.temperature_C.back()}};
 }
 
-Result<Outcome> run(Options options) {
+Result<Outcome> run(PlatformCellCommand options) {
   if (options.discharge_negative) options.columns.sign = DischargeColumns::Sign::discharge_negative;
   const auto slow = read_discharge(options.slow, options.columns);
   if (!slow) return failure(slow.error());
@@ -82,7 +82,7 @@ Result<Outcome> run(Options options) {
 void add_platform_cell(CLI::App& platform, Action& chosen) {
   CLI::App* command =
       platform.add_subcommand("cell", "A battery cell set up from measured discharges, and what it predicts of others");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<PlatformCellCommand>();
   command->add_option("--slow", options->slow, "A discharge at C/10 or slower (CSV)")->required();
   command->add_option("--discharge", options->discharges, "Two or more faster ones")->required()->expected(2, 100);
   command->add_option("--predict", options->predicted, "Others, to be compared with the prediction")->expected(1, 100);

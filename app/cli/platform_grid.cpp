@@ -15,7 +15,7 @@ using namespace hardware;
 
 namespace {
 
-struct Options {
+struct PlatformGridCommand {
   DeviceTables tables;
   PlanRequest request;
   std::string device, out;
@@ -53,7 +53,7 @@ std::string table_of(const GridSurface& surface, const std::string& title) {
   return text;
 }
 
-Result<Outcome> run(const Options& options) {
+Result<Outcome> run(const PlatformGridCommand& options) {
   const auto devices = options.tables.devices();
   if (!devices) return failure(devices.error());
   const auto device = device_with_id(*devices, options.device);
@@ -114,7 +114,7 @@ Result<Outcome> run(const Options& options) {
 void add_platform_grid(CLI::App& platform, Action& chosen) {
   CLI::App* command =
       platform.add_subcommand("grid", "One device over liver volume and resolution: surfaces, contours, hot spots");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<PlatformGridCommand>();
   command->add_option("--device", options->device, "Its id")->required();
   command->add_option("--fps", options->frame_rates, "Frame rates")->delimiter(',')->capture_default_str();
   command->add_option("--out", options->out, "Page with the figures 6.7 to 6.9 (HTML)");

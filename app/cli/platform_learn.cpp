@@ -9,7 +9,7 @@
 namespace glisson::cli {
 namespace {
 
-struct Options {
+struct PlatformLearnCommand {
   DeviceTables tables;
   std::string device;
   std::string model;
@@ -17,7 +17,7 @@ struct Options {
   std::string out;
 };
 
-Result<Outcome> run(const Options& options) {
+Result<Outcome> run(const PlatformLearnCommand& options) {
   const auto devices = options.tables.devices();
   if (!devices) return failure(devices.error());
   const auto declared = device_with_id(*devices, options.device);
@@ -53,7 +53,7 @@ Result<Outcome> run(const Options& options) {
 void add_platform_learn(CLI::App& platform, Action& chosen) {
   CLI::App* command = platform.add_subcommand(
       "learn", "A device with what explain found in its recordings (resistance, throttling, ...)");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<PlatformLearnCommand>();
   command->add_option("--device", options->device, "The device as it was declared: its id")->required();
   command->add_option("--model", options->model, "model.json of glisson-cli explain, for an experiment of a platform")
       ->required();

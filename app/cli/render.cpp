@@ -10,14 +10,14 @@ namespace glisson::cli {
 namespace fs = std::filesystem;
 namespace {
 
-struct Options {
+struct RenderCommand {
   std::string folder;
   std::string scene;
   std::string size = "1600x1000";
   std::string out;
 };
 
-Result<scene::Scene> scene_of(const Options& options) {
+Result<scene::Scene> scene_of(const RenderCommand& options) {
   std::error_code problem;
   if (fs::exists(fs::path(options.folder) / "result.vtu", problem)) {
     if (options.scene == "displacement") return scene::result_scene(options.folder);
@@ -29,7 +29,7 @@ Result<scene::Scene> scene_of(const Options& options) {
   });
 }
 
-Result<Outcome> render(const Options& options, const Progress& progress) {
+Result<Outcome> render(const RenderCommand& options, const Progress& progress) {
   const auto size = parse_size(options.size);
   if (!size) return failure(size.error());
   progress.report(0.0, GLISSON_TEXT("Reading"));
@@ -46,7 +46,7 @@ Result<Outcome> render(const Options& options, const Progress& progress) {
 
 void add_render(CLI::App& app, Action& chosen) {
   CLI::App* command = app.add_subcommand("render", "Draw one scene of a case or a result, with no window");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RenderCommand>();
   command->add_option("folder", options->folder, "A case, or a result's folder")->required();
   command
       ->add_option("--scene", options->scene,

@@ -20,7 +20,7 @@
 namespace glisson::cli {
 namespace {
 
-struct Options {
+struct ResectCommand {
   std::optional<std::string> case_folder;
   std::optional<std::string> mesh_file;
   std::vector<double> plane;
@@ -52,7 +52,7 @@ Result<std::vector<Eigen::Vector3d>> read_points(const std::filesystem::path& fi
   return points_mm;
 }
 
-Result<casefile::PlannedCut> cut_of(const Options& options) {
+Result<casefile::PlannedCut> cut_of(const ResectCommand& options) {
   casefile::PlannedCut cut;
   if (options.points_file) {
     auto points_mm = read_points(*options.points_file);
@@ -72,7 +72,7 @@ struct Liver {
   std::optional<double> outline_ml;  // of a case
 };
 
-Result<Liver> liver_of(const Options& options) {
+Result<Liver> liver_of(const ResectCommand& options) {
   Liver liver;
   if (options.mesh_file) {
     auto mesh = geometry::read_tetrahedra(*options.mesh_file);
@@ -205,7 +205,7 @@ std::string in_words(const Living& living) {
 
 // By the trees of the case. Nothing for a mesh, without trees of both systems, or as tools hold the liver: the trees
 // are those at rest.
-Result<std::optional<Living>> living_remnant(const Options& options, const casefile::PlannedCut& cut,
+Result<std::optional<Living>> living_remnant(const ResectCommand& options, const casefile::PlannedCut& cut,
                                              const rehearsal::Resection& plan) {
   if (!options.case_folder || options.result) return std::nullopt;
   const auto patient = casefile::Case::open(*options.case_folder);
@@ -219,7 +219,7 @@ Result<std::optional<Living>> living_remnant(const Options& options, const casef
   return Living{*answer, opened->planner.trees(), opened->remarks};
 }
 
-Result<Outcome> resect(const Options& options, const Progress& progress) {
+Result<Outcome> resect(const ResectCommand& options, const Progress& progress) {
   progress.report(0.0, GLISSON_TEXT("Reading the liver"));
   auto cut = cut_of(options);
   if (!cut) return failure(cut.error());
@@ -253,7 +253,7 @@ Result<Outcome> resect(const Options& options, const Progress& progress) {
 void add_resect(CLI::App& app, Action& chosen) {
   CLI::App* command = app.add_subcommand(
       "resect", "Divide the liver: volumes, margins to tumours (< 1 mm: R1; < 5 mm flagged), vessels crossed");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ResectCommand>();
   CLI::Option* case_folder = command->add_option("case", options->case_folder, "The case");
   CLI::Option* mesh = command->add_option("--mesh", options->mesh_file, "Tetrahedra (.vtu), instead of a case");
   CLI::Option* plane = command->add_option("--plane", options->plane, "PX,PY,PZ,NX,NY,NZ: a point (mm) and the normal")

@@ -9,7 +9,7 @@
 namespace glisson::cli {
 namespace {
 
-Outcome describe(const imaging::Study& study) {
+Outcome describe_scan(const imaging::Study& study) {
   Outcome outcome{{{"series", Json::array()}, {"skipped", Json::array()}}, {}};
   for (const imaging::Series& series : study.series) {
     outcome.document["series"].push_back({{"uid", series.uid},
@@ -49,7 +49,7 @@ void add_scan(CLI::App& app, Action& chosen) {
   auto path = std::make_shared<std::string>();
   command->add_option("path", *path, "Folder, DICOMDIR or file")->required();
   command->callback([&chosen, path] {
-    chosen = [path](const Progress& progress) { return imaging::scan(*path, progress).map(describe); };
+    chosen = [path](const Progress& progress) { return imaging::scan(*path, progress).map(describe_scan); };
   });
 }
 

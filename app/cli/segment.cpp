@@ -14,7 +14,7 @@
 namespace glisson::cli {
 namespace {
 
-struct Options {
+struct SegmentCommand {
   std::string case_folder;
   std::string structure;
   std::vector<std::string> seeds;
@@ -26,7 +26,8 @@ struct Options {
   std::vector<std::string> named;  // "1=liver"
 };
 
-Result<casefile::SavedStructure> change(casefile::Case& patient, const Options& options, const Progress& progress) {
+Result<casefile::SavedStructure> change(casefile::Case& patient, const SegmentCommand& options,
+                                        const Progress& progress) {
   using casefile::Combination;
   const std::string& name = options.structure;
   if (options.labels) {
@@ -48,7 +49,7 @@ Result<casefile::SavedStructure> change(casefile::Case& patient, const Options& 
   return casefile::grow_structure(patient, name, seeds_mm, progress, options.inside);
 }
 
-Result<Outcome> segment(const Options& options, const Progress& progress) {
+Result<Outcome> segment(const SegmentCommand& options, const Progress& progress) {
   auto patient = casefile::Case::open(options.case_folder);
   if (!patient) return failure(patient.error());
   const auto saved = change(*patient, options, progress);
@@ -64,7 +65,7 @@ Result<Outcome> segment(const Options& options, const Progress& progress) {
       fmt::format("{}: {:.1f} ml, {} voxels\n", saved->name, saved->volume_ml, saved->voxels) + bullet_list(notes)};
 }
 
-Result<Outcome> outline(const Options& options, const Progress& progress) {
+Result<Outcome> outline(const SegmentCommand& options, const Progress& progress) {
   auto patient = casefile::Case::open(options.case_folder);
   if (!patient) return failure(patient.error());
   casefile::OutliningProgram program{options.with};
@@ -88,7 +89,7 @@ void add_segment(CLI::App& app, Action& chosen) {
   CLI::App* command = app.add_subcommand(
       "segment",
       "Mark a structure: grown from seeds, from a label file, by grey values, by another structure or program");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SegmentCommand>();
   command->add_option("case", options->case_folder, "The case")->required();
   CLI::Option* structure = command->add_option("--structure", options->structure, "liver, tumour-1, portal-vein, ...");
   structure->check([](const std::string& name) {

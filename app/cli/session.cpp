@@ -24,7 +24,7 @@ using mechanics::MaterialLaw;
 
 enum class Settling { each, last, none };
 
-struct Options {
+struct SessionCommand {
   SessionSource source;
   std::vector<std::string> commands_files;
   Settling settle = Settling::each;
@@ -147,7 +147,7 @@ Result<void> write_out(const std::string& out, const rehearsal::Recording& recor
   });
 }
 
-Result<Outcome> run(const Options& options, const Progress& progress) {
+Result<Outcome> run(const SessionCommand& options, const Progress& progress) {
   const std::string& file = options.commands_files.front();
   const auto commands = recording_in(file);
   if (!commands) return failure(commands.error());
@@ -210,7 +210,7 @@ Result<Outcome> run(const Options& options, const Progress& progress) {
 }
 
 // Several recordings: what each asks of the liver. Of one file name the folder tells them apart.
-Result<Outcome> compare_orders(const Options& options, const Progress& progress) {
+Result<Outcome> compare_orders(const SessionCommand& options, const Progress& progress) {
   std::vector<rehearsal::Recording> recordings;
   for (const std::string& file : options.commands_files) {
     auto recording = recording_in(file);
@@ -258,7 +258,7 @@ Result<Outcome> compare_orders(const Options& options, const Progress& progress)
 void add_session(CLI::App& app, Action& chosen) {
   CLI::App* command = app.add_subcommand(
       "session", "Rehearse with tools in contact, command by command; replay a recording to the bit");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SessionCommand>();
   CLI::Option* case_folder = command->add_option("case", options->source.case_folder, "The case");
   CLI::Option* mesh = command->add_option("--mesh", options->source.mesh_file, "Tetrahedra (.vtu), instead of a case");
   CLI::Option* scenario = command->add_option("--scenario", options->source.scenario_file,

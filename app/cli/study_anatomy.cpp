@@ -11,7 +11,7 @@
 namespace glisson::cli {
 namespace {
 
-struct Options {
+struct StudyAnatomyCommand {
   std::string out, lobes = "usual";
   std::vector<std::string> tumours, cysts;
   int patients = 1;
@@ -52,7 +52,7 @@ Result<anatomy::LesionWish> lesion_wish(anatomy::LesionKind kind, const std::str
   return wish;
 }
 
-Result<anatomy::PatientOptions> patient_options(const Options& options) {
+Result<anatomy::PatientOptions> patient_options(const StudyAnatomyCommand& options) {
   anatomy::PatientOptions patient = options.patient;
   for (const auto& [kind, texts] : {std::pair{anatomy::LesionKind::tumour, &options.tumours},
                                     std::pair{anatomy::LesionKind::cyst, &options.cysts}}) {
@@ -78,7 +78,7 @@ std::string described(const anatomy::Patient& patient) {
   return text + fmt::format(" ml; {} lesions\n", patient.lesions.size());
 }
 
-Result<Outcome> run(const Options& options, const Progress& progress) {
+Result<Outcome> run(const StudyAnatomyCommand& options, const Progress& progress) {
   auto patient_wish = patient_options(options);
   if (!patient_wish) return failure(std::move(patient_wish.error()));
   Outcome outcome;
@@ -107,7 +107,7 @@ void add_study_anatomy(CLI::App& study, Action& chosen) {
   CLI::App* command = study.add_subcommand(
       "anatomy",
       "A simulated patient: liver, segments, vessel trees and lesions, with their truth; nobody's real anatomy");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<StudyAnatomyCommand>();
   anatomy::PatientOptions& patient = options->patient;
   command->add_option("--out", options->out, "Folder for surfaces, labels, trees and truth.json")->required();
   command->add_option("--seed", patient.seed, "The same seed gives the same patient")->capture_default_str();

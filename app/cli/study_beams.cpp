@@ -10,13 +10,13 @@
 namespace glisson::cli {
 namespace {
 
-struct Options {
+struct StudyBeamsCommand {
   std::vector<std::string> cases;
   std::string out;
   studies::BeamOptions beams;
 };
 
-Result<Outcome> run(const Options& options, const Progress& progress) {
+Result<Outcome> run(const StudyBeamsCommand& options, const Progress& progress) {
   std::vector<studies::BeamRow> rows;
   for (std::size_t i = 0; i < options.cases.size(); ++i) {
     const double share = 1.0 / double(options.cases.size());
@@ -52,7 +52,7 @@ Result<Outcome> run(const Options& options, const Progress& progress) {
 void add_study_beams(CLI::App& study, Action& chosen) {
   CLI::App* command = study.add_subcommand(
       "beams", "Beams of soft, stiff and uneven tissue against one of the liver's mean (section 4.4, table 4.1)");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<StudyBeamsCommand>();
   command->add_option("cases", options->cases, "The cases, one or more")->required()->expected(1, 100000);
   command->add_option("--out", options->out, "Folder for the table, the summary and the report")->required();
   command->add_option("--force-N", options->beams.force_N, "That lifts a beam at its middle")

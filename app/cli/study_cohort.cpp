@@ -9,12 +9,12 @@
 namespace glisson::cli {
 namespace {
 
-struct Options {
+struct StudyCohortCommand {
   CohortChoice patients;
   studies::CohortOptions cohort;
 };
 
-Outcome describe(const studies::CohortSummary& summary) {
+Outcome describe_cohort(const studies::CohortSummary& summary) {
   std::string text = fmt::format(
       "{} patients ({} from an earlier run), {} could not be used\n"
       "Mean shear stiffness {:.2f} kPa (median {:.2f}, sd {:.2f}); 95 % lie between {:.2f} and {:.2f} kPa\n"
@@ -29,9 +29,9 @@ Outcome describe(const studies::CohortSummary& summary) {
   return outcome;
 }
 
-Result<Outcome> run(const Options& options, const Progress& progress) {
+Result<Outcome> run(const StudyCohortCommand& options, const Progress& progress) {
   return run_over_cohort(options.patients, options.cohort, [&](const std::string& folder, const auto& chosen) {
-    return studies::run_cohort(folder, options.patients.out, chosen, progress).map(describe);
+    return studies::run_cohort(folder, options.patients.out, chosen, progress).map(describe_cohort);
   });
 }
 
@@ -40,7 +40,7 @@ Result<Outcome> run(const Options& options, const Progress& progress) {
 void add_study_cohort(CLI::App& study, Action& chosen) {
   CLI::App* command = study.add_subcommand(
       "cohort", "Stiffness between and within patients, against the atlas (section 4.3); run again, it goes on");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<StudyCohortCommand>();
   add_cohort_options(*command, options->patients);
   command->add_option("--atlas-kPa", options->cohort.atlas_kPa, "Mean shear stiffness of the atlas")
       ->capture_default_str()

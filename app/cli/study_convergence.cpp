@@ -9,12 +9,12 @@
 namespace glisson::cli {
 namespace {
 
-struct Options {
+struct StudyConvergenceCommand {
   std::string out;
   studies::ConvergenceOptions study;
 };
 
-Result<Outcome> run(const Options& options, const Progress& progress) {
+Result<Outcome> run(const StudyConvergenceCommand& options, const Progress& progress) {
   const auto study = studies::run_convergence(options.study, progress);
   if (!study) return failure(study.error());
   if (auto written = studies::write_convergence(options.out, *study); !written) return failure(written.error());
@@ -37,7 +37,7 @@ void add_study_convergence(CLI::App& study, Action& chosen) {
   CLI::App* command = study.add_subcommand(
       "convergence",
       "A beam's error against its resolution (section 6.3.2); writes a curve for platform --convergence");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<StudyConvergenceCommand>();
   command->add_option("--out", options->out, "Folder for the table, the summary, the curve and the report")->required();
   command->add_option("--finest-mm3", options->study.finest_mm3, "Volume of a node")->capture_default_str();
   command->add_option("--coarsest-mm3", options->study.coarsest_mm3, "Volume of a node")->capture_default_str();

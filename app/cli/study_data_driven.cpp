@@ -10,7 +10,7 @@
 namespace glisson::cli {
 namespace {
 
-struct Options {
+struct StudyDataDrivenCommand {
   std::string out;
   std::optional<std::string> measured_file;
   std::vector<double> noise_percent{0, 2, 5};
@@ -28,7 +28,7 @@ std::string words_of(const studies::DataDrivenRow& row) {
       row.on_the_line, row.converged ? "" : fmt::format("; states still wandered after {} rounds", row.rounds));
 }
 
-Result<Outcome> run(const Options& options, const Progress& progress) {
+Result<Outcome> run(const StudyDataDrivenCommand& options, const Progress& progress) {
   studies::DataDrivenStudyOptions asked = options.study;
   asked.noises.clear();
   for (const double percent : options.noise_percent) asked.noises.push_back(percent / 100);
@@ -60,7 +60,7 @@ Result<Outcome> run(const Options& options, const Progress& progress) {
 void add_study_data_driven(CLI::App& study, Action& chosen) {
   CLI::App* command = study.add_subcommand(
       "data-driven", "A liver retracted straight from measured strain and stress, beside a fitted line (chapter 5)");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<StudyDataDrivenCommand>();
   command->add_option("--out", options->out, "Folder for the table, the summary and the report")->required();
   command->add_option("--measured", options->measured_file,
                       "Somebody's measurements: CSV with strain,stress_kPa, or an experiment of kind material; without "

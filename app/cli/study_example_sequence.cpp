@@ -8,12 +8,12 @@
 namespace glisson::cli {
 namespace {
 
-struct Options {
+struct StudyExampleSequenceCommand {
   std::string out;
   studies::ExampleSequenceOptions sequence;
 };
 
-Result<Outcome> run(const Options& options, const Progress& progress) {
+Result<Outcome> run(const StudyExampleSequenceCommand& options, const Progress& progress) {
   const auto file = studies::write_example_sequence(options.out, options.sequence, progress);
   if (!file) return failure(file.error());
   return Outcome{{{"frames", options.sequence.frames}, {"file", file->string()}},
@@ -25,7 +25,7 @@ Result<Outcome> run(const Options& options, const Progress& progress) {
 void add_study_example_sequence(CLI::App& study, Action& chosen) {
   CLI::App* command = study.add_subcommand(
       "example-sequence", "A simulated sequence for sirgn: a generated liver, breathing and pressed by a tool");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<StudyExampleSequenceCommand>();
   command->add_option("--frames", options->sequence.frames, "How many")
       ->check(CLI::Range(3, 1000))
       ->capture_default_str();

@@ -12,7 +12,7 @@
 namespace glisson::cli {
 namespace {
 
-struct Options {
+struct StudyLandmarksCommand {
   CohortChoice patients;
   std::string livers;
   studies::LandmarksOptions landmarks;
@@ -30,7 +30,7 @@ std::string described(const std::string& title, const std::vector<studies::Landm
   return text;
 }
 
-Outcome describe(const studies::LandmarksSummary& summary) {
+Outcome describe_landmarks(const studies::LandmarksSummary& summary) {
   Outcome outcome{
       studies::summary_json(summary),
       fmt::format("{} patients ({} from an earlier run), {} could not be used; {:.1f} s at most a patient\n",
@@ -43,7 +43,7 @@ Outcome describe(const studies::LandmarksSummary& summary) {
   return outcome;
 }
 
-Result<Outcome> run_on_livers(const Options& options, const Progress& progress) {
+Result<Outcome> run_on_livers(const StudyLandmarksCommand& options, const Progress& progress) {
   if (options.patients.list) {
     return studies::find_livers(options.livers, options.patients.seed).map([](const auto& livers) {
       Outcome outcome{{{"ids", Json::array()}}, {}};
@@ -59,13 +59,13 @@ Result<Outcome> run_on_livers(const Options& options, const Progress& progress) 
   chosen.retraction.law = studies::RetractionLaw::by_strain;
   chosen.only = options.patients.only;
   chosen.warning = studies::drawn_stiffness_warning;
-  return studies::run_landmarks(options.livers, options.patients.out, chosen, progress).map(describe);
+  return studies::run_landmarks(options.livers, options.patients.out, chosen, progress).map(describe_landmarks);
 }
 
-Result<Outcome> run(const Options& options, const Progress& progress) {
+Result<Outcome> run(const StudyLandmarksCommand& options, const Progress& progress) {
   if (!options.livers.empty()) return run_on_livers(options, progress);
   return run_over_cohort(options.patients, options.landmarks, [&](const std::string& folder, const auto& chosen) {
-    return studies::run_landmarks(folder, options.patients.out, chosen, progress).map(describe);
+    return studies::run_landmarks(folder, options.patients.out, chosen, progress).map(describe_landmarks);
   });
 }
 
@@ -76,7 +76,7 @@ void add_study_landmarks(CLI::App& study, Action& chosen) {
       study.add_subcommand("landmarks",
                            "How far an atlas misplaces a retracted liver, and one stiffness its softest, stiffest and "
                            "most uneven tissue (section 4.4); run again, it goes on");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<StudyLandmarksCommand>();
   add_cohort_options(*command, options->patients);
   command
       ->add_option(

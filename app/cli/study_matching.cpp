@@ -10,7 +10,7 @@
 namespace glisson::cli {
 namespace {
 
-struct Options {
+struct StudyMatchingCommand {
   std::vector<std::string> shapes;  // files of one shape's poses each, with commas between
   std::string out;
   studies::MatchingOptions study;
@@ -26,7 +26,7 @@ std::vector<std::vector<std::filesystem::path>> poses_of(const std::vector<std::
   return poses;
 }
 
-Result<Outcome> run(const Options& options, const Progress& progress) {
+Result<Outcome> run(const StudyMatchingCommand& options, const Progress& progress) {
   studies::MatchingOptions asked = options.study;
   asked.shapes = poses_of(options.shapes);
   const auto study = studies::run_matching(options.out, asked, progress);
@@ -62,7 +62,7 @@ Result<Outcome> run(const Options& options, const Progress& progress) {
 void add_study_matching(CLI::App& study, Action& chosen) {
   CLI::App* command = study.add_subcommand(
       "matching", "The matching of shapes as chapter 3 judges it: bits, memory, time, energy; run again, it goes on");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<StudyMatchingCommand>();
   studies::MatchingOptions& asked = options->study;
   command->add_option("shapes", options->shapes,
                       "Files of one shape's poses, with commas between; several shapes. None: simulated livers, bent");

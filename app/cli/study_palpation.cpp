@@ -8,13 +8,13 @@
 namespace glisson::cli {
 namespace {
 
-struct Options {
+struct StudyPalpationCommand {
   std::string out;
   std::string scans;
   studies::PalpationOptions palpation;
 };
 
-Outcome describe(const studies::PalpationSummary& summary) {
+Outcome describe_palpation(const studies::PalpationSummary& summary) {
   Outcome outcome{{{"trials", Json::array()},
                    {"mean_mm", summary.mean_mm},
                    {"worst_mm", summary.worst_mm},
@@ -45,7 +45,7 @@ Outcome describe(const studies::PalpationSummary& summary) {
 void add_study_palpation(CLI::App& study, Action& chosen) {
   CLI::App* command = study.add_subcommand(
       "palpation", "A pressed phantom: simulated against scanned surface (section 4.5); run again, it goes on");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<StudyPalpationCommand>();
   command->add_option("--out", options->out, "Folder for the rows, the table, the summary and the report")->required();
   command->add_option("--scans", options->scans,
                       "Folder with A-rest.ply, A-1.69N.ply, ... in mm; without it scans are SIMULATED");
@@ -61,7 +61,7 @@ void add_study_palpation(CLI::App& study, Action& chosen) {
   command->callback([&chosen, options] {
     chosen = [options](const Progress& progress) {
       if (!options->scans.empty()) options->palpation.scans = options->scans;
-      return studies::run_palpation(options->out, options->palpation, progress).map(describe);
+      return studies::run_palpation(options->out, options->palpation, progress).map(describe_palpation);
     };
   });
 }

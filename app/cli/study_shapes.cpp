@@ -10,13 +10,13 @@
 namespace glisson::cli {
 namespace {
 
-struct Options {
+struct StudyShapesCommand {
   std::string folder, out;
   std::string only;
   studies::ShapesOptions study;
 };
 
-Result<Outcome> run(const Options& options, const Progress& progress) {
+Result<Outcome> run(const StudyShapesCommand& options, const Progress& progress) {
   studies::ShapesOptions asked = options.study;
   if (!options.only.empty()) asked.only = options.only;
   const auto study = studies::run_shapes(options.folder, options.out, asked, progress);
@@ -48,7 +48,7 @@ Result<Outcome> run(const Options& options, const Progress& progress) {
 void add_study_shapes(CLI::App& study, Action& chosen) {
   CLI::App* command = study.add_subcommand(
       "shapes", "A shape model of a folder's livers, judged on livers left out; run again, it goes on");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<StudyShapesCommand>();
   command->add_option("folder", options->folder, "Label maps, one a liver: ID_liver.nii.gz or ID_couinaud.nii.gz")
       ->required();
   command->add_option("--out", options->out, "Folder for the model, the livers' surfaces and the tables")->required();

@@ -10,12 +10,12 @@
 namespace glisson::cli {
 namespace {
 
-struct Options {
+struct StudyValidateStiffnessCommand {
   std::string map, labels, tests, out;
   double poisson_ratio = usual_poisson_ratio;
 };
 
-Outcome describe(const studies::StiffnessValidation& validation) {
+Outcome describe_validate_stiffness(const studies::StiffnessValidation& validation) {
   Outcome outcome{{{"materials", Json::array()},
                    {"largest_difference_percent", validation.largest_difference_percent},
                    {"notes", validation.notes}},
@@ -39,13 +39,13 @@ Outcome describe(const studies::StiffnessValidation& validation) {
   return outcome;
 }
 
-Result<Outcome> run(const Options& options) {
+Result<Outcome> run(const StudyValidateStiffnessCommand& options) {
   const auto samples = options.tests.empty() ? studies::dissertation_samples() : studies::read_samples(options.tests);
   if (!samples) return failure(samples.error());
   Result<std::vector<studies::MreRegion>> regions = studies::dissertation_regions();
   if (!options.map.empty()) regions = studies::regions_of(options.map, options.labels, options.poisson_ratio);
   if (!regions) return failure(regions.error());
-  return studies::validate_stiffness(*regions, *samples, options.out).map(describe);
+  return studies::validate_stiffness(*regions, *samples, options.out).map(describe_validate_stiffness);
 }
 
 }  // namespace
@@ -54,7 +54,7 @@ void add_study_validate_stiffness(CLI::App& study, Action& chosen) {
   CLI::App* command = study.add_subcommand(
       "validate-stiffness",
       "Young's modulus by MRE against a testing machine (section 4.6); without files, the dissertation's own figures");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<StudyValidateStiffnessCommand>();
   CLI::Option* map = command->add_option("--map", options->map, "Map of shear stiffness (NRRD, NIfTI, MHA)");
   CLI::Option* labels = command->add_option("--labels", options->labels, "Label map; label 1 is material 1, and so on");
   map->needs(labels);

@@ -9,7 +9,7 @@
 namespace glisson::cli {
 namespace {
 
-struct Options {
+struct TerritoriesCommand {
   std::string case_folder;
   std::string from = "tree";
   bool couinaud = false;
@@ -62,7 +62,7 @@ Outcome describe(const casefile::FoundTerritories& found, const planning::Planne
           std::move(text)};
 }
 
-Result<Outcome> run(const Options& options, const Progress& progress) {
+Result<Outcome> run(const TerritoriesCommand& options, const Progress& progress) {
   auto patient = casefile::Case::open(options.case_folder);
   if (!patient) return failure(patient.error());
   const auto by = options.from == "prior" ? casefile::SegmentsBy::shape : casefile::SegmentsBy::trees;
@@ -78,7 +78,7 @@ Result<Outcome> run(const Options& options, const Progress& progress) {
 void add_territories(CLI::App& app, Action& chosen) {
   CLI::App* command = app.add_subcommand(
       "territories", "Tell which tissue belongs to which branch, and part the liver into Couinaud's eight segments");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<TerritoriesCommand>();
   command->add_option("case", options->case_folder, "The case")->required();
   command
       ->add_option("--from", options->from, "tree: the case's vessel trees (vessels); prior: the liver's shape alone")

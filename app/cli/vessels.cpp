@@ -13,7 +13,7 @@ namespace {
 using vasculature::System;
 using vasculature::TreeBranch;
 
-struct Options {
+struct VesselsCommand {
   std::string case_folder;
   std::optional<std::string> structure;
   std::vector<std::string> seeds;
@@ -50,7 +50,7 @@ Outcome describe(const vasculature::VesselTrees& trees, const std::string& file)
   return outcome;
 }
 
-Result<Outcome> run(const Options& options, const Progress& progress) {
+Result<Outcome> run(const VesselsCommand& options, const Progress& progress) {
   vasculature::Clicks clicks;
   for (std::size_t n = 0; n < options.seeds.size(); ++n) {
     const auto position = parse_position(options.seeds[n], "--seed");
@@ -70,7 +70,7 @@ void add_vessels(CLI::App& app, Action& chosen) {
   CLI::App* command = app.add_subcommand(
       "vessels",
       "Make trees of the case's vessels: centre lines, radii, branches; portal and hepatic veins told apart");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<VesselsCommand>();
   command->add_option("case", options->case_folder, "The case")->required();
   command->add_option("--structure", options->structure,
                       "A structure that holds both systems (default: portal-vein and hepatic-vein, else vessels)");

@@ -41,13 +41,13 @@ py::array array_of(Frame frame) {
   return handed_over(std::move(frame.rgb)).reshape({height, width, py::ssize_t(3)});
 }
 
-py::dict dict_of(const Camera& camera) {
+py::dict dict_of(const vision::Camera& camera) {
   return py::dict("matrix"_a = camera.matrix, "distortion"_a = camera.distortion);
 }
 
-Camera camera_from(const py::dict& dict, const char* which) {
+vision::Camera camera_from(const py::dict& dict, const char* which) {
   if (!dict.contains("matrix")) raise("calibration-invalid", "The {0} camera has no matrix.", {which});
-  Camera camera;
+  vision::Camera camera;
   camera.matrix = dict["matrix"].cast<Eigen::Matrix3d>();
   if (dict.contains("distortion")) camera.distortion = dict["distortion"].cast<std::vector<double>>();
   return camera;

@@ -16,7 +16,7 @@ namespace glisson::casefile {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr const char* format_name = "glisson-case/1";
+constexpr const char* case_format = "glisson-case/1";
 
 Failure not_a_case(const fs::path& folder, const std::string& why);
 Result<void> refuse_links(const fs::path& folder, const fs::path& file);
@@ -76,7 +76,7 @@ Result<void> Case::reread() {
   if (!fs::exists(case_json, problem)) return not_a_case(folder_, GLISSON_TEXT("it holds no case.json"));
   const auto document = read_json_file(case_json);
   if (!document) return failure(document.error());
-  if (!document->is_object() || document->value("format", Json()) != format_name) {
+  if (!document->is_object() || document->value("format", Json()) != case_format) {
     return not_a_case(folder_, GLISSON_TEXT("case.json does not say \"format\": \"glisson-case/1\""));
   }
   origin_.clear();
@@ -254,7 +254,7 @@ Freshness Case::freshness(const std::string& id) const {
 }
 
 Result<void> Case::save() const {
-  Json document{{"format", format_name}, {"version", version()}};
+  Json document{{"format", case_format}, {"version", version()}};
   if (!origin_.empty()) document["origin"] = origin_;
   document["entries"] = Json::array();
   for (const Entry& entry : entries_) document["entries"].push_back(Json::parse(record_of(entry)));

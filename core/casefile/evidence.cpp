@@ -10,7 +10,7 @@ namespace glisson::casefile {
 namespace fs = std::filesystem;
 namespace {
 
-const std::string entry_id = "evidence/model";
+const std::string evidence_entry = "evidence/model";
 const std::string effects_option = "effects";  // of its entry: the accepted kinds, by commas
 
 std::vector<std::string> accepted_kinds(const Entry& entry);
@@ -67,7 +67,7 @@ Result<Evidence> accept_evidence(Case& patient, const fs::path& model_file, cons
 }
 
 Result<Evidence> take_back_evidence(Case& patient, const std::vector<std::string>& kinds) {
-  const Entry* entry = patient.find(entry_id);
+  const Entry* entry = patient.find(evidence_entry);
   std::vector<std::string> left = entry != nullptr ? accepted_kinds(*entry) : std::vector<std::string>{};
   for (const std::string& kind : kinds) {
     if (std::erase(left, kind) > 0) continue;
@@ -78,7 +78,7 @@ Result<Evidence> take_back_evidence(Case& patient, const std::vector<std::string
                          patient.folder()});
   }
   if (kinds.empty() || left.empty()) {
-    return patient.remove(entry_id).map([] { return Evidence{}; });
+    return patient.remove(evidence_entry).map([] { return Evidence{}; });
   }
   const Provenance made = entry->made;
   return keep(patient, patient.folder() / entry->file, made.sources, left).and_then([&] {
@@ -88,7 +88,7 @@ Result<Evidence> take_back_evidence(Case& patient, const std::vector<std::string
 
 Result<OrganByEvidence> with_evidence(const Case& patient, closedloop::OrganModel organ,
                                       const geometry::TetMesh& mesh) {
-  const Entry* entry = patient.find(entry_id);
+  const Entry* entry = patient.find(evidence_entry);
   if (entry == nullptr) return OrganByEvidence{std::move(organ), {}};
   auto learnt = closedloop::learn_organ(std::move(organ), mesh, patient.folder() / entry->file, accepted_kinds(*entry));
   if (!learnt) {
@@ -136,7 +136,7 @@ Result<void> keep(Case& patient, const fs::path& model_file, std::map<std::strin
   if (!text) return failure(text.error());
   std::string accepted;
   for (const std::string& kind : kinds) accepted += (accepted.empty() ? "" : ",") + kind;
-  return patient.add(entry_id, ".json",
+  return patient.add(evidence_entry, ".json",
                      Provenance{"accept", {{effects_option, accepted}}, {"meshes/model"}, std::move(sources), {}},
                      [&](const fs::path& file) { return write_text_file(file, *text); });
 }

@@ -10,7 +10,7 @@ namespace glisson::casefile {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr const char* folder = "results/resection";
+constexpr const char* resection_folder = "results/resection";
 // The first comes last and goes first: without it the others are no plan.
 constexpr std::array<const char*, 3> names{"results/resection/resection.json", "results/resection/cut.vtp",
                                            "results/resection/parts.vtu"};
@@ -18,7 +18,7 @@ constexpr std::array<const char*, 3> names{"results/resection/resection.json", "
 bool leads_elsewhere(const fs::path& case_folder) {
   std::error_code ignored;
   return fs::is_symlink(fs::symlink_status(case_folder / "results", ignored)) ||
-         fs::is_symlink(fs::symlink_status(case_folder / folder, ignored));
+         fs::is_symlink(fs::symlink_status(case_folder / resection_folder, ignored));
 }
 
 }  // namespace
@@ -79,12 +79,12 @@ Result<void> bring_followed(const fs::path& case_folder, const PlaceOf& place_of
       const std::string& wanted = side == Towards::before ? change.before : change.after;
       const auto there = now.find(change.file);
       if (change.file != *name || wanted.empty() || (there != now.end() && there->second == wanted)) continue;
-      fs::create_directories(case_folder / folder, problem);  // what is wrong shows in the writing
+      fs::create_directories(case_folder / resection_folder, problem);  // what is wrong shows in the writing
       const fs::path source = place_of(entry_for(change.file, wanted));
       if (auto written = write_copy(source, case_folder / change.file); !written) return written;
     }
   }
-  if (fs::is_empty(case_folder / folder, problem)) fs::remove(case_folder / folder, problem);
+  if (fs::is_empty(case_folder / resection_folder, problem)) fs::remove(case_folder / resection_folder, problem);
   return {};
 }
 

@@ -8,14 +8,14 @@
 namespace glisson::casefile {
 namespace {
 
-constexpr const char* format_name = "glisson-history/1";
+constexpr const char* history_format = "glisson-history/1";
 
 constexpr const char* name_of(Side side) { return side == Side::before ? "before" : "after"; }
 
 }  // namespace
 
 Json json_of(const Listing& listing) {
-  Json json{{"format", format_name}, {"done", listing.done}, {"next", listing.next}};
+  Json json{{"format", history_format}, {"done", listing.done}, {"next", listing.next}};
   if (listing.moving) json["moving"] = Json{{"step", listing.moving->first}, {"to", name_of(listing.moving->second)}};
   if (listing.forgotten) json["forgotten"] = true;
   json["values"] = Json::object();

@@ -38,6 +38,7 @@ struct Listing {
   std::map<std::string, std::string> values;
   std::optional<std::pair<int, Side>> moving;  // an undo or redo under way: the step, and where to
 };
+using glisson::json_of;  // beside those of this room
 Json json_of(const Listing& listing);
 Listing listing_from(const Json& json);
 // None where the case has no history yet. Fails with "history-damaged".

@@ -16,7 +16,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr const char* stages[] = {"meshes/liver", "meshes/model"};
+constexpr const char* stage_entries[] = {"meshes/liver", "meshes/model"};
 
 double min_dihedral_deg(const geometry::TetMesh& mesh, const std::array<int, 4>& cell);
 geometry::Surface part_with(const geometry::Surface& boundary, const geometry::TetMesh& mesh, const char* point_field);
@@ -31,7 +31,7 @@ ModelState model_state(const Case& patient) {
   if (!state.built) return state;
   state.current = true;
   std::set<std::string> changed;
-  for (const char* id : stages) {
+  for (const char* id : stage_entries) {
     const Entry* entry = patient.find(id);
     if (entry == nullptr) continue;
     const Freshness freshness = patient.freshness(id);
@@ -41,7 +41,7 @@ ModelState model_state(const Case& patient) {
     if (freshness == Freshness::missing) state.missing_file = true;
     for (const auto& [from, sha256] : entry->from_sha256) {
       const Entry* now = patient.find(from);
-      if (from != stages[0] && (now == nullptr || now->sha256 != sha256)) changed.insert(from);
+      if (from != stage_entries[0] && (now == nullptr || now->sha256 != sha256)) changed.insert(from);
     }
   }
   state.changed.assign(changed.begin(), changed.end());
@@ -86,7 +86,7 @@ Result<ModelFacts> model_facts(const Case& patient, const Progress& progress) {
   facts.label_ml = *label;
   facts.target_cells = target_cells_of(patient);
   facts.assumed = assumed_stiffness(patient).has_value();
-  for (const char* id : stages) {
+  for (const char* id : stage_entries) {
     if (const Entry* entry = patient.find(id)) {
       facts.notes.insert(facts.notes.end(), entry->made.notes.begin(), entry->made.notes.end());
     }

@@ -14,10 +14,10 @@ namespace glisson::casefile {
 
 struct OutliningProgram {
   // "TotalSegmentator -i {image} -o {folder}": words as base/run_program.h splits them, in which these are replaced.
-  //   {image}         the anatomy as .nii.gz (float; HU, or as measured), named as nnU-Net wants it: anatomy_0000.nii.gz
-  //   {image_folder}  the folder in which it lies alone
-  //   {folder}        an empty folder for what the program writes: one file a structure, or one for all
-  //   {labels}        a file in that folder, labels.nii.gz, for a program that writes one
+  //   {image}         the anatomy as .nii.gz (float; HU, or as measured), named as nnU-Net wants it:
+  //   anatomy_0000.nii.gz {image_folder}  the folder in which it lies alone {folder}        an empty folder for what
+  //   the program writes: one file a structure, or one for all {labels}        a file in that folder, labels.nii.gz,
+  //   for a program that writes one
   std::string command;
   // A name for each value of its label maps, where neither they nor their files' names say it. It may find less.
   std::map<int, std::string> names = {};

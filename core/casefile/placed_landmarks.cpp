@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* entry_id = "landmarks/placed";
+constexpr const char* landmarks_entry = "landmarks/placed";
 constexpr const char* format = "glisson-landmarks/1";
 
 Error invalid(const fs::path& file, const std::string& what) {
@@ -28,7 +28,7 @@ std::string landmark_name(std::string_view typed) { return structure_name(std::s
 
 Result<std::vector<mechanics::Landmark>> placed_landmarks(const Case& patient) {
   std::vector<mechanics::Landmark> landmarks;
-  const Entry* entry = patient.find(entry_id);
+  const Entry* entry = patient.find(landmarks_entry);
   if (entry == nullptr) return landmarks;
   const fs::path file = patient.folder() / entry->file;
   const auto document = read_json_file(file);
@@ -54,7 +54,8 @@ Result<std::vector<mechanics::Landmark>> placed_landmarks(const Case& patient) {
 }
 
 Result<void> keep_landmarks(Case& patient, const std::vector<mechanics::Landmark>& landmarks) {
-  if (landmarks.empty()) return patient.find(entry_id) == nullptr ? Result<void>() : patient.remove(entry_id);
+  if (landmarks.empty())
+    return patient.find(landmarks_entry) == nullptr ? Result<void>() : patient.remove(landmarks_entry);
   Json document{{"format", format}, {"landmarks", Json::array()}};
   std::set<std::string> names;
   for (const mechanics::Landmark& landmark : landmarks) {
@@ -65,7 +66,7 @@ Result<void> keep_landmarks(Case& patient, const std::vector<mechanics::Landmark
   }
   Provenance made{"landmark", {{"method", "by hand"}}, {}, {}, {}};
   if (patient.find("volumes/anatomy") != nullptr) made.from = {"volumes/anatomy"};
-  return patient.add(entry_id, ".json", std::move(made),
+  return patient.add(landmarks_entry, ".json", std::move(made),
                      [&](const fs::path& file) { return write_json_file(file, document); });
 }
 

@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 using imaging::Mask;
 
-constexpr const char* folder = "plans/";
+constexpr const char* plans_folder = "plans/";
 
 fs::path followed_in(const Case& patient) { return patient.folder() / "results" / "resection"; }
 
@@ -86,7 +86,7 @@ std::string id_of(const Case& patient, const std::string& name) {
   std::string simple = structure_name(name);
   if (simple.empty()) simple = "plan";
   for (int n = 1;; ++n) {
-    const std::string id = folder + simple + (n == 1 ? "" : fmt::format("-{}", n));
+    const std::string id = plans_folder + simple + (n == 1 ? "" : fmt::format("-{}", n));
     const Entry* there = patient.find(id);
     if (there == nullptr) return id;
     const auto plan = planning::read_plan(patient.folder() / there->file);
@@ -131,7 +131,7 @@ planning::Cut cut_of(const PlannedCut& cut, bool specimen_is_above) {
 Result<std::vector<KeptPlan>> kept_plans(const Case& patient) {
   std::vector<KeptPlan> plans;
   for (const Entry& entry : patient.entries()) {
-    if (!entry.id.starts_with(folder)) continue;
+    if (!entry.id.starts_with(plans_folder)) continue;
     auto plan = planning::read_plan(patient.folder() / entry.file);
     if (!plan) return failure(std::move(plan.error()));
     plans.push_back({entry.id, std::move(*plan), remarks_on(patient, {entry.id})});
@@ -143,7 +143,7 @@ Result<KeptPlan> kept_plan(const Case& patient, const std::string& name) {
   auto plans = kept_plans(patient);
   if (!plans) return failure(std::move(plans.error()));
   for (KeptPlan& kept : *plans) {
-    if (kept.plan.name == name || kept.id == folder + name) return std::move(kept);
+    if (kept.plan.name == name || kept.id == plans_folder + name) return std::move(kept);
   }
   return failure("plan-unknown", GLISSON_TEXT("The case has no plan {0}."), {name});
 }

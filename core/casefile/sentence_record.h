@@ -7,6 +7,8 @@
 
 namespace glisson::casefile {
 
+using glisson::json_of;  // beside those of this room
+
 [[nodiscard]] inline Json json_of(const Sentence& sentence) {
   return Json{{"text", sentence.text}, {"arguments", sentence.arguments}};
 }

@@ -15,7 +15,7 @@ namespace {
 using imaging::Grid;
 using imaging::Mask;
 
-constexpr float turn = static_cast<float>(2 * std::numbers::pi);
+constexpr float whole_turn = static_cast<float>(2 * std::numbers::pi);
 
 // Groups of voxels whose turns relative to one another are settled (union-find with a number of turns on each link).
 class SettledGroups {
@@ -97,7 +97,7 @@ std::vector<float> unreliability(const std::vector<float>& phase_rad, const Mask
       const bool inside = at[axis] > 0 && at[axis] + 1 < signal.grid.size[axis] &&
                           signal.values[v - stride[axis]] != 0 && signal.values[v + stride[axis]] != 0;
       if (!inside) {
-        found[v] += turn;
+        found[v] += whole_turn;
         continue;
       }
       const float second =
@@ -119,7 +119,7 @@ void centre_groups(std::vector<float>& phase_rad, const Mask& signal, SettledGro
   for (std::size_t begin = 0; begin < by_group.size();) {
     std::size_t end = begin;
     while (end < by_group.size() && by_group[end].first == by_group[begin].first) ++end;
-    shift_of[by_group[begin].first] = turn * std::round(by_group[(begin + end) / 2].second / turn);
+    shift_of[by_group[begin].first] = whole_turn * std::round(by_group[(begin + end) / 2].second / whole_turn);
     begin = end;
   }
   for (std::size_t v = 0; v < phase_rad.size(); ++v) {
@@ -178,11 +178,11 @@ void unwrap_along_reliable_paths(std::vector<float>& phase_rad, const Mask& sign
     const auto a = groups.find(link.a);
     const auto b = groups.find(link.b);
     if (a.voxel == b.voxel) continue;
-    groups.join(a, b, static_cast<int>(std::lround((phase_rad[link.a] - phase_rad[link.b]) / turn)));
+    groups.join(a, b, static_cast<int>(std::lround((phase_rad[link.a] - phase_rad[link.b]) / whole_turn)));
   }
   for (std::size_t v = 0; v < phase_rad.size(); ++v) {
     if (signal.values[v] != 0) {
-      phase_rad[v] += turn * static_cast<float>(groups.find(static_cast<std::uint32_t>(v)).turns);
+      phase_rad[v] += whole_turn * static_cast<float>(groups.find(static_cast<std::uint32_t>(v)).turns);
     }
   }
   centre_groups(phase_rad, signal, groups);
@@ -213,7 +213,7 @@ void unwrap_by_poisson(std::vector<float>& phase_rad, const Mask& signal) {
     if (signal.values[v] == 0) continue;
     const auto& sum = left_over[groups.find(static_cast<std::uint32_t>(v)).voxel];
     const float wanted = solution[v] + static_cast<float>(std::atan2(sum[1], sum[0]));
-    phase_rad[v] += turn * std::round((wanted - phase_rad[v]) / turn);
+    phase_rad[v] += whole_turn * std::round((wanted - phase_rad[v]) / whole_turn);
   }
   centre_groups(phase_rad, signal, groups);
 }

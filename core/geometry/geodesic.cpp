@@ -10,8 +10,8 @@
 namespace glisson::geometry {
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using GeodesicKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Mesh = CGAL::Surface_mesh<GeodesicKernel::Point_3>;
 using Vertex = Mesh::Vertex_index;
 using Heat = CGAL::Heat_method_3::Surface_mesh_geodesic_distances_3<Mesh>;
 
@@ -101,7 +101,7 @@ std::vector<double> HeatGeodesics::distances_mm(int from_point) {
 Result<std::vector<double>> exact_geodesic_distances_mm(const Surface& surface, int from_point) {
   const auto mesh = cgal_mesh(surface);
   if (!mesh) return failure(mesh.error());
-  using Traits = CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>;
+  using Traits = CGAL::Surface_mesh_shortest_path_traits<GeodesicKernel, Mesh>;
   CGAL::Surface_mesh_shortest_path<Traits> paths(*mesh);
   paths.add_source_point(vertex(from_point));
   std::vector<double> distances_mm;

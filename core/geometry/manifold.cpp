@@ -13,9 +13,9 @@ using Triangle = std::array<int, 3>;
 
 // The corners of all triangles, three each. An edge is found from the two points it runs between; neighbours that are
 // turned alike run along it in opposite directions.
-class Corners {
+class FaceCorners {
  public:
-  explicit Corners(const std::vector<Triangle>& triangles) : triangles_(triangles) {
+  explicit FaceCorners(const std::vector<Triangle>& triangles) : triangles_(triangles) {
     for (std::size_t corner = 0; corner < 3 * triangles.size(); ++corner) {
       edge_from_.try_emplace({point(corner), point(next(corner))}, corner);
     }
@@ -46,11 +46,11 @@ std::vector<Triangle> largest_by_shared_edges(const std::vector<Triangle>& trian
 
 Surface largest_manifold_piece(const Surface& surface) {
   std::vector<Triangle> triangles = largest_by_shared_edges(without_third_triangles(surface.triangles), surface);
-  const Corners corners(triangles);
+  const FaceCorners corners(triangles);
   DisjointSets fans(3 * triangles.size());
   corners.each_shared_edge([&](std::size_t a, std::size_t b) {
-    fans.join(a, Corners::next(b));
-    fans.join(Corners::next(a), b);
+    fans.join(a, FaceCorners::next(b));
+    fans.join(FaceCorners::next(a), b);
   });
   // One point a fan, in the order of the points they come from.
   std::vector<std::pair<int, std::size_t>> wanted;
@@ -95,7 +95,7 @@ std::vector<Triangle> without_third_triangles(const std::vector<Triangle>& trian
 
 std::vector<Triangle> largest_by_shared_edges(const std::vector<Triangle>& triangles, const Surface& surface) {
   DisjointSets sets(triangles.size());
-  Corners(triangles).each_shared_edge([&](std::size_t a, std::size_t b) { sets.join(a / 3, b / 3); });
+  FaceCorners(triangles).each_shared_edge([&](std::size_t a, std::size_t b) { sets.join(a / 3, b / 3); });
   const auto at = [&](int point) { return surface.points_mm[static_cast<std::size_t>(point)]; };
   std::vector<double> area(triangles.size(), 0);
   for (std::size_t i = 0; i < triangles.size(); ++i) {

@@ -18,11 +18,11 @@ namespace glisson::geometry {
 namespace {
 
 using Triangle = std::array<int, 3>;
-using Kernel = CGAL::Simple_cartesian<double>;
+using SoupKernel = CGAL::Simple_cartesian<double>;
 
 // A surface under repair: its triangles and where its points and triangles come from.
 struct Soup {
-  std::vector<Kernel::Point_3> points;
+  std::vector<SoupKernel::Point_3> points;
   std::vector<std::vector<std::size_t>> triangles;
   std::vector<int> point_from, triangle_from;
 };

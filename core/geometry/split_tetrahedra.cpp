@@ -11,19 +11,20 @@ namespace glisson::geometry {
 namespace {
 
 using Eigen::Vector3d;
-using Corners = std::array<Vector3d, 4>;
+using CellCorners = std::array<Vector3d, 4>;
 using Polygon = std::vector<int>;
 
 constexpr std::uint8_t both_sides = 3;
 
 constexpr std::array<std::array<int, 2>, 6> edges_of_cell{{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
-constexpr std::array<std::array<int, 3>, 4> faces_of_cell{{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+constexpr std::array<std::array<int, 3>, 4> outward_faces{{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 
-double volume_of(const Corners& c) { return std::abs((c[1] - c[0]).cross(c[2] - c[0]).dot(c[3] - c[0])) / 6.0; }
+double volume_of(const CellCorners& c) { return std::abs((c[1] - c[0]).cross(c[2] - c[0]).dot(c[3] - c[0])) / 6.0; }
 
 // The share of a tetrahedron's volume where the linear function with these values at its corners is above zero.
 double share_above(std::array<double, 4> h);
-double volume_above(const Corners& corners, const std::array<double, 4>& heights, const CutSurface& cut, int levels);
+double volume_above(const CellCorners& corners, const std::array<double, 4>& heights, const CutSurface& cut,
+                    int levels);
 
 // Heights with the points near the surface put on it.
 std::vector<double> snapped(const TetMesh& mesh, std::vector<double> heights, double snap, double& largest_shift_mm);
@@ -78,7 +79,7 @@ DividedVolume divided_volume(const TetMesh& mesh, const CutSurface& cut, const s
   double coarser_mm3 = 0;
   const int finest = cut.is_plane() ? 0 : std::max(1, levels);
   for (std::size_t k = 0; k < mesh.cells.size(); ++k) {
-    Corners corners;
+    CellCorners corners;
     std::array<double, 4> heights{};
     for (int i = 0; i < 4; ++i) {
       corners[i] = mesh.points_mm[mesh.cells[k][i]];
@@ -126,7 +127,8 @@ double share_above(std::array<double, 4> h) {
   return s20 * s21 * (1.0 - s31) + s20 * s31 * (1.0 - s30) + s30 * s31;
 }
 
-double volume_above(const Corners& corners, const std::array<double, 4>& heights, const CutSurface& cut, int levels) {
+double volume_above(const CellCorners& corners, const std::array<double, 4>& heights, const CutSurface& cut,
+                    int levels) {
   const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
   double longest_mm = 0;
   for (const auto& [i, k] : edges_of_cell) longest_mm = std::max(longest_mm, (corners[i] - corners[k]).norm());
@@ -144,7 +146,7 @@ double volume_above(const Corners& corners, const std::array<double, 4>& heights
                                   {4, 9, 5, 6}, {4, 9, 6, 8}, {4, 9, 8, 7}, {4, 9, 7, 5}};
   double sum = 0;
   for (const auto& child : children) {
-    Corners part;
+    CellCorners part;
     std::array<double, 4> values{};
     for (int i = 0; i < 4; ++i) {
       part[i] = child[i] < 4 ? corners[child[i]] : middles[child[i] - 4];
@@ -211,7 +213,7 @@ void Splitter::divide(std::size_t cell) {
   }
   for (const int side : {1, -1}) {
     std::vector<Polygon> faces;
-    for (const auto& local : faces_of_cell) {
+    for (const auto& local : outward_faces) {
       Polygon face = clipped({corners[local[0]], corners[local[1]], corners[local[2]]}, side);
       if (face.size() >= 3) faces.push_back(std::move(face));
     }
@@ -318,7 +320,7 @@ void Splitter::find_faces_on_cut() {
   // Faces between old cells that the cut follows because all their points were put on it.
   std::map<std::array<int, 3>, int> faces;
   for (std::size_t c = 0; c < mesh_.cells.size(); ++c) {
-    for (const auto& local : faces_of_cell) {
+    for (const auto& local : outward_faces) {
       std::array<int, 3> face{mesh_.cells[c][local[0]], mesh_.cells[c][local[1]], mesh_.cells[c][local[2]]};
       if (sign(face[0]) != 0 || sign(face[1]) != 0 || sign(face[2]) != 0) continue;
       std::sort(face.begin(), face.end());

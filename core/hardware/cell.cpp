@@ -12,7 +12,7 @@ namespace glisson::hardware {
 namespace {
 
 constexpr std::size_t knots = 51;  // every 2 % of the charge
-constexpr std::size_t fewest_samples = 20;
+constexpr std::size_t minimum_cell_samples = 20;
 constexpr double reference_C = 25;
 
 // The linear interpolant of values at evenly spaced places between 0 and 1.
@@ -35,7 +35,7 @@ double resistance_at(const CellModel& cell, double depth, double temperature_C) 
   return value_at(cell.resistance_ohm, depth) * std::exp(-cell.resistance_per_C * (temperature_C - reference_C));
 }
 
-Failure refuse(const std::filesystem::path& file, std::string text) {
+Failure refuse_recording(const std::filesystem::path& file, std::string text) {
   return failure(Error{"discharge-invalid", std::move(text), {file.string()}, {}, file});
 }
 
@@ -85,22 +85,24 @@ Result<Discharge> read_discharge(const std::filesystem::path& file, const Discha
   for (auto row = static_cast<std::size_t>(first); row < static_cast<std::size_t>(last); ++row) {
     const double values[] = {(**time)[row], sign * (**current)[row], (**voltage)[row], (**temperature)[row]};
     if (!std::all_of(std::begin(values), std::end(values), [](double v) { return std::isfinite(v); }))
-      return refuse(file, GLISSON_TEXT("{0} lacks a reading within the discharge."));
+      return refuse_recording(file, GLISSON_TEXT("{0} lacks a reading within the discharge."));
     if (!discharge.time_s.empty() && values[0] <= discharge.time_s.back())
-      return refuse(file, GLISSON_TEXT("The time goes back in {0}."));
+      return refuse_recording(file, GLISSON_TEXT("The time goes back in {0}."));
     discharge.time_s.push_back(values[0]);
     discharge.current_A.push_back(values[1]);
     discharge.voltage_V.push_back(values[2]);
     discharge.temperature_C.push_back(values[3]);
   }
-  if (discharge.time_s.size() < fewest_samples) return refuse(file, GLISSON_TEXT("{0} holds no discharge."));
+  if (discharge.time_s.size() < minimum_cell_samples)
+    return refuse_recording(file, GLISSON_TEXT("{0} holds no discharge."));
   discharge.ambient_C = discharge.temperature_C.front();
   if (!columns.ambient_C.empty()) {
     const auto ambient = values_of(columns.ambient_C);
     if (!ambient) return failure(ambient.error());
     discharge.ambient_C = std::accumulate((*ambient)->begin() + first, (*ambient)->begin() + last, 0.0) /
                           static_cast<double>(last - first);
-    if (!std::isfinite(discharge.ambient_C)) return refuse(file, GLISSON_TEXT("{0} lacks a reading of the ambient."));
+    if (!std::isfinite(discharge.ambient_C))
+      return refuse_recording(file, GLISSON_TEXT("{0} lacks a reading of the ambient."));
   }
   return discharge;
 }

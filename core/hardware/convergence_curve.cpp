@@ -9,18 +9,18 @@
 namespace glisson::hardware {
 namespace {
 
-constexpr std::size_t maximum_points = 10000;
+constexpr std::size_t maximum_curve_points = 10000;
 
 // The straight line through two points in log-log, at x between them.
-double interpolated(double x, double x0, double y0, double x1, double y1) {
+double on_log_line(double x, double x0, double y0, double x1, double y1) {
   const double t = std::log(x / x0) / std::log(x1 / x0);
   return y0 * std::pow(y1 / y0, t);
 }
 
 void check_points(const ConvergenceCurve& curve) {
-  if (curve.points.size() < 2 || curve.points.size() > maximum_points) {
+  if (curve.points.size() < 2 || curve.points.size() > maximum_curve_points) {
     refuse({}, GLISSON_TEXT("A convergence curve has 2 to {0} points; this one has {1}."),
-           {std::to_string(maximum_points), std::to_string(curve.points.size())});
+           {std::to_string(maximum_curve_points), std::to_string(curve.points.size())});
   }
   for (std::size_t i = 0; i < curve.points.size(); ++i) {
     const auto& [resolution_mm3, error_mm] = curve.points[i];
@@ -42,7 +42,7 @@ ConvergenceCurve curve_from(const Json& document, const std::filesystem::path& f
   curve.provenance = text_under(document, "provenance", "The curve");
   if (document.contains("youngs_kPa")) curve.youngs_kPa = number_under(document, "youngs_kPa", {0.1, 1e6}, "The curve");
   const auto points = document.find("points");
-  if (points == document.end() || !points->is_array() || points->size() > maximum_points)
+  if (points == document.end() || !points->is_array() || points->size() > maximum_curve_points)
     refuse({}, GLISSON_TEXT("{0} has no list of points."), {file.string()});
   for (const Json& point : *points) {
     known_keys(point, {"resolution_mm3", "error_mm"}, "A point of the curve");
@@ -84,7 +84,7 @@ Result<double> resolution_for_accuracy_mm3(const ConvergenceCurve& curve, double
       std::find_if(points.begin(), points.end(), [&](auto& point) { return point.error_mm > accuracy_mm; });
   if (above == points.end()) return points.back().resolution_mm3;
   const auto below = above - 1;
-  return interpolated(accuracy_mm, below->error_mm, below->resolution_mm3, above->error_mm, above->resolution_mm3);
+  return on_log_line(accuracy_mm, below->error_mm, below->resolution_mm3, above->error_mm, above->resolution_mm3);
 }
 
 double error_at_resolution_mm(const ConvergenceCurve& curve, double resolution_mm3) {
@@ -93,7 +93,7 @@ double error_at_resolution_mm(const ConvergenceCurve& curve, double resolution_m
   auto above =
       std::find_if(points.begin() + 1, points.end(), [&](auto& point) { return point.resolution_mm3 >= inside; });
   const auto below = above - 1;
-  return interpolated(inside, below->resolution_mm3, below->error_mm, above->resolution_mm3, above->error_mm);
+  return on_log_line(inside, below->resolution_mm3, below->error_mm, above->resolution_mm3, above->error_mm);
 }
 
 }  // namespace glisson::hardware

@@ -9,9 +9,9 @@
 namespace glisson::hardware {
 namespace {
 
-constexpr const char* format = "glisson-devices/1";
+constexpr const char* devices_format = "glisson-devices/1";
 constexpr std::size_t maximum_devices = 1000;
-constexpr std::size_t maximum_points = 10000;
+constexpr std::size_t maximum_table_points = 10000;
 
 std::vector<Device> devices_from(const Json& document, const std::filesystem::path& file);
 Device device_from(const Json& object, std::size_t index);
@@ -45,13 +45,13 @@ void take_in(std::vector<Device> more, std::vector<Device>& devices) {
 Result<void> write_devices(const std::filesystem::path& file, const std::vector<Device>& devices) {
   Json list = Json::array();
   for (const Device& device : devices) list.push_back(as_json(device));
-  return write_json_file(file, Json{{"format", format}, {"devices", list}});
+  return write_json_file(file, Json{{"format", devices_format}, {"devices", list}});
 }
 
 namespace {
 
 std::vector<Device> devices_from(const Json& document, const std::filesystem::path& file) {
-  check_format(document, format, file);
+  check_format(document, devices_format, file);
   const auto list = document.find("devices");
   if (list == document.end() || !list->is_array() || list->empty() || list->size() > maximum_devices) {
     refuse("devices-missing", GLISSON_TEXT("{0} has no list \"devices\" of 1 to {1} devices."),
@@ -112,7 +112,7 @@ void read_measured(const Json& kernel, const std::string& where, Device& device)
   known_keys(*measured, {"nodes_in_domain", "points"}, here);
   device.kernel.measured_nodes_in_domain = static_cast<int>(number_under(*measured, "nodes_in_domain", {1, 125}, here));
   const auto points = measured->find("points");
-  if (points == measured->end() || !points->is_array() || points->size() > maximum_points)
+  if (points == measured->end() || !points->is_array() || points->size() > maximum_table_points)
     refuse_missing("points", here);
   for (const Json& point : *points) {
     known_keys(point, {"nodes", "seconds", "joules"}, here);

@@ -10,12 +10,12 @@
 namespace glisson::hardware {
 namespace {
 
-constexpr std::size_t fewest_samples = 10;
+constexpr std::size_t minimum_trace_samples = 10;
 constexpr double gap_in_intervals = 5;
 
 Result<void> check(const TraceFormat& format);
 std::vector<bool> clipped_samples(const std::vector<double>& values, const std::optional<double>& clips_at);
-double median(std::vector<double> values);
+double median_of(std::vector<double> values);
 
 // A stretch of samples [first, last], all of one level, without a gap inside.
 struct Stretch {
@@ -78,7 +78,7 @@ Result<PowerTrace> read_power_trace(const std::filesystem::path& file, const Tra
     trace.power_W.push_back(power_W);
     trace.clipped.push_back(at_end);
   }
-  if (trace.time_s.size() < fewest_samples || trace.dropped_rows > table->rows() / 10) {
+  if (trace.time_s.size() < minimum_trace_samples || trace.dropped_rows > table->rows() / 10) {
     return failure(Error{"trace-too-poor",
                          GLISSON_TEXT("{0}: samples {1}, rows without a reading {2}."),
                          {file.string(), std::to_string(trace.time_s.size()), std::to_string(trace.dropped_rows)},
@@ -87,7 +87,7 @@ Result<PowerTrace> read_power_trace(const std::filesystem::path& file, const Tra
   }
   std::vector<double> steps(trace.time_s.size() - 1);
   for (std::size_t i = 0; i < steps.size(); ++i) steps[i] = trace.time_s[i + 1] - trace.time_s[i];
-  trace.sample_interval_s = median(std::move(steps));
+  trace.sample_interval_s = median_of(std::move(steps));
   return trace;
 }
 
@@ -105,7 +105,7 @@ Result<TraceRuns> find_runs(const PowerTrace& trace, const RunOptions& options) 
     if (stretch.running) continue;
     for (std::size_t i = stretch.first; i <= stretch.last; ++i) idle_W.push_back(trace.power_W[i]);
   }
-  found.idle_W = idle_W.empty() ? 0 : median(idle_W);
+  found.idle_W = idle_W.empty() ? 0 : median_of(idle_W);
 
   std::size_t gaps = 0;
   for (std::size_t s = 0; s < stretches.size(); ++s) {
@@ -172,7 +172,7 @@ Result<void> check(const TraceFormat& format) {
                  GLISSON_TEXT("A trace needs a channel, and factors and a range that are positive."));
 }
 
-double median(std::vector<double> values) {
+double median_of(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
@@ -302,7 +302,7 @@ double mean_power_W(const PowerTrace& trace, std::size_t first, std::size_t last
 // Without the tenth at each end, where the neighbouring runs rise and fall; nothing from a pause of a few samples.
 std::optional<double> pause_power_W(const PowerTrace& trace, const Stretch& pause) {
   const std::size_t count = pause.last - pause.first + 1;
-  if (count < fewest_samples) return {};
+  if (count < minimum_trace_samples) return {};
   const std::size_t trim = count / 10;
   return mean_power_W(trace, pause.first + trim, pause.last - trim);
 }

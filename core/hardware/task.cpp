@@ -9,7 +9,7 @@
 namespace glisson::hardware {
 namespace {
 
-constexpr const char* format = "glisson-tasks/1";
+constexpr const char* tasks_format = "glisson-tasks/1";
 constexpr std::size_t maximum_tasks = 100;
 
 Task task_from(const Json& object) {
@@ -30,7 +30,7 @@ Task task_from(const Json& object) {
 }
 
 std::vector<Task> tasks_from(const Json& document, const std::filesystem::path& file) {
-  check_format(document, format, file);
+  check_format(document, tasks_format, file);
   const auto list = document.find("tasks");
   if (list == document.end() || !list->is_array() || list->empty() || list->size() > maximum_tasks) {
     refuse("tasks-missing", GLISSON_TEXT("{0} has no list \"tasks\" of 1 to {1} tasks."),
@@ -67,7 +67,7 @@ Result<void> write_tasks(const std::filesystem::path& file, const std::vector<Ta
                     {"source", to_string(task.source)},
                     {"note", task.note}});
   }
-  return write_json_file(file, Json{{"format", format}, {"tasks", list}});
+  return write_json_file(file, Json{{"format", tasks_format}, {"tasks", list}});
 }
 
 Workload workload_of(const Task& task) {

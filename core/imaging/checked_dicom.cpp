@@ -23,7 +23,7 @@ constexpr std::uint32_t sequence_end_tag = 0xFFFEE0DDu;
 // Real headers nest up to eight deep (structured reports), enhanced images with 10,000 frames have some 20 MiB and a
 // million elements.
 constexpr std::size_t deepest_nesting = 32;
-constexpr std::uint64_t maximum_header_bytes = std::uint64_t{64} << 20;
+constexpr std::uint64_t maximum_dicom_header_bytes = std::uint64_t{64} << 20;
 constexpr std::uint64_t maximum_elements = 2'000'000;
 constexpr std::uint64_t maximum_value_bytes_kept = std::uint64_t{1} << 20;
 
@@ -197,7 +197,7 @@ Result<void> Walk::walk_data_set() {
   while (true) {
     leave_finished_enclosures();
     if (open_.empty() && at_ == bytes_.end()) return {};
-    if (++elements_ > maximum_elements || at_ - data_set_begin_ > maximum_header_bytes) {
+    if (++elements_ > maximum_elements || at_ - data_set_begin_ > maximum_dicom_header_bytes) {
       return error("dicom-header-too-large", GLISSON_TEXT("The header of {0} is too large to be that of an image."));
     }
     if (!open_.empty() && open_.back().is_sequence) {
@@ -337,7 +337,7 @@ Result<void> Walk::locate_fragments() {
     }
     if (table_seen) {
       found_.pixels->fragments.push_back({bytes_.offset(at_), length});
-    } else if (length <= maximum_header_bytes) {
+    } else if (length <= maximum_dicom_header_bytes) {
       for (std::uint64_t i = 0; i + 4 <= length; i += 4) {
         const std::uint8_t* entry = bytes_.view_far(at_ + i, 4);
         if (entry == nullptr) break;

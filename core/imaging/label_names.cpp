@@ -20,7 +20,7 @@ namespace {
 
 using Names = std::map<int, std::string>;
 
-constexpr std::size_t maximum_header_bytes = std::size_t{1} << 20;
+constexpr std::size_t maximum_names_bytes = std::size_t{1} << 20;
 
 Names slicer_segments(const fs::path& file);
 Names nifti_table(const fs::path& file);
@@ -83,7 +83,7 @@ std::optional<int> label_value(const std::string& text) {
 // The header of an NRRD ends with an empty line; "key:=value" stands on lines of their own.
 Names slicer_segments(const fs::path& file) {
   std::map<std::string, std::string> name_of, value_of;  // by the segment's number
-  std::istringstream header(unpacked_beginning(file, maximum_header_bytes));
+  std::istringstream header(unpacked_beginning(file, maximum_names_bytes));
   for (std::string line; std::getline(header, line);) {
     if (!line.empty() && line.back() == '\r') line.pop_back();
     if (line.empty()) break;
@@ -112,7 +112,7 @@ Names nifti_table(const fs::path& file) {
   std::memcpy(&size, header.data(), sizeof size);
   std::memcpy(&voxels_at, header.data() + offset_at, sizeof voxels_at);
   if (size != 348 || !(voxels_at > header_bytes)) return {};  // the bytes of another machine name nothing
-  const auto bytes = static_cast<std::size_t>(std::min(voxels_at, static_cast<float>(maximum_header_bytes)));
+  const auto bytes = static_cast<std::size_t>(std::min(voxels_at, static_cast<float>(maximum_names_bytes)));
   const std::string extension = unpacked_beginning(file, bytes).substr(header_bytes);
 
   Names names;

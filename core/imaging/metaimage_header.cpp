@@ -9,7 +9,7 @@ namespace glisson::imaging {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::size_t maximum_header_bytes = 1 << 20;
+constexpr std::size_t maximum_metaimage_bytes = 1 << 20;
 
 // MetaIO's LONG has four bytes wherever it was written.
 constexpr std::array<std::pair<std::string_view, VoxelType>, 14> types{{{"MET_UCHAR", VoxelType::uint8},
@@ -27,13 +27,13 @@ constexpr std::array<std::pair<std::string_view, VoxelType>, 14> types{{{"MET_UC
                                                                         {"MET_DOUBLE", VoxelType::float64},
                                                                         {"MET_NONE", VoxelType::uint8}}};
 
-struct Lines {
+struct MetaImageLines {
   std::map<std::string, std::string> values;
   std::size_t end = 0;  // the byte after the last line
 };
 
-std::optional<Lines> lines_of(const std::string& text) {
-  Lines lines;
+std::optional<MetaImageLines> metaimage_lines(const std::string& text) {
+  MetaImageLines lines;
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t end = text.find('\n', begin);
     const std::string_view line = std::string_view(text).substr(begin, end - begin);
@@ -51,9 +51,9 @@ std::optional<Lines> lines_of(const std::string& text) {
   return std::nullopt;
 }
 
-class Fields {
+class HeaderFields {
  public:
-  explicit Fields(std::map<std::string, std::string> values) : values_(std::move(values)) {}
+  explicit HeaderFields(std::map<std::string, std::string> values) : values_(std::move(values)) {}
 
   [[nodiscard]] std::string text(std::initializer_list<const char*> names) const {
     for (const char* name : names) {
@@ -86,7 +86,7 @@ class Fields {
   std::map<std::string, std::string> values_;
 };
 
-bool place(Grid& grid, const Fields& fields, std::size_t axes) {
+bool place(Grid& grid, const HeaderFields& fields, std::size_t axes) {
   std::vector<double> identity(axes * axes, 0);
   for (std::size_t axis = 0; axis < axes; ++axis) identity[axis * axes + axis] = 1;
   const auto sizes = fields.numbers({"ElementSize"}, axes, std::vector<double>(axes, 1));
@@ -111,9 +111,9 @@ Result<FoundHeader> read_metaimage_header(const fs::path& file) {
   const auto not_of_that_format = [&] {
     return volume_file_unreadable(file, GLISSON_TEXT("its header is not of that format"));
   };
-  auto lines = lines_of(beginning_of(file, maximum_header_bytes));
+  auto lines = metaimage_lines(beginning_of(file, maximum_metaimage_bytes));
   if (!lines) return not_of_that_format();
-  const Fields fields(lines->values);
+  const HeaderFields fields(lines->values);
   bool good = true;
   const std::int64_t axes = fields.whole_number("NDims", 0, good);
   if (!good || axes < 1 || axes > 10) return not_of_that_format();

@@ -15,9 +15,9 @@ namespace {
 
 constexpr std::size_t header_bytes = 348;
 
-class Fields {
+class ByteFields {
  public:
-  explicit Fields(std::string bytes) : bytes_(std::move(bytes)) {
+  explicit ByteFields(std::string bytes) : bytes_(std::move(bytes)) {
     const auto axes = number<std::int16_t>(40);
     swapped_ = axes < 1 || axes > 7;
   }
@@ -81,7 +81,7 @@ int components_of(int code) {
 }
 
 // Method 2 of nifti1.h: a rotation as a quaternion, whose first number follows from the others.
-Eigen::Matrix3d rotation_of(const Fields& fields) {
+Eigen::Matrix3d rotation_of(const ByteFields& fields) {
   const double b = fields.number<float>(quatern_b), c = fields.number<float>(quatern_b + 4),
                d = fields.number<float>(quatern_b + 8);
   const double rest = 1 - (b * b + c * c + d * d);
@@ -91,7 +91,7 @@ Eigen::Matrix3d rotation_of(const Fields& fields) {
   return rotation;
 }
 
-Grid grid_of(const Fields& fields) {
+Grid grid_of(const ByteFields& fields) {
   Grid grid;
   Eigen::Matrix3d axes_mm = Eigen::Matrix3d::Identity();
   Eigen::Vector3d origin(0, 0, 0), spacing(0, 0, 0);
@@ -139,7 +139,7 @@ Result<FoundHeader> read_nifti_header(const fs::path& file, bool compressed) {
   if (bytes.size() < header_bytes) {
     return volume_file_unreadable(file, GLISSON_TEXT("its header is not of that format"));
   }
-  const Fields fields(bytes);
+  const ByteFields fields(bytes);
   const int axes = fields.number<std::int16_t>(dim);
   const bool good = fields.number<std::int32_t>(sizeof_hdr) == 348 && axes >= 1 && axes <= 7 &&
                     fields.text(magic, 4) == std::string_view("n+1\0", 4);

@@ -9,9 +9,9 @@ namespace glisson::imaging {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::size_t maximum_header_bytes = 1 << 20;
+constexpr std::size_t maximum_nrrd_bytes = 1 << 20;
 
-struct Lines {
+struct NrrdLines {
   std::map<std::string, std::string> fields;  // names in lower case without blanks ("spaceorigin")
   std::map<std::string, std::string> notes;
   std::size_t end = 0;  // the byte after the empty line
@@ -27,9 +27,9 @@ std::string unescaped(std::string_view text) {
   return plain;
 }
 
-std::optional<Lines> lines_of(const std::string& text) {
+std::optional<NrrdLines> nrrd_lines(const std::string& text) {
   if (!text.starts_with("NRRD000") || text.size() < 9) return std::nullopt;
-  Lines lines;
+  NrrdLines lines;
   for (std::size_t begin = text.find('\n'); begin != std::string::npos && begin + 1 <= text.size();) {
     ++begin;
     const std::size_t end = text.find('\n', begin);
@@ -127,7 +127,7 @@ Eigen::Vector3d to_lps(const std::string& space) {
 
 class Reader {
  public:
-  Reader(const fs::path& file, Lines lines) : file_(file), lines_(std::move(lines)) {}
+  Reader(const fs::path& file, NrrdLines lines) : file_(file), lines_(std::move(lines)) {}
 
   Result<FoundHeader> run() {
     if (!take_axes() || !place() || !find_voxels()) {
@@ -236,7 +236,7 @@ class Reader {
     const auto bytes = whole_number_in(field("byteskip").empty() ? "0" : field("byteskip"));
     if (!lines || !bytes || *lines < 0 || *lines > 1'000'000 || *bytes < -1) return false;
     if (*lines > 0) {
-      const std::string text = beginning_of(header.data, header.begin + maximum_header_bytes);
+      const std::string text = beginning_of(header.data, header.begin + maximum_nrrd_bytes);
       for (std::int64_t n = 0; n < *lines; ++n) {
         const std::size_t end = text.find('\n', header.begin);
         if (end == std::string::npos) return false;
@@ -251,7 +251,7 @@ class Reader {
   }
 
   const fs::path& file_;
-  Lines lines_;
+  NrrdLines lines_;
   FoundHeader found_;
   std::vector<std::size_t> axes_;  // of those in space, their numbers in the file
   std::vector<Eigen::Vector3d> directions_;
@@ -261,7 +261,7 @@ class Reader {
 }  // namespace
 
 Result<FoundHeader> read_nrrd_header(const fs::path& file) {
-  auto lines = lines_of(beginning_of(file, maximum_header_bytes));
+  auto lines = nrrd_lines(beginning_of(file, maximum_nrrd_bytes));
   if (!lines) return volume_file_unreadable(file, GLISSON_TEXT("its header is not of that format"));
   return Reader(file, std::move(*lines)).run();
 }

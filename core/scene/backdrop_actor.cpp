@@ -34,7 +34,7 @@ vtkNew<vtkImageData> image_of(const CoarseBackdrop& coarse) {
 }
 
 // Turns and shifts alone: the spacing is the image's own.
-vtkNew<vtkMatrix4x4> placement(const imaging::Grid& grid) {
+vtkNew<vtkMatrix4x4> grid_placement(const imaging::Grid& grid) {
   vtkNew<vtkMatrix4x4> matrix;
   for (int row = 0; row < 3; ++row) {
     for (int column = 0; column < 3; ++column) matrix->SetElement(row, column, grid.direction(row, column));
@@ -74,7 +74,7 @@ BackdropActor::BackdropActor(vtkRenderWindow& window, vtkRenderer& renderer, con
   volume_->GetProperty()->SetInterpolationTypeToLinear();
   volume_->GetProperty()->ShadeOff();
   volume_->SetMapper(mapper_);
-  volume_->SetUserMatrix(placement(coarse.grid));
+  volume_->SetUserMatrix(grid_placement(coarse.grid));
   volume_->PickableOff();
   behind_->AddVolume(volume_);
   window_.SetNumberOfLayers(2);

@@ -11,7 +11,7 @@ namespace glisson::scene {
 namespace {
 
 constexpr int smallest_side_px = 16;
-constexpr int largest_side_px = 8192;
+constexpr int maximum_drawn_px = 8192;
 
 // Everything is drawn this many times larger each way and averaged down: smooth edges on every machine, the same with
 // and without multisampling hardware.
@@ -23,10 +23,10 @@ Picture averaged_down(const DrawnFrame& drawn, int width, int height);
 }  // namespace
 
 Result<Picture> draw(const Scene& scene, int width, int height) {
-  if (std::min(width, height) < smallest_side_px || std::max(width, height) > largest_side_px) {
+  if (std::min(width, height) < smallest_side_px || std::max(width, height) > maximum_drawn_px) {
     return failure("picture-size",
                    GLISSON_TEXT("A picture has from {0} to {1} pixels a side; {2} x {3} were asked for."),
-                   {std::to_string(smallest_side_px), std::to_string(largest_side_px), std::to_string(width),
+                   {std::to_string(smallest_side_px), std::to_string(maximum_drawn_px), std::to_string(width),
                     std::to_string(height)});
   }
   if (auto fine = check_scene(scene); !fine) return failure(fine.error());

@@ -18,7 +18,7 @@ void make_glossy(vtkActor& actor, const Colour& colour) {
 }
 
 // Takes the unit arrow, which lies along x, to where it belongs; its radii are in mm already.
-vtkNew<vtkMatrix4x4> placement(const ArrowItem& arrow) {
+vtkNew<vtkMatrix4x4> arrow_placement(const ArrowItem& arrow) {
   const Eigen::Vector3d way = arrow.tip_mm - arrow.tail_mm;
   const Eigen::Matrix3d turn = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitX(), way).toRotationMatrix();
   vtkNew<vtkMatrix4x4> matrix;
@@ -116,7 +116,7 @@ void Markers::set_arrows(const std::vector<ArrowItem>& arrows) {
     shown.shape->SetShaftRadius(0.5 * arrows[k].thickness_mm);
     shown.shape->SetTipRadius(1.25 * arrows[k].thickness_mm);
     shown.shape->SetTipLength(std::min(0.6, 3 * arrows[k].thickness_mm / length_mm));
-    shown.actor->SetUserMatrix(placement(arrows[k]));
+    shown.actor->SetUserMatrix(arrow_placement(arrows[k]));
     make_glossy(*shown.actor, arrows[k].colour);
   }
 }

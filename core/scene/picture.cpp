@@ -7,7 +7,7 @@
 namespace glisson::scene {
 namespace {
 
-constexpr png_uint_32 largest_side_px = 16384;
+constexpr png_uint_32 maximum_read_px = 16384;
 
 }  // namespace
 
@@ -42,7 +42,7 @@ Result<Picture> read_png(const std::filesystem::path& file) {
   png_image header{};
   header.version = PNG_IMAGE_VERSION;
   if (png_image_begin_read_from_file(&header, file.c_str()) == 0) return unreadable(header.message);
-  if (header.width > largest_side_px || header.height > largest_side_px) {
+  if (header.width > maximum_read_px || header.height > maximum_read_px) {
     png_image_free(&header);
     return unreadable(GLISSON_TEXT("it is larger than 16384 pixels a side"));
   }

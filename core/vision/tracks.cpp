@@ -12,7 +12,7 @@ namespace {
 using Eigen::Vector3d;
 
 // What both eyes show of one frame.
-struct Seen {
+struct SeenPoint {
   std::vector<Vector3d> positions_mm;
   Descriptors left, right;
 
@@ -28,10 +28,10 @@ struct Followed {
   [[nodiscard]] const Vector3d& last_mm() const { return sightings.back().second; }
 };
 
-Seen see(const Frame& left, const Frame& right, const Triangulator& triangulate, const TrackOptions& options);
-std::vector<RowPair> closed_rounds(const std::vector<const Followed*>& followed, const Seen& seen,
+SeenPoint see(const Frame& left, const Frame& right, const Triangulator& triangulate, const TrackOptions& options);
+std::vector<RowPair> closed_rounds(const std::vector<const Followed*>& followed, const SeenPoint& seen,
                                    const TrackOptions& options);
-std::vector<RowPair> like_their_neighbours(const std::vector<const Followed*>& followed, const Seen& seen,
+std::vector<RowPair> like_their_neighbours(const std::vector<const Followed*>& followed, const SeenPoint& seen,
                                            const std::vector<RowPair>& pairs, double unlike_mm);
 
 }  // namespace
@@ -56,7 +56,7 @@ Result<void> LandmarkTracker::add(const Frame& left, const Frame& right) {
                     std::to_string(right.height)});
   }
   auto& [options, triangulate, followed, frames] = *inside_;
-  Seen seen;
+  SeenPoint seen;
   try {
     seen = see(left, right, triangulate, options);
   } catch (const cv::Exception& problem) {
@@ -108,7 +108,7 @@ std::vector<Track> LandmarkTracker::tracks() const {
 
 namespace {
 
-Seen see(const Frame& left, const Frame& right, const Triangulator& triangulate, const TrackOptions& options) {
+SeenPoint see(const Frame& left, const Frame& right, const Triangulator& triangulate, const TrackOptions& options) {
   const Features in_left = find_features(left, options.features), in_right = find_features(right, options.features);
   const auto pairs =
       mutual_pairs(in_left.descriptors, in_right.descriptors, options.ratio, [](int, int) { return true; });
@@ -126,7 +126,7 @@ Seen see(const Frame& left, const Frame& right, const Triangulator& triangulate,
       good.push_back(i);
     }
   }
-  Seen seen;
+  SeenPoint seen;
   seen.left.resize(static_cast<Eigen::Index>(good.size()), 128);
   seen.right.resize(static_cast<Eigen::Index>(good.size()), 128);
   for (const std::size_t i : good) {
@@ -138,7 +138,7 @@ Seen see(const Frame& left, const Frame& right, const Triangulator& triangulate,
   return seen;
 }
 
-std::vector<RowPair> closed_rounds(const std::vector<const Followed*>& followed, const Seen& seen,
+std::vector<RowPair> closed_rounds(const std::vector<const Followed*>& followed, const SeenPoint& seen,
                                    const TrackOptions& options) {
   Descriptors left(static_cast<Eigen::Index>(followed.size()), 128), right(left.rows(), 128);
   for (std::size_t i = 0; i < followed.size(); ++i) {
@@ -160,7 +160,7 @@ std::vector<RowPair> closed_rounds(const std::vector<const Followed*>& followed,
   return closed;
 }
 
-std::vector<RowPair> like_their_neighbours(const std::vector<const Followed*>& followed, const Seen& seen,
+std::vector<RowPair> like_their_neighbours(const std::vector<const Followed*>& followed, const SeenPoint& seen,
                                            const std::vector<RowPair>& pairs, double unlike_mm) {
   constexpr std::size_t neighbours = 8, fewest = 5;
   if (pairs.size() < fewest) return pairs;

@@ -60,8 +60,8 @@ class Growth : public testing::Test {
     before_ = new Labels{mask("liver"), mask("tumour-1"),
                          imaging::read_labels_file(folder_->path() / "labels" / "couinaud.nrrd").value()};
     // The segments' own border between left and right would do as well: any plane is known.
-    const test::DrawnOut growth{before_->liver.grid.position_mm(before_->liver.grid.size[0] / 2, 0, 0).x() + 1.5,
-                                factor};
+    const glisson::test::DrawnOut growth{
+        before_->liver.grid.position_mm(before_->liver.grid.size[0] / 2, 0, 0).x() + 1.5, factor};
     const imaging::Grid grid = growth.other_grid(before_->liver.grid);
     after_ = new Labels{growth.carried(before_->liver, grid), growth.carried(before_->tumour, grid),
                         growth.carried(before_->segments, grid)};
@@ -81,14 +81,14 @@ class Growth : public testing::Test {
       const fs::path slices = cases_.path() / (name + "-slices");
       fs::create_directories(slices);
       for (int k = 0; k < 3; ++k) {
-        test::SliceSpec spec;
+        glisson::test::SliceSpec spec;
         spec.position_mm.z() = 3 * k;
         spec.instance_number = k + 1;
-        const auto file = test::dicom_slice(spec);
+        const auto file = glisson::test::dicom_slice(spec);
         file->getDataset()->putAndInsertString(DCM_PatientID, images->patient.c_str());
         file->getDataset()->putAndInsertString(DCM_PatientName, ("Name^" + images->patient).c_str());
         file->getDataset()->putAndInsertString(DCM_StudyDate, images->date.c_str());
-        test::save(*file, slices / (std::to_string(k) + ".dcm"));
+        glisson::test::save(*file, slices / (std::to_string(k) + ".dcm"));
       }
       const auto imported = import_study(*patient, imaging::scan(slices).value(), {});
       EXPECT_TRUE(imported) << imported.error().message();

@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 using imaging::Mask;
 using testing::HasSubstr;
 
-Mask ball(const Eigen::Vector3d& center_mm, double radius_mm) {
+Mask ball_at(const Eigen::Vector3d& center_mm, double radius_mm) {
   Mask mask;
   mask.grid.size = {40, 32, 20};
   mask.grid.spacing_mm = {1.5, 1.5, 3.1};
@@ -69,13 +69,13 @@ TEST_F(HistoryTest, UndoesAndRedoesWhatWasDoneAlsoAfterReopening) {
       ASSERT_TRUE((*history)->record(named(name), change));
       states.push_back(contents(folder_));
     };
-    step("add liver", [&] { return save(folder_, "liver", ball({30, 24, 30}, 12)); });
-    step("brush", [&] { return save(folder_, "liver", ball({30, 24, 30}, 14)); });
+    step("add liver", [&] { return save(folder_, "liver", ball_at({30, 24, 30}, 12)); });
+    step("brush", [&] { return save(folder_, "liver", ball_at({30, 24, 30}, 14)); });
     step("mesh", [&] { return write_text(folder_, "meshes/liver", "first mesh"); });
     step("mesh again", [&] { return write_text(folder_, "meshes/liver", "second mesh"); });
-    step("tumour", [&] { return save(folder_, "tumour-1", ball({20, 24, 30}, 5)); });
+    step("tumour", [&] { return save(folder_, "tumour-1", ball_at({20, 24, 30}, 5)); });
     step("rename", [&]() -> Result<void> {
-      auto saved = save(folder_, "cyst-1", ball({20, 24, 30}, 5));
+      auto saved = save(folder_, "cyst-1", ball_at({20, 24, 30}, 5));
       return saved ? Case::open(folder_)->remove("labels/tumour-1") : saved;
     });
   }
@@ -97,9 +97,9 @@ TEST_F(HistoryTest, UndoesAndRedoesWhatWasDoneAlsoAfterReopening) {
 
 TEST_F(HistoryTest, AStrokeTakesAKilobyteAndNoVolume) {
   auto history = History::open(folder_);
-  ASSERT_TRUE((*history)->record(named("add"), [&] { return save(folder_, "liver", ball({30, 24, 30}, 12)); }));
+  ASSERT_TRUE((*history)->record(named("add"), [&] { return save(folder_, "liver", ball_at({30, 24, 30}, 12)); }));
   const auto before = (*history)->disk_bytes();
-  ASSERT_TRUE((*history)->record(named("brush"), [&] { return save(folder_, "liver", ball({30, 24, 30}, 13)); }));
+  ASSERT_TRUE((*history)->record(named("brush"), [&] { return save(folder_, "liver", ball_at({30, 24, 30}, 13)); }));
   EXPECT_LT((*history)->disk_bytes() - before, 3000u);
   EXPECT_TRUE(fs::is_empty(folder_ / "history/kept"));
 }
@@ -199,7 +199,7 @@ TEST_F(HistoryTest, ThePlanThatIsFollowedGoesWithItsStep) {
     ASSERT_TRUE((*history)->record(named("second"), keep("plans/two", "at 50 mm")));
     ASSERT_TRUE((*history)->record(named("stroke"),
                                    [&] {
-                                     return save(folder_, "liver", ball({30, 24, 30}, 9));
+                                     return save(folder_, "liver", ball_at({30, 24, 30}, 9));
                                    },
                                    {"labels/liver"}));
     ASSERT_TRUE((*history)->undo());
@@ -249,7 +249,7 @@ TEST(HistoryWorker, DISABLED_WorksUntilKilled) {
     const double at = static_cast<double>(random() % 300) / 10;
     const double radius = 3 + static_cast<double>(random() % 100) / 10;
     if (draw < 4) {
-      (void)(*history)->record({"brush", {}}, [&] { return save(folder, "liver", ball({at, 24, 30}, radius)); });
+      (void)(*history)->record({"brush", {}}, [&] { return save(folder, "liver", ball_at({at, 24, 30}, radius)); });
     } else if (draw < 6) {
       (void)(*history)->record({"model", {}}, [&]() -> Result<void> {
         auto first = write_text(folder, "meshes/liver", std::string(20'000, static_cast<char>('a' + random() % 26)));

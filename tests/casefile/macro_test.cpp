@@ -22,7 +22,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 
-imaging::Mask ball(double radius_mm) {
+imaging::Mask ball_of_macro(double radius_mm) {
   imaging::Mask mask;
   mask.grid.size = {40, 32, 20};
   mask.grid.spacing_mm = {1.5, 1.5, 3.1};
@@ -50,7 +50,7 @@ class MacroTest : public testing::Test {
   }
   void draw(const std::string& name, double radius_mm) {
     step("Brush on " + name, [&](Case& patient) {
-      return save_structure(patient, segmentation::make_structure(name, ball(radius_mm)),
+      return save_structure(patient, segmentation::make_structure(name, ball_of_macro(radius_mm)),
                             {"segment", {{"method", "drawn"}}, {}, {}, {}})
           .map([](const auto&) {});
     });
@@ -92,7 +92,8 @@ TEST_F(MacroTest, WhatAHandDidComesOutTheSameOnACopyStepByStep) {
   draw("liver", 11), then();
   draw("tumour-1", 5), then();
   step("Rename", [&](Case& patient) {
-    return save_structure(patient, segmentation::make_structure("cyst-1", ball(5)), {"segment", {}, {}, {}, {}})
+    return save_structure(patient, segmentation::make_structure("cyst-1", ball_of_macro(5)),
+                          {"segment", {}, {}, {}, {}})
         .and_then([&](const auto&) { return patient.remove("labels/tumour-1"); });
   });
   then();

@@ -24,10 +24,10 @@ constexpr int instants = 4;
 constexpr int slices = 5;
 
 WaveImages waves_of_4_kPa() {
-  test::WavePhantom phantom;
-  phantom.grid = test::cube_grid(40, slices, 2, 4);
+  glisson::test::WavePhantom phantom;
+  phantom.grid = glisson::test::cube_grid(40, slices, 2, 4);
   phantom.background_kPa = {4, 0.3};
-  return test::measured(phantom, test::crossing_waves(phantom), 1.0, 0.02, instants);
+  return glisson::test::measured(phantom, glisson::test::crossing_waves(phantom), 1.0, 0.02, instants);
 }
 
 // What the files under the folder give, imported and inverted as a person would.
@@ -108,7 +108,7 @@ TEST(RawWaves, AnEnhancedMultiFrameImage) {
     }
   }
   std::shuffle(frames.begin(), frames.end(), std::mt19937(3));
-  test::SliceSpec spec;
+  glisson::test::SliceSpec spec;
   spec.description = "MRE phase 60 Hz";
   spec.image_type = "ORIGINAL\\PRIMARY\\P\\MRE";
   spec.columns = images.grid.size[0];
@@ -116,7 +116,7 @@ TEST(RawWaves, AnEnhancedMultiFrameImage) {
   spec.column_spacing_mm = spec.row_spacing_mm = 2;
   std::vector<Eigen::Vector3d> positions_mm;
   for (const Frame& frame : frames) positions_mm.push_back(images.grid.position_mm(0, 0, frame.slice));
-  const auto file = test::enhanced_image(spec, positions_mm, [&](int n, int i, int j) {
+  const auto file = glisson::test::enhanced_image(spec, positions_mm, [&](int n, int i, int j) {
     const Frame& frame = frames[static_cast<std::size_t>(n)];
     const float phase = images.phase_rad[frame.direction][frame.instant][images.grid.offset(i, j, frame.slice)];
     return static_cast<int>(std::lround((static_cast<double>(phase) + std::numbers::pi) * 1e4));
@@ -141,7 +141,7 @@ TEST(RawWaves, AnEnhancedMultiFrameImage) {
     macro->putAndInsertFloat64Array(DCM_VelocityEncodingDirection, along.data(), 3);
   }
   fs::create_directories(folder.path() / "dicom");
-  test::save(*file, folder.path() / "dicom" / "enhanced.dcm");
+  glisson::test::save(*file, folder.path() / "dicom" / "enhanced.dcm");
   write_anatomy(folder.path() / "dicom" / "anatomy", images.grid);
 
   const auto study = imaging::scan(folder.path() / "dicom" / "enhanced.dcm");
@@ -155,10 +155,10 @@ TEST(RawWaves, AnEnhancedMultiFrameImage) {
 // A vendor's waves are displacements, unwrapped, of one direction; only their frequency may have to be asked for.
 TEST(RawWaves, AVendorsWaveImages) {
   const TemporaryFolder folder;
-  test::WavePhantom phantom;
-  phantom.grid = test::cube_grid(40, slices, 2, 4);
+  glisson::test::WavePhantom phantom;
+  phantom.grid = glisson::test::cube_grid(40, slices, 2, 4);
   phantom.background_kPa = {4, 0.3};
-  const auto components = test::crossing_waves(phantom);
+  const auto components = glisson::test::crossing_waves(phantom);
   WaveImages images;
   images.grid = phantom.grid;
   images.phase_rad.resize(1);

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 class ResectionFolder : public ::testing::Test {
  protected:
-  const geometry::TetMesh liver_ = test::box_of_tetrahedra({6, 4, 4}, {120, 80, 80});  // 768 ml
+  const geometry::TetMesh liver_ = glisson::test::box_of_tetrahedra({6, 4, 4}, {120, 80, 80});  // 768 ml
   TemporaryFolder temporary_;
   const fs::path folder_ = temporary_.path() / "resection";
 };
@@ -89,7 +89,7 @@ TEST_F(ResectionFolder, TheOtherPartIsTheLargerOne) {
 
 TEST_F(ResectionFolder, ACystHasASideAndNoMargin) {
   const auto cyst =
-      rehearsal::NamedStructure{"cyst-2", resection_kind("cyst-2"), test::sphere_surface(5, 2, {28, 40, 40})};
+      rehearsal::NamedStructure{"cyst-2", resection_kind("cyst-2"), glisson::test::sphere_surface(5, 2, {28, 40, 40})};
   const auto plan = plan_resection(liver_, plane_at(30), {cyst});
   ASSERT_TRUE(plan);
   EXPECT_TRUE(plan->tumours.empty());

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <filesystem>
 
+#include "answer.h"
 #include "base/files.h"
 #include "support/data.h"
 #include "support/process.h"
@@ -12,13 +13,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
-
-Json answer(std::vector<std::string> arguments) {
-  arguments.insert(arguments.end(), {"--json", "--quiet"});
-  const Finished finished = glisson_cli(arguments);
-  EXPECT_EQ(finished.exit_code, 0) << finished.err << finished.out;
-  return finished.exit_code == 0 ? finished.json() : Json::object();
-}
 
 // Measured by the Charite: a brain shaken at 20 Hz. At that frequency published brain stiffnesses lie near 1 kPa: |G*|
 // 0.5 to 1.5 kPa, with a loss below the storage.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fstream>
 
+#include "answer.h"
 #include "base/files.h"
 #include "support/data.h"
 #include "support/process.h"
@@ -13,12 +14,9 @@ namespace {
 
 using testing::HasSubstr;
 
-Json answer(std::vector<std::string> arguments) {
+Json platform_answer(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), "platform");
-  arguments.insert(arguments.end(), {"--json", "--quiet"});
-  const Finished finished = glisson_cli(arguments);
-  EXPECT_EQ(finished.exit_code, 0) << finished.err;
-  return finished.json();
+  return answer(arguments);
 }
 
 const Json& platform_named(const Json& document, const std::string& id) {
@@ -29,7 +27,8 @@ const Json& platform_named(const Json& document, const std::string& id) {
 }
 
 TEST(PlatformPlan, AnswersInTheContractsWords) {
-  const Json plan = answer({"plan", "--volume-cm3", "1000", "--accuracy-mm", "5", "--hours", "3", "--fps", "10"});
+  const Json plan =
+      platform_answer({"plan", "--volume-cm3", "1000", "--accuracy-mm", "5", "--hours", "3", "--fps", "10"});
   ASSERT_GE(plan.at("platforms").size(), 4u);
   for (const Json& platform : plan.at("platforms")) {
     for (const char* key : {"id", "worn", "feasible", "fps", "battery_h", "temperature_C", "reasons", "idle"})
@@ -45,7 +44,7 @@ TEST(PlatformPlan, AnswersInTheContractsWords) {
 
 TEST(PlatformPlan, SofterTissueIsMoreWork) {
   const auto nodes = [](const std::string& stiffness_kPa) {
-    return answer({"plan", "--volume-cm3", "1000", "--accuracy-mm", "5", "--stiffness-kPa", stiffness_kPa})
+    return platform_answer({"plan", "--volume-cm3", "1000", "--accuracy-mm", "5", "--stiffness-kPa", stiffness_kPa})
         .at("workload")
         .at("nodes")
         .get<double>();
@@ -60,15 +59,16 @@ TEST(PlatformLearn, WhatExplainFoundIsPlannedWith) {
       "verdict": "explained", "learnt_from": "tx2.json",
       "effects": [{"kind": "static-power", "parameters": {"static_W": 1.17}}]})"));
   const std::string out = (folder.path() / "learnt.json").string();
-  const Json learnt = answer({"learn", "--device", "tx2-gpu", "--model", model, "--out", out});
+  const Json learnt = platform_answer({"learn", "--device", "tx2-gpu", "--model", model, "--out", out});
   EXPECT_NEAR(learnt.at("changed").at("idle_W").at("after").get<double>(), 2.8 + 1.17, 1e-9);
-  const Json list = answer({"list", "--devices", out});
+  const Json list = platform_answer({"list", "--devices", out});
   EXPECT_EQ(platform_named(list, "tx2-gpu-learnt").at("figures").at("idle_W").at("source"), "measured");
   EXPECT_EQ(glisson_cli({"platform", "learn", "--device", "abacus", "--model", model, "--out", out}).exit_code, 1);
 }
 
 TEST(PlatformPlan, NothingThatHoldsIsNullAndNoError) {
-  const Json plan = answer({"plan", "--volume-cm3", "2700", "--accuracy-mm", "1", "--hours", "24", "--fps", "60"});
+  const Json plan =
+      platform_answer({"plan", "--volume-cm3", "2700", "--accuracy-mm", "1", "--hours", "24", "--fps", "60"});
   EXPECT_TRUE(plan.at("recommended").is_null());
 }
 
@@ -95,7 +95,7 @@ TEST(PlatformPlan, BadQuestionsAndTablesAreRefused) {
 }
 
 TEST(PlatformList, ShowsWhereFiguresComeFrom) {
-  const Json list = answer({"list"});
+  const Json list = platform_answer({"list"});
   const Json& tx2 = platform_named(list, "tx2-gpu");
   EXPECT_EQ(tx2.at("figures").at("idle_W").at("source"), "dissertation");
   EXPECT_EQ(tx2.at("figures").at("thermal_resistance_C_per_W").at("source"), "assumed");
@@ -103,7 +103,7 @@ TEST(PlatformList, ShowsWhereFiguresComeFrom) {
 }
 
 TEST(PlatformGrid, HasTenByTenProblemsAndContours) {
-  const Json grid = answer({"grid", "--device", "tx2-gpu", "--hours", "3", "--fps", "10,25"});
+  const Json grid = platform_answer({"grid", "--device", "tx2-gpu", "--hours", "3", "--fps", "10,25"});
   ASSERT_EQ(grid.at("at").size(), 2u);
   const Json& at_10 = grid.at("at")[0];
   EXPECT_EQ(at_10.at("temperature_C").size(), 10u);
@@ -115,7 +115,7 @@ TEST(PlatformGrid, HasTenByTenProblemsAndContours) {
 TEST(PlatformGrid, DrawsTheFiguresOnAPageAndSaysHowHotHotSpotsAre) {
   const TemporaryFolder folder;
   const std::string page = (folder.path() / "grid.html").string();
-  const Json grid = answer({"grid", "--device", "tx2-gpu", "--fps", "25,240", "--out", page});
+  const Json grid = platform_answer({"grid", "--device", "tx2-gpu", "--fps", "25,240", "--out", page});
   const auto text = read_text_file(page);
   ASSERT_TRUE(text);
   for (const char* figure : {"Figure 6.7", "Figure 6.8", "Figure 6.9"}) EXPECT_THAT(*text, testing::HasSubstr(figure));
@@ -126,7 +126,7 @@ TEST(PlatformGrid, DrawsTheFiguresOnAPageAndSaysHowHotHotSpotsAre) {
 
 TEST(PlatformPlan, OfThisProgramsOwnTasksSaysHowSureItIs) {
   for (const char* task : {"rehearse", "rehearse-large-strain", "rehearse-meshfree", "guide", "match"}) {
-    const Json plan = answer({"plan", "--for", task, "--hours", "3", "--fps", "10"});
+    const Json plan = platform_answer({"plan", "--for", task, "--hours", "3", "--fps", "10"});
     EXPECT_EQ(plan.at("workload").at("task"), task);
     for (const Json& platform : plan.at("platforms")) {
       const double holds = platform.at("holds_probability").get<double>();
@@ -154,15 +154,16 @@ TEST(PlatformMeasure, RecordingBecomesADeviceThatCanBePlannedWith) {
   const TemporaryFolder folder;
   write_recording(folder.path());
   const std::string out = (folder.path() / "mine.json").string();
-  const Json measured =
-      answer({"measure", "--out", out, "--id", "my-headset", "--worn", "head", "--trace",
-              (folder.path() / "scope.csv").string(), "--channel", "clamp:10:5", "--time-column", "t", "--run-log",
-              (folder.path() / "log.csv").string(), "--battery-mAh", "9000", "--battery-V", "7.2"});
+  const Json measured = platform_answer({"measure", "--out", out, "--id", "my-headset", "--worn", "head", "--trace",
+                                         (folder.path() / "scope.csv").string(), "--channel", "clamp:10:5",
+                                         "--time-column", "t", "--run-log", (folder.path() / "log.csv").string(),
+                                         "--battery-mAh", "9000", "--battery-V", "7.2"});
   EXPECT_NEAR(measured.at("trace").at("idle_W").get<double>(), 3, 1e-6);
   ASSERT_EQ(measured.at("trace").at("runs").size(), 2u);
   // An edge may be off by half the smoothing window, 0.06 s of 3 s.
   EXPECT_NEAR(measured.at("points")[0].at("joules").get<double>(), 5 * 3 / 3000.0, 2e-4);
-  const Json plan = answer({"plan", "--volume-cm3", "1000", "--accuracy-mm", "20", "--fps", "1", "--devices", out});
+  const Json plan =
+      platform_answer({"plan", "--volume-cm3", "1000", "--accuracy-mm", "20", "--fps", "1", "--devices", out});
   const Json& mine = platform_named(plan, "my-headset");
   EXPECT_EQ(mine.at("worn"), "head");
   EXPECT_NEAR(mine.at("fps_by_computing").get<double>(), 5, 0.2);  // 1 ms a product at 6000 nodes
@@ -173,8 +174,8 @@ TEST(PlatformCell, PredictsADischargeThatItHasNotSeen) {
   const auto file = [](const std::string& rate) {
     return (shared_data() / "battery_samsung_30q" / "S001" / ("Q30_S001_" + rate + ".csv")).string();
   };
-  const Json cell = answer({"cell", "--slow", file("C10"), "--discharge", file("1C"), file("2C"), "--predict",
-                            file("3C"), "--discharge-negative"});
+  const Json cell = platform_answer({"cell", "--slow", file("C10"), "--discharge", file("1C"), file("2C"), "--predict",
+                                     file("3C"), "--discharge-negative"});
   ASSERT_EQ(cell.at("predictions").size(), 1u);
   const Json& prediction = cell.at("predictions")[0];
   const double measured_s = prediction.at("measured").at("seconds");

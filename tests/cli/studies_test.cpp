@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "answer.h"
 #include "base/files.h"
 #include "support/data.h"
 #include "support/folders.h"
@@ -14,13 +15,6 @@ namespace glisson::test {
 namespace {
 
 namespace fs = std::filesystem;
-
-Json answer(std::vector<std::string> arguments) {
-  arguments.insert(arguments.end(), {"--json", "--quiet"});
-  const Finished finished = glisson_cli(arguments);
-  EXPECT_EQ(finished.exit_code, 0) << finished.err << finished.out;
-  return finished.exit_code == 0 ? finished.json() : Json::object();
-}
 
 TEST(Study, ACohortIsRunOneJobAPatientAndThenAsAWhole) {
   const TemporaryFolder folder;

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <cmath>
 
+#include "answer.h"
 #include "base/files.h"
 #include "support/data.h"
 #include "support/process.h"
@@ -13,13 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
-
-Json answer(std::vector<std::string> arguments) {
-  arguments.insert(arguments.end(), {"--json", "--quiet"});
-  const Finished finished = glisson_cli(arguments);
-  EXPECT_EQ(finished.exit_code, 0) << arguments.front() << ": " << finished.err;
-  return finished.json();
-}
 
 TEST(Scan, KnowsARealMouse) {
   GLISSON_NEEDS_DATA("mouse_abdomen_mr_dicom");

@@ -47,7 +47,7 @@ class ExperimentFile : public testing::Test {
                   "columns": {"time_s": "t", "current_A": "I", "voltage_V": "U", "temperature_C": "T"}}]})");
   }
   Json palpation() const {
-    auto mesh = test::box_of_tetrahedra({4, 4, 2}, {80, 80, 40});
+    auto mesh = glisson::test::box_of_tetrahedra({4, 4, 2}, {80, 80, 40});
     geometry::set_field(mesh.point_fields, {"fixed", 1, std::vector<double>(mesh.points_mm.size(), 1)});
     EXPECT_TRUE(geometry::write_tetrahedra(folder.path() / "specimen.vtu", mesh));
     write("p01_1.csv",

@@ -23,11 +23,11 @@ Palpation coarse() {
 }
 
 // Measured on a body whose displacements are those of the coarse mesh, and so much of what a finer one would change.
-struct Case {
+struct MeshErrorCase {
   Eigen::VectorXd truth_mm;
   Palpation measured;
 };
-Case made_with(double share, const Settings& settings) {
+MeshErrorCase made_with(double share, const Settings& settings) {
   const auto model = palpation_model(coarse()).value();
   const Eigen::VectorXd truth_mm = model->predict(settings).value() + share * model->systematic_uncertainty().expected;
   return {truth_mm, test::measured_as(coarse(), truth_mm, noise_mm)};
@@ -36,7 +36,7 @@ Case made_with(double share, const Settings& settings) {
 double rms(const Eigen::VectorXd& error) { return std::sqrt(error.squaredNorm() / static_cast<double>(error.size())); }
 
 TEST(MeshError, IsTakenOffWhereTheMeasurementsShowIt) {
-  const Case fine = made_with(0.8, {});
+  const MeshErrorCase fine = made_with(0.8, {});
   const auto model = palpation_model(fine.measured).value();
   const Explanation e = diagnose(*model).value();
   EXPECT_EQ(e.verdict, Verdict::nothing_missing);
@@ -56,7 +56,7 @@ TEST(MeshError, IsTakenOffWhereTheMeasurementsShowIt) {
 }
 
 TEST(MeshError, IsLeftAloneWhereTheyDoNot) {
-  const Case same = made_with(0, {softer});
+  const MeshErrorCase same = made_with(0, {softer});
   const auto model = palpation_model(same.measured).value();
   const Explanation e = diagnose(*model).value();
   ASSERT_EQ(e.effects.size(), 1u);

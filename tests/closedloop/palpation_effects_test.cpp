@@ -14,7 +14,7 @@ namespace {
 using test::measured_as;
 using test::pad;
 
-std::unique_ptr<ForwardModel> model_of(const Palpation& experiment) {
+std::unique_ptr<ForwardModel> checked_model_of(const Palpation& experiment) {
   auto model = palpation_model(experiment);
   if (!model) throw std::runtime_error(model.error().message());
   return std::move(*model);
@@ -57,7 +57,7 @@ Settings examples(const ForwardModel& model) {
 std::string name_of(const Setting& one) { return one.kind + " " + one.form; }
 
 TEST(PalpationEffects, AtItsDefaultNoneChangesAnything) {
-  const auto model = model_of(pad());
+  const auto model = checked_model_of(pad());
   const Eigen::VectorXd declared = model->predict({}).value();
   ASSERT_GT(declared.cwiseAbs().maxCoeff(), 1.0);
   for (const Effect& effect : model->catalogue()) {
@@ -92,12 +92,12 @@ void expect_exact_derivatives(const ForwardModel& model, const Settings& setting
 }
 
 TEST(PalpationEffects, DerivativesAreThoseOfThePrediction) {
-  const auto model = model_of(pad({.bricks = {4, 4, 2}}));
+  const auto model = checked_model_of(pad({.bricks = {4, 4, 2}}));
   for (const Setting& one : examples(*model)) expect_exact_derivatives(*model, {one}, name_of(one));
 }
 
 TEST(PalpationEffects, DerivativesOfEffectsThatActTogether) {
-  const auto model = model_of(pad({.bricks = {4, 4, 2}}));
+  const auto model = checked_model_of(pad({.bricks = {4, 4, 2}}));
   const Settings all = examples(*model);
   const auto named = [&](const std::string& kind) {
     return *std::find_if(all.begin(), all.end(), [&](const Setting& one) { return one.kind == kind; });
@@ -119,7 +119,7 @@ struct Fit {
   Settings settings;
   double rms_mm = 0;
 };
-double rms(const Eigen::VectorXd& v) { return std::sqrt(v.squaredNorm() / double(v.size())); }
+double rms_of(const Eigen::VectorXd& v) { return std::sqrt(v.squaredNorm() / double(v.size())); }
 Fit fit(const ForwardModel& model, Settings settings) {
   const Eigen::VectorXd& measured = model.observations().measured;
   double damping = 1e-3;
@@ -155,7 +155,7 @@ Fit fit(const ForwardModel& model, Settings settings) {
       break;
     }
   }
-  return {settings, rms(measured - at.predicted)};
+  return {settings, rms_of(measured - at.predicted)};
 }
 Fit best_fit(const ForwardModel& model, const Effect& effect, const Settings& active = {}) {
   const Eigen::VectorXd residual = model.observations().measured - model.predict(active).value();
@@ -171,10 +171,10 @@ Fit best_fit(const ForwardModel& model, const Effect& effect, const Settings& ac
 
 TEST(PalpationEffects, EachIsFoundAgainFromItsOwnData) {
   const test::PadOptions small{.bricks = {4, 4, 2}};
-  const auto truth = model_of(pad(small));
+  const auto truth = checked_model_of(pad(small));
   const double noise_mm = 0.05;
   for (const Setting& made : examples(*truth)) {
-    const auto model = model_of(measured_as(pad(small), truth->predict({made}).value(), noise_mm));
+    const auto model = checked_model_of(measured_as(pad(small), truth->predict({made}).value(), noise_mm));
     const Effect& effect = effect_named(*model, made.kind, made.form);
     const Fit found = best_fit(*model, effect);
     EXPECT_LT(found.rms_mm, 1.03 * noise_mm) << name_of(made) << " " << found.settings[0].parameters.transpose();

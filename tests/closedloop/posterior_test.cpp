@@ -21,7 +21,7 @@ namespace {
 
 using testing::HasSubstr;
 
-const PosteriorOptions options;
+const PosteriorOptions posterior_options;
 
 double log_mean(const std::vector<double>& logs) {
   const double highest = *std::max_element(logs.begin(), logs.end());
@@ -38,8 +38,8 @@ double log_likelihood(double chi2, double rows) {
   for (int i = 0; i < count; ++i) {
     const double log_scale = low + (high - low) * i / (count - 1);
     logs.push_back(-rows * log_scale - chi2 / 2 * std::exp(-2 * log_scale) -
-                   0.5 * std::pow(log_scale / options.noise_scale, 2) -
-                   std::log(options.noise_scale * std::sqrt(2 * std::numbers::pi)));
+                   0.5 * std::pow(log_scale / posterior_options.noise_scale, 2) -
+                   std::log(posterior_options.noise_scale * std::sqrt(2 * std::numbers::pi)));
   }
   return log_mean(logs) + std::log(high - low);
 }
@@ -47,7 +47,7 @@ double log_likelihood(double chi2, double rows) {
 // By importance sampling from a broad Student's t of 4 degrees about `middle`: it needs no shape of the posterior.
 double sampled_log_evidence(const ForwardModel& model, const Whitening& whitening, const LocalFit& middle,
                             int samples) {
-  const ParameterPrior prior = prior_of(model, middle.settings, options);
+  const ParameterPrior prior = prior_of(model, middle.settings, posterior_options);
   const Eigen::VectorXd at = prior.inward(values_of(middle.settings));
   const Eigen::VectorXd slope = prior.slope(values_of(middle.settings));
   const auto size = at.size();
@@ -118,8 +118,8 @@ TEST(Evidence, LaplacesMethodComesToWhatSamplingDoes) {
       ASSERT_TRUE(fitted) << fitted.error().message();
       if (!best || fitted->chi2 < best->chi2) best = std::move(*fitted);
     }
-    const LocalFit middle = at_maximum(*model, whitening, local_fit(*best, whitening), 1, options);
-    const double laplace = log_evidence(*model, middle, 1, options).evidence;
+    const LocalFit middle = at_maximum(*model, whitening, local_fit(*best, whitening), 1, posterior_options);
+    const double laplace = log_evidence(*model, middle, 1, posterior_options).evidence;
     EXPECT_NEAR(laplace, sampled_log_evidence(*model, whitening, middle, 6000), one.tolerance) << one.kind;
   }
 }
@@ -129,7 +129,8 @@ TEST(Evidence, OfAnEffectThatTheDataDoNotShowIsThatOfTheModelWithoutIt) {
   const auto model = material_model(test::compression_tests(test::straight_line, 200)).value();
   const Whitening whitening(model->observations().noise, {}, all_rows(model->observations()));
   const auto evidence_of = [&](const Settings& settings) {
-    return log_evidence(*model, local_fit(without_fitting(*model, settings, whitening).value(), whitening), 1, options)
+    return log_evidence(*model, local_fit(without_fitting(*model, settings, whitening).value(), whitening), 1,
+                        posterior_options)
         .evidence;
   };
   EXPECT_NEAR(evidence_of({{"stiffness-scale", "", Eigen::VectorXd::Ones(1)}}), evidence_of({}), 0.05);
@@ -139,7 +140,7 @@ TEST(SmoothEvidence, FindsASmoothFunctionAndNoneInNoise) {
   const auto of = [](const test::Answer& answer) {
     const auto model = material_model(test::compression_tests(answer, 0.2)).value();
     const Observations& all = model->observations();
-    const SmoothEvidence evidence = smooth_evidence(all, {}, all.measured - 20 * all.load, 1, options);
+    const SmoothEvidence evidence = smooth_evidence(all, {}, all.measured - 20 * all.load, 1, posterior_options);
     return evidence.smooth - evidence.noise;
   };
   EXPECT_LT(of(test::straight_line), -1);

@@ -19,11 +19,11 @@ using test::report;
 constexpr double label_Ah = 2.9;
 constexpr double label_V = 3.6;
 
-struct Recording {
+struct PanasonicRecording {
   std::vector<double> time_s, current_A, voltage_V;  // discharge positive
 };
 
-Recording recording(const std::string& file) {
+PanasonicRecording recording(const std::string& file) {
   const auto path = glisson::test::shared_data() / "battery_panasonic_18650pf" / file;
   const std::unique_ptr<mat_t, int (*)(mat_t*)> mat(Mat_Open(path.c_str(), MAT_ACC_RDONLY), Mat_Close);
   if (!mat) throw std::runtime_error("cannot open " + path.string());
@@ -33,7 +33,7 @@ Recording recording(const std::string& file) {
     const auto* first = static_cast<const double*>(field->data);
     return std::vector<double>(first, first + field->dims[0] * field->dims[1]);
   };
-  Recording all{values("Time"), values("Current"), values("Voltage")};
+  PanasonicRecording all{values("Time"), values("Current"), values("Voltage")};
   for (double& current : all.current_A) current = -current;
   return all;
 }
@@ -46,7 +46,7 @@ struct Totals {
 };
 
 // Of the first stretch under current.
-Totals totals_of_discharge(const Recording& r) {
+Totals totals_of_discharge(const PanasonicRecording& r) {
   std::size_t begin = 0;
   while (r.current_A[begin] < 0.05) ++begin;
   Totals totals;
@@ -60,7 +60,7 @@ Totals totals_of_discharge(const Recording& r) {
 }
 
 // Pulses of 10 s: what the voltage fell by at their end over their current, the median over the states of charge.
-double resistance_ohm(const Recording& r, double current_A) {
+double resistance_ohm(const PanasonicRecording& r, double current_A) {
   std::vector<double> found;
   for (std::size_t i = 1; i < r.time_s.size(); ++i) {
     if (r.current_A[i] < 0.05 || r.current_A[i - 1] > 0.05) continue;
@@ -112,7 +112,7 @@ TEST(HeldOutPanasonic, DischargeOfAnotherDay) {
 // missing.
 TEST(HeldOutPanasonic, PulsesFasterThanAnyItWasSetUpFrom) {
   GLISSON_NEEDS_DATA("battery_panasonic_18650pf");
-  const Recording pulses = recording(pulses_25C);
+  const PanasonicRecording pulses = recording(pulses_25C);
   double known_ohm = 0;
   for (const double rate : {0.5, 1.0, 2.0}) known_ohm += resistance_ohm(pulses, rate * label_Ah) / 3;
   for (const double rate : {4.0, 6.0}) {
@@ -127,8 +127,8 @@ TEST(HeldOutPanasonic, PulsesFasterThanAnyItWasSetUpFrom) {
 // rest is that a cold cell's resistance falls with the current, which the model does not have.
 TEST(HeldOutPanasonic, ColdPulses) {
   GLISSON_NEEDS_DATA("battery_panasonic_18650pf");
-  const Recording warm = recording(pulses_25C);
-  const Recording cold = recording(pulses_0C);
+  const PanasonicRecording warm = recording(pulses_25C);
+  const PanasonicRecording cold = recording(pulses_0C);
   const double warm_ohm = resistance_ohm(warm, label_Ah);
   const double per_C = std::log(resistance_ohm(cold, label_Ah) / warm_ohm) / 25;  // as CellModel::resistance_per_C
   for (const double rate : {0.5, 2.0, 4.0}) {

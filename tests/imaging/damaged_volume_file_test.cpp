@@ -193,15 +193,15 @@ TEST(VolumeFile, RefusesWhatUnpacksToHundredsOfTimesItsSize) {
 
 // --- as ITK reads them ---
 
-struct ItkVolume {
+struct WrittenVolume {
   Grid grid;
   std::vector<double> values;
 };
 
-std::optional<ItkVolume> read_by_itk(itk::ImageIOBase& io, const fs::path& file) {
+std::optional<WrittenVolume> read_by_itk(itk::ImageIOBase& io, const fs::path& file) {
   io.SetFileName(file.string());
   io.ReadImageInformation();
-  ItkVolume volume;
+  WrittenVolume volume;
   itk::ImageIORegion region(io.GetNumberOfDimensions());
   for (unsigned axis = 0; axis < io.GetNumberOfDimensions(); ++axis) {
     region.SetIndex(axis, 0);
@@ -236,7 +236,7 @@ std::optional<ItkVolume> read_by_itk(itk::ImageIOBase& io, const fs::path& file)
   return volume;
 }
 
-std::optional<ItkVolume> read_by_itk(const fs::path& file) {
+std::optional<WrittenVolume> read_by_itk(const fs::path& file) {
   const std::string name = file.filename().string();
   if (name.ends_with(".nii") || name.ends_with(".nii.gz")) return read_by_itk(*itk::NiftiImageIO::New(), file);
   if (name.ends_with(".nrrd")) return read_by_itk(*itk::NrrdImageIO::New(), file);

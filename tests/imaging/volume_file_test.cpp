@@ -14,7 +14,7 @@ namespace glisson::imaging {
 namespace {
 
 // A grid that no axis swap or sign error leaves as it is: three sizes, three spacings, rotated about two axes.
-Grid oblique_grid() {
+Grid oblique_volume_grid() {
   Grid grid;
   grid.size = {7, 5, 3};
   grid.spacing_mm = {1.5, 2.0, 4.0};
@@ -27,7 +27,7 @@ Grid oblique_grid() {
 
 Volume counting_volume() {
   Volume volume;
-  volume.grid = oblique_grid();
+  volume.grid = oblique_volume_grid();
   for (std::size_t i = 0; i < volume.grid.voxels(); ++i) volume.values.push_back(0.25f * static_cast<float>(i) - 3);
   volume.unit = "kPa";
   return volume;
@@ -60,7 +60,7 @@ TEST(VolumeFile, KeepsTheUnitInNrrd) {
 TEST(MaskFile, IsANamedSegmentForSlicer) {
   const TemporaryFolder folder;
   const auto file = folder.path() / "liver.nrrd";
-  Mask mask{oblique_grid(), {}};
+  Mask mask{oblique_volume_grid(), {}};
   for (std::size_t i = 0; i < mask.grid.voxels(); ++i) mask.values.push_back(i % 3 == 0);
   ASSERT_TRUE(write_mask_file(file, mask, {"liver", 5, {0.5, 0.25, 1.0}}));
 

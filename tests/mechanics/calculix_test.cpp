@@ -104,7 +104,7 @@ int run_calculix(const std::filesystem::path& folder) {
   return std::system(run.c_str());
 }
 
-geometry::TetMesh crooked_body() {
+geometry::TetMesh crooked_block() {
   auto mesh = test::bent_box(6, 3, 3, [](const Vector3d& unit) {
     return Vector3d(60 * unit.x(), 30 * unit.y() + 6 * unit.x() * unit.x(), 24 * unit.z() * (1 - 0.3 * unit.x()));
   });
@@ -121,7 +121,7 @@ std::vector<double> patchy(const geometry::TetMesh& mesh) {
 
 TEST(AgainstCalculix, TheSameHeterogeneousBodyUnderGravityAndPressureMovesTheSame) {
   GLISSON_NEEDS_CALCULIX();
-  const auto mesh = crooked_body();
+  const auto mesh = crooked_block();
   const auto youngs_kPa = patchy(mesh);
   StaticOptions options;
   options.poisson_ratio = poisson_ratio;
@@ -148,7 +148,7 @@ TEST(AgainstCalculix, TheSameHeterogeneousBodyUnderGravityAndPressureMovesTheSam
 // CalculiX's neo-Hooke is C10 (I1 - 3) + (J - 1)^2 / D1, which is isochoric.h's with C10 = mu / 2 and D1 = 2 / K.
 TEST(AgainstCalculix, TheSameNeoHookeanBodyBendsFarTheSame) {
   GLISSON_NEEDS_CALCULIX();
-  const auto mesh = crooked_body();
+  const auto mesh = crooked_block();
   const Body body =
       prepare_body(mesh, patchy(mesh), {test::fixed("wall")}, {.poisson_ratio = poisson_ratio}, Holding::required)
           .value();

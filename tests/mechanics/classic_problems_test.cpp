@@ -29,7 +29,7 @@ StaticResult solve_with_traction(const StaticModel& model, Takes takes, Traction
   return model.solve_nodal(load).value();
 }
 
-StaticOptions with(double poisson_ratio, ElementOrder order = ElementOrder::quadratic) {
+StaticOptions options_for(double poisson_ratio, ElementOrder order = ElementOrder::quadratic) {
   StaticOptions options;
   options.poisson_ratio = poisson_ratio;
   options.order = order;
@@ -43,7 +43,8 @@ TEST(Column, UnderItsOwnWeightShortensAsTheClosedFormSays) {
   test::name_points(mesh, "floor", [](const Vector3d& p) { return p.z() == 0; });
   const double rho = 1000e-9, youngs = 6.0;
   const auto result =
-      solve_static(mesh, uniform(mesh, youngs), {fixed("floor")}, {GravityLoad{{0, 0, -g_mm_s2}}}, with(0.0)).value();
+      solve_static(mesh, uniform(mesh, youngs), {fixed("floor")}, {GravityLoad{{0, 0, -g_mm_s2}}}, options_for(0.0))
+          .value();
   for (std::size_t p = 0; p < mesh.points_mm.size(); ++p) {
     const double z = mesh.points_mm[p].z();
     const Vector3d expected(0, 0, -rho * g_mm_s2 / youngs * (50 * z - z * z / 2));
@@ -56,7 +57,7 @@ TEST(Column, OnSpringsSinksByItsWeightOverTheirStiffness) {
   test::name_points(mesh, "floor", [](const Vector3d& p) { return p.z() == 0; });
   const double rho = 1000e-9, youngs = 6.0, k = 0.5;
   const auto result = solve_static(mesh, uniform(mesh, youngs), {{NamedPoints{"floor"}, Foundation{k}}},
-                                   {GravityLoad{{0, 0, -g_mm_s2}}}, with(0.0))
+                                   {GravityLoad{{0, 0, -g_mm_s2}}}, options_for(0.0))
                           .value();
   for (std::size_t p = 0; p < mesh.points_mm.size(); ++p) {
     const double z = mesh.points_mm[p].z();
@@ -80,7 +81,7 @@ TEST(Pressure, AllAroundShrinksAnyBodyUniformly) {
   const auto result = solve_static(mesh, uniform(mesh, youngs),
                                    {held_along("x0", true, false, false), held_along("y0", false, true, false),
                                     held_along("z0", false, false, true)},
-                                   {PressureLoad{pressure}}, with(nu))
+                                   {PressureLoad{pressure}}, options_for(nu))
                           .value();
   for (std::size_t p = 0; p < mesh.points_mm.size(); ++p) {
     const Vector3d expected = -pressure * (1 - 2 * nu) / youngs * mesh.points_mm[p];
@@ -103,7 +104,7 @@ TEST(LameCylinder, UnderInnerPressureApproachesTheClosedForm) {
   const auto model = StaticModel::create(mesh, uniform(mesh, youngs),
                                          {held_along("x0", true, false, false), held_along("y0", false, true, false),
                                           held_along("all", false, false, true)},
-                                         with(nu))
+                                         options_for(nu))
                          .value();
   const auto result = solve_with_traction(
       model, [&](const BoundaryFace& face) { return face.centroid_mm.head<2>().norm() < a + 0.1; },
@@ -125,7 +126,7 @@ constexpr double beam_inertia = beam_area * beam_height * beam_height / 12;
 StaticModel cantilever(int across, double nu, ElementOrder order = ElementOrder::quadratic) {
   auto mesh = box(5 * across, across, across, {beam_length, beam_height, beam_height});
   test::name_points(mesh, "wall", [](const Vector3d& p) { return p.x() == 0; });
-  StaticOptions options = with(nu, order);
+  StaticOptions options = options_for(nu, order);
   options.density_kg_mm3 = beam_density;
   return StaticModel::create(mesh, uniform(mesh, beam_youngs), {fixed("wall")}, options).value();
 }
@@ -192,7 +193,8 @@ TEST(BeamOnSprings, SinksUnderACentralLoadAsHetenyiSays) {
   auto mesh = box(40, 2, 2, {length, side, side});
   test::name_points(mesh, "underside", [](const Vector3d& p) { return p.z() == 0; });
   const auto model =
-      StaticModel::create(mesh, uniform(mesh, youngs), {{NamedPoints{"underside"}, Foundation{k}}}, with(0.3)).value();
+      StaticModel::create(mesh, uniform(mesh, youngs), {{NamedPoints{"underside"}, Foundation{k}}}, options_for(0.3))
+          .value();
   const auto result = model.solve({ToolLoad{{length / 2, side / 2, side}, 6, {0, 0, -force}}}).value();
   const double kb = k * side, inertia = std::pow(side, 4) / 12;
   const double beta = std::pow(kb / (4 * youngs * inertia), 0.25), bl = beta * length;
@@ -211,7 +213,7 @@ double cook_tip_mm(int n, double nu, ElementOrder order) {
   test::name_points(mesh, "left", [](const Vector3d& p) { return p.x() == 0; });
   test::name_points(mesh, "all", [](const Vector3d&) { return true; });
   const auto model = StaticModel::create(mesh, uniform(mesh, 250),
-                                         {fixed("left"), held_along("all", false, false, true)}, with(nu, order))
+                                         {fixed("left"), held_along("all", false, false, true)}, options_for(nu, order))
                          .value();
   const auto result = solve_with_traction(
       model, [](const BoundaryFace& face) { return face.normal.x() > 0.999; },

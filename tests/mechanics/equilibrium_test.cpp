@@ -17,7 +17,7 @@ using testing::HasSubstr;
 
 constexpr MaterialLaw large_laws[] = {MaterialLaw::corotational, MaterialLaw::neo_hookean};
 
-StaticOptions with(double poisson_ratio, ElementOrder order) {
+StaticOptions options_with(double poisson_ratio, ElementOrder order) {
   StaticOptions options;
   options.poisson_ratio = poisson_ratio;
   options.order = order;
@@ -26,7 +26,7 @@ StaticOptions with(double poisson_ratio, ElementOrder order) {
 
 Body body_of(geometry::TetMesh mesh, double youngs_kPa, double poisson_ratio, ElementOrder order) {
   auto youngs = test::uniform(mesh, youngs_kPa);
-  return prepare_body(std::move(mesh), std::move(youngs), {test::fixed("wall")}, with(poisson_ratio, order),
+  return prepare_body(std::move(mesh), std::move(youngs), {test::fixed("wall")}, options_with(poisson_ratio, order),
                       Holding::required)
       .value();
 }
@@ -100,7 +100,7 @@ TEST(Equilibrium, AStretchedBarReachesTheClosedForm) {
       prepare_body(mesh, test::uniform(mesh, 6.0),
                    {test::held_along("x0", true, false, false), test::held_along("y0", false, true, false),
                     test::held_along("z0", false, false, true)},
-                   with(0.0, ElementOrder::quadratic), Holding::required)
+                   options_with(0.0, ElementOrder::quadratic), Holding::required)
           .value();
   const double traction = 3.0;
   const auto result = find_equilibrium(body, materials_of(body, MaterialLaw::corotational),

@@ -47,7 +47,7 @@ Asked standing(int across, int up, double width_mm, double height_mm, double you
   return asked;
 }
 
-Asked with(Asked asked, Load load, MaterialLaw law = MaterialLaw::linear) {
+Asked asked_with(Asked asked, Load load, MaterialLaw law = MaterialLaw::linear) {
   asked.scenario.loads = {std::move(load)};
   asked.scenario.material = law;
   return asked;
@@ -82,7 +82,7 @@ Judge moves(Vector3d theory_mm, double within, const std::string& in_short) {
 }
 
 Asked tangled() {
-  Asked asked = with(standing(2, 2, 20, 20, 5), weight);
+  Asked asked = asked_with(standing(2, 2, 20, 20, 5), weight);
   // The middle is pulled out of the body, and the cells that this turns inside out are turned back, as readers do.
   for (Vector3d& point : asked.mesh.points_mm) {
     if (point.isApprox(Vector3d(10, 10, 10))) point = {10, 10, 25};
@@ -94,14 +94,14 @@ Asked tangled() {
 }
 
 Asked far_away(double offset_mm) {
-  Asked asked = with(standing(3, 3, 30, 30, 5), weight);
+  Asked asked = asked_with(standing(3, 3, 30, 30, 5), weight);
   for (Vector3d& point : asked.mesh.points_mm) point.x() += offset_mm;
   asked.scenario.landmarks[0].position_mm.x() += offset_mm;
   return asked;
 }
 
 Asked near_incompressible() {
-  Asked asked = with(standing(4, 4, 30, 30, 5), PressureLoad{1.0});
+  Asked asked = asked_with(standing(4, 4, 30, 30, 5), PressureLoad{1.0});
   asked.scenario.poisson_ratio = 0.4999;
   return asked;
 }
@@ -118,11 +118,11 @@ Asked two_stiffnesses() {
   geometry::set_field(asked.mesh.cell_fields, std::move(youngs));
   asked.scenario.youngs_modulus = std::string("E");
   asked.scenario.poisson_ratio = 0;
-  return with(std::move(asked), ToolLoad{{5, 5, 30}, 12, {0, 0, -5}});
+  return asked_with(std::move(asked), ToolLoad{{5, 5, 30}, 12, {0, 0, -5}});
 }
 
 Asked moving(double step_s, int steps) {
-  Asked asked = with(standing(2, 2, 20, 20, 5), weight, MaterialLaw::corotational);
+  Asked asked = asked_with(standing(2, 2, 20, 20, 5), weight, MaterialLaw::corotational);
   asked.scenario.motion = Motion{step_s, steps};
   return asked;
 }
@@ -141,7 +141,7 @@ Vector3d end_at_rest(const Asked& asked) {
 }
 
 Asked marked(Vector3d landmark_mm) {
-  Asked asked = with(standing(2, 2, 20, 20, 5), weight);
+  Asked asked = asked_with(standing(2, 2, 20, 20, 5), weight);
   asked.scenario.landmarks[0].position_mm = std::move(landmark_mm);
   return asked;
 }
@@ -150,24 +150,25 @@ std::vector<Row> rows() {
   const double huge = 1e308;
   return {
       {"Young's modulus of 1e-300 kPa", "no matter is as soft", "refused: modulus-invalid",
-       [] { return with(standing(2, 2, 20, 20, 1e-300), weight); }, refused},
+       [] { return asked_with(standing(2, 2, 20, 20, 1e-300), weight); }, refused},
       {"Young's modulus of 1e300 kPa", "nor as stiff", "refused: modulus-invalid",
-       [] { return with(standing(2, 2, 20, 20, 1e300), weight); }, refused},
+       [] { return asked_with(standing(2, 2, 20, 20, 1e300), weight); }, refused},
       {"corotational, 1e-9 kPa", "no matter is as soft", "refused: modulus-invalid",
-       [] { return with(standing(2, 2, 20, 20, 1e-9), weight, MaterialLaw::corotational); }, refused},
+       [] { return asked_with(standing(2, 2, 20, 20, 1e-9), weight, MaterialLaw::corotational); }, refused},
       {"corotational, 1e-5 kPa, under its weight", "strain of 1e4: no equilibrium that means anything",
        "said: not converged, far too soft",
-       [] { return with(standing(4, 4, 20, 20, 1e-5), weight, MaterialLaw::corotational); },
+       [] { return asked_with(standing(4, 4, 20, 20, 1e-5), weight, MaterialLaw::corotational); },
        says("not-converged", "far too soft", "said: not converged, far too soft")},
       {"neo-Hookean, 1e-5 kPa, under its weight", "the same", "said: not converged, far too soft",
-       [] { return with(standing(4, 4, 20, 20, 1e-5), weight, MaterialLaw::neo_hookean); },
+       [] { return asked_with(standing(4, 4, 20, 20, 1e-5), weight, MaterialLaw::neo_hookean); },
        says("not-converged", "far too soft", "said: not converged, far too soft")},
       {"a column under its weight, q L^3 / E I = 29, linear", "buckles from 7.84 on (Greenhill)", "said: buckles",
-       [] { return with(standing(3, 15, 20, 99.5, 10), weight); }, says("within", "the body buckles", "said: buckles")},
+       [] { return asked_with(standing(3, 15, 20, 99.5, 10), weight); },
+       says("within", "the body buckles", "said: buckles")},
       {"a column under its weight, q L^3 / E I = 3.7, linear", "stands; its top sinks by q L^2 / 2 E A = 1.2 mm",
        "right: within 10 %",
        [] {
-         Asked asked = with(standing(3, 8, 20, 50, 10), weight);
+         Asked asked = asked_with(standing(3, 8, 20, 50, 10), weight);
          asked.scenario.poisson_ratio = 0;
          return asked;
        },
@@ -181,13 +182,13 @@ std::vector<Row> rows() {
       {"a beam of 10 kPa whose weight bends it double, linear", "tip at q L^4 / 8 E I = 118 times its length",
        "said: not to be used, cells inside out",
        [] {
-         Asked asked = with(standing(2, 30, 10, 200, 10), GravityLoad{{9810, 0, 0}});
+         Asked asked = asked_with(standing(2, 30, 10, 200, 10), GravityLoad{{9810, 0, 0}});
          return asked;
        },
        says("unusable", "turned inside out", "said: not to be used, cells inside out")},
       {"a force of 1e12 N", "no tissue bears it", "said: not to be used, cells inside out",
        [] {
-         return with(standing(3, 3, 20, 20, 5), ToolLoad{{10, 10, 20}, 30, {0, 0, 1e15}});
+         return asked_with(standing(3, 3, 20, 20, 5), ToolLoad{{10, 10, 20}, 30, {0, 0, 1e15}});
        },
        says("unusable", "turned inside out", "said: not to be used, cells inside out")},
       {"no load", "nothing moves", "right: 0",
@@ -205,7 +206,7 @@ std::vector<Row> rows() {
        }},
       {"Poisson's ratio of 0.5", "no finite bulk modulus", "refused: poisson-invalid",
        [] {
-         Asked asked = with(standing(2, 2, 20, 20, 5), weight);
+         Asked asked = asked_with(standing(2, 2, 20, 20, 5), weight);
          asked.scenario.poisson_ratio = 0.5;
          return asked;
        },
@@ -232,7 +233,7 @@ std::vector<Row> rows() {
        refused},
       {"nothing holds the body", "it falls", "refused: body-free",
        [] {
-         Asked asked = with(standing(2, 2, 20, 20, 5), weight);
+         Asked asked = asked_with(standing(2, 2, 20, 20, 5), weight);
          asked.scenario.supports = {{geometry::Box{{-1, -1, -1}, {1, 1, 1}}, Fixed{}}};
          return asked;
        },

@@ -19,10 +19,10 @@ using test::bar;
 using test::on_front_mm;
 using test::wall;
 
-const ChosenLaw neo_hookean = MaterialLaw::neo_hookean;
-const ChosenLaw stiffening(MaterialLaw::veronda_westmann, 2);
+const ChosenLaw neo_hookean_law = MaterialLaw::neo_hookean;
+const ChosenLaw stiffening_law(MaterialLaw::veronda_westmann, 2);
 const ToolLoad pull{{80, 12, 40}, 12, {150, 0, -60}};  // draws the walls apart everywhere
-const Loads standing{PressureLoad{0.4}, GravityLoad{{0, 0, -9810}}};
+const Loads standing_loads{PressureLoad{0.4}, GravityLoad{{0, 0, -9810}}};
 
 StaticModel model_of(geometry::TetMesh mesh) {
   test::name_supports_of_bar(mesh);
@@ -50,7 +50,7 @@ double farthest_mm(const LiveState& a, const LiveState& b) {
 // that stiffens it sinks too far, by 6.2 % (docs/performance.md); perhaps as springs that bridge the front do not.
 TEST(LiveOpening, HalfThroughByItsOwnWeightItRestsAsTheBarMeshedWithTheCut) {
   const Loads weight{PressureLoad{0.4}, GravityLoad{{4000, 0, -9000}}};
-  for (const ChosenLaw& law : {neo_hookean, stiffening}) {
+  for (const ChosenLaw& law : {neo_hookean_law, stiffening_law}) {
     geometry::TetMesh mesh = test::meshed_with_the_cut(14, 4, 20, 20).mesh;
     test::name_supports_of_bar(mesh);
     const auto youngs_kPa = test::uniform(mesh, test::youngs_kPa);
@@ -89,7 +89,7 @@ TEST(LiveOpening, ItsForcesAreTheSlopeOfItsEnergy) {
   const Opening opening =
       Opening::of(model, {}, nothing).value().advanced({wall, on_front_mm(40), on_front_mm(22)}).value();
   const Body& body = model.body();
-  for (const ChosenLaw& law : {neo_hookean, stiffening}) {
+  for (const ChosenLaw& law : {neo_hookean_law, stiffening_law}) {
     const auto materials = materials_of(body, law.law, law.strain_stiffening);
     const OpenCells cells(body, materials, opening, 0);
     ASSERT_GT(cells.jumps(), 5);
@@ -109,7 +109,8 @@ TEST(LiveOpening, ItsForcesAreTheSlopeOfItsEnergy) {
 
 // Under little load, as at small strain, whose opening is judged by itself (opening_test.cpp).
 TEST(LiveOpening, UnderLittleLoadItMovesAsAtSmallStrain) {
-  const LiveBody cut = live(bar(10, 4, 5), neo_hookean, {}).opened({wall, on_front_mm(40), on_front_mm(17)}).value();
+  const LiveBody cut =
+      live(bar(10, 4, 5), neo_hookean_law, {}).opened({wall, on_front_mm(40), on_front_mm(17)}).value();
   const auto tools = pulling(0.02);
   LiveOptions tight;
   tight.settled_mm = 1e-4;
@@ -129,7 +130,7 @@ TEST(LiveOpening, UnderLittleLoadItMovesAsAtSmallStrain) {
 
 // Undo is the body and state before; the same advances give the same bits.
 TEST(LiveOpening, TheSameAdvancesGiveTheSameBitsAndLeaveWhatWasBefore) {
-  const LiveBody whole = live(bar(10, 4, 5), neo_hookean, standing);
+  const LiveBody whole = live(bar(10, 4, 5), neo_hookean_law, standing_loads);
   const CutStrip first{wall, on_front_mm(40), on_front_mm(30)}, next{wall, on_front_mm(30), on_front_mm(22)};
   const auto cut_twice = [&](bool prepared) {
     const LiveBody once = whole.opened(first).value();
@@ -150,8 +151,8 @@ TEST(LiveOpening, TheSameAdvancesGiveTheSameBitsAndLeaveWhatWasBefore) {
 
 // The safety was found on other paths over the bar: pulls that draw the walls apart, and that bend it to a side.
 TEST(LiveOpening, EveryFirstPictureLiesWithinItsBoundWhileTheCutAdvances) {
-  for (const ChosenLaw& law : {neo_hookean, stiffening}) {
-    LiveBody body = live(bar(12, 4, 6), law, standing);
+  for (const ChosenLaw& law : {neo_hookean_law, stiffening_law}) {
+    LiveBody body = live(bar(12, 4, 6), law, standing_loads);
     LiveState state = body.untouched();
     int pictures = 0, within = 0;
     double z_mm = 40;
@@ -174,7 +175,7 @@ TEST(LiveOpening, EveryFirstPictureLiesWithinItsBoundWhileTheCutAdvances) {
 
 // Bent up, the walls press on each other; let through, the end would rise further.
 TEST(LiveOpening, PressedTogetherTheWallsDoNotPassThroughEachOther) {
-  const LiveBody whole = live(bar(12, 4, 6), neo_hookean, {});
+  const LiveBody whole = live(bar(12, 4, 6), neo_hookean_law, {});
   const LiveBody cut = whole.opened({wall, on_front_mm(40), on_front_mm(18)}).value();
   const std::vector<ContactTool> tools = {{"push", ToolLoad{{80, 12, 40}, 12, {-100, 0, 80}}}};
   const auto at_rest = [&](const LiveBody& body) {
@@ -192,7 +193,7 @@ TEST(LiveOpening, PressedTogetherTheWallsDoNotPassThroughEachOther) {
 }
 
 TEST(LiveOpening, RefusesWhatItCannotOpen) {
-  const LiveBody whole = live(bar(8, 3, 4), neo_hookean, {});
+  const LiveBody whole = live(bar(8, 3, 4), neo_hookean_law, {});
   EXPECT_EQ(whole.opened({wall, on_front_mm(60), on_front_mm(50)}).error().code, "cut-misses");
   const auto behind = geometry::CutSurface::plane({66.1, 0, 0}, {1, 0, 0}).value();
   EXPECT_EQ(whole.opened({behind, {66.1, 0, 40}, {66.1, 0, -1}}).error().code, "cut-frees-part");

@@ -29,9 +29,9 @@ using test::held_along;
 using test::uniform;
 using testing::HasSubstr;
 
-constexpr double g_mm_s2 = 9810.0;
+constexpr double fall_mm_s2 = 9810.0;
 
-StaticOptions with(double poisson_ratio, double density_kg_mm3 = 1000e-9) {
+StaticOptions meshfree_options(double poisson_ratio, double density_kg_mm3 = 1000e-9) {
   StaticOptions options;
   options.poisson_ratio = poisson_ratio;
   options.density_kg_mm3 = density_kg_mm3;
@@ -39,11 +39,11 @@ StaticOptions with(double poisson_ratio, double density_kg_mm3 = 1000e-9) {
 }
 
 // A body whose cells are irregular and whose stiffness varies a hundredfold.
-struct Mottled {
+struct MottledBody {
   geometry::TetMesh mesh = box(4, 4, 4, {30, 25, 25});
   std::vector<double> youngs_kPa;
 
-  Mottled() {
+  MottledBody() {
     test::disturb_inner_points(mesh, 0.8);
     for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
       youngs_kPa.push_back(std::pow(10.0, 1.0 + std::sin(0.4 * geometry::cell_centroid_mm(mesh, c).x())));
@@ -60,7 +60,7 @@ MeshfreeBody prepared(const geometry::TetMesh& mesh, const std::vector<double>& 
 }
 
 TEST(MeshfreeShapeFunctions, SumToOneAndAreNeverNegative) {
-  const Mottled body;
+  const MottledBody body;
   const auto shape = shape_functions_of(body.mesh, body.youngs_kPa, {.nodes = 25}).value();
   ASSERT_EQ(shape.nodes_mm.size(), 25u);
   for (std::size_t p = 0; p < body.mesh.points_mm.size(); ++p) {
@@ -98,12 +98,12 @@ TEST(MeshfreeShapeFunctions, AlongABarFallStraightWithTheComplianceDistance) {
 }
 
 TEST(MeshfreePatch, AnyUniformStrainIsInTheSpaceAndBalancesItsTractions) {
-  Mottled body;
+  MottledBody body;
   const double nu = 0.3, youngs = 6;
   Matrix3d gradient;
   gradient << 0.02, 0.01, -0.03, 0.005, -0.01, 0.02, 0.015, 0.0, 0.03;
   // The weights see the mottled stiffness, the stress is that of a uniform body.
-  MeshfreeBody handles = prepared(body.mesh, body.youngs_kPa, MaterialLaw::linear, 30, with(nu));
+  MeshfreeBody handles = prepared(body.mesh, body.youngs_kPa, MaterialLaw::linear, 30, meshfree_options(nu));
   handles.body.materials.assign(body.mesh.cells.size(), lame_from_youngs(youngs, nu));
   handles.materials = materials_of(handles.body, MaterialLaw::linear);
 
@@ -135,7 +135,7 @@ TEST(MeshfreePatch, ABodyBetweenSymmetryPlanesStretchesUniformly) {
   const auto model = MeshfreeModel::create(mesh, uniform(mesh, youngs),
                                            {held_along("x0", true, false, false), held_along("y0", false, true, false),
                                             held_along("z0", false, false, true)},
-                                           MaterialLaw::linear, with(nu), {.nodes = 20})
+                                           MaterialLaw::linear, meshfree_options(nu), {.nodes = 20})
                          .value();
   const auto result = model.solve({PressureLoad{pressure}}).value();
   ASSERT_TRUE(result.may_be_used()) << result.why_stopped;
@@ -161,15 +161,15 @@ TEST(MeshfreeCantilever, ApproachesTheoryFromBelowAsNodesAreAdded) {
   // Euler and Bernoulli's tip (eq. 6.6) with Timoshenko's shear, at nu = 0. A few handles cannot bend enough; none
   // bends more than the quadratic cells of the same mesh, whose displacements contain theirs.
   const auto mesh = cantilever_mesh(4);
-  const double f = 997e-9 * g_mm_s2 * 100, inertia = 1e4 / 12;
+  const double f = 997e-9 * fall_mm_s2 * 100, inertia = 1e4 / 12;
   const double theory = f * std::pow(50.0, 4) / (8 * 12 * inertia) + f * 2500 / 2 / (10.0 / 12 * 6 * 100);
-  const Loads weight{GravityLoad{{0, 0, -g_mm_s2}}};
+  const Loads weight{GravityLoad{{0, 0, -fall_mm_s2}}};
   const double by_cells =
-      tip_mm(mesh, solve_static(mesh, uniform(mesh, 12), {fixed("wall")}, weight, with(0, 997e-9)).value());
+      tip_mm(mesh, solve_static(mesh, uniform(mesh, 12), {fixed("wall")}, weight, meshfree_options(0, 997e-9)).value());
   double before_mm = 0;
   for (const auto& [nodes, share] : {std::pair{20, 0.65}, {60, 0.85}, {180, 0.94}}) {
     const auto model = MeshfreeModel::create(mesh, uniform(mesh, 12), {fixed("wall")}, MaterialLaw::linear,
-                                             with(0, 997e-9), {.nodes = nodes})
+                                             meshfree_options(0, 997e-9), {.nodes = nodes})
                            .value();
     const auto result = model.solve(weight).value();
     ASSERT_TRUE(result.may_be_used()) << result.why_stopped;
@@ -185,9 +185,9 @@ TEST(MeshfreeCantilever, ApproachesTheoryFromBelowAsNodesAreAdded) {
 }
 
 TEST(MeshfreeRotation, ABodyTurnedByHalfATurnHasNoEnergyAndNoForce) {
-  const Mottled body;
+  const MottledBody body;
   for (const MaterialLaw law : {MaterialLaw::corotational, MaterialLaw::neo_hookean}) {
-    const MeshfreeBody handles = prepared(body.mesh, body.youngs_kPa, law, 20, with(0.45));
+    const MeshfreeBody handles = prepared(body.mesh, body.youngs_kPa, law, 20, meshfree_options(0.45));
     const Matrix3d turn = Eigen::AngleAxisd(M_PI, Vector3d(1, 2, 2).normalized()).toRotationMatrix();
     const Eigen::VectorXd q = affine_handles(handles.shape, [&](const Vector3d& x) { return (turn * x - x).eval(); });
     const Eigen::VectorXd u_mm = handles.basis->displacement(q);
@@ -200,9 +200,9 @@ TEST(MeshfreeRotation, ABentCantileverKeepsItsLength) {
   // 10 times its weight bends the beam far down. Small strain would stretch its axis by half; the corotational one
   // keeps it, and agrees with finite elements.
   const auto mesh = cantilever_mesh(3);
-  const Loads loads{GravityLoad{{0, 0, -3 * g_mm_s2}}};
+  const Loads loads{GravityLoad{{0, 0, -3 * fall_mm_s2}}};
   const auto model = MeshfreeModel::create(mesh, uniform(mesh, 12), {fixed("wall")}, MaterialLaw::corotational,
-                                           with(0.3, 997e-9), {.nodes = 60})
+                                           meshfree_options(0.3, 997e-9), {.nodes = 60})
                          .value();
   const auto result = model.solve(loads).value();
   ASSERT_TRUE(result.may_be_used()) << result.why_stopped;
@@ -218,32 +218,34 @@ TEST(MeshfreeRotation, ABentCantileverKeepsItsLength) {
   EXPECT_NEAR(length_mm, 50, 2.0);
 
   const auto body =
-      prepare_body(mesh, uniform(mesh, 12), {fixed("wall")}, with(0.3, 997e-9), Holding::required).value();
+      prepare_body(mesh, uniform(mesh, 12), {fixed("wall")}, meshfree_options(0.3, 997e-9), Holding::required).value();
   const auto by_cells = find_equilibrium(body, materials_of(body, MaterialLaw::corotational), loads).value();
   EXPECT_NEAR(tip_mm(mesh, result), tip_mm(mesh, by_cells), 0.06 * tip_mm(mesh, by_cells));
 }
 
 TEST(MeshfreeMotion, ABodyFallsAndItsMomentumIsItsWeightTimesTheTime) {
-  const Mottled body;
+  const MottledBody body;
   for (const MaterialLaw law : {MaterialLaw::linear, MaterialLaw::corotational}) {
-    auto moving = MeshfreeMotion::create(prepared(body.mesh, body.youngs_kPa, law, 20, with(0.45)),
+    auto moving = MeshfreeMotion::create(prepared(body.mesh, body.youngs_kPa, law, 20, meshfree_options(0.45)),
                                          {.step_s = 0.01, .relative_tolerance = 1e-8})
                       .value();
-    const auto weight = applied_loads(moving.body(), {GravityLoad{{0, 0, -g_mm_s2}}}, Gas::stays_as_at_rest).value();
+    const auto weight = applied_loads(moving.body(), {GravityLoad{{0, 0, -fall_mm_s2}}}, Gas::stays_as_at_rest).value();
     for (int step = 0; step < 10; ++step) ASSERT_TRUE(moving.step(weight).converged);
     const double mass_kg = 1000e-9 * geometry::volume_mm3(body.mesh);
-    EXPECT_LT((moving.momentum_kg_mm_s() - Vector3d(0, 0, -mass_kg * g_mm_s2 * 0.1)).norm(), 1e-6 * mass_kg * g_mm_s2);
+    EXPECT_LT((moving.momentum_kg_mm_s() - Vector3d(0, 0, -mass_kg * fall_mm_s2 * 0.1)).norm(),
+              1e-6 * mass_kg * fall_mm_s2);
     const Eigen::VectorXd u_mm = moving.displacement_mm();
     // Implicit Euler: h^2 g (1 + 2 + ... + 10).
-    for (Eigen::Index i = 2; i < u_mm.size(); i += 3) EXPECT_NEAR(u_mm[i], -g_mm_s2 * 1e-4 * 55, 1e-4);
+    for (Eigen::Index i = 2; i < u_mm.size(); i += 3) EXPECT_NEAR(u_mm[i], -fall_mm_s2 * 1e-4 * 55, 1e-4);
   }
 }
 
 TEST(MeshfreeMotion, ASpinningBodyTurnsWithoutGrowing) {
-  const Mottled body;
-  auto moving = MeshfreeMotion::create(prepared(body.mesh, body.youngs_kPa, MaterialLaw::corotational, 12, with(0.3)),
-                                       {.step_s = 0.01, .relative_tolerance = 1e-6})
-                    .value();
+  const MottledBody body;
+  auto moving =
+      MeshfreeMotion::create(prepared(body.mesh, body.youngs_kPa, MaterialLaw::corotational, 12, meshfree_options(0.3)),
+                             {.step_s = 0.01, .relative_tolerance = 1e-6})
+          .value();
   moving.set_rigid_velocity(Vector3d(0, 0, 6).cross(-Vector3d(15, 12.5, 12.5)), {0, 0, 6});
   const Vector3d momentum = moving.momentum_kg_mm_s();
   const AppliedLoads nothing{Eigen::VectorXd::Zero(3 * moving.body().layout.nodes())};
@@ -269,15 +271,15 @@ TEST(MeshfreeMotion, ASpinningBodyTurnsWithoutGrowing) {
 TEST(MeshfreeMotion, SettlesWhereTheEquilibriumIs) {
   const auto mesh = cantilever_mesh(3);
   const Loads loads{GravityLoad{{0, 0, -500}}};
-  const auto still =
-      MeshfreeModel::create(mesh, uniform(mesh, 12), {fixed("wall")}, MaterialLaw::linear, with(0.3), {.nodes = 30})
-          .value()
-          .solve(loads)
-          .value();
-  auto moving =
-      MeshfreeMotion::create(prepared(mesh, uniform(mesh, 12), MaterialLaw::linear, 30, with(0.3), {fixed("wall")}),
-                             {.step_s = 0.05, .mass_damping_per_s = 5})
-          .value();
+  const auto still = MeshfreeModel::create(mesh, uniform(mesh, 12), {fixed("wall")}, MaterialLaw::linear,
+                                           meshfree_options(0.3), {.nodes = 30})
+                         .value()
+                         .solve(loads)
+                         .value();
+  auto moving = MeshfreeMotion::create(
+                    prepared(mesh, uniform(mesh, 12), MaterialLaw::linear, 30, meshfree_options(0.3), {fixed("wall")}),
+                    {.step_s = 0.05, .mass_damping_per_s = 5})
+                    .value();
   const auto applied = applied_loads(moving.body(), loads, Gas::stays_as_at_rest).value();
   for (int step = 0; step < 100; ++step) {
     const StepReport report = moving.step(applied);
@@ -324,7 +326,7 @@ TEST(MeshfreeCut, NoNodeActsAcrossAndTheOtherSideStaysStill) {
   test::name_points(whole, "ends", [](const Vector3d& p) { return p.x() == 0 || p.x() == 40; });
   const Cut cut{{21, 10, 10}, Vector3d(1, 0.2, 0).normalized()};
   const auto mesh = open_cuts(whole, {cut}, Along::exactly)->mesh;
-  StaticOptions options = with(0.3);
+  StaticOptions options = meshfree_options(0.3);
   options.parts = StaticOptions::Parts::several;
   const auto model =
       MeshfreeModel::create(mesh, uniform(mesh, 6), {fixed("ends")}, MaterialLaw::linear, options, {.nodes = 30}, {cut})
@@ -347,14 +349,14 @@ TEST(MeshfreeCut, ACutHalfThroughOpens) {
   const auto mesh = open_cuts(whole, {cut}, Along::exactly)->mesh;
   const Loads loads{GravityLoad{{0, 0, -500}}};
   const auto tip_of = [&](const geometry::TetMesh& body, const std::vector<Cut>& cuts) {
-    const auto model = MeshfreeModel::create(body, uniform(body, 12), {fixed("wall")}, MaterialLaw::linear, with(0.3),
-                                             {.nodes = 150}, cuts)
+    const auto model = MeshfreeModel::create(body, uniform(body, 12), {fixed("wall")}, MaterialLaw::linear,
+                                             meshfree_options(0.3), {.nodes = 150}, cuts)
                            .value();
     return tip_mm(body, model.solve(loads).value());
   };
   const double uncut_mm = tip_of(whole, {}), cut_mm = tip_of(mesh, {cut});
   const double by_cells_mm =
-      tip_mm(mesh, solve_static(mesh, uniform(mesh, 12), {fixed("wall")}, loads, with(0.3)).value());
+      tip_mm(mesh, solve_static(mesh, uniform(mesh, 12), {fixed("wall")}, loads, meshfree_options(0.3)).value());
   EXPECT_GT(cut_mm, 1.5 * uncut_mm);
   EXPECT_LT(cut_mm, by_cells_mm);
   RecordProperty("uncut_meshfree_fem_mm", fmt::format("{:.3f} {:.3f} {:.3f}", uncut_mm, cut_mm, by_cells_mm));

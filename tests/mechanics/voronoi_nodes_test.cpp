@@ -16,8 +16,8 @@ namespace {
 using Eigen::Vector3d;
 
 imaging::Mask ball(double spacing_mm, double radius_mm) {
-  imaging::LabelMap labels = test::empty_labels(spacing_mm, radius_mm + 2 * spacing_mm);
-  test::paint_ball(labels, 1, Vector3d::Zero(), radius_mm);
+  imaging::LabelMap labels = glisson::test::empty_labels(spacing_mm, radius_mm + 2 * spacing_mm);
+  glisson::test::paint_ball(labels, 1, Vector3d::Zero(), radius_mm);
   imaging::Mask mask;
   mask.grid = labels.grid;
   mask.values.assign(labels.values.begin(), labels.values.end());
@@ -108,8 +108,8 @@ TEST(VoronoiNodes, WhatCannotBeIsRefused) {
 
 TEST(VoronoiNodes, TenThousandInARealLiverTakeSeconds) {
   GLISSON_NEEDS_DATA("totalseg_abdomen_mr_ct");
-  const auto labels =
-      imaging::read_labels_file(test::shared_data() / "totalseg_abdomen_mr_ct" / "example_seg_fast_force_split.nii.gz");
+  const auto labels = imaging::read_labels_file(glisson::test::shared_data() / "totalseg_abdomen_mr_ct" /
+                                                "example_seg_fast_force_split.nii.gz");
   ASSERT_TRUE(labels) << labels.error().message();
   imaging::Mask liver;
   liver.grid = labels->grid;

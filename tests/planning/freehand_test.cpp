@@ -18,7 +18,7 @@ using geometry::CutSurface;
 constexpr double radius_mm = 50;
 const Vector3d eye_mm(0, -400, 0);
 
-geometry::Surface ball() { return test::sphere_surface(radius_mm, 4); }
+geometry::Surface ball_surface() { return test::sphere_surface(radius_mm, 4); }
 
 // What the eye sees at those places of the plane through the ball's middle, across its sight.
 std::vector<SightLine> seen_at(const std::vector<Eigen::Vector2d>& places_mm) {
@@ -32,8 +32,8 @@ std::vector<SightLine> seen_at(const std::vector<Eigen::Vector2d>& places_mm) {
 
 TEST(Freehand, AStraightLineIsThePlaneThroughEyeAndLine) {
   // From beside the ball to beside it, as a hand draws: with few places where it was fast.
-  const auto cut =
-      sheet_under(ball(), seen_at({{12, 80}, {12, 30}, {12, 25}, {12, 24.99}, {12, -30}, {12, -49}, {12, -80}}));
+  const auto cut = sheet_under(ball_surface(),
+                               seen_at({{12, 80}, {12, 30}, {12, 25}, {12, 24.99}, {12, -30}, {12, -49}, {12, -80}}));
   ASSERT_TRUE(cut) << cut.error().message();
   EXPECT_GE(cut->through_mm.size(), 8u);
   const auto sheet = CutSurface::through(cut->through_mm);
@@ -54,7 +54,7 @@ TEST(Freehand, ABentLineIsFollowedInDepth) {
   std::vector<Eigen::Vector2d> places_mm;
   const auto bend_mm = [](double z) { return 10 * std::sin(z / 20); };
   for (int z = -60; z <= 60; ++z) places_mm.emplace_back(bend_mm(z), z);
-  const auto cut = sheet_under(ball(), seen_at(places_mm));
+  const auto cut = sheet_under(ball_surface(), seen_at(places_mm));
   ASSERT_TRUE(cut) << cut.error().message();
   const auto sheet = CutSurface::through(cut->through_mm);
   ASSERT_TRUE(sheet);
@@ -69,7 +69,7 @@ TEST(Freehand, ABentLineIsFollowedInDepth) {
 
 TEST(Freehand, SaysWhatIsNoCut) {
   const auto refused = [](const std::vector<Eigen::Vector2d>& places_mm) {
-    const auto cut = sheet_under(ball(), seen_at(places_mm));
+    const auto cut = sheet_under(ball_surface(), seen_at(places_mm));
     return cut ? std::string() : cut.error().code;
   };
   EXPECT_EQ(refused({}), "line-misses");

@@ -19,7 +19,7 @@ using mechanics::Grasp;
 using mechanics::TouchingTool;
 using testing::HasSubstr;
 
-RehearsalSetup block() {
+RehearsalSetup whole_block() {
   RehearsalSetup setup;
   setup.mesh = mechanics::test::box(6, 6, 3, {80, 80, 40});
   mechanics::test::name_points(setup.mesh, "ground", [](const Vector3d& p) { return p.z() == 0; });
@@ -43,7 +43,7 @@ ContactTool probe(const Vector3d& center_mm, std::optional<double> push_mN = {})
 ContactTool jaws(const Vector3d& drawn_mm) { return {"grasper", Grasp{{66, 40, 40}, 15, drawn_mm, {0, 0, 1}}}; }
 
 TEST(Session, FollowsLandmarksAndStructuresAndComparesWithTheTwin) {
-  auto engine = SessionEngine::create(block()).value();
+  auto engine = SessionEngine::create(whole_block()).value();
   EXPECT_EQ(engine.state().patient.max_displacement_mm, 0);
   const SessionState& state = engine.step(HoldTool{probe({35, 40, 40})});
   EXPECT_EQ(state.refused, "");
@@ -78,7 +78,7 @@ TEST(Session, FollowsLandmarksAndStructuresAndComparesWithTheTwin) {
 }
 
 TEST(Session, UndoGoesBackToTheSameBits) {
-  auto engine = SessionEngine::create(block()).value();
+  auto engine = SessionEngine::create(whole_block()).value();
   const std::string untouched = engine.state().digest;
   const std::string one = engine.step(HoldTool{probe({35, 40, 44})}).digest;
   const std::string two = engine.step(HoldTool{jaws({0, 0, 4})}).digest;
@@ -92,7 +92,7 @@ TEST(Session, UndoGoesBackToTheSameBits) {
 }
 
 TEST(Session, ARecordingReplaysToTheBitThroughItsFile) {
-  auto engine = SessionEngine::create(block()).value();
+  auto engine = SessionEngine::create(whole_block()).value();
   Recording recording;
   const std::vector<SessionCommand> commands{HoldTool{probe({35.1, 40, 45})},
                                              HoldTool{probe({37.7, 41.3, 42})},
@@ -105,11 +105,11 @@ TEST(Session, ARecordingReplaysToTheBitThroughItsFile) {
   EXPECT_THAT(engine.state().refused, HasSubstr("no tool nothing such"));
 
   const auto read = parse_recording(recording_text(recording)).value();
-  auto again = SessionEngine::create(block()).value();
+  auto again = SessionEngine::create(whole_block()).value();
   EXPECT_FALSE(replay(again, read).has_value());
   auto altered = read;
   std::get<TouchingTool>(std::get<HoldTool>(altered[1].first).tool.what).pose.position_mm.x() += 1e-9;
-  auto other = SessionEngine::create(block()).value();
+  auto other = SessionEngine::create(whole_block()).value();
   EXPECT_EQ(replay(other, altered), std::optional<std::size_t>(1));
 }
 
@@ -139,7 +139,7 @@ AdvanceCut advance(double from_x_mm, double to_x_mm) {
 
 // A grasper holds one side up while the cut advances from the block's edge towards it and past it.
 TEST(Session, ACutOpensUnderTractionStepByStepAndBackAgain) {
-  auto engine = SessionEngine::create(block()).value();
+  auto engine = SessionEngine::create(whole_block()).value();
   const ContactTool lifting{"grasper", Grasp{{30, 56, 40}, 9, 800.0, {0, 0.6, 1}}};
   Recording recording;
   const auto carry_out = [&](const SessionCommand& command) -> const SessionState& {
@@ -176,12 +176,12 @@ TEST(Session, ACutOpensUnderTractionStepByStepAndBackAgain) {
   EXPECT_THAT(beside.refused, HasSubstr("opens nothing"));
   EXPECT_EQ(beside.digest, second.digest);
 
-  auto again = SessionEngine::create(block()).value();
+  auto again = SessionEngine::create(whole_block()).value();
   EXPECT_FALSE(replay(again, parse_recording(recording_text(recording)).value()).has_value());
 }
 
 TEST(Session, ACommandThatCannotBeCarriedOutLeavesWhatWasAndSaysWhy) {
-  auto engine = SessionEngine::create(block()).value();
+  auto engine = SessionEngine::create(whole_block()).value();
   const std::string before = engine.step(HoldTool{probe({35, 40, 44})}).digest;
   ContactTool lost = probe({35, 40, -60}, 100.0);  // under the ground, going away
   lost.id = "lost";
@@ -200,7 +200,7 @@ TEST(Session, ACommandThatCannotBeCarriedOutLeavesWhatWasAndSaysWhy) {
 }
 
 RehearsalSetup soft_block() {
-  RehearsalSetup setup = block();
+  RehearsalSetup setup = whole_block();
   setup.law = mechanics::MaterialLaw::neo_hookean;
   return setup;
 }
@@ -237,7 +237,7 @@ TEST(SessionAtLargeStrain, ShowsAFirstPictureWithABoundAndSettlesToRest) {
 }
 
 TEST(SessionAtLargeStrain, IsWhatSmallStrainSaysWhereStrainIsSmall) {
-  auto small = SessionEngine::create(block()).value();
+  auto small = SessionEngine::create(whole_block()).value();
   auto large = SessionEngine::create(soft_block()).value();
   const HoldTool light{probe({35, 40, 60}, 20.0)};
   small.step(light);
@@ -399,7 +399,7 @@ TEST(SessionAtLargeStrain, APatchIsRecordedAndAtSmallStrainRefused) {
   const auto& again = std::get<mechanics::ToolLoad>(std::get<HoldTool>(read[0].first).tool.what);
   EXPECT_EQ(again.force_mN, Vector3d(12.5, -3, 250));
   EXPECT_EQ(again.radius_mm, 14);
-  auto small = SessionEngine::create(block()).value();
+  auto small = SessionEngine::create(whole_block()).value();
   EXPECT_THAT(small.step(read[0].first).refused, HasSubstr("at large strain alone"));
 }
 
@@ -440,8 +440,8 @@ TEST(SessionAtLargeStrain, AStepThatWouldCrushTheBodyIsRefusedAndLeavesWhatWas) 
 // the session that had both from the beginning: to the bit where the tools came straight, and nearly where they were
 // drawn.
 TEST(Session, TheReferenceBodyMayComeLater) {
-  auto with = SessionEngine::create(block()).value();
-  auto later = SessionEngine::create(block(), {}, WithReference::when_asked).value();
+  auto with = SessionEngine::create(whole_block()).value();
+  auto later = SessionEngine::create(whole_block(), {}, WithReference::when_asked).value();
   EXPECT_TRUE(later.has_reference());
   const std::string untouched = with.state().digest;
   EXPECT_FALSE(later.state().atlas);
@@ -464,8 +464,9 @@ TEST(Session, TheReferenceBodyMayComeLater) {
 
   // Drawn over the surface and cut before it is compared.
   for (auto* engine : {&with, &later})
-    *engine = SessionEngine::create(block(), {}, engine == &with ? WithReference::at_once : WithReference::when_asked)
-                  .value();
+    *engine =
+        SessionEngine::create(whole_block(), {}, engine == &with ? WithReference::at_once : WithReference::when_asked)
+            .value();
   for (auto* engine : {&with, &later}) {
     for (int i = 0; i < 5; ++i) engine->step(HoldTool{probe({30.0 + 2 * i, 40, 40})});
     EXPECT_EQ(engine->step(advance(0, 20)).refused, "");
@@ -479,7 +480,7 @@ TEST(Session, TheReferenceBodyMayComeLater) {
 
 // What a session did before it compared and after it is the same when it is read from its file and done again.
 TEST(Session, AComparisonIsInTheRecording) {
-  auto engine = SessionEngine::create(block(), {}, WithReference::when_asked).value();
+  auto engine = SessionEngine::create(whole_block(), {}, WithReference::when_asked).value();
   Recording recording;
   for (const SessionCommand& command :
        std::vector<SessionCommand>{HoldTool{probe({35, 40, 42})}, Compare{}, HoldTool{probe({35, 40, 40})}}) {
@@ -487,10 +488,10 @@ TEST(Session, AComparisonIsInTheRecording) {
   }
   const auto read = parse_recording(recording_text(recording)).value();
   EXPECT_EQ(reference_in(read), WithReference::when_asked);
-  auto again = SessionEngine::create(block(), {}, reference_in(read)).value();
+  auto again = SessionEngine::create(whole_block(), {}, reference_in(read)).value();
   EXPECT_FALSE(replay(again, read).has_value());
   // Where nothing can be compared, that is said and nothing changes.
-  RehearsalSetup alone = block();
+  RehearsalSetup alone = whole_block();
   alone.atlas_youngs_kPa.reset();
   auto single = SessionEngine::create(std::move(alone)).value();
   const std::string before = single.state().digest;
@@ -504,7 +505,7 @@ void wait_for(const LiveSession& session, SessionPhase phase) {
 }
 
 TEST(LiveSession, NeverKeepsItsCallerWaitingAndRecordsWhatItDid) {
-  LiveSession session(block());
+  LiveSession session(whole_block());
   // A drag: many moves, posted faster than they can be made.
   double longest_ms = 0;
   for (int i = 0; i < 200; ++i) {
@@ -526,7 +527,7 @@ TEST(LiveSession, NeverKeepsItsCallerWaitingAndRecordsWhatItDid) {
                           [](const auto& one) { return std::holds_alternative<Compare>(one.first); }),
             1);
   EXPECT_TRUE(session.latest()->atlas);
-  auto engine = SessionEngine::create(block(), {}, reference_in(recording)).value();
+  auto engine = SessionEngine::create(whole_block(), {}, reference_in(recording)).value();
   EXPECT_FALSE(replay(engine, recording).has_value());
 }
 
@@ -567,7 +568,7 @@ TEST(LiveSession, WhatIsAskedForDoesNotWaitForASettleAndReplaysToTheBit) {
 }
 
 TEST(LiveSession, ASessionThatCannotBeIsFailedAndSaysWhy) {
-  RehearsalSetup setup = block();
+  RehearsalSetup setup = whole_block();
   setup.supports.clear();
   const LiveSession session(std::move(setup));
   wait_for(session, SessionPhase::failed);

@@ -37,7 +37,7 @@ imaging::Volume torso() {
   return volume;
 }
 
-Scene organ() {
+Scene plain_organ() {
   const Appearance look = appearance_of("liver");
   Scene scene;
   scene.surfaces = {{"liver",
@@ -98,7 +98,7 @@ TEST(Backdrop, SoftTissueIsClearAndAnImageWithoutAScaleShowsItsBrightest) {
 
 TEST(Backdrop, ShowsWhatIsBehindTheOrganAndNothingBeforeIt) {
   View view;
-  ASSERT_TRUE(view.show(organ()));
+  ASSERT_TRUE(view.show(plain_organ()));
   Painter painter;
   const auto draw = [&] {
     const auto frame = painter.paint(view.take_changes(480, 320));
@@ -138,7 +138,7 @@ TEST(Backdrop, ShowsWhatIsBehindTheOrganAndNothingBeforeIt) {
   std::cout << "CPU time of a frame of 480 x 320 with the backdrop: " << fine_ms << " ms, coarse " << coarse_ms
             << " ms, without " << without_ms << " ms, by " << painter.drawn_by() << "\n";
   view.set_detail(Detail::full);
-  view.set_camera(*organ().camera);
+  view.set_camera(*plain_organ().camera);
   EXPECT_EQ(draw().rgb, without.rgb);
 }
 

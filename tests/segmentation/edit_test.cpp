@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 using imaging::Grid;
 using imaging::Mask;
 
-Mask empty_mask() { return {slanted_grid(), std::vector<std::uint8_t>(slanted_grid().voxels(), 0)}; }
+Mask empty_slanted_mask() { return {slanted_grid(), std::vector<std::uint8_t>(slanted_grid().voxels(), 0)}; }
 
 Vector3d middle_mm() { return slanted_grid().position_mm(Vector3d(14.5, 12.5, 8.5)); }
 
@@ -31,7 +31,7 @@ void expect_voxels(const Mask& mask, const Belongs& belongs) {
 
 TEST(Edit, PaintsAndErasesABallInMillimetres) {
   const Ball outer{middle_mm(), 9.3}, inner{middle_mm() + Vector3d(2, 1, 0), 5.1};
-  const Mask mask = erase(paint(empty_mask(), outer), inner);
+  const Mask mask = erase(paint(empty_slanted_mask(), outer), inner);
   expect_voxels(mask, [&](int i, int j, int k) {
     const Vector3d at_mm = mask.grid.position_mm(i, j, k);
     return (at_mm - outer.center_mm).norm() <= outer.radius_mm && (at_mm - inner.center_mm).norm() > inner.radius_mm;
@@ -41,14 +41,14 @@ TEST(Edit, PaintsAndErasesABallInMillimetres) {
 TEST(Edit, BrushesOutsideTheImageOrWithoutSizeDoNothing) {
   for (const Ball& ball : {Ball{{1e6, 0, 0}, 5}, Ball{middle_mm(), 0}, Ball{middle_mm(), -1},
                            Ball{Vector3d::Constant(std::nan("")), 5}, Ball{middle_mm(), std::nan("")}}) {
-    EXPECT_EQ(voxel_count(paint(empty_mask(), ball)), 0U);
+    EXPECT_EQ(voxel_count(paint(empty_slanted_mask(), ball)), 0U);
   }
 }
 
 TEST(Edit, CutsByAPlane) {
   const Ball ball{middle_mm(), 9.3};
   const Plane plane{middle_mm(), {1, 2, 3}};
-  const Mask mask = cut(paint(empty_mask(), ball), plane);
+  const Mask mask = cut(paint(empty_slanted_mask(), ball), plane);
   expect_voxels(mask, [&](int i, int j, int k) {
     const Vector3d at_mm = mask.grid.position_mm(i, j, k);
     return (at_mm - ball.center_mm).norm() <= ball.radius_mm && (at_mm - plane.point_mm).dot(plane.normal) <= 0;
@@ -59,7 +59,7 @@ TEST(Edit, CutsByAPlane) {
 TEST(Edit, CutsByAnOutline) {
   const Vector3d w = Vector3d(0.2, -0.4, 1).normalized(), u = w.unitOrthogonal(), v = w.cross(u);
   const Outline triangle{{middle_mm() - 6 * u - 5 * v, middle_mm() + 7 * u - 5 * v, middle_mm() + 8 * v}, 3 * w};
-  const Mask whole = paint(empty_mask(), {middle_mm(), 9.3});
+  const Mask whole = paint(empty_slanted_mask(), {middle_mm(), 9.3});
   const Mask without_inside = cut(whole, triangle, CutSide::inside);
   const Mask without_outside = cut(whole, triangle, CutSide::outside);
   const auto side = [&](const Vector3d& a, const Vector3d& b, const Vector3d& p) {
@@ -76,24 +76,24 @@ TEST(Edit, CutsByAnOutline) {
 }
 
 TEST(Edit, FillsHolesButNotBays) {
-  Mask mask = erase(paint(empty_mask(), {middle_mm(), 10}), {middle_mm(), 4});
-  const Mask solid = paint(empty_mask(), {middle_mm(), 10});
+  Mask mask = erase(paint(empty_slanted_mask(), {middle_mm(), 10}), {middle_mm(), 4});
+  const Mask solid = paint(empty_slanted_mask(), {middle_mm(), 10});
   EXPECT_EQ(fill_holes(mask).values, solid.values);
   for (int i = 0; i < 15; ++i) mask.at(i, 12, 8) = 0;  // a channel from the cavity to the border
   EXPECT_EQ(fill_holes(mask).values, mask.values);
 }
 
 TEST(Edit, KeepsTheLargestPiece) {
-  const Mask large = paint(empty_mask(), {middle_mm(), 6});
+  const Mask large = paint(empty_slanted_mask(), {middle_mm(), 6});
   const Mask both = paint(large, {middle_mm() + slanted_grid().direction * Vector3d(11, 0, 0), 3});
   ASSERT_GT(voxel_count(both), voxel_count(large));
   EXPECT_EQ(keep_largest(both).values, large.values);
-  EXPECT_EQ(voxel_count(keep_largest(empty_mask())), 0U);
+  EXPECT_EQ(voxel_count(keep_largest(empty_slanted_mask())), 0U);
 }
 
 TEST(Edit, MarginsAgreeWithTryingEveryPairOfVoxels) {
   std::mt19937 random(3);
-  Mask mask = empty_mask();
+  Mask mask = empty_slanted_mask();
   for (int n = 0; n < 12; ++n) mask.values[random() % mask.values.size()] = 1;
   const double margin_mm = 4.4;
   const Mask grown = with_margin(mask, margin_mm);
@@ -118,14 +118,14 @@ TEST(Edit, MarginsAgreeWithTryingEveryPairOfVoxels) {
 }
 
 TEST(Edit, TheImageBorderIsNotOutside) {
-  Mask full = empty_mask();
+  Mask full = empty_slanted_mask();
   std::fill(full.values.begin(), full.values.end(), std::uint8_t{1});
   EXPECT_EQ(with_margin(full, -5).values, full.values);
   EXPECT_EQ(smooth(full, 3).values, full.values);
 }
 
 TEST(Edit, SmoothingKeepsABallAndTakesAHairAway) {
-  const Mask ball = paint(empty_mask(), {middle_mm(), 10});
+  const Mask ball = paint(empty_slanted_mask(), {middle_mm(), 10});
   Mask hairy = ball;
   for (int i = 0; i < 30; ++i) hairy.at(i, 12, 8) = 1;
   const Mask smoothed = smooth(hairy, 2);
@@ -135,7 +135,8 @@ TEST(Edit, SmoothingKeepsABallAndTakesAHairAway) {
 }
 
 TEST(Edit, UnionAndDifference) {
-  const Mask a = paint(empty_mask(), {middle_mm(), 6}), b = paint(empty_mask(), {middle_mm() + Vector3d(4, 0, 0), 6});
+  const Mask a = paint(empty_slanted_mask(), {middle_mm(), 6}),
+             b = paint(empty_slanted_mask(), {middle_mm() + Vector3d(4, 0, 0), 6});
   EXPECT_EQ(united(subtracted(a, b), b).values, united(a, b).values);
   EXPECT_EQ(voxel_count(subtracted(a, a)), 0U);
 }

@@ -9,7 +9,7 @@ namespace {
 
 using imaging::Mask;
 
-Mask empty_mask() {
+Mask empty_small_mask() {
   Mask mask;
   mask.grid.size = {30, 30, 30};
   mask.grid.spacing_mm = {1, 1, 2};
@@ -17,7 +17,7 @@ Mask empty_mask() {
   return mask;
 }
 
-Mask ball(double x, double y, double z, double radius_mm) { return paint(empty_mask(), {{x, y, z}, radius_mm}); }
+Mask ball(double x, double y, double z, double radius_mm) { return paint(empty_small_mask(), {{x, y, z}, radius_mm}); }
 
 TEST(Structures, AreKnownByNameWithOrWithoutNumber) {
   EXPECT_EQ(known_structure("liver").place, Place::liver);
@@ -28,7 +28,7 @@ TEST(Structures, AreKnownByNameWithOrWithoutNumber) {
   for (const char* name : {"", "-", "-3", "tumour-", "tumour-x", "whatever"}) {
     EXPECT_EQ(known_structure(name).place, Place::unknown) << name;
   }
-  EXPECT_DOUBLE_EQ(make_structure("liver", empty_mask()).color_rgb[0], 221 / 255.0);
+  EXPECT_DOUBLE_EQ(make_structure("liver", empty_small_mask()).color_rgb[0], 221 / 255.0);
 }
 
 TEST(Structures, InsideWinsOverTheLiverAndSmallOverLarge) {
@@ -57,20 +57,22 @@ TEST(Structures, RefusesWhatCannotBeComposed) {
   EXPECT_EQ(compose_labels({}, Extent::all).error().code, "labels-no-structures");
   EXPECT_EQ(compose_labels({make_structure("tumour", ball(5, 5, 5, 3))}, Extent::liver).error().code,
             "labels-no-liver");
-  EXPECT_EQ(compose_labels({make_structure("liver", empty_mask())}, Extent::liver).error().code, "labels-liver-empty");
-  Mask elsewhere = empty_mask();
+  EXPECT_EQ(compose_labels({make_structure("liver", empty_small_mask())}, Extent::liver).error().code,
+            "labels-liver-empty");
+  Mask elsewhere = empty_small_mask();
   elsewhere.grid.origin_mm.x() = 1;
-  EXPECT_EQ(compose_labels({make_structure("liver", empty_mask()), make_structure("tumour", elsewhere)}, Extent::all)
-                .error()
-                .code,
-            "labels-grids-differ");
+  EXPECT_EQ(
+      compose_labels({make_structure("liver", empty_small_mask()), make_structure("tumour", elsewhere)}, Extent::all)
+          .error()
+          .code,
+      "labels-grids-differ");
 }
 
 TEST(Structures, OverlapOfMasks) {
   const Mask a = ball(10, 10, 20, 5), b = ball(20, 20, 40, 5);
   EXPECT_EQ(dice(a, a).value(), 1.0);
   EXPECT_EQ(dice(a, b).value(), 0.0);
-  EXPECT_EQ(dice(empty_mask(), empty_mask()).value(), 1.0);
+  EXPECT_EQ(dice(empty_small_mask(), empty_small_mask()).value(), 1.0);
   EXPECT_EQ(dice(a, united(a, b)).value(), 2.0 / 3.0);  // b is as large as a
 }
 
@@ -84,7 +86,7 @@ TEST(Structures, PiecesAreToldTheLargestFirst) {
   EXPECT_NEAR((found[1].centroid_mm - Eigen::Vector3d(8, 8, 20)).norm(), 0, 1e-9);
   EXPECT_DOUBLE_EQ(found[1].volume_ml, static_cast<double>(found[1].voxels) * 0.002);
   EXPECT_DOUBLE_EQ(found[0].volume_ml + found[1].volume_ml, volume_ml(mask));
-  EXPECT_TRUE(pieces(empty_mask()).empty());
+  EXPECT_TRUE(pieces(empty_small_mask()).empty());
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace {
 using Eigen::Vector3d;
 using geometry::Surface;
 
-const ShapeModel& model() {
+const ShapeModel& closed_model() {
   static const ShapeModel made = honest_model(test::ellipsoids(60)).value();
   return made;
 }
@@ -27,9 +27,9 @@ double sd_of(const ShapeModel& of, Eigen::Index point, Eigen::Index axis) {
 
 Eigen::Index point_farthest(const Vector3d& direction) {
   Eigen::Index best = 0;
-  for (std::size_t p = 0; p < model().mean.points_mm.size(); ++p) {
-    if (model().mean.points_mm[p].dot(direction) >
-        model().mean.points_mm[static_cast<std::size_t>(best)].dot(direction)) {
+  for (std::size_t p = 0; p < closed_model().mean.points_mm.size(); ++p) {
+    if (closed_model().mean.points_mm[p].dot(direction) >
+        closed_model().mean.points_mm[static_cast<std::size_t>(best)].dot(direction)) {
       best = static_cast<Eigen::Index>(p);
     }
   }
@@ -47,13 +47,13 @@ Surface without_dome(Surface surface) {
 }  // namespace
 
 TEST(Shapes, FindsTheModesThatThereAreAndNoMore) {
-  EXPECT_EQ(model().rank(), 3);
+  EXPECT_EQ(closed_model().rank(), 3);
   // Sixty livers say a standard deviation to within 1 / sqrt(120), twice that for chance.
-  EXPECT_NEAR(sd_of(model(), point_farthest({1, 0, 0}), 0), test::x_sd_mm, 0.2 * test::x_sd_mm);
-  EXPECT_NEAR(sd_of(model(), point_farthest({0, 1, 0}), 1), test::y_sd_mm, 0.2 * test::y_sd_mm);
+  EXPECT_NEAR(sd_of(closed_model(), point_farthest({1, 0, 0}), 0), test::x_sd_mm, 0.2 * test::x_sd_mm);
+  EXPECT_NEAR(sd_of(closed_model(), point_farthest({0, 1, 0}), 1), test::y_sd_mm, 0.2 * test::y_sd_mm);
   // Aligning takes a part of a dome that rises: all points follow it by their mean, a tenth of it.
-  EXPECT_NEAR(sd_of(model(), point_farthest({0, 0, 1}), 2), 0.9 * test::dome_sd_mm, 0.2 * test::dome_sd_mm);
-  EXPECT_NEAR(model().residual_sd_mm.mean(), 0.2, 0.05);  // the noise of each coordinate
+  EXPECT_NEAR(sd_of(closed_model(), point_farthest({0, 0, 1}), 2), 0.9 * test::dome_sd_mm, 0.2 * test::dome_sd_mm);
+  EXPECT_NEAR(closed_model().residual_sd_mm.mean(), 0.2, 0.05);  // the noise of each coordinate
 }
 
 TEST(Shapes, GeneralisesToLiversLeftOutAsFarAsNoiseLets) {
@@ -72,7 +72,7 @@ TEST(Shapes, ACompletionsStandardDeviationCovers) {
   constexpr int drawn = 24;
   for (int i = 0; i < drawn; ++i) {
     const Surface truth = test::ellipsoid(test::drawn(mixed(99, static_cast<std::uint64_t>(i))));
-    const auto completed = complete(model(), without_dome(truth));
+    const auto completed = complete(closed_model(), without_dome(truth));
     ASSERT_TRUE(completed) << completed.error().message();
     const auto& sd_mm = geometry::find_field(completed->surface.point_fields, "sd_mm")->values;
     const std::vector<Vector3d> normals = geometry::point_normals(completed->surface);
@@ -94,7 +94,7 @@ TEST(Shapes, ACompletionsStandardDeviationCovers) {
 
 TEST(Shapes, WhatIsSeenStays) {
   const Surface truth = test::ellipsoid({1, -1, 0.5});
-  const auto completed = complete(model(), without_dome(truth)).value();
+  const auto completed = complete(closed_model(), without_dome(truth)).value();
   EXPECT_TRUE(is_watertight(completed.surface));
   EXPECT_GT(completed.seen_fraction, 0.5);
   EXPECT_LT(completed.seen_fraction, 0.85);
@@ -108,14 +108,14 @@ TEST(Shapes, WhatIsSeenStays) {
 
 TEST(Shapes, AModelComesBackFromItsFile) {
   const TemporaryFolder folder;
-  ASSERT_TRUE(write_model(folder.path() / "model.vtp", model()));
+  ASSERT_TRUE(write_model(folder.path() / "model.vtp", closed_model()));
   const auto back = read_model(folder.path() / "model.vtp");
   ASSERT_TRUE(back) << back.error().message();
-  EXPECT_EQ(back->rank(), model().rank());
+  EXPECT_EQ(back->rank(), closed_model().rank());
   EXPECT_EQ(back->livers, 60);
-  EXPECT_EQ(back->modes_mm, model().modes_mm);
-  EXPECT_EQ(back->residual_sd_mm, model().residual_sd_mm);
-  ASSERT_TRUE(geometry::write_surface(folder.path() / "plain.vtp", model().mean));
+  EXPECT_EQ(back->modes_mm, closed_model().modes_mm);
+  EXPECT_EQ(back->residual_sd_mm, closed_model().residual_sd_mm);
+  ASSERT_TRUE(geometry::write_surface(folder.path() / "plain.vtp", closed_model().mean));
   const auto plain = read_model(folder.path() / "plain.vtp");
   ASSERT_FALSE(plain);
   EXPECT_EQ(plain.error().code, "shapes-not-a-model");

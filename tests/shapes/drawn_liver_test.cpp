@@ -8,7 +8,7 @@
 namespace glisson::shapes {
 namespace {
 
-const ShapeModel& model() {
+const ShapeModel& drawn_model() {
   static const ShapeModel made = honest_model(test::ellipsoids(40)).value();
   return made;
 }
@@ -16,18 +16,18 @@ const ShapeModel& model() {
 }  // namespace
 
 TEST(DrawnLivers, TheSameSeedAndNumberGiveTheSameLiver) {
-  const DrawnLiver first = draw_liver(model(), 5, 2).value(), again = draw_liver(model(), 5, 2).value();
+  const DrawnLiver first = draw_liver(drawn_model(), 5, 2).value(), again = draw_liver(drawn_model(), 5, 2).value();
   EXPECT_EQ(first.coefficients, again.coefficients);
   EXPECT_EQ(first.surface.points_mm, again.surface.points_mm);
-  EXPECT_NE(first.coefficients, draw_liver(model(), 5, 3).value().coefficients);
-  EXPECT_NE(first.coefficients, draw_liver(model(), 6, 2).value().coefficients);
+  EXPECT_NE(first.coefficients, draw_liver(drawn_model(), 5, 3).value().coefficients);
+  EXPECT_NE(first.coefficients, draw_liver(drawn_model(), 6, 2).value().coefficients);
 }
 
 TEST(DrawnLivers, DifferAsTheModelSays) {
-  Eigen::VectorXd sum = Eigen::VectorXd::Zero(model().rank()), squares = sum;
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(drawn_model().rank()), squares = sum;
   constexpr int count = 400;
   for (int i = 0; i < count; ++i) {
-    const DrawnLiver liver = draw_liver(model(), 1, static_cast<std::uint64_t>(i)).value();
+    const DrawnLiver liver = draw_liver(drawn_model(), 1, static_cast<std::uint64_t>(i)).value();
     EXPECT_LE(liver.coefficients.cwiseAbs().maxCoeff(), 3);
     sum += liver.coefficients;
     squares += liver.coefficients.cwiseAbs2();
@@ -38,7 +38,7 @@ TEST(DrawnLivers, DifferAsTheModelSays) {
 }
 
 TEST(DrawnLivers, AreMeshedAsAnyLiver) {
-  const DrawnLiver liver = draw_liver(model(), 1, 1).value();
+  const DrawnLiver liver = draw_liver(drawn_model(), 1, 1).value();
   const auto mesh = mesh_of(liver, 3000, 4);
   ASSERT_TRUE(mesh) << mesh.error().message();
   EXPECT_TRUE(is_watertight(mesh->surface));

@@ -55,11 +55,11 @@ TEST(ConvergenceStudy, ResolutionsOutOfRangeAreRefused) {
 }
 
 // A block of tissue: soft at one end, stiff at the other, and striped in between.
-struct Tissue {
+struct BeamTissue {
   geometry::TetMesh liver = beam_mesh({36, 8, 8}, {180, 40, 40});
   std::vector<double> youngs_kPa;
 
-  Tissue() {
+  BeamTissue() {
     for (std::size_t c = 0; c < liver.cells.size(); ++c) {
       const double x = geometry::cell_centroid_mm(liver, c).x();
       youngs_kPa.push_back(x < 60 ? 3.0 : x > 120 ? 20.0 : static_cast<int>(x / 10) % 2 == 0 ? 2.0 : 32.0);
@@ -68,7 +68,7 @@ struct Tissue {
 };
 
 TEST(BeamStudy, FindsTheSoftestTheStiffestAndTheMostUnevenPlace) {
-  const Tissue tissue;
+  const BeamTissue tissue;
   const auto places = beam_places(tissue.liver, tissue.youngs_kPa);
   ASSERT_TRUE(places) << places.error().message();
   EXPECT_NEAR((*places)[0].mean_kPa, 2.0, 1.5);
@@ -85,7 +85,7 @@ TEST(BeamStudy, FindsTheSoftestTheStiffestAndTheMostUnevenPlace) {
 }
 
 TEST(BeamStudy, SoftTissueIsLiftedFartherThanTheControlAndStiffLess) {
-  const Tissue tissue;
+  const BeamTissue tissue;
   const BeamOptions options{.force_N = 0.02, .nodes = 16};
   const auto row = compare_beams("block", tissue.liver, tissue.youngs_kPa, options);
   ASSERT_TRUE(row) << row.error().message();

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-ExampleSequenceOptions small() {
+ExampleSequenceOptions small_sequence() {
   ExampleSequenceOptions options;
   options.frames = 20;  // one breath
   options.step_px = 14;
@@ -46,7 +46,7 @@ std::pair<double, double> near_and_far(const registration_quality::Quality& qual
 
 TEST(ExampleSequence, ShowsSirgnTheFaultThatItHolds) {
   const TemporaryFolder folder;
-  const auto file = write_example_sequence(folder.path() / "example", small());
+  const auto file = write_example_sequence(folder.path() / "example", small_sequence());
   ASSERT_TRUE(file.has_value()) << file.error().message();
   const auto files = registration_quality::read_sequence(*file);
   ASSERT_TRUE(files.has_value()) << files.error().message();
@@ -68,7 +68,7 @@ TEST(ExampleSequence, ShowsSirgnTheFaultThatItHolds) {
 
 TEST(ExampleSequence, WithoutAFaultIsRegisteredTruly) {
   const TemporaryFolder folder;
-  ExampleSequenceOptions options = small();
+  ExampleSequenceOptions options = small_sequence();
   options.fault_mm = 0;
   const auto file = write_example_sequence(folder.path() / "example", options).value();
   const auto registered = registration_quality::register_sequence(registration_quality::read_sequence(file).value(),
@@ -82,7 +82,7 @@ TEST(ExampleSequence, WithoutAFaultIsRegisteredTruly) {
 
 TEST(ExampleSequence, IsTheSameFromTheSameSeed) {
   const TemporaryFolder folder;
-  ExampleSequenceOptions options = small();
+  ExampleSequenceOptions options = small_sequence();
   options.frames = 3;
   const auto a = write_example_sequence(folder.path() / "a", options).value();
   const auto b = write_example_sequence(folder.path() / "b", options).value();
@@ -95,13 +95,13 @@ TEST(ExampleSequence, LeavesNothingBehindWhenItIsCancelled) {
   const TemporaryFolder folder;
   std::stop_source stop;
   const Progress progress([&](double, std::string_view) { stop.request_stop(); }, stop.get_token());
-  const auto file = write_example_sequence(folder.path() / "example", small(), progress);
+  const auto file = write_example_sequence(folder.path() / "example", small_sequence(), progress);
   ASSERT_FALSE(file.has_value());
   EXPECT_EQ(file.error().code, "cancelled");
   EXPECT_FALSE(fs::exists(folder.path() / "example"));
   // And a folder that holds something is not written into.
   ASSERT_TRUE(write_text_file(folder.path() / "mine.txt", "mine"));
-  EXPECT_EQ(write_example_sequence(folder.path(), small()).error().code, "sequence-folder-not-empty");
+  EXPECT_EQ(write_example_sequence(folder.path(), small_sequence()).error().code, "sequence-folder-not-empty");
   EXPECT_TRUE(fs::exists(folder.path() / "mine.txt"));
 }
 

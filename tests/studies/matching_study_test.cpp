@@ -14,7 +14,7 @@ namespace {
 
 using registration::WordWidth;
 
-MatchingOptions small() {
+MatchingOptions small_study() {
   MatchingOptions options;
   options.points = {24, 40};
   options.livers = 2;
@@ -36,7 +36,7 @@ TEST(MatchingDemand, IsWhatTheDissertationStates) {
 
 TEST(MatchingStudy, JudgesBitsAndGoesOnWhereItWasStopped) {
   const TemporaryFolder out;
-  const auto study = run_matching(out.path(), small());
+  const auto study = run_matching(out.path(), small_study());
   ASSERT_TRUE(study) << study.error().message();
   ASSERT_EQ(study->rows.size(), 4u);  // two livers, there and back
   EXPECT_TRUE(study->simulated);
@@ -63,7 +63,7 @@ TEST(MatchingStudy, JudgesBitsAndGoesOnWhereItWasStopped) {
     EXPECT_TRUE(std::filesystem::exists(out.path() / file)) << file;
   }
   std::filesystem::remove(out.path() / "patients" / (study->rows[1].id + ".json"));
-  const auto again = run_matching(out.path(), small());
+  const auto again = run_matching(out.path(), small_study());
   ASSERT_TRUE(again) << again.error().message();
   EXPECT_FALSE(again->rows[1].reused);
   EXPECT_TRUE(again->rows[0].reused);
@@ -72,7 +72,7 @@ TEST(MatchingStudy, JudgesBitsAndGoesOnWhereItWasStopped) {
 
 TEST(MatchingStudy, TimesEveryWayAndSaysWhatThePlatformsCanDo) {
   const TemporaryFolder out;
-  MatchingOptions options = small();
+  MatchingOptions options = small_study();
   options.points = {32};
   options.livers = 1;
   options.seconds_a_timing = 0.01;
@@ -98,11 +98,11 @@ TEST(MatchingStudy, RefusesWhatItCannotDo) {
            },
            [](auto& options) { options.points = {}; }, [](auto& options) { options.starts = {-1}; },
            [](auto& options) { options.passes = 0; }, [](auto& options) { options.shapes = {{"one.ply"}}; }}) {
-    MatchingOptions options = small();
+    MatchingOptions options = small_study();
     spoil(options);
     EXPECT_EQ(run_matching(out.path(), options).error().code, "study-options");
   }
-  MatchingOptions options = small();
+  MatchingOptions options = small_study();
   options.shapes = {{"no-such.ply", "nor-this.ply"}};
   EXPECT_FALSE(run_matching(out.path(), options));
 }

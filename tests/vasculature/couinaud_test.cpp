@@ -47,7 +47,7 @@ TEST(Couinaud, TheShapeAloneTellsSegmentsOfALiverThatWasNotInThePrior) {
   const auto found = couinaud_segments(known.liver);
   ASSERT_TRUE(found) << found.error().message();
   EXPECT_EQ(found->from, SegmentsFrom::shape);
-  const test::SegmentScore score = test::score_of(found->segment, known.segments);
+  const glisson::test::SegmentScore score = glisson::test::score_of(found->segment, known.segments);
   EXPECT_GT(score.dice[0], 0.65);
   double all = 0;
   for (std::size_t s = 1; s <= 8; ++s) {

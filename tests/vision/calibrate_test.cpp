@@ -12,7 +12,7 @@
 namespace glisson::vision {
 namespace {
 
-constexpr int width = 640, height = 480;
+constexpr int board_width = 640, board_height = 480;
 
 StereoCalibration truth() {
   StereoCalibration calibration;
@@ -44,8 +44,8 @@ Eigen::Vector2d straightened(const Camera& camera, double x_px, double y_px) {
 using Rays = std::vector<Eigen::Vector2d>;
 Rays rays_of(const Camera& camera) {
   Rays rays;
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x)
+  for (int y = 0; y < board_height; ++y)
+    for (int x = 0; x < board_width; ++x)
       for (int quarter = 0; quarter < 4; ++quarter) {
         rays.push_back(straightened(camera, x - 0.25 + 0.5 * (quarter % 2), y - 0.25 + 0.5 * (quarter / 2)));
       }
@@ -55,7 +55,7 @@ Rays rays_of(const Camera& camera) {
 // What is seen of a board at a pose; `shade` says how bright a place of the board is (0..255).
 template <typename Shade>
 Frame photograph(const Rays& rays, const Eigen::Isometry3d& board_to_camera, const Shade& shade) {
-  Frame frame{width, height, std::vector<std::uint8_t>(3 * width * height)};
+  Frame frame{board_width, board_height, std::vector<std::uint8_t>(3 * board_width * board_height)};
   const Eigen::Isometry3d to_board = board_to_camera.inverse();
   for (std::size_t pixel = 0; pixel < rays.size() / 4; ++pixel) {
     double sum = 0;

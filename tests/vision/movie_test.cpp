@@ -10,7 +10,7 @@
 namespace glisson::vision {
 namespace {
 
-Frame plain(int width, int height, std::uint8_t grey) {
+Frame grey_frame(int width, int height, std::uint8_t grey) {
   return {width, height, std::vector<std::uint8_t>(3 * static_cast<std::size_t>(width * height), grey)};
 }
 
@@ -18,7 +18,7 @@ TEST(MovieWriter, AVideoHoldsItsFramesInOrder) {
   const TemporaryFolder folder;
   const auto file = folder.path() / "rehearsal.mp4";
   auto movie = MovieWriter::begin(file, 25).value();
-  for (const std::uint8_t grey : {30, 90, 150, 210}) ASSERT_TRUE(movie.add(plain(65, 49, grey)));
+  for (const std::uint8_t grey : {30, 90, 150, 210}) ASSERT_TRUE(movie.add(grey_frame(65, 49, grey)));
   EXPECT_FALSE(std::filesystem::exists(file));
   ASSERT_TRUE(movie.finish());
   auto source = FrameSource::open(file).value();
@@ -36,7 +36,7 @@ TEST(MovieWriter, AVideoHoldsItsFramesInOrder) {
 TEST(MovieWriter, AnyOtherNameBecomesAFolderOfPictures) {
   const TemporaryFolder folder;
   auto movie = MovieWriter::begin(folder.path() / "frames", 25).value();
-  for (const std::uint8_t grey : {10, 20, 30}) ASSERT_TRUE(movie.add(plain(9, 7, grey)));
+  for (const std::uint8_t grey : {10, 20, 30}) ASSERT_TRUE(movie.add(grey_frame(9, 7, grey)));
   ASSERT_TRUE(movie.finish());
   EXPECT_EQ(*read_frame(folder.path() / "frames" / "00002.png").value().at(4, 4), 20);
   const auto again = MovieWriter::begin(folder.path() / "frames", 25);
@@ -48,8 +48,8 @@ TEST(MovieWriter, LeavesNothingUnlessItWasFinished) {
   const TemporaryFolder folder;
   {
     auto movie = MovieWriter::begin(folder.path() / "half.mp4", 25).value();
-    ASSERT_TRUE(movie.add(plain(64, 48, 40)));
-    EXPECT_FALSE(movie.add(plain(32, 48, 40)));  // another size
+    ASSERT_TRUE(movie.add(grey_frame(64, 48, 40)));
+    EXPECT_FALSE(movie.add(grey_frame(32, 48, 40)));  // another size
   }
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
   EXPECT_FALSE(MovieWriter::begin(folder.path() / "nowhere" / "film.mp4", 25));

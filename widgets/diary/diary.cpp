@@ -13,7 +13,7 @@
 namespace glisson::widgets {
 namespace {
 
-constexpr qint64 longest_file_bytes = 1 << 20;
+constexpr qint64 maximum_diary_bytes = 1 << 20;
 
 const char* name_of(DiaryEntry::Kind kind) {
   switch (kind) {
@@ -48,7 +48,7 @@ void Diary::add(DiaryEntry::Kind kind, QString text, double took_ms) {
   if (entries_.size() > maximum_) entries_.pop_front();
   if (!file_.isEmpty()) {
     QFile file(file_);
-    const bool anew = QFileInfo(file_).size() > longest_file_bytes;
+    const bool anew = QFileInfo(file_).size() > maximum_diary_bytes;
     if (file.open(anew ? QIODevice::WriteOnly : QIODevice::Append))
       file.write((line_of(entries_.back()) + '\n').toUtf8());
   }

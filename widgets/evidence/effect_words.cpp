@@ -8,14 +8,14 @@
 namespace glisson::widgets {
 namespace {
 
-struct Words {
+struct EffectWords {
   const char* kind;
   const char* label;
 };
 
-constexpr const char* context = "effects";
+constexpr const char* effects_context = "effects";
 
-constexpr Words known[] = {
+constexpr EffectWords known[] = {
     {"stiffness-scale", QT_TRANSLATE_NOOP("effects", "Stiffer or softer throughout")},
     {"strain-stiffening", QT_TRANSLATE_NOOP("effects", "Stiffens as it deforms")},
     {"support-compliance", QT_TRANSLATE_NOOP("effects", "The support gives way")},
@@ -45,8 +45,8 @@ constexpr Words known[] = {
 }  // namespace
 
 QString effect_label(const std::string& kind) {
-  for (const Words& words : known) {
-    if (kind == words.kind) return QCoreApplication::translate(context, words.label);
+  for (const EffectWords& words : known) {
+    if (kind == words.kind) return QCoreApplication::translate(effects_context, words.label);
   }
   return QString::fromStdString(kind);
 }

@@ -56,12 +56,12 @@ class Reader {
   std::string suffix_;
 };
 
-std::string figure(double value) { return QString::number(value, 'g', 3).toStdString(); }
+std::string figure_of_record(double value) { return QString::number(value, 'g', 3).toStdString(); }
 
 // A number, or a vector as (1, 2, 3); a law's name as it is.
 std::string shown(const Json& json) {
   if (json.is_string()) return json.get<std::string>();
-  if (json.is_number()) return figure(json.get<double>());
+  if (json.is_number()) return figure_of_record(json.get<double>());
   if (!json.is_array()) return {};
   std::string text;
   for (const Json& each : json) text += (text.empty() ? "(" : ", ") + shown(each);

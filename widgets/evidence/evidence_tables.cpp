@@ -11,14 +11,14 @@
 namespace glisson::widgets {
 namespace {
 
-constexpr int row_px = 24;
+constexpr int evidence_row_px = 24;
 
 QString figure(double value) { return QLocale().toString(value, 'g', 3); }
 QString figure(const std::optional<double>& value) { return value ? figure(*value) : QString("–"); }
 
 void plain_table(QTableWidget& table) {
   table.verticalHeader()->hide();
-  table.verticalHeader()->setDefaultSectionSize(row_px);
+  table.verticalHeader()->setDefaultSectionSize(evidence_row_px);
   table.setEditTriggers(QAbstractItemView::NoEditTriggers);
   table.setSelectionMode(QAbstractItemView::NoSelection);
   table.setFocusPolicy(Qt::TabFocus);
@@ -43,7 +43,7 @@ QString strength(double delta_bic) {
 }
 
 void fit_height(QTableWidget& table) {
-  table.setFixedHeight(table.horizontalHeader()->sizeHint().height() + row_px * table.rowCount() + 4);
+  table.setFixedHeight(table.horizontalHeader()->sizeHint().height() + evidence_row_px * table.rowCount() + 4);
 }
 
 }  // namespace

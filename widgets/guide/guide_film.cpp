@@ -37,7 +37,7 @@ QImage picture_of(const FilmedFrame& frame, const vision::Frame* image, const Ov
   return picture;
 }
 
-vision::Frame frame_of(const QImage& picture) {
+vision::Frame frame_of_rgb(const QImage& picture) {
   vision::Frame frame{picture.width(), picture.height(), {}};
   for (int y = 0; y < picture.height(); ++y) {
     const uchar* row = picture.constScanLine(y);
@@ -62,7 +62,7 @@ Result<void> write_film(const std::filesystem::path& file, const std::vector<Fil
       image = *std::move(read);
     }
     const QImage picture = picture_of(frames[f], image ? &*image : nullptr, look);
-    if (auto added = film->add(frame_of(picture)); !added) return added;
+    if (auto added = film->add(frame_of_rgb(picture)); !added) return added;
   }
   return film->finish();
 }

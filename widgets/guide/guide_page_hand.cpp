@@ -7,7 +7,7 @@ namespace glisson::widgets {
 
 namespace {
 
-constexpr const char* kept_key = "guide/pose";
+constexpr const char* pose_key = "guide/pose";
 
 }  // namespace
 
@@ -28,7 +28,7 @@ void GuidePage::connect_hand() {
     show_in_space();
   });
   connect(&hand_due_, &QTimer::timeout, this, &GuidePage::show_overlay);
-  context_.undo.keep(kept_key, [this](const QJsonValue& kept) {
+  context_.undo.keep(pose_key, [this](const QJsonValue& kept) {
     take_kept_pose(kept);
     if (!has_video()) return;
     panel_->set_by_hand(hand_.has_value());  // shows what was undone
@@ -66,13 +66,13 @@ void GuidePage::move_by_hand(const Eigen::Isometry3d& pose) {
 
 void GuidePage::keep_hand_pose() {
   const QJsonValue now = json_of(hand_);
-  context_.undo.value_changed({GLISSON_TEXT("Place the liver by hand"), {}}, kept_key, kept_, now);
+  context_.undo.value_changed({GLISSON_TEXT("Place the liver by hand"), {}}, pose_key, kept_, now);
   kept_ = now;
   word();
 }
 
 void GuidePage::read_kept_pose() {
-  const QJsonValue kept = context_.undo.value(kept_key);
+  const QJsonValue kept = context_.undo.value(pose_key);
   take_kept_pose(kept.isUndefined() ? QJsonValue::Null : kept);
 }
 

@@ -6,15 +6,15 @@
 
 #include "widgets/guide/overlay_painter.h"
 #include "widgets/panels/swatch.h"
+#include "widgets/words/numbers.h"
 #include "widgets/words/translated.h"
 
 namespace glisson::widgets {
 namespace {
 
-constexpr int row_px = 25;
+constexpr int target_row_px = 25;
 
-QString none() { return QString::fromUtf8("\u2013"); }
-QString number(double value) { return std::isfinite(value) ? QLocale().toString(value, 'f', 1) : none(); }
+QString number_or_dash(double value) { return std::isfinite(value) ? number(value) : no_figure(); }
 
 }  // namespace
 
@@ -26,7 +26,7 @@ TargetTable::TargetTable(QWidget* parent) : QTableWidget(0, column_count, parent
   setShowGrid(false);
   setWordWrap(false);
   verticalHeader()->hide();
-  verticalHeader()->setDefaultSectionSize(row_px);
+  verticalHeader()->setDefaultSectionSize(target_row_px);
   verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
   horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   horizontalHeader()->setSectionResizeMode(name, QHeaderView::Stretch);
@@ -57,7 +57,7 @@ void TargetTable::show_structures(const std::vector<guidance::EmbeddedStructure>
         QFont bold = cell->font();
         bold.setBold(true);
         cell->setFont(bold);
-        cell->setToolTip(tr("Do not trust it at %1 mm").arg(number(tolerance_mm)));
+        cell->setToolTip(tr("Do not trust it at %1 mm").arg(number_or_dash(tolerance_mm)));
       }
       setItem(row, column, cell);
       return cell;
@@ -65,12 +65,12 @@ void TargetTable::show_structures(const std::vector<guidance::EmbeddedStructure>
     const QString label = structure_label(structures[s].name);
     put(name, known && !trusted ? QString::fromUtf8("\u26a0 ") + label : label)
         ->setIcon(swatch({red / 255.0, green / 255.0, blue / 255.0}));
-    put(sd, known ? number(found->sd_mm) : none());
-    put(within, known ? number(ninety_percent_in_sd * found->sd_mm) : none());
-    put(deep, found != outlines.end() && found->deep_mm ? number(*found->deep_mm) : none());
+    put(sd, known ? number_or_dash(found->sd_mm) : no_figure());
+    put(within, known ? number_or_dash(ninety_percent_in_sd * found->sd_mm) : no_figure());
+    put(deep, found != outlines.end() && found->deep_mm ? number_or_dash(*found->deep_mm) : no_figure());
   }
   const int most = std::min(rowCount(), 9);
-  setFixedHeight(horizontalHeader()->sizeHint().height() + row_px * std::max(1, most) + 2 * frameWidth());
+  setFixedHeight(horizontalHeader()->sizeHint().height() + target_row_px * std::max(1, most) + 2 * frameWidth());
 }
 
 }  // namespace glisson::widgets

@@ -12,6 +12,7 @@
 #include "widgets/panels/ask_path.h"
 #include "widgets/panels/parts.h"
 #include "widgets/words/keep_translated.h"
+#include "widgets/words/numbers.h"
 #include "widgets/words/paths.h"
 #include "widgets/words/translated.h"
 
@@ -22,7 +23,6 @@ using hardware::PlatformAnswer;
 
 namespace {
 
-QString number(double value, int digits = 3) { return QLocale().toString(value, 'g', digits); }
 QString whole(double value) { return QLocale().toString(value, 'f', 0); }
 
 // Figure 6.4's ten volumes, widened where a case lies outside, by ten resolutions; these in equal ratios, since what
@@ -192,11 +192,11 @@ void PlatformView::replan() {
   const hardware::Workload& work = plan_->workload;
   workload_->setText(request.task
                          ? tr("A frame of it: %1 MB to move, %2 million operations.")
-                               .arg(number(work.frame_bytes * 1e-6), number(work.frame_flops * 1e-6))
+                               .arg(significant(work.frame_bytes * 1e-6), significant(work.frame_flops * 1e-6))
                          : tr("%1 nodes of %2 mm³. A frame is %3 block products: %4 MB to move, %5 million operations.")
-                               .arg(whole(work.nodes), number(work.resolution_mm3))
+                               .arg(whole(work.nodes), significant(work.resolution_mm3))
                                .arg(work.products_per_frame)
-                               .arg(number(work.frame_bytes * 1e-6), number(work.frame_flops * 1e-6)));
+                               .arg(significant(work.frame_bytes * 1e-6), significant(work.frame_flops * 1e-6)));
   const auto best = std::find_if(plan_->platforms.begin(), plan_->platforms.end(),
                                  [&](const PlatformAnswer& answer) { return plan_->recommended == answer.id; });
   const QString name = best != plan_->platforms.end() ? QString::fromStdString(best->name) : QString();
@@ -238,14 +238,15 @@ void PlatformView::show_picture() {
   switch (static_cast<Quantity>(quantity_->currentData().toInt())) {
     case surface_C:
       picture.surface = surfaces->temperature_C;
-      quantity_told = tr("Surface after %1 h at %2 frames/s (°C)").arg(number(duration_->value()), number(wanted));
-      picture.contours = {{plan_->request.limit_C, tr("%1 °C").arg(number(plan_->request.limit_C)), true}};
+      quantity_told =
+          tr("Surface after %1 h at %2 frames/s (°C)").arg(significant(duration_->value()), significant(wanted));
+      picture.contours = {{plan_->request.limit_C, tr("%1 °C").arg(significant(plan_->request.limit_C)), true}};
       // At less than a tenth of a degree nobody would feel it.
       picture.hot_spots = hardware::hot_spots(picture.surface, 0.1);
       break;
     case frames:
       picture.surface = surfaces->fps;
-      quantity_told = tr("Frames/s that hold for %1 h").arg(number(duration_->value()));
+      quantity_told = tr("Frames/s that hold for %1 h").arg(significant(duration_->value()));
       for (const double level : {10.0, 15.0, 20.0, 25.0}) {
         if (level != wanted) picture.contours.push_back({level, tr("%1 /s").arg(level), false});
       }
@@ -253,16 +254,16 @@ void PlatformView::show_picture() {
       break;
     case battery:
       picture.surface = surfaces->battery_h;
-      quantity_told = tr("Battery lasts at %1 frames/s (h)").arg(number(wanted));
-      picture.contours = {{plan_->request.duration_h, tr("%1 h").arg(number(plan_->request.duration_h)), true}};
+      quantity_told = tr("Battery lasts at %1 frames/s (h)").arg(significant(wanted));
+      picture.contours = {{plan_->request.duration_h, tr("%1 h").arg(significant(plan_->request.duration_h)), true}};
       break;
     case power:
       picture.surface = surfaces->power_W;
-      quantity_told = tr("Mean power at %1 frames/s (W)").arg(number(wanted));
+      quantity_told = tr("Mean power at %1 frames/s (W)").arg(significant(wanted));
       for (const PlatformAnswer& answer : plan_->platforms) {
         if (answer.id != device->id) continue;
         const double allowed_W = answer.idle.allowed_W * device->supply_efficiency.value;
-        picture.contours = {{allowed_W, tr("%1 W: the battery").arg(number(allowed_W)), true}};
+        picture.contours = {{allowed_W, tr("%1 W: the battery").arg(significant(allowed_W)), true}};
       }
       break;
   }

@@ -5,6 +5,7 @@
 
 #include "widgets/hardware/platform_view.h"
 #include "widgets/theme.h"
+#include "widgets/words/numbers.h"
 #include "widgets/words/translated.h"
 
 namespace glisson::widgets {
@@ -14,7 +15,6 @@ using hardware::PlatformAnswer;
 
 namespace {
 
-QString number(double value, int digits = 3) { return QLocale().toString(value, 'g', digits); }
 QString listed(const QStringList& items);
 QStringList remedies_in_words(const hardware::Remedies& remedies);
 QString source_in_words(hardware::Source source);
@@ -28,22 +28,23 @@ QString platform_in_full(const PlatformAnswer& answer, const Device& device, con
           PlatformView::tr(
               "Idle first: it draws %1 W of the %2 W that its battery allows over %3 h; it would last %4 h "
               "and reach %5 °C without computing anything.")
-              .arg(number(answer.idle.idle_W), number(answer.idle.allowed_W), number(request.duration_h),
-                   number(answer.idle.idle_h), number(answer.idle.idle_C)) +
+              .arg(significant(answer.idle.idle_W), significant(answer.idle.allowed_W), significant(request.duration_h),
+                   significant(answer.idle.idle_h), significant(answer.idle.idle_C)) +
           "</b></p>";
-  html += "<p>" +
-          PlatformView::tr(
-              "Frames/s: %1 by its speed, %2 by its battery, %3 by its heat. A frame takes %4 J above "
-              "idle; mean power %5 W.")
-              .arg(number(answer.fps_by_computing), number(answer.fps_by_energy), number(answer.fps_by_temperature),
-                   number(answer.frame_joules), number(answer.power_W)) +
-          "</p>";
+  html +=
+      "<p>" +
+      PlatformView::tr(
+          "Frames/s: %1 by its speed, %2 by its battery, %3 by its heat. A frame takes %4 J above "
+          "idle; mean power %5 W.")
+          .arg(significant(answer.fps_by_computing), significant(answer.fps_by_energy),
+               significant(answer.fps_by_temperature), significant(answer.frame_joules), significant(answer.power_W)) +
+      "</p>";
   html += "<p>" +
           PlatformView::tr(
               "How sure that is: with its figures off by as much as their sources may be, 5 to 30 %, it holds in %1 of "
               "100 draws, and in 80 of 100 it can do %2 to %3 frames/s.")
-              .arg(number(100 * answer.certainty.holds), number(answer.certainty.fps_low),
-                   number(answer.certainty.fps_high)) +
+              .arg(significant(100 * answer.certainty.holds), significant(answer.certainty.fps_low),
+                   significant(answer.certainty.fps_high)) +
           "</p>";
   if (!answer.feasible) {
     QStringList reasons;
@@ -60,7 +61,7 @@ QString platform_in_full(const PlatformAnswer& answer, const Device& device, con
     html += QString(
                 "<tr><td><nobr>%1</nobr></td><td align='right'>%2</td><td style='color:%3'>%4</td></tr>"
                 "<tr><td colspan='3' style='color:%6'>%5</td></tr>")
-                .arg(escaped(named.name), number(named.figure.value, 4), ink, source_in_words(named.figure.source),
+                .arg(escaped(named.name), significant(named.figure.value, 4), ink, source_in_words(named.figure.source),
                      escaped(named.figure.note), theme_colour("faint").name());
   }
   return html + "</table>";
@@ -84,7 +85,7 @@ QString listed(const QStringList& items) {
 QStringList remedies_in_words(const hardware::Remedies& remedies) {
   QStringList words;
   const auto add = [&](const std::optional<double>& value, const QString& sentence) {
-    if (value) words << sentence.arg(number(*value));
+    if (value) words << sentence.arg(significant(*value));
   };
   add(remedies.duration_h, PlatformView::tr("an operation of at most %1 h"));
   add(remedies.frames_per_s, PlatformView::tr("at most %1 frames/s"));

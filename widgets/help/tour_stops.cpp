@@ -5,15 +5,15 @@
 namespace glisson::widgets {
 namespace {
 
-struct Words {
+struct StopWords {
   const char* workspace;
   const char* title;
   const char* words;
 };
 
-constexpr const char* context = "tour";
+constexpr const char* tour_context = "tour";
 
-constexpr Words all[] = {
+constexpr StopWords all[] = {
     {"study", QT_TRANSLATE_NOOP("tour", "Study: the images"),
      QT_TRANSLATE_NOOP("tour",
                        "Every case begins with its images. Drop a DICOM folder on the window: Glisson proposes what "
@@ -62,11 +62,11 @@ constexpr Words all[] = {
 std::vector<TourStop> tour_stops(const std::set<QString>& workspaces,
                                  const std::map<QString, std::function<void()>>& acts) {
   std::vector<TourStop> stops;
-  for (const Words& each : all) {
+  for (const StopWords& each : all) {
     if (workspaces.count(each.workspace) == 0) continue;
     TourStop stop{.workspace = each.workspace,
-                  .title = [&each] { return QCoreApplication::translate(context, each.title); },
-                  .words = [&each] { return QCoreApplication::translate(context, each.words); }};
+                  .title = [&each] { return QCoreApplication::translate(tour_context, each.title); },
+                  .words = [&each] { return QCoreApplication::translate(tour_context, each.words); }};
     if (const auto act = acts.find(each.workspace); act != acts.end()) stop.act = act->second;
     stops.push_back(std::move(stop));
   }

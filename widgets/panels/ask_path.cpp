@@ -1,26 +1,24 @@
 #include "widgets/panels/ask_path.h"
+#include "widgets/settings/program_settings.h"
 
 #include <QCoreApplication>
 #include <QDialogButtonBox>
 #include <QDir>
 #include <QFileDialog>
 #include <QPushButton>
-#include <QSettings>
 
 namespace glisson::widgets {
 namespace {
 
 constexpr const char* last_folder_key = "last_folder";
 
-QSettings settings() { return QSettings("glisson", "glisson"); }
-
 QString last_folder() {
-  const QString folder = settings().value(last_folder_key).toString();
+  const QString folder = program_settings().value(last_folder_key).toString();
   return QDir(folder).exists() ? folder : QString();
 }
 
 QString kept(const QString& chosen) {
-  if (!chosen.isEmpty()) settings().setValue(last_folder_key, QFileInfo(chosen).absolutePath());
+  if (!chosen.isEmpty()) program_settings().setValue(last_folder_key, QFileInfo(chosen).absolutePath());
   return chosen;
 }
 

@@ -8,7 +8,7 @@
 namespace glisson::widgets {
 namespace {
 
-constexpr int frame_ms = 66;  // 15 a second: a breath is seen as one, and a slow machine keeps up
+constexpr int timeline_frame_ms = 66;  // 15 a second: a breath is seen as one, and a slow machine keeps up
 
 }  // namespace
 
@@ -35,7 +35,7 @@ Timeline::Timeline(QWidget* parent) : QWidget(parent) {
   row->addWidget(forth_);
   row->addWidget(number_);
 
-  clock_.setInterval(frame_ms);
+  clock_.setInterval(timeline_frame_ms);
   connect(&clock_, &QTimer::timeout, this, [this] { show_frame((frame() + 1) % frames()); });
   connect(play_, &QPushButton::toggled, this, [this](bool playing) {
     playing ? clock_.start() : clock_.stop();

@@ -13,7 +13,7 @@ namespace glisson::widgets {
 namespace {
 
 constexpr int bars_wanted = 40;
-constexpr int height_px = 132;
+constexpr int histogram_height_px = 132;
 
 }  // namespace
 
@@ -21,7 +21,7 @@ HistogramPlot::HistogramPlot(QWidget* parent) : QWidget(parent), plot_(new QCust
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(plot_);
-  setFixedHeight(height_px);
+  setFixedHeight(histogram_height_px);
   plot_->yAxis->setTickLabels(false);
   plot_->yAxis->grid()->setVisible(false);
   themed(plot_);

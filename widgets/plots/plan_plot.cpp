@@ -14,7 +14,7 @@
 namespace glisson::widgets {
 namespace {
 
-constexpr int height_px = 176;
+constexpr int plan_height_px = 176;
 constexpr double narrow_mm = 5;  // as Resect flags it
 
 }  // namespace
@@ -24,7 +24,7 @@ PlanPlot::PlanPlot(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(thi
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(plot_);
-  setFixedHeight(height_px);
+  setFixedHeight(plan_height_px);
   QFont small = plot_->font();
   small.setPointSizeF(0.85 * small.pointSizeF());
   for (QCPAxis* axis : {plot_->xAxis, plot_->yAxis}) {

@@ -16,7 +16,7 @@ using registration_quality::SequenceMethod;
 
 namespace {
 
-constexpr int none = -1;
+constexpr int no_column = -1;
 
 }  // namespace
 
@@ -46,7 +46,7 @@ AlgorithmChoice::AlgorithmChoice(QWidget* parent) : QWidget(parent) {
     box->setObjectName(side == 0 ? "first_method" : "second_method");
     for (const SequenceMethod method : registration_quality::sequence_methods)
       box->addItem({}, static_cast<int>(method));
-    if (side == 1) box->addItem({}, none);
+    if (side == 1) box->addItem({}, no_column);
     connect(box, &QComboBox::currentIndexChanged, this, &AlgorithmChoice::chosen);
     methods_[side] = box;
     column->addWidget(box);
@@ -90,7 +90,7 @@ void AlgorithmChoice::offer(const OpenedSequence& sequence) {
     std::vector<int> possible;
     for (int i = 0; i < box.count(); ++i) {
       const int value = box.itemData(i).toInt();
-      const bool can = value == none || can_be_registered(sequence, static_cast<SequenceMethod>(value));
+      const bool can = value == no_column || can_be_registered(sequence, static_cast<SequenceMethod>(value));
       items->item(i)->setEnabled(can);
       if (can) possible.push_back(i);
     }
@@ -104,7 +104,7 @@ void AlgorithmChoice::offer(const OpenedSequence& sequence) {
 
 std::optional<SequenceMethod> AlgorithmChoice::method(int side) const {
   const int value = methods_[static_cast<std::size_t>(side)]->currentData().toInt();
-  return value == none ? std::nullopt : std::optional(static_cast<SequenceMethod>(value));
+  return value == no_column ? std::nullopt : std::optional(static_cast<SequenceMethod>(value));
 }
 
 void AlgorithmChoice::show_work(Work work) {
@@ -124,7 +124,7 @@ void AlgorithmChoice::word() {
     for (int i = 0; i < box->count(); ++i) {
       const int value = box->itemData(i).toInt();
       const auto method = static_cast<SequenceMethod>(value);
-      box->setItemText(i, value == none ? tr("No second algorithm") : long_name(method));
+      box->setItemText(i, value == no_column ? tr("No second algorithm") : long_name(method));
       const QString lacking = method == SequenceMethod::given ? tr("The sequence names no registered clouds")
                                                               : tr("The sequence names no model");
       box->setItemData(i, items->item(i)->isEnabled() ? QString() : lacking, Qt::ToolTipRole);

@@ -13,7 +13,6 @@ double mean(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-QString none() { return QString::fromUtf8("\u2013"); }
 }  // namespace
 
 FiguresTable::FiguresTable(QWidget* parent) : QTableWidget(row_count, 2, parent) {
@@ -50,12 +49,12 @@ void FiguresTable::show_figures(const std::array<const Judged*, 2>& judged, cons
   verticalHeaderItem(time)->setToolTip(tr("To register all frames and to judge them, s"));
   const auto t = static_cast<std::size_t>(frame);
   // Without a model there is no distance from it.
-  const auto in_all = [](const std::vector<double>& mm) { return mm.empty() ? none() : number(mean(mm), 2); };
-  const auto here = [&](const std::vector<double>& mm) { return t < mm.size() ? number(mm[t], 2) : none(); };
+  const auto in_all = [](const std::vector<double>& mm) { return mm.empty() ? no_figure() : number(mean(mm), 2); };
+  const auto here = [&](const std::vector<double>& mm) { return t < mm.size() ? number(mm[t], 2) : no_figure(); };
   for (int column = 0; column < 2; ++column) {
     const Judged* one = judged[static_cast<std::size_t>(column)];
     for (int row = 0; row < row_count; ++row) {
-      QString text = none();
+      QString text = no_figure();
       if (one != nullptr) {
         const registration_quality::Quality& quality = one->quality;
         switch (row) {

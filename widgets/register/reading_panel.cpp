@@ -9,7 +9,7 @@
 namespace glisson::widgets {
 namespace {
 
-constexpr double tolerances_mm[] = {10, 5, 3};  // section 2.3
+constexpr double reading_tolerances_mm[] = {10, 5, 3};  // section 2.3
 
 }  // namespace
 
@@ -54,7 +54,7 @@ void ReadingPanel::add_tolerance(QVBoxLayout& column) {
   column.addWidget(tolerance_);
   auto* row = new QHBoxLayout;
   std::vector<QPushButton*> presets;
-  for (const double mm : tolerances_mm) {
+  for (const double mm : reading_tolerances_mm) {
     auto* preset = new QPushButton;
     preset->setObjectName(QString("tolerance_%1").arg(mm));
     connect(preset, &QPushButton::clicked, this, [this, mm] { tolerance_->set_value(mm); });
@@ -68,8 +68,8 @@ void ReadingPanel::add_tolerance(QVBoxLayout& column) {
     tolerance_->setAccessibleName(tr("Tolerance"));
     tolerance_->setToolTip(tr("Triangles whose landmarks are off by this much or more, mm, are grey and hatched"));
     for (std::size_t i = 0; i < presets.size(); ++i) {
-      presets[i]->setText(tr("%1 mm").arg(tolerances_mm[i]));
-      presets[i]->setToolTip(tr("Sets the tolerance to %1 mm").arg(tolerances_mm[i]));
+      presets[i]->setText(tr("%1 mm").arg(reading_tolerances_mm[i]));
+      presets[i]->setToolTip(tr("Sets the tolerance to %1 mm").arg(reading_tolerances_mm[i]));
     }
   });
 }

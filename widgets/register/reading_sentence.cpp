@@ -11,7 +11,7 @@ namespace {
 
 using registration_quality::Quality;
 
-struct Words {
+struct ReadingWords {
   Q_DECLARE_TR_FUNCTIONS(glisson::widgets::RegisterPage)
 };
 
@@ -57,24 +57,24 @@ QString place_of_rejected(const Quality& quality, double tolerance_mm, std::size
   constexpr double clearly = 0.5;
   if (off.cwiseAbs().maxCoeff() < clearly) return {};
   if (std::abs(off.x()) >= std::abs(off.y())) {
-    return off.x() < 0 ? Words::tr("the left edge") : Words::tr("the right edge");
+    return off.x() < 0 ? ReadingWords::tr("the left edge") : ReadingWords::tr("the right edge");
   }
-  return off.y() < 0 ? Words::tr("the upper edge") : Words::tr("the lower edge");
+  return off.y() < 0 ? ReadingWords::tr("the upper edge") : ReadingWords::tr("the lower edge");
 }
 
 QString trust_in(const NamedJudgement& one, double tolerance_mm, std::size_t frame,
                  const std::optional<vision::Camera>& camera) {
   const double rejected = rejected_fraction(one.judged->quality, tolerance_mm);
   const QString mm = QLocale().toString(tolerance_mm, 'f', 1);
-  if (rejected == 0) return Words::tr("%1 is nowhere off by %2 mm or more.").arg(one.name, mm);
+  if (rejected == 0) return ReadingWords::tr("%1 is nowhere off by %2 mm or more.").arg(one.name, mm);
   constexpr double maximum = 0.5;
   if (rejected > maximum)
-    return Words::tr("Do not trust %1: on most of it landmarks are off by %2 mm or more.").arg(one.name, mm);
+    return ReadingWords::tr("Do not trust %1: on most of it landmarks are off by %2 mm or more.").arg(one.name, mm);
   const QString place = place_of_rejected(one.judged->quality, tolerance_mm, frame, camera);
-  return place.isEmpty()
-             ? Words::tr("Of %1 do not trust single places: %2 % of it is off by %3 mm or more.")
-                   .arg(one.name, QLocale().toString(100 * rejected, 'f', 0), mm)
-             : Words::tr("Of %1 do not trust %2: landmarks are off by %3 mm or more there.").arg(one.name, place, mm);
+  return place.isEmpty() ? ReadingWords::tr("Of %1 do not trust single places: %2 % of it is off by %3 mm or more.")
+                               .arg(one.name, QLocale().toString(100 * rejected, 'f', 0), mm)
+                         : ReadingWords::tr("Of %1 do not trust %2: landmarks are off by %3 mm or more there.")
+                               .arg(one.name, place, mm);
 }
 
 }  // namespace
@@ -88,12 +88,12 @@ QString reading_of(const std::array<NamedJudgement, 2>& sides, double tolerance_
   }
   const int better = better_of(sides[0].judged->quality, sides[1].judged->quality, tolerance_mm);
   if (better == 0) {
-    return Words::tr("Neither %1 nor %2 is clearly better here.").arg(sides[0].name, sides[1].name) + " " +
+    return ReadingWords::tr("Neither %1 nor %2 is clearly better here.").arg(sides[0].name, sides[1].name) + " " +
            trust(sides[0]);
   }
   const NamedJudgement& first = better < 0 ? sides[0] : sides[1];
   const NamedJudgement& second = better < 0 ? sides[1] : sides[0];
-  return Words::tr("%1 is better here than %2.").arg(first.name, second.name) + " " + trust(first);
+  return ReadingWords::tr("%1 is better here than %2.").arg(first.name, second.name) + " " + trust(first);
 }
 
 }  // namespace glisson::widgets

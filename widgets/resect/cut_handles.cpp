@@ -10,9 +10,9 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr scene::Colour handle_colour{0.20, 0.83, 0.85};
-constexpr double end_mm = 45;     // of a line's handles from its middle
-constexpr double normal_mm = 45;  // of the normal's tip
-constexpr double reach_px = 9;    // how near a hand must come
+constexpr double end_mm = 45;          // of a line's handles from its middle
+constexpr double normal_mm = 45;       // of the normal's tip
+constexpr double handle_reach_px = 9;  // how near a hand must come
 constexpr double line_reach_px = 6;
 constexpr double ball_px = 5;          // in slices
 constexpr double ball_mm = 3.5;        // in space
@@ -162,15 +162,17 @@ bool CutHandles::slice_event(SliceView& slice, QMouseEvent& event) {
 CutHandles::Fixed CutHandles::under(const SliceView& slice, const QPointF& pixel) const {
   for (std::size_t k = 0; k < points_mm_.size(); ++k) {
     const double off_mm = normal_of(slice).dot(points_mm_[k] - slice.crosshair_mm());
-    if (std::abs(off_mm) < shown_within_mm && pixels_between(slice, points_mm_[k], pixel) < reach_px) {
+    if (std::abs(off_mm) < shown_within_mm && pixels_between(slice, points_mm_[k], pixel) < handle_reach_px) {
       return {Part::point, k, {}, {}};
     }
   }
   if (!plane_) return {};
   const LineInSlice line = line_in(slice);
   if (line.along.norm() == 0) return {};
-  if (pixels_between(slice, line.at_mm + end_mm * line.along, pixel) < reach_px) return {Part::far_end, 0, {}, {}};
-  if (pixels_between(slice, line.at_mm - end_mm * line.along, pixel) < reach_px) return {Part::near_end, 0, {}, {}};
+  if (pixels_between(slice, line.at_mm + end_mm * line.along, pixel) < handle_reach_px)
+    return {Part::far_end, 0, {}, {}};
+  if (pixels_between(slice, line.at_mm - end_mm * line.along, pixel) < handle_reach_px)
+    return {Part::near_end, 0, {}, {}};
   const Vector3d from_line_mm = position_in(slice, pixel) - line.at_mm;
   const Vector3d on_line_mm = line.at_mm + line.along * line.along.dot(from_line_mm);
   return pixels_between(slice, on_line_mm, pixel) < line_reach_px ? Fixed{Part::line, 0, {}, {}} : Fixed{};
@@ -265,11 +267,11 @@ void CutHandles::draw_line_in_space() {
 CutHandles::Fixed CutHandles::under_in_space(const QPointF& pixel) const {
   const SpaceView& space = views_.space();
   for (std::size_t k = 0; k < points_mm_.size(); ++k) {
-    if (pixels_between(space, points_mm_[k], pixel) < reach_px) return {Part::point, k, {}, {}};
+    if (pixels_between(space, points_mm_[k], pixel) < handle_reach_px) return {Part::point, k, {}, {}};
   }
   if (!plane_) return {};
-  if (pixels_between(space, tip_mm(), pixel) < 1.5 * reach_px) return {Part::tip, 0, {}, {}};
-  if (pixels_between(space, plane_->point_mm(), pixel) < 1.5 * reach_px) return {Part::middle, 0, {}, {}};
+  if (pixels_between(space, tip_mm(), pixel) < 1.5 * handle_reach_px) return {Part::tip, 0, {}, {}};
+  if (pixels_between(space, plane_->point_mm(), pixel) < 1.5 * handle_reach_px) return {Part::middle, 0, {}, {}};
   return {};
 }
 

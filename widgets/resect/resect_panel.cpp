@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 using Removed = casefile::PlannedCut::Removed;
 
 constexpr int farthest_apart_mm = 80;
-constexpr const char* kept_key = "resect/surface";
+constexpr const char* surface_key = "resect/surface";
 
 // Null for no cut.
 Sentence step_between(const QJsonValue& before, const QJsonValue& after) {
@@ -85,7 +85,7 @@ ResectPanel::ResectPanel(WorkspaceContext context, QWidget* parent) : QWidget(pa
   connect(by_anatomy_, &PlanByAnatomy::taken_changed, this, &ResectPanel::cut_changed);
   connect(by_anatomy_, &PlanByAnatomy::drawing_changed, this, &ResectPanel::show_scene);
   connect(by_anatomy_, &PlanByAnatomy::plan_chosen, this, &ResectPanel::choose);
-  context_.undo.keep(kept_key, [this](const QJsonValue& value) {
+  context_.undo.keep(surface_key, [this](const QJsonValue& value) {
     if (!patient_.structures.empty()) take_up({{}, cuts_of(value)});
   });
   keep_translated(this, [this, title = title] {
@@ -204,9 +204,9 @@ void ResectPanel::choose(const planning::Plan& plan) {
   by_anatomy_->take_up(plan);
   take_up(plan);
   last_noted_ = By::hand;
-  context_.undo.values_changed(
-      {GLISSON_TEXT("Choose the plan {0}"), {plan.name}},
-      {{kept_key, surface_before, noted_}, {PlanByAnatomy::taken_key, taken_before, value_of(by_anatomy_->taken())}});
+  context_.undo.values_changed({GLISSON_TEXT("Choose the plan {0}"), {plan.name}},
+                               {{surface_key, surface_before, noted_},
+                                {PlanByAnatomy::taken_key, taken_before, value_of(by_anatomy_->taken())}});
 }
 
 void ResectPanel::take_up(const planning::Plan& plan) {
@@ -310,7 +310,7 @@ void ResectPanel::note(By by) {
   noted_ = value_of(surface());
   const bool goes_on = by == By::typing && last_noted_ == By::typing;
   last_noted_ = by;
-  context_.undo.value_changed(step_between(before, noted_), kept_key, before, noted_,
+  context_.undo.value_changed(step_between(before, noted_), surface_key, before, noted_,
                               goes_on ? Undo::Joins::with_same : Undo::Joins::never);
 }
 

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t longest_file_bytes = 1 << 16;
+constexpr std::uint64_t maximum_work_bytes = 1 << 16;
 
 fs::path file_of(const fs::path& folder, long process) { return folder / (std::to_string(process) + ".json"); }
 
@@ -52,7 +52,7 @@ Json json_of(const OpenWork& work) {
 }
 
 std::optional<OpenWork> read_work(const fs::path& file) {
-  const auto text = read_text_file(file, longest_file_bytes);
+  const auto text = read_text_file(file, maximum_work_bytes);
   if (!text) return std::nullopt;
   try {
     const Json json = Json::parse(*text);

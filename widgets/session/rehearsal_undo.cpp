@@ -12,20 +12,20 @@ constexpr const char* rigid = "rigid";
 constexpr const char* deformations = "deformations";
 constexpr const char* large = "large";
 
-QJsonArray json_of(const Eigen::Vector3d& vector) { return {vector.x(), vector.y(), vector.z()}; }
+QJsonArray qt_json_of(const Eigen::Vector3d& vector) { return {vector.x(), vector.y(), vector.z()}; }
 
 Eigen::Vector3d vector_of(const QJsonValue& value) {
   const QJsonArray numbers = value.toArray();
   return {numbers.at(0).toDouble(), numbers.at(1).toDouble(), numbers.at(2).toDouble()};
 }
 
-QJsonObject json_of(const PlacedTool& tool) {
+QJsonObject qt_json_of(const PlacedTool& tool) {
   return {{"preset", QString::fromStdString(tool.preset)},
-          {"center_mm", json_of(tool.center_mm)},
-          {"outward", json_of(tool.outward)},
+          {"center_mm", qt_json_of(tool.center_mm)},
+          {"outward", qt_json_of(tool.outward)},
           {"radius_mm", tool.radius_mm},
           {"force_N", tool.force_N},
-          {"direction", json_of(tool.direction)}};
+          {"direction", qt_json_of(tool.direction)}};
 }
 
 PlacedTool tool_of(const QJsonObject& json) {
@@ -70,7 +70,7 @@ void RehearsalUndo::begin() {
 
 QJsonValue RehearsalUndo::state() const {
   QJsonArray tools;
-  for (const PlacedTool& tool : rehearsal_.tools()) tools.append(json_of(tool));
+  for (const PlacedTool& tool : rehearsal_.tools()) tools.append(qt_json_of(tool));
   return QJsonObject{{"touch", rehearsal_.touch() == Touch::rigid ? rigid : "patch"},
                      {deformations, rehearsal_.deformations() == Deformations::large ? large : "small"},
                      {"tools", tools}};

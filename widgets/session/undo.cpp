@@ -10,7 +10,7 @@ namespace glisson::widgets {
 namespace {
 
 // A JSON document is an array or an object: a bare value travels in an array of one.
-std::string text_of(const QJsonValue& value) {
+std::string json_text(const QJsonValue& value) {
   return QJsonDocument(QJsonArray{value}).toJson(QJsonDocument::Compact).toStdString();
 }
 
@@ -82,7 +82,7 @@ void Undo::values_changed(const Sentence& name, const std::vector<Changed>& valu
   std::vector<casefile::ValueChange> changes;
   for (const Changed& value : values) {
     if (value.before != value.after) {
-      changes.push_back({value.key.toStdString(), text_of(value.before), text_of(value.after)});
+      changes.push_back({value.key.toStdString(), json_text(value.before), json_text(value.after)});
     }
   }
   if (!history_ || refused_ || changes.empty()) return;

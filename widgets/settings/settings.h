@@ -22,8 +22,8 @@ void show_names_outside(bool shown);
 [[nodiscard]] int kept_threads();
 void keep_threads(int threads);  // at once, too
 
-// Another program that outlines structures, and what the values of its label maps are, as a person typed both: a command
-// (casefile/outlined_by_program.h) and "1=liver, 2=tumour-1". Empty until given.
+// Another program that outlines structures, and what the values of its label maps are, as a person typed both: a
+// command (casefile/outlined_by_program.h) and "1=liver, 2=tumour-1". Empty until given.
 struct KeptProgram {
   QString command, values;
 };

@@ -1,9 +1,9 @@
 #include "widgets/settings/window_place.h"
+#include "widgets/settings/program_settings.h"
 
 #include <algorithm>
 #include <QEvent>
 #include <QScreen>
-#include <QSettings>
 #include <QTimer>
 #include <QWidget>
 
@@ -12,12 +12,10 @@ namespace {
 
 constexpr const char* place_key = "window_place";
 
-QSettings settings() { return QSettings("glisson", "glisson"); }
-
 }  // namespace
 
 WindowPlace::WindowPlace(QWidget& window, const QSize& usual_size) : QObject(&window), window_(window) {
-  const QByteArray kept = settings().value(place_key).toByteArray();
+  const QByteArray kept = program_settings().value(place_key).toByteArray();
   if (!window_.restoreGeometry(kept)) window_.resize(usual_size);
   window_.resize(window_.size().boundedTo(window_.screen()->availableSize()));
   given_ = window_.size();
@@ -45,6 +43,6 @@ void WindowPlace::keep_on_screen() {
   if (corner != now.topLeft()) window_.move(corner);
 }
 
-void WindowPlace::keep() const { settings().setValue(place_key, window_.saveGeometry()); }
+void WindowPlace::keep() const { program_settings().setValue(place_key, window_.saveGeometry()); }
 
 }  // namespace glisson::widgets

@@ -7,8 +7,8 @@ namespace glisson::widgets {
 namespace {
 
 constexpr double reach_mm = 2.5;  // off a slice, up to which a measurement is drawn in it
-constexpr double reach_px = 8;
-constexpr double click_slack_px = 4;
+constexpr double point_reach_px = 8;
+constexpr double measure_slack_px = 4;
 
 }  // namespace
 
@@ -99,7 +99,7 @@ bool MeasureTool::space_event(SpaceView& space, QMouseEvent& event) {
   if (!kind_ || event.button() != Qt::LeftButton) return false;
   if (event.type() == QEvent::MouseButtonPress) pressed_at_ = event.position();
   if (event.type() != QEvent::MouseButtonRelease) return false;
-  if ((event.position() - pressed_at_).manhattanLength() >= click_slack_px) return false;
+  if ((event.position() - pressed_at_).manhattanLength() >= measure_slack_px) return false;
   const QPointF at = event.position() * space.devicePixelRatioF();
   const auto pick = space.view().pick(at.x(), at.y());
   if (!pick) return false;
@@ -140,7 +140,7 @@ std::optional<MeasureTool::Fixed> MeasureTool::under(const SliceView& slice, con
       const Eigen::Vector3d& point_mm = measurements_[m].points_mm[p];
       if (std::abs(slice.normal().dot(point_mm - slice.crosshair_mm())) > reach_mm) continue;
       const Eigen::Vector2d at = slice.view().pixel_of(point_mm) / slice.devicePixelRatioF();
-      if ((at - Eigen::Vector2d(position.x(), position.y())).norm() <= reach_px) return Fixed{m, p};
+      if ((at - Eigen::Vector2d(position.x(), position.y())).norm() <= point_reach_px) return Fixed{m, p};
     }
   }
   return std::nullopt;

@@ -13,7 +13,7 @@ namespace {
 constexpr scene::Colour tool_colour{0.20, 0.83, 0.85};
 constexpr scene::Colour tool_steel{0.72, 0.76, 0.80};
 constexpr scene::Colour calm{0.90, 0.93, 0.96};
-constexpr scene::Colour amber{1.0, 0.72, 0.20};
+constexpr scene::Colour far_colour{1.0, 0.72, 0.20};
 
 // The triangles of a cut liver that are its walls, or those that are not, with the points that they use.
 geometry::Surface part_on_wall(const geometry::Surface& cut, bool wall) {
@@ -61,7 +61,7 @@ void PatientViews::draw_marks(SpaceView& space, const rehearsal::RehearsalBody* 
       const QString name = structure_label(landmark.id);
       const QString text = known ? tr("%1  %2 mm").arg(name).arg(landmark.displacement_mm, 0, 'f', 1) : name;
       landmarks.push_back({named ? text.toStdString() : std::string(), landmark.displaced_mm,
-                           landmark.id == marked_landmark_ ? 3.5 : 2.2, far ? amber : calm});
+                           landmark.id == marked_landmark_ ? 3.5 : 2.2, far ? far_colour : calm});
     }
   }
   std::vector<scene::ArrowItem> arrows;

@@ -12,8 +12,8 @@ namespace {
 
 constexpr int wheel_units_per_slice = 120;
 constexpr double roll_step_deg = 5;
-constexpr double minimum_visible_mm = 10;
-constexpr double maximum_visible_mm = 2000;
+constexpr double minimum_slice_mm = 10;
+constexpr double maximum_slice_mm = 2000;
 
 // The lines carry the colours of the views that they stand for, here and in the views' frames.
 const std::array<scene::Colour, 3> axis_colours{scene::Colour{0.93, 0.55, 0.40}, scene::Colour{0.45, 0.80, 0.50},
@@ -175,7 +175,7 @@ void SliceView::fit() {
   const Eigen::Vector3d right = camera.sight.cross(camera.up).cwiseAbs();
   const double aspect = static_cast<double>(std::max(1, width())) / std::max(1, height());
   camera.visible_height_mm =
-      std::max(1.03 * std::max(extent_mm.dot(camera.up.cwiseAbs()), extent_mm.dot(right) / aspect), minimum_visible_mm);
+      std::max(1.03 * std::max(extent_mm.dot(camera.up.cwiseAbs()), extent_mm.dot(right) / aspect), minimum_slice_mm);
   view().set_camera(camera);
   redraw();
 }
@@ -243,7 +243,7 @@ void SliceView::wheelEvent(QWheelEvent* event) {
 
 void SliceView::zoom(double factor) {
   scene::Camera camera = view().camera();
-  camera.visible_height_mm = std::clamp(camera.visible_height_mm * factor, minimum_visible_mm, maximum_visible_mm);
+  camera.visible_height_mm = std::clamp(camera.visible_height_mm * factor, minimum_slice_mm, maximum_slice_mm);
   view().set_camera(camera);
   fitted_ = true;
   redraw();

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int frame_ms = 60;
+constexpr int wave_frame_ms = 60;
 constexpr int frames_of_a_period = 32;
 
 // The value below which that share of the positive ones lies.
@@ -60,7 +60,7 @@ WaveView::WaveView(fs::path case_folder, QWidget* parent) : QWidget(parent), fol
   column->addWidget(make_pictures(), 1);
   column->addWidget(make_foot());
 
-  clock_.setInterval(frame_ms);
+  clock_.setInterval(wave_frame_ms);
   connect(&clock_, &QTimer::timeout, this, &WaveView::step);
   connect(invert_, &QPushButton::clicked, this, &WaveView::invert);
   connect(accept_, &QPushButton::clicked, this, &WaveView::accept);

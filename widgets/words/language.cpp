@@ -1,19 +1,17 @@
 #include "widgets/words/language.h"
+#include "widgets/settings/program_settings.h"
 
 #include <algorithm>
 #include <QCoreApplication>
 #include <QLibraryInfo>
 #include <QLocale>
 #include <QRegularExpression>
-#include <QSettings>
 #include <QTranslator>
 
 namespace glisson::widgets {
 namespace {
 
 constexpr const char* language_key = "language";
-
-QSettings settings() { return QSettings("glisson", "glisson"); }
 
 bool spoken(const QString& code) {
   return std::any_of(languages().begin(), languages().end(), [&](const Language& each) { return each.code == code; });
@@ -59,12 +57,12 @@ const std::vector<Language>& languages() {
   return all;
 }
 
-QString kept_language() { return settings().value(language_key).toString(); }
+QString kept_language() { return program_settings().value(language_key).toString(); }
 
 QString spoken_language() { return language_now(); }
 
 void choose_language(const QString& code) {
-  settings().setValue(language_key, code);
+  program_settings().setValue(language_key, code);
   speak(code);
 }
 

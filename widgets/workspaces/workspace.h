@@ -1,7 +1,7 @@
 #pragma once
 // A workspace is one stop of the work, left to right: Study, Segment, Model, Rehearse, Resect, Report, Guide; then, in
-// a group of their own, those of research: Register, Platform, Evidence, Studies. Any widget can be one; it says by showEvent()
-// and hideEvent() when it is at work.
+// a group of their own, those of research: Register, Platform, Evidence, Studies. Any widget can be one; it says by
+// showEvent() and hideEvent() when it is at work.
 
 #include <functional>
 #include <QString>

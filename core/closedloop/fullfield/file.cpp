@@ -16,8 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t maximum_points = 50000;  // beyond that a factor takes minutes
+constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t maximum_field_points = 50000;  // beyond that a factor takes minutes
 
 geometry::Surface mesh_from(const Json& specimen, const Source& source, FullField& field);
 void read_declared(const Json& json, FullField& field);
@@ -47,7 +47,7 @@ FullField full_field_from(const Json& json, const Source& source, Needs needs) {
     const std::string where = "trial " + ids[t];
     only_keys(trial, {"id", "displacement", "reactions", "prescribed"}, where);
     PlaneTrial made{
-        ids[t], Eigen::Matrix2Xd::Constant(2, static_cast<Eigen::Index>(field.points.size()), none), {}, {}};
+        ids[t], Eigen::Matrix2Xd::Constant(2, static_cast<Eigen::Index>(field.points.size()), no_value), {}, {}};
     const auto file_of = [&](const char* key) {
       return source.named_file(text_in(required(trial, key, where), where + ", " + key));
     };
@@ -75,9 +75,9 @@ geometry::Surface mesh_from(const Json& specimen, const Source& source, FullFiel
   if (specimen.contains("thickness")) field.thickness = positive_in(specimen["thickness"], "specimen, thickness");
   const fs::path file = source.named_file(text_in(required(specimen, "mesh", "The specimen"), "specimen, mesh"));
   geometry::Surface mesh = taken(geometry::read_triangles(file));
-  if (mesh.points_mm.size() > maximum_points)
+  if (mesh.points_mm.size() > maximum_field_points)
     refuse("experiment-invalid", GLISSON_TEXT("{0} has {1} points; at most {2} are used."),
-           {file.filename().string(), std::to_string(mesh.points_mm.size()), std::to_string(maximum_points)},
+           {file.filename().string(), std::to_string(mesh.points_mm.size()), std::to_string(maximum_field_points)},
            GLISSON_TEXT("Give the field on a coarser mesh."), file);
   const geometry::Box box = geometry::bounding_box(mesh.points_mm);
   if (box.max_mm.z() - box.min_mm.z() > 1e-6 * box.diagonal_mm())
@@ -145,7 +145,7 @@ void read_declared(const Json& json, FullField& field) {
   field.law = form->name;
   const Json& numbers = json.contains("parameters") ? json["parameters"] : json;
   if (!numbers.is_object()) refuse_at("declared, parameters", GLISSON_TEXT("{0} must be an object in braces."));
-  field.law_numbers = Eigen::VectorXd::Constant(static_cast<Eigen::Index>(form->parameters.size()), none);
+  field.law_numbers = Eigen::VectorXd::Constant(static_cast<Eigen::Index>(form->parameters.size()), no_value);
   const auto set = [&](std::size_t which, double value) {
     field.law_numbers[static_cast<Eigen::Index>(which)] = value;
   };
@@ -237,7 +237,7 @@ Eigen::Matrix2Xd displacement_from(const fs::path& file, std::size_t points) {
   const std::size_t point = needed_column(rows.front(), {"point", "node", "id", "point_id", "node_id"}, file);
   const std::size_t x = needed_column(rows.front(), {"ux", "ux_mm", "u_x", "u"}, file);
   const std::size_t y = needed_column(rows.front(), {"uy", "uy_mm", "u_y", "v"}, file);
-  Eigen::Matrix2Xd displacement = Eigen::Matrix2Xd::Constant(2, static_cast<Eigen::Index>(points), none);
+  Eigen::Matrix2Xd displacement = Eigen::Matrix2Xd::Constant(2, static_cast<Eigen::Index>(points), no_value);
   for (std::size_t r = 1; r < rows.size(); ++r) {
     const double number = rows[r].number(point);
     if (!(number >= 0 && number < static_cast<double>(points)) || number != std::floor(number))
@@ -260,7 +260,7 @@ std::vector<ReactionRow> reactions_from(const fs::path& file) {
   for (std::size_t r = 1; r < rows.size(); ++r) {
     if (name >= rows[r].cells.size()) continue;
     reactions.push_back({std::string(rows[r].cells[name]),
-                         {x ? rows[r].number(*x) : none, y ? rows[r].number(*y) : none},
+                         {x ? rows[r].number(*x) : no_value, y ? rows[r].number(*y) : no_value},
                          file.filename().string() + ", line " + std::to_string(rows[r].line)});
   }
   return reactions;
@@ -272,7 +272,7 @@ std::vector<PrescribedRow> prescribed_from(const Json& json, const std::string& 
   for (const auto& [name, value] : json.items()) {
     only_keys(value, {"ux", "uy"}, where + ", " + name);
     const auto component = [&](const char* key) {
-      return value.contains(key) ? number_in(value[key], where + ", " + name + ", " + key) : none;
+      return value.contains(key) ? number_in(value[key], where + ", " + name + ", " + key) : no_value;
     };
     rows.push_back({name, {component("ux"), component("uy")}, where});
   }

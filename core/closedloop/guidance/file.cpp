@@ -16,7 +16,8 @@ namespace {
 namespace fs = std::filesystem;
 using Eigen::Vector3d;
 
-constexpr std::size_t maximum_points = 150;  // of a frame, evenly chosen: neighbours on a smooth surface say the same
+constexpr std::size_t maximum_frame_points =
+    150;  // of a frame, evenly chosen: neighbours on a smooth surface say the same
 
 void add_frame(const Json& json, const Source& source, Guidance& guidance);
 std::vector<GuidanceTrial> trials_from(const Json& json, const Guidance& guidance);
@@ -70,7 +71,7 @@ std::vector<Vector3d> points_from(const fs::path& file, const std::string& where
                                   const geometry::TetMesh& mesh) {
   std::vector<Vector3d> all_mm = taken(geometry::read_ply(file)).points_mm;
   std::erase_if(all_mm, [](const Vector3d& point) { return !point.allFinite(); });
-  const std::size_t step = std::max<std::size_t>(1, (all_mm.size() + maximum_points - 1) / maximum_points);
+  const std::size_t step = std::max<std::size_t>(1, (all_mm.size() + maximum_frame_points - 1) / maximum_frame_points);
   std::vector<Vector3d> points_mm;
   for (std::size_t i = 0; i < all_mm.size(); i += step) points_mm.push_back(to_scan * all_mm[i]);
   if (points_mm.empty()) refuse("experiment-invalid", GLISSON_TEXT("{0} holds no points."), {file.string()}, {}, file);

@@ -8,7 +8,7 @@ namespace glisson::closedloop {
 namespace {
 
 // What was recorded, and how far it went.
-struct Reach {
+struct PlatformReach {
   bool current = false;
   bool load = false;
   bool power = false;  // judged
@@ -19,14 +19,14 @@ struct Reach {
   double longest_s = 1;
 };
 
-Reach reach_of(const Platform& platform);
-Eigen::VectorXd vector(std::initializer_list<double> values);
+PlatformReach reach_of(const Platform& platform);
+Eigen::VectorXd numbers(std::initializer_list<double> values);
 
-using Effects = std::vector<PlatformEffect>;
-Effects effects_within(const Platform& platform, const Reach& reach);
-void add_battery(const Platform& platform, const Reach& reach, Effects& effects);
-void add_power(const Platform& platform, const Reach& reach, Effects& effects);
-void add_heat(const Platform& platform, const Reach& reach, Effects& effects);
+using PlatformEffects = std::vector<PlatformEffect>;
+PlatformEffects effects_within(const Platform& platform, const PlatformReach& reach);
+void add_battery(const Platform& platform, const PlatformReach& reach, PlatformEffects& effects);
+void add_power(const Platform& platform, const PlatformReach& reach, PlatformEffects& effects);
+void add_heat(const Platform& platform, const PlatformReach& reach, PlatformEffects& effects);
 
 }  // namespace
 
@@ -35,27 +35,27 @@ std::vector<PlatformEffect> platform_effects(const Platform& platform) {
 }
 
 std::vector<PlatformEffect> known_platform_effects(const Platform& platform) {
-  Reach reach = reach_of(platform);
+  PlatformReach reach = reach_of(platform);
   reach.current = reach.load = reach.power = reach.temperature = true;
   return effects_within(platform, reach);
 }
 
 namespace {
 
-Effects effects_within(const Platform& platform, const Reach& reach) {
-  Effects effects;
+PlatformEffects effects_within(const Platform& platform, const PlatformReach& reach) {
+  PlatformEffects effects;
   if (platform.nominal_voltage_V && reach.current) add_battery(platform, reach, effects);
   if (reach.current || reach.load || reach.power) add_power(platform, reach, effects);
   if (platform.thermal_resistance_C_per_W) add_heat(platform, reach, effects);
   return effects;
 }
 
-Eigen::VectorXd vector(std::initializer_list<double> values) {
+Eigen::VectorXd numbers(std::initializer_list<double> values) {
   return Eigen::VectorXd::Map(values.begin(), static_cast<Eigen::Index>(values.size()));
 }
 
-Reach reach_of(const Platform& platform) {
-  Reach reach;
+PlatformReach reach_of(const Platform& platform) {
+  PlatformReach reach;
   const auto largest = [](const Eigen::VectorXd& values, double so_far) {
     return values.size() > 0 ? std::max(so_far, values.maxCoeff()) : so_far;
   };
@@ -77,7 +77,7 @@ Reach reach_of(const Platform& platform) {
   return reach;
 }
 
-void add_battery(const Platform& platform, const Reach& reach, Effects& effects) {
+void add_battery(const Platform& platform, const PlatformReach& reach, PlatformEffects& effects) {
   const double nominal_V = *platform.nominal_voltage_V;
   const double half_ohm = 0.5 * nominal_V / reach.largest_A;  // where half of the voltage would be lost
   effects.push_back(
@@ -85,7 +85,7 @@ void add_battery(const Platform& platform, const Reach& reach, Effects& effects)
         "",
         {{"resistance_ohm", 0, 0, 4 * half_ohm, 0, half_ohm}},
         GLISSON_TEXT("The battery's voltage falls under load: its own resistance turns energy into heat."),
-        {vector({0.02 * half_ohm})}},
+        {numbers({0.02 * half_ohm})}},
        [](const auto& p, auto& behaviour) { behaviour.resistance_ohm = p[0]; }});
   if (platform.thermal_resistance_C_per_W && reach.temperature)
     effects.push_back(
@@ -93,7 +93,7 @@ void add_battery(const Platform& platform, const Reach& reach, Effects& effects)
           "heating",
           {{"resistance_ohm", 0, 0, 4 * half_ohm, 0, half_ohm}},
           GLISSON_TEXT("The battery's voltage falls under load, and what is lost there is what warms it."),
-          {vector({0.02 * half_ohm}), vector({0.2 * half_ohm})}},
+          {numbers({0.02 * half_ohm}), numbers({0.2 * half_ohm})}},
          [](const auto& p, auto& behaviour) {
            behaviour.resistance_ohm = p[0];
            behaviour.heats_by_loss = true;
@@ -101,7 +101,7 @@ void add_battery(const Platform& platform, const Reach& reach, Effects& effects)
   if (platform.capacity_Ah) {
     // The end of a discharge jumps with the exponent, so the search begins from many.
     std::vector<Eigen::VectorXd> starts;
-    for (double exponent = 1.005; exponent < 1.5; exponent += 0.001) starts.push_back(vector({exponent}));
+    for (double exponent = 1.005; exponent < 1.5; exponent += 0.001) starts.push_back(numbers({exponent}));
     for (const auto& [form, hours] : {std::pair("", 5.0), std::pair("rated-1h", 1.0), std::pair("rated-20h", 20.0)}) {
       effects.push_back({{"rate-capacity",
                           form,
@@ -118,7 +118,7 @@ void add_battery(const Platform& platform, const Reach& reach, Effects& effects)
                           "capacity",
                           {{"coefficient_per_C", 0, -0.02, 0.05, -0.005, 0.02}},
                           GLISSON_TEXT("The battery gives less when it is cold and more when it is warm."),
-                          {vector({-0.005}), vector({0.005}), vector({0.01}), vector({0.02})}},
+                          {numbers({-0.005}), numbers({0.005}), numbers({0.01}), numbers({0.02})}},
                          [](const auto& p, auto& behaviour) { behaviour.capacity_per_C = p[0]; }});
   }
   for (const int degree : {1, 3, 5}) {
@@ -133,40 +133,40 @@ void add_battery(const Platform& platform, const Reach& reach, Effects& effects)
   }
 }
 
-void add_power(const Platform& platform, const Reach& reach, Effects& effects) {
+void add_power(const Platform& platform, const PlatformReach& reach, PlatformEffects& effects) {
   effects.push_back({{"static-power",
                       "",
                       {{"static_W", 0, -reach.largest_W, 5 * reach.largest_W, 0, reach.largest_W}},
                       GLISSON_TEXT("The computer draws power whatever it does, more than was declared."),
-                      {vector({0.0})}},
+                      {numbers({0.0})}},
                      [](const auto& p, auto& behaviour) { behaviour.static_W = p[0]; }});
   effects.push_back({{"supply-loss",
                       "",
                       {{"efficiency", 1, 0.2, 1.5, 0.6, 1, Scale::logarithmic}},
                       GLISSON_TEXT("A part of the power is lost in the supply before it reaches the computer."),
-                      {vector({0.98})}},
+                      {numbers({0.98})}},
                      [](const auto& p, auto& behaviour) { behaviour.efficiency = p[0]; }});
   if (reach.temperature || platform.thermal_resistance_C_per_W)
     effects.push_back({{"self-heating",
                         "",
                         {{"coefficient_per_C", 0, -0.02, 0.1, 0, 0.03}},
                         GLISSON_TEXT("The warmer the computer gets, the more power it draws."),
-                        {vector({0.001})}},
+                        {numbers({0.001})}},
                        [](const auto& p, auto& behaviour) { behaviour.power_per_C = p[0]; }});
   if (reach.load && !platform.full_load_W)
     effects.push_back({{"dynamic-power",
                         "",
                         {{"full_load_W", 0, 0, 1e3, 0, reach.largest_W}},
                         GLISSON_TEXT("The work itself takes power that was not declared."),
-                        {vector({0.1 * reach.largest_W})}},
+                        {numbers({0.1 * reach.largest_W})}},
                        [](const auto& p, auto& behaviour) { behaviour.full_load_W = p[0]; }});
 }
 
-void add_heat(const Platform& platform, const Reach& reach, Effects& effects) {
+void add_heat(const Platform& platform, const PlatformReach& reach, PlatformEffects& effects) {
   // Where it begins to act there is no gradient below, so that the search begins from many limits.
   std::vector<Eigen::VectorXd> starts;
   const double hottest = std::max(reach.hottest_C, 30.0);
-  for (double share = 0.3; share < 1.05; share += 0.05) starts.push_back(vector({25 + share * (hottest - 25)}));
+  for (double share = 0.3; share < 1.05; share += 0.05) starts.push_back(numbers({25 + share * (hottest - 25)}));
   effects.push_back({{"thermal-throttling",
                       "",
                       {{"limit_C", 200, 0, 200, 40, 100}},
@@ -178,7 +178,7 @@ void add_heat(const Platform& platform, const Reach& reach, Effects& effects) {
     for (double share = 0.4; share < 1.0; share += 0.05) {
       for (const double slower : {0.003, 0.01, 0.04}) {
         for (const double faster : {0.003, 0.01})
-          in_steps.push_back(vector({25 + share * (hottest - 25), slower, faster}));
+          in_steps.push_back(numbers({25 + share * (hottest - 25), slower, faster}));
       }
     }
     effects.push_back({{"thermal-throttling",
@@ -200,10 +200,10 @@ void add_heat(const Platform& platform, const Reach& reach, Effects& effects) {
                       {{"resistance_C_per_W", declared, declared / 50, declared * 20, declared / 2, declared * 2,
                         Scale::logarithmic}},
                       GLISSON_TEXT("Heat leaves the computer better or worse than declared."),
-                      {vector({declared})}},
+                      {numbers({declared})}},
                      [](const auto& p, auto& behaviour) { behaviour.thermal_resistance_C_per_W = p[0]; }});
   std::vector<Eigen::VectorXd> times;
-  for (const double share : {0.03, 0.1, 0.3, 1.0}) times.push_back(vector({share * reach.longest_s}));
+  for (const double share : {0.03, 0.1, 0.3, 1.0}) times.push_back(numbers({share * reach.longest_s}));
   effects.push_back({{"thermal-inertia",
                       "",
                       {{"time_constant_s", reach.longest_s, 1e-3 * reach.longest_s, 20 * reach.longest_s,

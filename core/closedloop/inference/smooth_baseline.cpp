@@ -14,22 +14,22 @@
 namespace glisson::closedloop {
 namespace {
 
-constexpr Eigen::Index maximum_rows = 400;  // a step of the search costs their cube
+constexpr Eigen::Index maximum_baseline_rows = 400;  // a step of the search costs their cube
 
 // Rows of one direction, which has a process of its own; lengths are shared.
-struct Block {
+struct BaselineBlock {
   Eigen::VectorXd residual;                      // of the declared model, in units of the noise
   std::vector<Eigen::MatrixXd> square_distance;  // a feature: between any two rows, the feature scaled to unit spread
 };
 
 Eigen::MatrixXd features_with_history(const Observations& observations);
-std::vector<Block> blocks_of(const Observations& observations, const Eigen::VectorXd& residual,
-                             const std::vector<Eigen::Index>& rows);
+std::vector<BaselineBlock> blocks_of(const Observations& observations, const Eigen::VectorXd& residual,
+                                     const std::vector<Eigen::Index>& rows);
 
 // -2 ln of the evidence, over the logarithms of each block's amplitude and each feature's length.
 class Evidence : public ceres::FirstOrderFunction {
  public:
-  Evidence(const std::vector<Block>& blocks, double variance)
+  Evidence(const std::vector<BaselineBlock>& blocks, double variance)
       : blocks_(blocks), variance_(variance), lengths_(blocks.front().square_distance.size()) {}
 
   [[nodiscard]] int NumParameters() const override { return static_cast<int>(blocks_.size() + lengths_); }
@@ -38,7 +38,7 @@ class Evidence : public ceres::FirstOrderFunction {
     *value = 0;
     if (gradient != nullptr) std::fill(gradient, gradient + NumParameters(), 0.0);
     for (std::size_t b = 0; b < blocks_.size(); ++b) {
-      const Block& block = blocks_[b];
+      const BaselineBlock& block = blocks_[b];
       const Eigen::Index n = block.residual.size();
       Eigen::MatrixXd exponent = Eigen::MatrixXd::Constant(n, n, 2 * x[b]);
       for (std::size_t f = 0; f < lengths_; ++f)
@@ -61,18 +61,18 @@ class Evidence : public ceres::FirstOrderFunction {
   }
 
  private:
-  const std::vector<Block>& blocks_;
+  const std::vector<BaselineBlock>& blocks_;
   double variance_;
   std::size_t lengths_;
 };
 
 // From lengths of two spreads for all features, and from short ones: the evidence has several maxima.
-double minimum_bic(const std::vector<Block>& blocks, double variance, double rows, const Progress& progress) {
+double minimum_bic(const std::vector<BaselineBlock>& blocks, double variance, double rows, const Progress& progress) {
   double minimum = std::numeric_limits<double>::infinity();
   const std::size_t lengths = blocks.front().square_distance.size();
   for (const double length : {2.0, 0.7}) {
     std::vector<double> x;
-    for (const Block& block : blocks) {
+    for (const BaselineBlock& block : blocks) {
       const double mean_square = block.residual.squaredNorm() / static_cast<double>(block.residual.size());
       x.push_back(0.5 * std::log(std::max(0.1, mean_square)));
     }
@@ -99,7 +99,7 @@ double evidence_over_smooth(const Observations& observations, const Eigen::Vecto
                             const Progress& progress) {
   const auto independent = static_cast<Eigen::Index>(static_cast<double>(observations.rows()) / correlation);
   const Eigen::Index wanted = std::clamp<Eigen::Index>(independent, std::min<Eigen::Index>(10, observations.rows()),
-                                                       std::min(maximum_rows, observations.rows()));
+                                                       std::min(maximum_baseline_rows, observations.rows()));
   std::vector<Eigen::Index> rows;
   for (Eigen::Index i = 0; i < wanted; ++i) rows.push_back(i * observations.rows() / wanted);
   const auto n = static_cast<double>(wanted);
@@ -108,7 +108,7 @@ double evidence_over_smooth(const Observations& observations, const Eigen::Vecto
   const double variance = std::max(1.0, mean_square);
   const double named =
       n * (std::log(variance) + mean_square / variance) + static_cast<double>(parameters) * std::log(n);
-  const std::vector<Block> blocks = blocks_of(observations, declared, rows);
+  const std::vector<BaselineBlock> blocks = blocks_of(observations, declared, rows);
   return minimum_bic(blocks, variance, n, progress) - named;
 }
 
@@ -154,17 +154,17 @@ Eigen::MatrixXd features_with_history(const Observations& observations) {
   return features;
 }
 
-std::vector<Block> blocks_of(const Observations& observations, const Eigen::VectorXd& residual,
-                             const std::vector<Eigen::Index>& rows) {
+std::vector<BaselineBlock> blocks_of(const Observations& observations, const Eigen::VectorXd& residual,
+                                     const std::vector<Eigen::Index>& rows) {
   const Eigen::MatrixXd features = varying_features(observations);
-  std::vector<Block> blocks;
+  std::vector<BaselineBlock> blocks;
   for (int direction = 0; direction < static_cast<int>(observations.directions.size()); ++direction) {
     std::vector<Eigen::Index> own;
     for (const Eigen::Index row : rows) {
       if (observations.direction[static_cast<std::size_t>(row)] == direction) own.push_back(row);
     }
     if (own.empty()) continue;
-    Block block{residual(own).cwiseQuotient(observations.noise(own)), {}};
+    BaselineBlock block{residual(own).cwiseQuotient(observations.noise(own)), {}};
     for (Eigen::Index f = 0; f < features.cols(); ++f) {
       const Eigen::VectorXd x = features(own, f);
       block.square_distance.emplace_back((x.replicate(1, x.size()) - x.transpose().replicate(x.size(), 1)).cwiseAbs2());

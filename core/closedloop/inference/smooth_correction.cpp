@@ -8,8 +8,9 @@
 namespace glisson::closedloop {
 namespace {
 
-constexpr Eigen::Index maximum_rows = 600;  // the process rests on so many rows, taken evenly from all trials
-constexpr double worth_having = 0.9;        // of the sum of squares without it
+constexpr Eigen::Index maximum_correction_rows =
+    600;                              // the process rests on so many rows, taken evenly from all trials
+constexpr double worth_having = 0.9;  // of the sum of squares without it
 
 Eigen::MatrixXd scaled(const SmoothCorrection& smooth, const Eigen::MatrixXd& features) {
   return (features.rowwise() - smooth.center).array().rowwise() / (smooth.spread.array() * smooth.length_scale);
@@ -43,7 +44,7 @@ Rows training_rows(const Observations& observations, const Eigen::MatrixXd& feat
   for (Eigen::Index row = 0; row < observations.rows(); ++row) {
     if (observations.trial[static_cast<std::size_t>(row)] != without_trial) rows.push_back(row);
   }
-  const std::size_t stride = 1 + rows.size() / static_cast<std::size_t>(maximum_rows);
+  const std::size_t stride = 1 + rows.size() / static_cast<std::size_t>(maximum_correction_rows);
   std::vector<Eigen::Index> kept;
   for (std::size_t i = 0; i < rows.size(); i += stride) kept.push_back(rows[i]);
   Rows training{features(kept, Eigen::all), {}, residual(kept), observations.noise(kept).array().square()};

@@ -20,7 +20,7 @@ namespace glisson::closedloop {
 namespace {
 
 // Rows of one direction, which has a process of its own; lengths are shared. In units of the noise as stated.
-struct Block {
+struct RestBlock {
   Eigen::VectorXd residual;
   Eigen::MatrixXd noise;                         // covariance, with what the prediction itself may be off by
   std::vector<Eigen::MatrixXd> square_distance;  // a feature: between any two rows, the feature scaled to unit spread
@@ -29,14 +29,14 @@ struct Block {
 // What each row stands for: rows of the experiment that are averaged.
 using Grouping = std::vector<std::vector<Eigen::Index>>;
 Grouping grouped(const Observations& observations, double correlation, std::size_t maximum);
-std::vector<Block> blocks_of(const Observations& observations, const SystematicUncertainty& systematic,
-                             const Eigen::VectorXd& residual, const Grouping& groups, double correlation);
+std::vector<RestBlock> blocks_of(const Observations& observations, const SystematicUncertainty& systematic,
+                                 const Eigen::VectorXd& residual, const Grouping& groups, double correlation);
 
 // -ln of the probability of the residuals and of x: the noise's logarithm, and with a smooth function each block's
 // amplitude's and each feature's length's.
 class MinusLogPosterior : public ceres::FirstOrderFunction {
  public:
-  MinusLogPosterior(const std::vector<Block>& blocks, bool smooth, const PosteriorOptions& options)
+  MinusLogPosterior(const std::vector<RestBlock>& blocks, bool smooth, const PosteriorOptions& options)
       : blocks_(blocks),
         smooth_(smooth),
         options_(options),
@@ -70,7 +70,7 @@ class MinusLogPosterior : public ceres::FirstOrderFunction {
         normal(first_length() + f, options_.smooth_length, options_.smooth_length_spread);
     }
     for (std::size_t b = 0; b < blocks_.size(); ++b) {
-      const Block& block = blocks_[b];
+      const RestBlock& block = blocks_[b];
       const Eigen::Index n = block.residual.size();
       const Eigen::MatrixXd noise = scale * block.noise;
       Eigen::MatrixXd smooth;
@@ -101,14 +101,14 @@ class MinusLogPosterior : public ceres::FirstOrderFunction {
  private:
   [[nodiscard]] std::size_t first_length() const { return 1 + blocks_.size(); }
 
-  const std::vector<Block>& blocks_;
+  const std::vector<RestBlock>& blocks_;
   bool smooth_;
   const PosteriorOptions& options_;
   std::size_t lengths_;
 };
 
 // At the maximum of the posterior from x, by Laplace's method; -infinity where there is none.
-double log_evidence_from(std::vector<double> x, const std::vector<Block>& blocks, bool smooth,
+double log_evidence_from(std::vector<double> x, const std::vector<RestBlock>& blocks, bool smooth,
                          const PosteriorOptions& options, const Progress& progress) {
   const ceres::GradientProblem problem(new MinusLogPosterior(blocks, smooth, options));
   StopWhenCancelled stop(progress);
@@ -147,10 +147,10 @@ SmoothEvidence smooth_evidence(const Observations& observations, const Systemati
                                const Eigen::VectorXd& residual, double correlation, const PosteriorOptions& options,
                                const Progress& progress) {
   const Grouping groups = grouped(observations, correlation, options.smooth_rows);
-  const std::vector<Block> blocks = blocks_of(observations, systematic, residual, groups, correlation);
+  const std::vector<RestBlock> blocks = blocks_of(observations, systematic, residual, groups, correlation);
   SmoothEvidence evidence;
   double square = 0, count = 0;
-  for (const Block& block : blocks) {
+  for (const RestBlock& block : blocks) {
     square += block.residual.cwiseAbs2().cwiseQuotient(block.noise.diagonal()).sum();
     count += static_cast<double>(block.residual.size());
   }
@@ -167,7 +167,7 @@ SmoothEvidence smooth_evidence(const Observations& observations, const Systemati
   for (const Beginning& start :
        {Beginning{2.0, 1 / size, 1.0}, Beginning{0.7, 1 / size, 1.0}, Beginning{2.0, 1.0, 0.3}}) {
     std::vector<double> x{std::log(start.noise * size)};
-    for (const Block& block : blocks) {
+    for (const RestBlock& block : blocks) {
       const double mean_square = block.residual.squaredNorm() / static_cast<double>(block.residual.size());
       x.push_back(0.5 * std::log(std::max(0.1, mean_square)) + std::log(start.amplitude));
     }
@@ -204,8 +204,8 @@ Grouping grouped(const Observations& observations, double correlation, std::size
   return groups;
 }
 
-std::vector<Block> blocks_of(const Observations& observations, const SystematicUncertainty& systematic,
-                             const Eigen::VectorXd& residual, const Grouping& groups, double correlation) {
+std::vector<RestBlock> blocks_of(const Observations& observations, const SystematicUncertainty& systematic,
+                                 const Eigen::VectorXd& residual, const Grouping& groups, double correlation) {
   const auto averaged = [&](const Eigen::MatrixXd& columns, const std::vector<std::size_t>& which) {
     Eigen::MatrixXd mean(static_cast<Eigen::Index>(which.size()), columns.cols());
     for (std::size_t i = 0; i < which.size(); ++i)
@@ -214,13 +214,13 @@ std::vector<Block> blocks_of(const Observations& observations, const SystematicU
   };
   const Eigen::MatrixXd features = varying_features(observations);
   const Eigen::VectorXd inverse_noise = observations.noise.cwiseInverse();
-  std::vector<Block> blocks;
+  std::vector<RestBlock> blocks;
   for (int direction = 0; direction < static_cast<int>(observations.directions.size()); ++direction) {
     std::vector<std::size_t> own;
     for (std::size_t g = 0; g < groups.size(); ++g)
       if (observations.direction[static_cast<std::size_t>(groups[g].front())] == direction) own.push_back(g);
     if (own.empty()) continue;
-    Block block;
+    RestBlock block;
     block.residual = averaged(inverse_noise.cwiseProduct(residual), own);
     const auto n = static_cast<Eigen::Index>(own.size());
     block.noise = Eigen::MatrixXd::Zero(n, n);

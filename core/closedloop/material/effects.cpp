@@ -11,7 +11,7 @@ namespace glisson::closedloop {
 namespace {
 
 // What the trials went through.
-struct Reach {
+struct MaterialReach {
   double largest_strain = 0;
   double largest_stress_kPa = 0;  // of the declared order: modulus times strain
   double shortest_s = 0;          // between samples, the median
@@ -21,16 +21,16 @@ struct Reach {
   bool both_sides = false;
 };
 
-Reach reach_of(const Material& material);
+MaterialReach reach_of(const Material& material);
 Eigen::VectorXd vector(std::initializer_list<double> values);
 
-using Effects = std::vector<MaterialEffect>;
-Effects effects_within(const Material& material, const Reach& reach);
-void add_stiffness(const Material& material, const Reach& reach, Effects& effects);
-void add_stiffening(const Material& material, const Reach& reach, Effects& effects);
-void add_relaxation(const Reach& reach, Effects& effects);
-void add_dissipation(const Reach& reach, Effects& effects);
-void add_load_cell(const Material& material, const Reach& reach, Effects& effects);
+using MaterialEffects = std::vector<MaterialEffect>;
+MaterialEffects effects_within(const Material& material, const MaterialReach& reach);
+void add_stiffness(const Material& material, const MaterialReach& reach, MaterialEffects& effects);
+void add_stiffening(const Material& material, const MaterialReach& reach, MaterialEffects& effects);
+void add_relaxation(const MaterialReach& reach, MaterialEffects& effects);
+void add_dissipation(const MaterialReach& reach, MaterialEffects& effects);
+void add_load_cell(const Material& material, const MaterialReach& reach, MaterialEffects& effects);
 
 }  // namespace
 
@@ -39,7 +39,7 @@ std::vector<MaterialEffect> material_effects(const Material& material) {
 }
 
 std::vector<MaterialEffect> known_material_effects(const Material& material) {
-  Reach reach = reach_of(material);
+  MaterialReach reach = reach_of(material);
   reach.unloads = reach.both_sides = true;
   if (!(reach.longest_s > 0)) reach.longest_s = reach.shortest_s = 1;
   return effects_within(material, reach);
@@ -47,8 +47,8 @@ std::vector<MaterialEffect> known_material_effects(const Material& material) {
 
 namespace {
 
-Effects effects_within(const Material& material, const Reach& reach) {
-  Effects effects;
+MaterialEffects effects_within(const Material& material, const MaterialReach& reach) {
+  MaterialEffects effects;
   add_stiffness(material, reach, effects);
   add_stiffening(material, reach, effects);
   if (reach.longest_s > 0) add_relaxation(reach, effects);
@@ -61,8 +61,8 @@ Eigen::VectorXd vector(std::initializer_list<double> values) {
   return Eigen::VectorXd::Map(values.begin(), static_cast<Eigen::Index>(values.size()));
 }
 
-Reach reach_of(const Material& material) {
-  Reach reach;
+MaterialReach reach_of(const Material& material) {
+  MaterialReach reach;
   double lowest = 1;
   double highest = 1;
   std::vector<double> steps;
@@ -96,7 +96,7 @@ Reach reach_of(const Material& material) {
   return reach;
 }
 
-void add_stiffness(const Material&, const Reach& reach, Effects& effects) {
+void add_stiffness(const Material&, const MaterialReach& reach, MaterialEffects& effects) {
   effects.push_back({{"stiffness-scale",
                       "",
                       {{"factor", 1, 0.02, 50, 0.5, 2, Scale::logarithmic}},
@@ -119,7 +119,7 @@ void add_stiffness(const Material&, const Reach& reach, Effects& effects) {
                      [](const auto& p, auto& behaviour) { behaviour.compression_factor = p[0]; }});
 }
 
-void add_stiffening(const Material& material, const Reach& reach, Effects& effects) {
+void add_stiffening(const Material& material, const MaterialReach& reach, MaterialEffects& effects) {
   const double strain = reach.largest_strain;
   const auto law = [&](std::string form, ElasticLaw elastic, std::vector<Parameter> parameters,
                        std::vector<Eigen::VectorXd> starts) {
@@ -156,7 +156,7 @@ void add_stiffening(const Material& material, const Reach& reach, Effects& effec
       {vector({0.0, 0.0})});
 }
 
-void add_relaxation(const Reach& reach, Effects& effects) {
+void add_relaxation(const MaterialReach& reach, MaterialEffects& effects) {
   const double fast = std::max(reach.shortest_s, 1e-4 * reach.longest_s);
   const double slow = reach.longest_s;
   const Parameter amplitude{"amplitude", 0, 0, 0.98, 0, 0.6};
@@ -188,7 +188,7 @@ void add_relaxation(const Reach& reach, Effects& effects) {
   }
 }
 
-void add_dissipation(const Reach& reach, Effects& effects) {
+void add_dissipation(const MaterialReach& reach, MaterialEffects& effects) {
   const auto softening_sentence =
       GLISSON_TEXT("Once stretched, the tissue stays softer up to the deformation that it has seen (Mullins effect).");
   const auto softening = [&](std::string form, SofteningLaw law, std::vector<Parameter> parameters,
@@ -252,7 +252,7 @@ void add_dissipation(const Reach& reach, Effects& effects) {
   sliding("dahl-tail", HysteresisLaw::dahl, {{"exponent", 1, 0, 3, 0.5, 2.5}}, {2.0});
 }
 
-void add_load_cell(const Material& material, const Reach& reach, Effects& effects) {
+void add_load_cell(const Material& material, const MaterialReach& reach, MaterialEffects& effects) {
   // Where the size of the specimen is known the offset is a force, as the load cell has it.
   const double kPa_of_unit = material.specimen.area_mm2 ? units::mN_from_N(1.0) / *material.specimen.area_mm2 : 1.0;
   const double zero = reach.largest_stress_kPa / kPa_of_unit;

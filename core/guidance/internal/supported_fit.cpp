@@ -25,7 +25,7 @@ constexpr double negligible_variance = 1e-4;                    // of all the mo
 constexpr double lost_noise_mm = 1.2;      // that no good fit of a pulled organ leaves: another start is worth its time
 constexpr double compared_error_mm = 0.5;  // of the surface, where fits are compared: beside the noise
 constexpr double farthest_mm = 30.0;       // that a point counts for there
-constexpr double posterior_factor = 2.0;   // of standard deviations, from bodies that were not judged
+constexpr double supported_posterior_factor = 2.0;  // of standard deviations, from bodies that were not judged
 
 // Of large deformation. Turning by u over a length L takes linear elasticity u^2 / 2L off.
 constexpr double neglected_turn_mm = 1.0;
@@ -284,11 +284,11 @@ double SupportedFit::log_evidence() const {
 
 ElasticPlacement SupportedFit::outcome(const std::vector<mechanics::PointInMesh>& targets) const {
   // A tool's displacement that is wrong by a share is a force that is wrong by it.
-  AskedTools asked{{}, tool_sd_mN, posterior_factor, elastic_share};
+  AskedTools asked{{}, tool_sd_mN, supported_posterior_factor, elastic_share};
   for (const SeenTool& tool : fit_.frame.tools) {
     if (!tool.force_mN) asked.tools.push_back(tool.id);
   }
-  return fit_.outcome(targets, posterior_factor, asked);
+  return fit_.outcome(targets, supported_posterior_factor, asked);
 }
 
 // Either way about each axis, the organ's middle where it is.

@@ -21,12 +21,13 @@ std::vector<std::vector<ContactTool>> stations_of(const std::vector<ScenarioTool
 }  // namespace
 
 Result<Answer> linear_contact_equilibrium(const Question& question, const Progress& progress) {
-  const auto& [mesh, youngs_kPa, scenario, places, walls] = question;
-  auto model = StaticModel::create(mesh, youngs_kPa, scenario.supports, options_of(scenario), progress.part(0.0, 0.5),
-                                   points_on(walls));
+  const Scenario& scenario = question.scenario;
+  const std::vector<OpenedBody::Wall>& walls = question.walls;
+  auto model = StaticModel::create(question.mesh, question.youngs_kPa, scenario.supports, options_of(scenario),
+                                   progress.part(0.0, 0.5), points_on(walls));
   if (!model) return failure(std::move(model.error()));
   const Stopwatch watch;
-  const auto body = ContactBody::create(std::move(*model), scenario.loads, places);
+  const auto body = ContactBody::create(std::move(*model), scenario.loads, question.places);
   if (!body) return failure(body.error());
   const ContactOptions options;
   const int steps = scenario.tools.empty() ? 0 : steps_for(scenario.tools, options.largest_move_mm);
@@ -51,7 +52,7 @@ Result<Answer> linear_contact_equilibrium(const Question& question, const Progre
         "which still moves by {:.2f} mm.",
         rounds, state.report.penetration_mm, options.penetration_tolerance_mm, state.report.movement_mm);
   }
-  auto landmarks_mm = body->model().displacement_at(*result, places);
+  auto landmarks_mm = body->model().displacement_at(*result, question.places);
   auto von_mises_kPa = body->model().von_mises_kPa(*result);
   return Answer{std::move(*result), std::move(landmarks_mm), std::move(von_mises_kPa), {}, std::move(state.tools),
                 state.report};

@@ -23,9 +23,9 @@ struct Voxels {
 
 // Space cut into blocks of voxels, about as large as a node's share, and the nodes in each. What is nearest to a voxel
 // is mostly found among the few dozen nodes of its own block and those around it, sooner than in a tree.
-class Blocks {
+class VoronoiBlocks {
  public:
-  Blocks(const Voxels& voxels, std::size_t nodes);
+  VoronoiBlocks(const Voxels& voxels, std::size_t nodes);
 
   // For each block in turn, its voxels, by their place in the list.
   [[nodiscard]] const std::vector<std::vector<std::int32_t>>& voxels() const { return voxels_; }
@@ -53,7 +53,7 @@ struct Assignment {
   std::vector<std::int32_t> node_of;
   std::vector<double> squared_distance_mm2;
 };
-Assignment assign(const Voxels& voxels, Blocks& blocks, const std::vector<Vector3d>& nodes_mm);
+Assignment assign(const Voxels& voxels, VoronoiBlocks& blocks, const std::vector<Vector3d>& nodes_mm);
 double energy_mm5(const Voxels& voxels, const Assignment& assignment);
 std::vector<int> voxels_of_nodes(const Assignment& assignment, std::size_t nodes);
 
@@ -77,7 +77,7 @@ Result<VoronoiNodes> voronoi_nodes(const imaging::Mask& body, const VoronoiOptio
   VoronoiNodes result;
   const auto nodes = static_cast<std::size_t>(options.nodes);
   result.positions_mm = spread_evenly(voxels, options.nodes);
-  Blocks blocks(voxels, nodes);
+  VoronoiBlocks blocks(voxels, nodes);
   Assignment assignment = assign(voxels, blocks, result.positions_mm);
   std::vector<int> counts = voxels_of_nodes(assignment, nodes);
   result.energies_mm5.push_back(energy_mm5(voxels, assignment));
@@ -163,7 +163,7 @@ std::vector<Vector3d> spread_evenly(const Voxels& voxels, int nodes) {
   return positions_mm;
 }
 
-Blocks::Blocks(const Voxels& voxels, std::size_t nodes)
+VoronoiBlocks::VoronoiBlocks(const Voxels& voxels, std::size_t nodes)
     : grid_(&voxels.grid),
       edge_(std::max(1, static_cast<int>(std::lround(std::cbrt(double(voxels.offsets.size()) / double(nodes)))))) {
   for (int axis = 0; axis < 3; ++axis) {
@@ -179,7 +179,7 @@ Blocks::Blocks(const Voxels& voxels, std::size_t nodes)
   reach_mm_ = edge_ / to_index.rowwise().norm().maxCoeff();
 }
 
-void Blocks::sort_in(const std::vector<Vector3d>& nodes_mm) {
+void VoronoiBlocks::sort_in(const std::vector<Vector3d>& nodes_mm) {
   nodes_.assign(voxels_.size(), {});
   for (std::size_t node = 0; node < nodes_mm.size(); ++node) {
     nodes_[block_of(nodes_mm[node])].push_back(static_cast<std::int32_t>(node));
@@ -187,7 +187,7 @@ void Blocks::sort_in(const std::vector<Vector3d>& nodes_mm) {
 }
 
 // A centroid may lie outside the grid by rounding alone: the nearest block.
-std::size_t Blocks::block_of(const Vector3d& place_mm) const {
+std::size_t VoronoiBlocks::block_of(const Vector3d& place_mm) const {
   const Vector3d index = grid_->index_of(place_mm);
   std::array<std::size_t, 3> at{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -197,7 +197,7 @@ std::size_t Blocks::block_of(const Vector3d& place_mm) const {
   return at[0] + static_cast<std::size_t>(size_[0]) * (at[1] + static_cast<std::size_t>(size_[1]) * at[2]);
 }
 
-void Blocks::nodes_around(std::size_t block, std::vector<std::int32_t>& nodes) const {
+void VoronoiBlocks::nodes_around(std::size_t block, std::vector<std::int32_t>& nodes) const {
   nodes.clear();
   const auto row = static_cast<std::size_t>(size_[0]), slice = row * static_cast<std::size_t>(size_[1]);
   const int i = static_cast<int>(block % row), j = static_cast<int>(block % slice / row),
@@ -214,7 +214,7 @@ void Blocks::nodes_around(std::size_t block, std::vector<std::int32_t>& nodes) c
   std::sort(nodes.begin(), nodes.end());  // of two that are as near, the first
 }
 
-Assignment assign(const Voxels& voxels, Blocks& blocks, const std::vector<Vector3d>& nodes_mm) {
+Assignment assign(const Voxels& voxels, VoronoiBlocks& blocks, const std::vector<Vector3d>& nodes_mm) {
   const geometry::NearestPoint tree(nodes_mm);
   blocks.sort_in(nodes_mm);
   Assignment assignment;

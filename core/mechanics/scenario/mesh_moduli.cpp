@@ -16,7 +16,7 @@ const geometry::Field* cell_numbers(const geometry::TetMesh& mesh, const std::st
   return sound ? field : nullptr;
 }
 
-std::string names_of(const geometry::Fields& fields) {
+std::string field_names(const geometry::Fields& fields) {
   std::string names;
   for (const geometry::Field& field : fields) names += (names.empty() ? "" : ", ") + field.name;
   return names.empty() ? "none" : names;
@@ -42,7 +42,7 @@ Result<MeshModuli> moduli_of(const geometry::TetMesh& mesh, const std::string& n
   if (moduli == nullptr) {
     return failure(Error{"modulus-missing",
                          GLISSON_TEXT("The mesh has no cell array {0} with one value a cell."),
-                         {name, names_of(mesh.cell_fields)},
+                         {name, field_names(mesh.cell_fields)},
                          GLISSON_TEXT("Give the scenario \"youngs_modulus_kPa\", a number or the name of a cell array; "
                                       "the mesh's cell arrays are: {1}."),
                          {}});

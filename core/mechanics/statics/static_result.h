@@ -20,10 +20,10 @@ struct StaticResult {
   std::vector<Eigen::Vector3d> displacement_mm;           // one a point of the mesh
   std::vector<Eigen::Vector3d> mid_side_displacement_mm;  // one an edge, in the model's order; empty for linear cells
 
-  Eigen::Vector3d applied_force_mN{0, 0, 0};        // sum of all loads
-  Eigen::Vector3d fixed_reaction_mN{0, 0, 0};       // what the held points push back with, summed
-  // What the points of each fixed support push back with; zero for the other supports, empty where it was not asked for.
-  // A point that several supports hold counts for the first of them.
+  Eigen::Vector3d applied_force_mN{0, 0, 0};   // sum of all loads
+  Eigen::Vector3d fixed_reaction_mN{0, 0, 0};  // what the held points push back with, summed
+  // What the points of each fixed support push back with; zero for the other supports, empty where it was not asked
+  // for. A point that several supports hold counts for the first of them.
   std::vector<Eigen::Vector3d> support_reaction_mN;
   Eigen::Vector3d foundation_reaction_mN{0, 0, 0};  // what the foundations push back with, summed
   Eigen::Vector3d ligament_reaction_mN{0, 0, 0};    // what the ligaments pull with, summed

@@ -16,10 +16,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double length_mm = 50, side_mm = 10, youngs_kPa = 12, density_kg_mm3 = 997e-9;
-constexpr double volume_mm3 = length_mm * side_mm * side_mm;
-constexpr double inertia_mm4 = side_mm * side_mm * side_mm * side_mm / 12;
-constexpr double load_mN_per_mm = density_kg_mm3 * 9810.0 * side_mm * side_mm;
+constexpr double beam_length_mm = 50, beam_side_mm = 10, youngs_kPa = 12, beam_density_kg_mm3 = 997e-9;
+constexpr double volume_mm3 = beam_length_mm * beam_side_mm * beam_side_mm;
+constexpr double inertia_mm4 = beam_side_mm * beam_side_mm * beam_side_mm * beam_side_mm / 12;
+constexpr double load_mN_per_mm = beam_density_kg_mm3 * 9810.0 * beam_side_mm * beam_side_mm;
 constexpr const char* held = "wall";
 
 double rounded(double value);  // to five digits: no run repeats more of them
@@ -38,8 +38,8 @@ Result<ConvergenceStudy> run_convergence(const ConvergenceOptions& options, cons
                                                  "to 100 steps."));
   }
   ConvergenceStudy study;
-  study.eq_6_6_tip_mm = eq_6_6_mm(length_mm);
-  study.theory_tip_mm = study.eq_6_6_tip_mm + shear_mm(length_mm);
+  study.eq_6_6_tip_mm = eq_6_6_mm(beam_length_mm);
+  study.theory_tip_mm = study.eq_6_6_tip_mm + shear_mm(beam_length_mm);
   for (int i = 0; i < options.resolutions; ++i) {
     const double along = double(i) / (options.resolutions - 1);
     const double resolution_mm3 = options.finest_mm3 * std::pow(options.coarsest_mm3 / options.finest_mm3, along);
@@ -111,23 +111,25 @@ namespace {
 double rounded(double value) { return std::stod(fmt::format("{:.5g}", value)); }
 
 double eq_6_6_mm(double x_mm) {
-  return load_mN_per_mm * x_mm * x_mm * (6 * length_mm * length_mm - 4 * length_mm * x_mm + x_mm * x_mm) /
+  return load_mN_per_mm * x_mm * x_mm *
+         (6 * beam_length_mm * beam_length_mm - 4 * beam_length_mm * x_mm + x_mm * x_mm) /
          (24 * youngs_kPa * inertia_mm4);
 }
 
 // Cowper's kappa for a rectangle is 10 (1 + nu) / (12 + 11 nu), and G is E / 2 at nu = 0.
 double shear_mm(double x_mm) {
-  return load_mN_per_mm * (length_mm * x_mm - x_mm * x_mm / 2) / (10.0 / 12.0 * youngs_kPa / 2 * side_mm * side_mm);
+  return load_mN_per_mm * (beam_length_mm * x_mm - x_mm * x_mm / 2) /
+         (10.0 / 12.0 * youngs_kPa / 2 * beam_side_mm * beam_side_mm);
 }
 
 // The background mesh has a few points for every node, so that the nodes and not the mesh are what is coarse.
 Result<ConvergenceRow> row_of(int nodes, const Progress& progress) {
   const int across = std::clamp(static_cast<int>(std::lround(std::cbrt(nodes))), 4, 14);
-  geometry::TetMesh mesh = beam_mesh({5 * across, across, across}, {length_mm, side_mm, side_mm});
+  geometry::TetMesh mesh = beam_mesh({5 * across, across, across}, {beam_length_mm, beam_side_mm, beam_side_mm});
   name_beam_end(mesh, held);
   mechanics::StaticOptions options;
   options.poisson_ratio = 0;
-  options.density_kg_mm3 = density_kg_mm3;
+  options.density_kg_mm3 = beam_density_kg_mm3;
   options.memory_limit_bytes = std::uint64_t{3} << 30;
   const auto model = mechanics::MeshfreeModel::create(
       mesh, std::vector<double>(mesh.cells.size(), youngs_kPa), {{mechanics::NamedPoints{held}, mechanics::Fixed{}}},
@@ -141,15 +143,15 @@ Result<ConvergenceRow> row_of(int nodes, const Progress& progress) {
   }
 
   std::vector<Vector3d> axis_mm;
-  for (int i = 1; i <= 20; ++i) axis_mm.emplace_back(length_mm * i / 20, side_mm / 2, side_mm / 2);
+  for (int i = 1; i <= 20; ++i) axis_mm.emplace_back(beam_length_mm * i / 20, beam_side_mm / 2, beam_side_mm / 2);
   const auto moved = model->displacement_at(*result, mechanics::locate_points(model->mesh(), axis_mm));
   ConvergenceRow row;
   row.nodes = static_cast<int>(model->shape_functions().nodes_mm.size());
   row.resolution_mm3 = volume_mm3 / row.nodes;
   row.unknowns = model->cost().unknowns;
   row.tip_mm = -moved.back().z();
-  row.error_eq_6_6_mm = std::abs(row.tip_mm - eq_6_6_mm(length_mm));
-  row.error_mm = std::abs(row.tip_mm - eq_6_6_mm(length_mm) - shear_mm(length_mm));
+  row.error_eq_6_6_mm = std::abs(row.tip_mm - eq_6_6_mm(beam_length_mm));
+  row.error_mm = std::abs(row.tip_mm - eq_6_6_mm(beam_length_mm) - shear_mm(beam_length_mm));
   for (std::size_t i = 0; i < axis_mm.size(); ++i) {
     const double theory_mm = eq_6_6_mm(axis_mm[i].x()) + shear_mm(axis_mm[i].x());
     row.rms_error_mm += std::pow(-moved[i].z() - theory_mm, 2) / double(axis_mm.size());

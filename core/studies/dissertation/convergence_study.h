@@ -19,8 +19,8 @@ namespace glisson::studies {
 struct ConvergenceOptions {
   double finest_mm3 = 1.65;  // a voxel of MR images: the dissertation's
   // The dissertation ends at 165 mm3, after ten resolutions. These are ten as far, evenly spaced in the logarithm, and
-  // four more at the same ratio, up to some five nodes in the beam: so that coarse accuracies have a resolution of their
-  // own.
+  // four more at the same ratio, up to some five nodes in the beam: so that coarse accuracies have a resolution of
+  // their own.
   double coarsest_mm3 = 1277.53;
   int resolutions = 14;
 };

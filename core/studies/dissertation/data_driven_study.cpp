@@ -27,7 +27,7 @@ using mechanics::StressStrain;
 using Displacements = std::vector<Eigen::Vector3d>;
 
 constexpr double linear_region = 0.05;  // strain up to which chapter 5's traditional method takes tissue as linear
-constexpr double density_kg_mm3 = 1e-6;
+constexpr double tissue_density_kg_mm3 = 1e-6;
 
 Result<void> check(const DataDrivenStudyOptions& options);
 Result<geometry::TetMesh> generated_liver(int target_cells, const Progress& progress);
@@ -229,7 +229,7 @@ Result<DataDrivenRow> answered(const Question& question, std::vector<StressStrai
   const auto data = mechanics::MaterialData::create(measured, {.poisson_ratio = question.poisson_ratio});
   if (!data) return failure(data.error());
   const auto found = mechanics::find_equilibrium_from_data(question.liver, *data, question.supports, question.loads,
-                                                           density_kg_mm3, {}, progress);
+                                                           tissue_density_kg_mm3, {}, progress);
   if (!found) return failure(found.error());
   row.retraction_mm = found->result.max_displacement_mm;
   row.rounds = found->result.iterations;

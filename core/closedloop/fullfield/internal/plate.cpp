@@ -14,9 +14,9 @@ namespace {
 
 // That are read. Of a field that was smoothed so few that their errors are about independent of each other: rows that
 // share an error would make a small one look certain.
-constexpr std::size_t maximum_points = 300;
+constexpr std::size_t maximum_plate_points = 300;
 constexpr std::size_t maximum_points_if_smoothed = 30;
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<std::pair<std::size_t, int>> moved_of(const FullField& field) {
   std::vector<std::pair<std::size_t, int>> moved;
@@ -129,7 +129,8 @@ void Plate::choose_rows() {
     if (free && (seen || !measured)) points.push_back(static_cast<int>(p));
   }
   const std::size_t stride =
-      1 + (points.empty() ? 0 : (points.size() - 1) / (is_smoothed() ? maximum_points_if_smoothed : maximum_points));
+      1 +
+      (points.empty() ? 0 : (points.size() - 1) / (is_smoothed() ? maximum_points_if_smoothed : maximum_plate_points));
 
   observations_.unit = "noise";
   observations_.directions = {"ux", "uy", "fx", "fy"};
@@ -196,7 +197,7 @@ void Plate::add_reactions(std::size_t t, std::vector<Observation>& all) {
       const auto& points = field_.boundaries[moved_[static_cast<std::size_t>(known[k])].first].points;
       for (const int point : points)
         middle += field_.points[static_cast<std::size_t>(point)] / static_cast<double>(points.size());
-      all.push_back({.measured = nothing_measured ? none : measured,
+      all.push_back({.measured = nothing_measured ? no_number : measured,
                      .noise = 1,
                      .trial = static_cast<int>(t),
                      .direction = 2 + d,
@@ -311,7 +312,7 @@ double Plate::roughness() const {
     }
   }
   std::vector<double> squares;
-  const std::size_t stride = 1 + field_.points.size() / maximum_points;
+  const std::size_t stride = 1 + field_.points.size() / maximum_plate_points;
   for (std::size_t p = 0; p < field_.points.size(); p += stride) {
     std::set<int> around = neighbours[p];
     for (const int near : neighbours[p])

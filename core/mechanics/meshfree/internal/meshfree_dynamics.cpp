@@ -57,7 +57,7 @@ struct MeshfreeMotion::Impl {
 
 namespace {
 
-constexpr int newton_steps_of_a_round = 40;
+constexpr int newton_steps_of_a_frame = 40;
 
 Result<void> check(const DynamicsOptions& options);
 int cells_turned_inside_out(const Body& body, const Eigen::VectorXd& u_mm);
@@ -111,7 +111,7 @@ Result<StepReport> MeshfreeMotion::step(const AppliedLoads& loads, const Minimis
                            step.scale_mN(),
                            HandleUnknowns(parts.handles),
                            minimum,
-                           {parts.options.relative_tolerance, newton_steps_of_a_round, body.options.memory_limit_bytes},
+                           {parts.options.relative_tolerance, newton_steps_of_a_frame, body.options.memory_limit_bytes},
                            progress});
   if (!rested) return failure(rested.error());
   StepReport report;
