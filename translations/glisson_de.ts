@@ -6609,10 +6609,6 @@
         <source>Plan a plane in Resect and keep the plan, to cut along it here.</source>
         <translation>Planen Sie in Resektion eine Ebene und behalten Sie den Plan, um hier daran entlang zu schneiden.</translation>
     </message>
-    <message>
-        <source>A cut advances at small deformations only: choose them above to cut.</source>
-        <translation>Ein Schnitt geht nur bei kleinen Verformungen weiter: wählen Sie diese oben, um zu schneiden.</translation>
-    </message>
 </context>
 <context>
     <name>glisson::widgets::AlgorithmChoice</name>

@@ -6609,10 +6609,6 @@
         <source>Plan a plane in Resect and keep the plan, to cut along it here.</source>
         <translation>Planifique un plano en Resección y conserve el plan para cortar aquí según él.</translation>
     </message>
-    <message>
-        <source>A cut advances at small deformations only: choose them above to cut.</source>
-        <translation>Un corte avanza solo con deformaciones pequeñas: elíjalas arriba para cortar.</translation>
-    </message>
 </context>
 <context>
     <name>glisson::widgets::AlgorithmChoice</name>

@@ -6609,10 +6609,6 @@
         <source>Plan a plane in Resect and keep the plan, to cut along it here.</source>
         <translation>Planifiez un plan de coupe dans Résection et gardez-le, pour couper ici en le suivant.</translation>
     </message>
-    <message>
-        <source>A cut advances at small deformations only: choose them above to cut.</source>
-        <translation>Une coupe n’avance qu’aux petites déformations : choisissez-les plus haut pour couper.</translation>
-    </message>
 </context>
 <context>
     <name>glisson::widgets::AlgorithmChoice</name>

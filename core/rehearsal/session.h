@@ -100,7 +100,7 @@ class SessionEngine {
   // A bound beyond which a state says that it is still settling.
   static constexpr double shown_mm = 0.5;
   // Settle commands after which a state that has not come to rest will not.
-  static constexpr int most_settles = 12;
+  static constexpr int most_settles = 24;
 
   // One step. Large moves are made in small ones, which only the last shows. Undo reaches back over 10,000 steps, at
   // large strain over 100. A Settle that is cancelled has never been: state, number and digest are as before.

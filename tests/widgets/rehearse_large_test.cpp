@@ -149,13 +149,23 @@ class RehearseLargeTest : public QObject {
     QVERIFY(std::abs(contacts[0].force_mN.norm() - 1000) < 50);
     QVERIFY(std::abs(contacts[1].force_mN.norm() - 500) < 1e-6);
     QVERIFY(rehearsal().state()->atlas.has_value());
-    // Cuts are of small deformations, and the window says so.
+    // The planned cut is led on at large ones too, and each step comes to rest.
     const auto plane = geometry::CutSurface::plane({63, 0, 0}, {1, 0, 0}).value();
     window_->findChild<RehearsePanel*>()->show_plan(
         rehearsal::course_of(test::box_of_tetrahedra({6, 4, 4}, {120, 80, 80}), plane).value(), {},
         {"liver", "tumour-1"});
-    QVERIFY(!child<QPushButton>("advance_cut")->isEnabled());
-    QVERIFY(child<QLabel>("cut_state")->text().contains("small deformations only"));
+    for (int step = 1; step <= 3; ++step) {
+      QTRY_VERIFY_WITH_TIMEOUT(child<QPushButton>("advance_cut")->isEnabled(), patience_ms);
+      QTest::mouseClick(child<QPushButton>("advance_cut"), Qt::LeftButton);
+      QTRY_COMPARE_WITH_TIMEOUT(rehearsal().cut_steps(), step, patience_ms);
+      come_to_rest();
+      QVERIFY(*rehearsal().error_bound_mm() <= 0.5);
+    }
+    QVERIFY(rehearsal().state()->cut->open_mm2 > 0);
+    QVERIFY(child<QLabel>("cut_state")->text().contains("% of the section is open"));
+    window_->grab().save(test::kept_picture("rehearse-large-cut.png"));
+    QTest::mouseClick(child<QPushButton>("take_cut_back"), Qt::LeftButton);
+    QTRY_COMPARE_WITH_TIMEOUT(rehearsal().cut_steps(), 2, patience_ms);
     QTest::keyClick(choice, Qt::Key_Home);
     QCOMPARE(rehearsal().tools(), tools);
     QTRY_COMPARE_WITH_TIMEOUT(rehearsal().solving(), Solving::solved, patience_ms);

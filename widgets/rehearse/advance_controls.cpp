@@ -64,15 +64,12 @@ void AdvanceControls::take_back() { rehearsal_.take_cut_back(); }
 void AdvanceControls::show_state() {
   const bool rigid = rehearsal_.touch() == Touch::rigid;
   const bool more = course_ && step_mm * rehearsal_.cut_steps() < course_->length_mm;
-  const bool large = rehearsal_.deformations() == Deformations::large;
-  advance_->setEnabled(more && rigid && !large && !rehearsal_.frozen());
+  advance_->setEnabled(more && rigid && !rehearsal_.frozen());
   back_->setEnabled(rehearsal_.can_take_cut_back());
   const auto& state = rehearsal_.state();
   QString text;
   if (!course_) {
     text = why_not_ ? translated(*why_not_) : tr("Plan a plane in Resect and keep the plan, to cut along it here.");
-  } else if (large) {
-    text = tr("A cut advances at small deformations only: choose them above to cut.");
   } else if (!rigid) {
     text = tr("Tick the rigid tool above, to cut while tools hold the liver.");
   } else if (state && state->cut) {

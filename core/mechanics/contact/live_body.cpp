@@ -12,6 +12,16 @@ namespace glisson::mechanics {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
+namespace {
+
+// In units of the tissue's own stiffness. Softer tools enter too deep, and their multipliers are moved on more often,
+// at each of which a smooth tool starts to slide; stiffer walls let fewer of the places across a cut take part at once.
+// Found on the block of tests/widgets/block_patient.h, cut half through under a probe and a grasper
+// (docs/performance.md).
+constexpr double tool_penalty = 10, wall_penalty = 2;
+
+}  // namespace
+
 struct LiveBody::Impl {
   std::shared_ptr<const LiveParts> parts;
   std::shared_ptr<const LiveCut> cut;  // nullptr: nothing is cut
@@ -45,7 +55,8 @@ Result<LiveBody> LiveBody::create(StaticModel model, const ChosenLaw& law, const
   }
   parts.watched = std::move(watched);
   parts.judged = judged;
-  parts.k_mN_mm = penalty_stiffness_mN_mm(5, parts.body, parts.surface);
+  parts.k_mN_mm = penalty_stiffness_mN_mm(tool_penalty, parts.body, parts.surface);
+  parts.k_wall_mN_mm = penalty_stiffness_mN_mm(wall_penalty, parts.body, parts.surface);
   if (judged > 0) {
     const auto answered = parts.model.respond(parts.unit_forces_at_judged());
     parts.adjoints = std::make_shared<Eigen::MatrixXf>(answered.displacement_mm.cast<float>());

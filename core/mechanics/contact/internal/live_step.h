@@ -39,7 +39,7 @@ struct LiveParts {
   std::shared_ptr<const Eigen::MatrixXf> adjoints =
       std::make_shared<Eigen::MatrixXf>();  // three columns a judged place
   std::shared_ptr<KeptAdjoints> of_last_cut = std::make_shared<KeptAdjoints>();
-  double k_mN_mm = 0;
+  double k_mN_mm = 0, k_wall_mN_mm = 0;
   LiveState untouched;
 
   LiveParts(StaticModel given, Body prepared, const ChosenLaw& law)
@@ -123,7 +123,7 @@ class LiveStep {
     return walls_[wall].normal.dot(u_mm.segment<3>(parts_.unknowns() + 3 * static_cast<Eigen::Index>(wall)));
   }
   [[nodiscard]] double pressing_mN(std::size_t wall, const Eigen::VectorXd& u_mm) const {
-    return std::max(0.0, walls_[wall].multiplier_mN - parts_.k_mN_mm * gap_mm(wall, u_mm));
+    return std::max(0.0, walls_[wall].multiplier_mN - parts_.k_wall_mN_mm * gap_mm(wall, u_mm));
   }
   void look_at_walls(const Eigen::VectorXd& u_mm);
   [[nodiscard]] double overlap_mm() const;

@@ -38,8 +38,8 @@ void LiveStep::look_at_walls(const VectorXd& u_mm) {
     if (gap > margin_mm && walls_[w].multiplier_mN == 0) continue;
     StiffRow row;
     row.on.emplace_back(parts_.body.layout.nodes() + static_cast<int>(w), walls_[w].normal);
-    row.stiffness = parts_.k_mN_mm;
-    row.gap_mm = gap - walls_[w].multiplier_mN / parts_.k_mN_mm;
+    row.stiffness = parts_.k_wall_mN_mm;
+    row.gap_mm = gap - walls_[w].multiplier_mN / parts_.k_wall_mN_mm;
     rows_.push_back(std::move(row));
   }
 }
