@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <sstream>
 
+#include "shared_options.h"
 #include "studies/dissertation/matching_study.h"
 #include "study_commands.h"
 
@@ -77,6 +78,7 @@ void add_study_matching(CLI::App& study, Action& chosen) {
   command->add_option("--scans-per-s", asked.scans_per_s, "What memory and arithmetic are counted for")
       ->capture_default_str();
   command->add_option("--seconds-a-timing", asked.seconds_a_timing, "0: nothing is timed")->capture_default_str();
+  add_opencl(*command, asked.device);
   command->callback(
       [&chosen, options] { chosen = [options](const Progress& progress) { return run(*options, progress); }; });
 }

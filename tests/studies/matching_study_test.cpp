@@ -8,6 +8,7 @@
 #include "base/files.h"
 #include "studies/dissertation/internal/matching_problems.h"
 #include "support/data.h"
+#include "support/opencl.h"
 
 namespace glisson::studies {
 namespace {
@@ -88,6 +89,23 @@ TEST(MatchingStudy, TimesEveryWayAndSaysWhatThePlatformsCanDo) {
   EXPECT_LT(dissertation.points_by_field, 60);
   EXPECT_NEAR(dissertation.points_by_costs, 126, 2);     // 128 points at 20 scans a second
   EXPECT_NEAR(dissertation.points_by_messages, 247, 3);  // "around n = 256"
+}
+
+TEST(MatchingStudy, TimesAnOpenClDeviceToo) {
+  GLISSON_NEEDS_OPENCL();
+  const TemporaryFolder out;
+  MatchingOptions options = small_study();
+  options.points = {24};
+  options.livers = 1;
+  options.seconds_a_timing = 0.01;
+  options.device = "";
+  const auto study = run_matching(out.path(), options);
+  ASSERT_TRUE(study) << study.error().message();
+  EXPECT_TRUE(std::any_of(study->timings.begin(), study->timings.end(), [](const MatchingTiming& timing) {
+    return timing.name.find("OpenCL") != std::string::npos && timing.seconds > 0;
+  }));
+  options.device = "no such device";
+  EXPECT_EQ(run_matching(out.path(), options).error().code, "opencl-no-device");
 }
 
 TEST(MatchingStudy, RefusesWhatItCannotDo) {

@@ -29,10 +29,11 @@ struct MatchingOptions {
   std::uint64_t first_seed = 1;
   // At which point the sampling of the second surface begins: each makes another problem of a pair.
   std::vector<int> starts{0, 500};
-  int passes = 20;                // section 3.3.5
-  double scans_per_s = 20;        // section 3.2.1
-  int points_of_all_widths = 64;  // 8 and 32 bits are plain code: judged up to so many points
-  double seconds_a_timing = 0.5;  // 0: nothing is timed
+  int passes = 20;                                   // section 3.3.5
+  double scans_per_s = 20;                           // section 3.2.1
+  int points_of_all_widths = 64;                     // 8 and 32 bits are plain code: judged up to so many points
+  double seconds_a_timing = 0.5;                     // 0: nothing is timed
+  std::optional<std::string> device = std::nullopt;  // of OpenCL, which is timed too (TrwlsOptions)
 };
 
 // One number of points and one width, over all problems.

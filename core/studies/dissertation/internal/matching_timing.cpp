@@ -129,6 +129,13 @@ Result<MatchingTimes> time_matching(const registration::MatchingProblem& problem
     ways.push_back(way(wide + ", naive schedule", threads, naive));
     ways.push_back(way(wide, threads, vectors));
   }
+  if (options.device) {
+    TrwlsOptions there = vectors;
+    there.device = options.device;
+    const auto first = registration::trwls(problem, there);  // compiles the kernels, which no timing is to hold
+    if (!first) return failure(first.error());
+    ways.push_back(way("TRWL-S, 16 bits, on the OpenCL device", 1, there));
+  }
   ways.push_back(way("as GEO solves: stops by itself, polished, several starts", threads, TrwlsOptions{}));
   for (std::size_t i = 0; i < ways.size(); ++i) {
     if (progress.cancelled()) return cancelled();
