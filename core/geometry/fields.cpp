@@ -20,4 +20,10 @@ Fields select(const Fields& fields, const std::vector<int>& items) {
   return selected;
 }
 
+std::string names_of(const Fields& fields) {
+  std::string names;
+  for (const Field& field : fields) names += (names.empty() ? "" : ", ") + field.name;
+  return names.empty() ? "none" : names;
+}
+
 }  // namespace glisson::geometry

@@ -6,18 +6,17 @@
 #include <map>
 
 #include "geometry/fields.h"
+#include "geometry/internal/cell_faces.h"
 
 namespace glisson::geometry {
 namespace {
 
 using Eigen::Vector3d;
-using CellCorners = std::array<Vector3d, 4>;
 using Polygon = std::vector<int>;
 
 constexpr std::uint8_t both_sides = 3;
 
 constexpr std::array<std::array<int, 2>, 6> edges_of_cell{{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
-constexpr std::array<std::array<int, 3>, 4> outward_faces{{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 
 double volume_of(const CellCorners& c) { return std::abs((c[1] - c[0]).cross(c[2] - c[0]).dot(c[3] - c[0])) / 6.0; }
 
@@ -213,7 +212,7 @@ void Splitter::divide(std::size_t cell) {
   }
   for (const int side : {1, -1}) {
     std::vector<Polygon> faces;
-    for (const auto& local : outward_faces) {
+    for (const auto& local : faces_of_cell) {
       Polygon face = clipped({corners[local[0]], corners[local[1]], corners[local[2]]}, side);
       if (face.size() >= 3) faces.push_back(std::move(face));
     }
@@ -320,7 +319,7 @@ void Splitter::find_faces_on_cut() {
   // Faces between old cells that the cut follows because all their points were put on it.
   std::map<std::array<int, 3>, int> faces;
   for (std::size_t c = 0; c < mesh_.cells.size(); ++c) {
-    for (const auto& local : outward_faces) {
+    for (const auto& local : faces_of_cell) {
       std::array<int, 3> face{mesh_.cells[c][local[0]], mesh_.cells[c][local[1]], mesh_.cells[c][local[2]]};
       if (sign(face[0]) != 0 || sign(face[1]) != 0 || sign(face[2]) != 0) continue;
       std::sort(face.begin(), face.end());

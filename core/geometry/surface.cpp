@@ -209,4 +209,10 @@ Result<void> check_surface(const Surface& surface) {
   return {};
 }
 
+Eigen::Vector3d mean_point_mm(const Surface& surface) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& point : surface.points_mm) sum += point;
+  return sum / static_cast<double>(surface.points_mm.size());
+}
+
 }  // namespace glisson::geometry

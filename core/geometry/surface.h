@@ -47,4 +47,7 @@ struct Box {
 // Refuses what no later stage can use: an index out of range, a point that is not finite, no triangles.
 Result<void> check_surface(const Surface& surface);
 
+// The mean of its points, whatever they stand for.
+[[nodiscard]] Eigen::Vector3d mean_point_mm(const Surface& surface);
+
 }  // namespace glisson::geometry

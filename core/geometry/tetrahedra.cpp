@@ -13,16 +13,13 @@
 
 #include "geometry/disjoint_sets.h"
 #include "geometry/fields.h"
+#include "geometry/internal/cell_faces.h"
 
 namespace glisson::geometry {
 namespace {
 
 using Eigen::Vector3d;
 using Cell = std::array<int, 4>;
-using Corners = std::array<Vector3d, 4>;
-
-// The faces of a cell of positive volume, counter-clockwise from outside; face i is opposite corner opposite[i].
-constexpr std::array<std::array<int, 3>, 4> faces_of_cell{{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 
 struct Face {
   std::array<int, 3> sorted;  // the same whichever cell it is seen from
@@ -39,8 +36,8 @@ std::size_t cells_at_face(const std::vector<Face>& faces, std::size_t first);
 // Is the order of its corners, outward from the cell, an even permutation of the sorted one?
 bool turns_even(const Face& face);
 
-Corners corners_of(const TetMesh& mesh, std::size_t cell);
-double volume_mm3(const Corners& corners) {
+CellCorners corners_of(const TetMesh& mesh, std::size_t cell);
+double volume_mm3(const CellCorners& corners) {
   return (corners[1] - corners[0]).cross(corners[2] - corners[0]).dot(corners[3] - corners[0]) / 6.0;
 }
 
@@ -49,7 +46,7 @@ struct CellQuality {
   double max_dihedral_deg = 0;
   double aspect = 0;
 };
-CellQuality quality_of(const Corners& corners);
+CellQuality quality_of(const CellCorners& corners);
 
 Result<void> check_indices_and_positions(const TetMesh& mesh);
 Result<void> check_volumes(const TetMesh& mesh);
@@ -66,7 +63,7 @@ double volume_mm3(const TetMesh& mesh) {
 }
 
 Vector3d cell_centroid_mm(const TetMesh& mesh, std::size_t cell) {
-  const Corners corners = corners_of(mesh, cell);
+  const CellCorners corners = corners_of(mesh, cell);
   return 0.25 * (corners[0] + corners[1] + corners[2] + corners[3]);
 }
 
@@ -203,13 +200,13 @@ bool turns_even(const Face& face) {
   return exchanged % 2 == 0;
 }
 
-Corners corners_of(const TetMesh& mesh, std::size_t cell) {
-  Corners corners;
+CellCorners corners_of(const TetMesh& mesh, std::size_t cell) {
+  CellCorners corners;
   for (std::size_t i = 0; i < 4; ++i) corners[i] = mesh.points_mm[static_cast<std::size_t>(mesh.cells[cell][i])];
   return corners;
 }
 
-CellQuality quality_of(const Corners& corners) {
+CellQuality quality_of(const CellCorners& corners) {
   std::array<Vector3d, 4> outward;  // normal of face i, as long as twice its area
   double largest_doubled_area = 0;
   double longest_squared = 0;

@@ -7,6 +7,8 @@
 #include <set>
 #include <thread>
 
+#include "base/upper_median.h"
+
 namespace glisson::hardware {
 namespace {
 
@@ -29,7 +31,6 @@ Result<Timing> time_product(ProductKernel& kernel, std::size_t nodes, const Ener
                             double at_least_s);
 Result<MeasuredPoint> point_for(const MeasuredProduct& product, int nodes_in_domain, double bandwidth_GB_s);
 Device described(const DeviceDescription& description);
-double median(std::vector<double> values);
 void set_kernel(const Measurement& measurement, int nodes_in_domain, Device& device);
 
 }  // namespace
@@ -80,7 +81,7 @@ Result<Measurement> measure(ProductKernel& kernel, const EnergyMeter* meter, con
     measurement.points.back().in_cache = point->bytes < static_cast<double>(largest_cache_bytes());
     spreads.push_back(timing->spread);
   }
-  if (const double spread = median(std::move(spreads)); spread > quiet_spread) {
+  if (const double spread = upper_median(std::move(spreads)); spread > quiet_spread) {
     measurement.remarks.push_back(
         {GLISSON_TEXT("Other work disturbed the timing: batches usually took {0} times as long as the fastest one. "
                       "Measure again on a quiet machine."),
@@ -95,7 +96,7 @@ void take_power_from(const TraceRuns& runs, Measurement& measurement) {
   for (const TraceRun& run : runs.runs) above_idle_W.push_back(run.mean_W - run.idle_W);
   measurement.device.idle_W = {runs.idle_W, Source::measured, "recording, median of the pauses"};
   if (!above_idle_W.empty())
-    measurement.device.kernel.active_W = {median(above_idle_W), Source::measured,
+    measurement.device.kernel.active_W = {upper_median(above_idle_W), Source::measured,
                                           "recording, median of the runs above idle"};
   measurement.remarks.insert(measurement.remarks.end(), runs.warnings.begin(), runs.warnings.end());
 }
@@ -189,14 +190,8 @@ Result<Timing> time_product(ProductKernel& kernel, std::size_t nodes, const Ener
     return failure(run.error());
   }
   timing.seconds = *std::min_element(seconds.begin(), seconds.end());
-  timing.spread = median(std::move(seconds)) / timing.seconds;
+  timing.spread = upper_median(std::move(seconds)) / timing.seconds;
   return timing;
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 Result<MeasuredPoint> point_for(const MeasuredProduct& product, int nodes_in_domain, double bandwidth_GB_s) {

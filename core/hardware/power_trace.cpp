@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "base/csv.h"
+#include "base/upper_median.h"
 
 namespace glisson::hardware {
 namespace {
@@ -15,7 +16,6 @@ constexpr double gap_in_intervals = 5;
 
 Result<void> check(const TraceFormat& format);
 std::vector<bool> clipped_samples(const std::vector<double>& values, const std::optional<double>& clips_at);
-double median_of(std::vector<double> values);
 
 // A stretch of samples [first, last], all of one level, without a gap inside.
 struct Stretch {
@@ -87,7 +87,7 @@ Result<PowerTrace> read_power_trace(const std::filesystem::path& file, const Tra
   }
   std::vector<double> steps(trace.time_s.size() - 1);
   for (std::size_t i = 0; i < steps.size(); ++i) steps[i] = trace.time_s[i + 1] - trace.time_s[i];
-  trace.sample_interval_s = median_of(std::move(steps));
+  trace.sample_interval_s = upper_median(std::move(steps));
   return trace;
 }
 
@@ -105,7 +105,7 @@ Result<TraceRuns> find_runs(const PowerTrace& trace, const RunOptions& options) 
     if (stretch.running) continue;
     for (std::size_t i = stretch.first; i <= stretch.last; ++i) idle_W.push_back(trace.power_W[i]);
   }
-  found.idle_W = idle_W.empty() ? 0 : median_of(idle_W);
+  found.idle_W = idle_W.empty() ? 0 : upper_median(idle_W);
 
   std::size_t gaps = 0;
   for (std::size_t s = 0; s < stretches.size(); ++s) {
@@ -170,12 +170,6 @@ Result<void> check(const TraceFormat& format) {
   if (sound) return {};
   return failure("trace-format-invalid",
                  GLISSON_TEXT("A trace needs a channel, and factors and a range that are positive."));
-}
-
-double median_of(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 // At or within a thousandth of the stated end of the range; or, where none is stated, on a pile at the extreme: at

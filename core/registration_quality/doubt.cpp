@@ -3,6 +3,7 @@
 #include <set>
 
 #include "base/parallel.h"
+#include "base/upper_median.h"
 #include "registration/rigid.h"
 #include "registration_quality/internal/doubt.h"
 
@@ -12,13 +13,6 @@ namespace {
 using Eigen::Vector3d;
 using Sightings = std::vector<std::optional<Vector3d>>;
 
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 // How far a landmark wanders on the model: the mean distance of where it was put from the median of that.
 double wandering_mm(const Sightings& placed) {
   Vector3d usual_mm = Vector3d::Zero();
@@ -27,7 +21,7 @@ double wandering_mm(const Sightings& placed) {
     for (const auto& place : placed) {
       if (place) along.push_back((*place)[axis]);
     }
-    usual_mm[axis] = median(std::move(along));
+    usual_mm[axis] = upper_median(std::move(along));
   }
   double sum_mm = 0, count = 0;
   for (const auto& place : placed) {
@@ -96,7 +90,7 @@ std::vector<double> doubt_mm(const Quality& quality, const std::vector<Sightings
     }
     std::vector<double> wander_mm;
     for (const int point : around) wander_mm.push_back(wandering[static_cast<std::size_t>(point)]);
-    doubt.push_back((1 - quality.correlation[k]) * std::hypot(median(std::move(wander_mm)), bent_mm));
+    doubt.push_back((1 - quality.correlation[k]) * std::hypot(upper_median(std::move(wander_mm)), bent_mm));
   }
   return doubt;
 }

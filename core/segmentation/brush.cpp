@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "base/upper_median.h"
 
 namespace glisson::segmentation {
 namespace {
@@ -12,7 +13,6 @@ namespace {
 using Eigen::Vector3d;
 using imaging::Grid;
 
-double median(std::vector<float> values);
 IndexBox box_around(const Grid& grid, const Vector3d& low_index, const Vector3d& high_index);
 double squared_distance_mm2(const Vector3d& place_mm, const Vector3d& from_mm, const Vector3d& along_mm);
 
@@ -94,9 +94,9 @@ std::optional<GreyRange> grey_range_at(const imaging::Volume& image, const Vecto
   }
   std::erase_if(near, [](float value) { return !std::isfinite(value); });
   if (near.empty()) return std::nullopt;
-  const double middle = median(near);
+  const double middle = upper_median(near);
   for (float& value : near) value = std::abs(value - static_cast<float>(middle));
-  const double deviation = 1.4826 * median(std::move(near));
+  const double deviation = 1.4826 * upper_median(std::move(near));
 
   // Every so manieth voxel tells the image's range as well.
   constexpr std::size_t enough = 20000;
@@ -124,12 +124,6 @@ int layer_at(const Grid& grid, int axis, const Vector3d& place_mm) {
 }
 
 namespace {
-
-double median(std::vector<float> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return static_cast<double>(*middle);
-}
 
 IndexBox box_around(const Grid& grid, const Vector3d& low_index, const Vector3d& high_index) {
   IndexBox box;

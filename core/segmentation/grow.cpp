@@ -9,6 +9,7 @@
 #include <iterator>
 #include <optional>
 
+#include "base/upper_median.h"
 #include "imaging/filters.h"
 #include "segmentation/edit.h"
 #include "segmentation/growth_doubts.h"
@@ -280,7 +281,7 @@ Result<std::vector<Seed>> look_around_seeds(const WorkingImage& image, const std
     }
     seed.brightness = mode_of(brightness);
     for (float& value : single) value = std::abs(value - static_cast<float>(seed.brightness));
-    seed.sd = 1.4826 * median_of(std::move(single));
+    seed.sd = 1.4826 * upper_median(std::move(single));
     for (const std::size_t voxel : around) {
       const double off = std::abs(static_cast<double>(smooth_image[voxel]) - seed.brightness);
       if (off <= options.tolerance_sd * seed.sd) seed.voxels.push_back(voxel);

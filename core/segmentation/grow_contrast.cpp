@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "base/result.h"
+#include "base/upper_median.h"
 #include "imaging/filters.h"
 #include "segmentation/edit.h"
 #include "segmentation/grid_part.h"
@@ -166,11 +167,11 @@ std::optional<Appearance> learn_appearance(const imaging::Image<float>& image, c
     at_seeds.push_back(image.values[voxel]);
   }
   Appearance look;
-  look.seeds = median_of(at_seeds);
+  look.seeds = upper_median(at_seeds);
   const auto off = [&](float value) { return std::abs(static_cast<double>(value) - look.seeds); };
   for (const float value : at_seeds) scatter.push_back(static_cast<float>(off(value)));
   const double minimum_contrast =
-      std::max(minimum_contrast_to_noise * 1.4826 * median_of(std::move(scatter)), 1e-6 * std::abs(look.seeds));
+      std::max(minimum_contrast_to_noise * 1.4826 * upper_median(std::move(scatter)), 1e-6 * std::abs(look.seeds));
   for (const double radius_mm : {12.0, 20.0, 32.0, 50.0}) {
     std::vector<float> values;
     for (const std::size_t voxel : voxels_of_seeds(allowed, seeds_mm, radius_mm)) values.push_back(image.values[voxel]);
@@ -197,7 +198,7 @@ std::optional<Appearance> learn_appearance(const imaging::Image<float>& image, c
     for (auto value = beyond(border); value != beyond(3 * border); ++value) {
       around_scatter.push_back(std::abs(*value - static_cast<float>(around)));
     }
-    look.noise = around_scatter.empty() ? 0 : 1.4826 * median_of(std::move(around_scatter));
+    look.noise = around_scatter.empty() ? 0 : 1.4826 * upper_median(std::move(around_scatter));
     const double contrast = look.seeds - look.around;
     // The middle of a vessel is brighter than its branches, whose voxels are shared with tissue.
     const double more = (kind == Contrast::vessel ? 1.5 : 0.6) * contrast;

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/parallel.h"
+#include "base/upper_median.h"
 #include "imaging/filters.h"
 #include "segmentation/working_grid.h"
 
@@ -24,12 +25,6 @@ std::vector<float> drifting_mean(const imaging::Image<float>& image, const imagi
                                  float mean);
 
 }  // namespace
-
-double median_of(std::vector<float> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return static_cast<double>(*middle);
-}
 
 double mode_of(std::vector<float> values) {
   std::sort(values.begin(), values.end());
@@ -82,7 +77,7 @@ TissueModel learn_tissue(const imaging::Image<float>& image, const imaging::Mask
     if (known.values[voxel] == 0 || !std::isfinite(image.values[voxel])) continue;
     deviations.push_back(std::abs(tissue.residual(image.values[voxel], voxel)));
   }
-  tissue.sd = std::max(sd_of_median_deviation * median_of(std::move(deviations)), smallest_sd);
+  tissue.sd = std::max(sd_of_median_deviation * upper_median(std::move(deviations)), smallest_sd);
   return tissue;
 }
 

@@ -12,12 +12,6 @@ namespace {
 using Eigen::Vector3d;
 using geometry::Surface;
 
-Vector3d middle(const Surface& surface) {
-  Vector3d sum = Vector3d::Zero();
-  for (const Vector3d& point : surface.points_mm) sum += point;
-  return sum / static_cast<double>(surface.points_mm.size());
-}
-
 Surface shifted(Surface surface, const Vector3d& by_mm) {
   for (Vector3d& point : surface.points_mm) point += by_mm;
   return surface;
@@ -43,7 +37,8 @@ Result<double> rigid_rms_mm(const Surface& reference, const Surface& liver) {
   options.kept_fraction = 1;
   options.iterations = 25;
   options.smallest_step_mm = 0.05;
-  return registration::rigid_icp(shifted(reference, middle(liver) - middle(reference)), liver, options)
+  return registration::rigid_icp(
+             shifted(reference, geometry::mean_point_mm(liver) - geometry::mean_point_mm(reference)), liver, options)
       .map([](const registration::RigidIcpResult& found) { return found.rms_mm; });
 }
 

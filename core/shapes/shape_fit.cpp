@@ -127,12 +127,6 @@ class Fitting {
   const FitOptions& options_;
 };
 
-Vector3d mean_point(const Surface& surface) {
-  Vector3d sum = Vector3d::Zero();
-  for (const Vector3d& point : surface.points_mm) sum += point;
-  return sum / static_cast<double>(surface.points_mm.size());
-}
-
 }  // namespace
 
 Result<ShapeFit> fit_model(const ShapeModel& model, const Surface& seen, const FitOptions& options,
@@ -145,7 +139,8 @@ Result<ShapeFit> fit_model(const ShapeModel& model, const Surface& seen, const F
   const double independent = options.independent * std::min(1.0, geometry::area_mm2(seen) / whole_mm2);
 
   ShapeFit fit;
-  fit.pose = options.pose.value_or(Eigen::Isometry3d(Eigen::Translation3d(mean_point(seen) - mean_point(model.mean))));
+  fit.pose = options.pose.value_or(
+      Eigen::Isometry3d(Eigen::Translation3d(geometry::mean_point_mm(seen) - geometry::mean_point_mm(model.mean))));
   fit.coefficients = VectorXd::Zero(model.rank());
   Posterior posterior;
   Vector3d about_mm;
@@ -169,7 +164,7 @@ Result<ShapeFit> fit_model(const ShapeModel& model, const Surface& seen, const F
                            GLISSON_TEXT("Look whether it is in the patient's frame (LPS, mm) and is a liver."),
                            {}});
     }
-    about_mm = mean_point(placed);
+    about_mm = geometry::mean_point_mm(placed);
     const double count_as = std::min(1.0, independent / static_cast<double>(pairs.size()));
     posterior = fitting.solve(pairs, fit.pose, about_mm, placed, options.noise_mm + 10 * eagerness, count_as);
     fit.coefficients = posterior.mean.head(model.rank());

@@ -6,6 +6,8 @@
 #include <random>
 #include <set>
 
+#include "base/upper_median.h"
+
 namespace glisson::guidance {
 
 using Eigen::Isometry3d;
@@ -63,7 +65,7 @@ void SeenEquations::add_cloud_rows(const Isometry3d& back, const std::vector<Vec
     off_mm.push_back(std::abs(found.back().off_mm));
   }
   const double stated_mm = std::hypot(frame_.noise_mm, options_.surface_error_mm);
-  seen.noise_mm = std::max(stated_mm, std::min(1.4826 * median(off_mm), look.coarsest_mm));
+  seen.noise_mm = std::max(stated_mm, std::min(1.4826 * upper_median(off_mm), look.coarsest_mm));
   const double trusted_mm = std::max(seen.noise_mm, look.widest_mm), share = share_of(cloud_mm_, look);
   double square = 0;
   std::size_t trusted = 0;
@@ -121,7 +123,7 @@ void SeenEquations::add_point_rows(const Isometry3d& back, const std::vector<Vec
         (back * frame_.known_points[p].seen_mm - between(now_mm, cell, known_points_[p].barycentric)).norm());
   }
   // Of a coordinate, from the median of three-dimensional distances (chi with three degrees of freedom: 1.538).
-  const double found_mm = median(off_mm) / 1.538;
+  const double found_mm = upper_median(off_mm) / 1.538;
   const double noise_mm = std::max(frame_.tracking_noise_mm, std::min(found_mm, look.coarsest_mm));
   std::vector<Vector3d> seen_mm;
   for (const SeenPoint& point : frame_.known_points) seen_mm.push_back(point.seen_mm);

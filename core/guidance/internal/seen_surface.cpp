@@ -61,11 +61,4 @@ double robust_weight(double off_mm, double noise_mm) {
   return 5.0 / (4.0 + ratio * ratio);
 }
 
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 }  // namespace glisson::guidance

@@ -48,6 +48,4 @@ class SeenSurface {
 // Lange et al. 1989, J. Am. Stat. Assoc. 84:881): 5 / (4 + (off / noise)^2).
 [[nodiscard]] double robust_weight(double off_mm, double noise_mm);
 
-[[nodiscard]] double median(std::vector<double> values);
-
 }  // namespace glisson::guidance

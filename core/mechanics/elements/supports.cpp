@@ -1,4 +1,5 @@
 #include "mechanics/elements/supports.h"
+#include "geometry/fields.h"
 
 #include <fmt/format.h>
 #include <cmath>
@@ -13,7 +14,6 @@ Result<void> hold(const geometry::TetMesh& mesh, const NodeLayout& layout, const
                   std::size_t support, ResolvedSupports& resolved);
 Result<std::vector<LigamentSpring>> springs_of(const NodeLayout& layout, const std::vector<BoundaryFace>& boundary,
                                                const Named& named, const Ligament& ligament, const std::string& which);
-std::string names_of(const geometry::Fields& fields);
 
 }  // namespace
 
@@ -81,7 +81,7 @@ Result<Named> named_points(const geometry::TetMesh& mesh, const Region& region, 
       return failure(Error{"array-unknown",
                            GLISSON_TEXT("Support {0} asks for the point array {1}, which the mesh does not have with "
                                         "one value a point."),
-                           {which, array->point_array, names_of(mesh.point_fields)},
+                           {which, array->point_array, geometry::names_of(mesh.point_fields)},
                            GLISSON_TEXT("The mesh's point arrays are: {2}."),
                            {}});
     }
@@ -195,12 +195,6 @@ Result<std::vector<LigamentSpring>> springs_of(const NodeLayout& layout, const s
                        ligament.stiffness_mN_per_mm * area_of_point_mm2[p] / area_mm2});
   }
   return springs;
-}
-
-std::string names_of(const geometry::Fields& fields) {
-  std::string names;
-  for (const geometry::Field& field : fields) names += (names.empty() ? "" : ", ") + field.name;
-  return names.empty() ? "none" : names;
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "geometry/fields.h"
 #include "mechanics/scenario/scenario.h"
 
 namespace glisson::mechanics {
@@ -14,12 +15,6 @@ const geometry::Field* cell_numbers(const geometry::TetMesh& mesh, const std::st
   const geometry::Field* field = geometry::find_field(mesh.cell_fields, name);
   const bool sound = field != nullptr && field->components == 1 && field->values.size() == mesh.cells.size();
   return sound ? field : nullptr;
-}
-
-std::string field_names(const geometry::Fields& fields) {
-  std::string names;
-  for (const geometry::Field& field : fields) names += (names.empty() ? "" : ", ") + field.name;
-  return names.empty() ? "none" : names;
 }
 
 }  // namespace
@@ -42,7 +37,7 @@ Result<MeshModuli> moduli_of(const geometry::TetMesh& mesh, const std::string& n
   if (moduli == nullptr) {
     return failure(Error{"modulus-missing",
                          GLISSON_TEXT("The mesh has no cell array {0} with one value a cell."),
-                         {name, field_names(mesh.cell_fields)},
+                         {name, geometry::names_of(mesh.cell_fields)},
                          GLISSON_TEXT("Give the scenario \"youngs_modulus_kPa\", a number or the name of a cell array; "
                                       "the mesh's cell arrays are: {1}."),
                          {}});

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/noise.h"
+#include "base/upper_median.h"
 #include "guidance/guidance_answer.h"
 #include "hardware/block_product.h"
 #include "mechanics/meshfree/meshfree_model.h"
@@ -18,11 +19,6 @@ namespace glisson::studies {
 namespace {
 
 using Eigen::Vector3d;
-
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
-  return values[values.size() / 2];
-}
 
 hardware::Task by_memory(const std::string& id, const std::string& what, double seconds, double memory_GB_per_s) {
   return {id,
@@ -48,7 +44,7 @@ Result<double> live_frame_s(const rehearsal::RehearsalSetup& setup, const rehear
     if (!state.refused.empty()) return failure("not-converged", state.refused, {});
     if (frame > 0) seconds.push_back(state.step_ms * 1e-3);  // the first one makes what later ones keep
   }
-  return median(std::move(seconds));
+  return upper_median(std::move(seconds));
 }
 
 Result<double> meshfree_frame_s(const rehearsal::RehearsalSetup& setup, const rehearsal::ToolPlacement& place,
@@ -63,7 +59,7 @@ Result<double> meshfree_frame_s(const rehearsal::RehearsalSetup& setup, const re
     if (!result) return failure(result.error());
     seconds.push_back(result->step_ms * 1e-3);
   }
-  return median(std::move(seconds));
+  return upper_median(std::move(seconds));
 }
 
 // The half of the surface that looks to the front, as a camera there would see it, shifted, with noise.
@@ -88,7 +84,7 @@ Result<double> guided_frame_s(const rehearsal::RehearsalSetup& setup, int frames
   if (!answer) return failure(answer.error());
   std::vector<double> seconds;
   for (const guidance::FrameAnswer& frame : answer->frames) seconds.push_back(frame.seconds);
-  return median(std::move(seconds));
+  return upper_median(std::move(seconds));
 }
 
 // The liver found again in its own bent shape.
@@ -118,7 +114,7 @@ Result<hardware::Task> registration_task(const geometry::Surface& surface, const
                         fmt::format("a registration of {} points by geodesic distances, {:.0f} passes", points, passes),
                         0,
                         operations_a_cost * costs,
-                        median(std::move(seconds)),
+                        upper_median(std::move(seconds)),
                         hardware::Source::computed,
                         "seven operations of 16 bits a cost, counted; a device does as many as its peak says"};
 }

@@ -11,8 +11,6 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-Vector3d direction_or_zero(const Vector3d& v) { return v.norm() > 0 ? v.normalized() : Vector3d::Zero(); }
-
 std::array<Vector3d, 3> corners_of(const geometry::Surface& surface, const std::array<int, 3>& points,
                                    const VectorXd& moved_mm) {
   std::array<Vector3d, 3> corners;
@@ -58,7 +56,7 @@ std::vector<ContactCandidate> contact_candidates(const geometry::Surface& surfac
         }
         const Nearest nearest = nearest_of(rod, corners);
         if (nearest.distance_mm > reach_mm) continue;
-        const Vector3d outward = direction_or_zero((corners[1] - corners[0]).cross(corners[2] - corners[0]));
+        const Vector3d outward = unit_or_zero((corners[1] - corners[0]).cross(corners[2] - corners[0]));
         const Vector3d arm = nearest.barycentric[0] * corners[0] + nearest.barycentric[1] * corners[1] +
                              nearest.barycentric[2] * corners[2] - nearest.on_axis_mm;
         // A pierced triangle is pushed back into the body. A tool lies outside: what faces away from it is the far side
@@ -98,7 +96,7 @@ std::vector<ContactCandidate> tracked_candidates(const geometry::Surface& surfac
     const Vector3d arm = at_mm - rod.from_mm - along * axis;
     const double distance_mm = arm.norm(), gap_mm = distance_mm - rod.radius_mm;
     if (gap_mm > margin_mm) continue;
-    const Vector3d outward = direction_or_zero((corners[1] - corners[0]).cross(corners[2] - corners[0]));
+    const Vector3d outward = unit_or_zero((corners[1] - corners[0]).cross(corners[2] - corners[0]));
     const Vector3d normal = distance_mm > 1e-9 ? Vector3d(arm / distance_mm) : Vector3d(-outward);
     places.push_back({place.tool, place.rod, place.points, place.weights, normal, gap_mm, at_mm});
   }

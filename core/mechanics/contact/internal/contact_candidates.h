@@ -65,4 +65,8 @@ Result<Gripped> grip(const geometry::Surface& surface, std::size_t index, const 
 // "not-available" where one of them spreads a force over a patch.
 Result<void> check_no_patch(const std::vector<ContactTool>& tools);
 
+inline Eigen::Vector3d unit_or_zero(const Eigen::Vector3d& v) {
+  return v.norm() > 0 ? Eigen::Vector3d(v.normalized()) : Eigen::Vector3d::Zero();
+}
+
 }  // namespace glisson::mechanics

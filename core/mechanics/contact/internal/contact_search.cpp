@@ -17,8 +17,6 @@ const TouchingTool* pushed(const ContactTool& tool) {
   return touching != nullptr && touching->push_mN ? touching : nullptr;
 }
 
-Vector3d unit_or_zero(const Vector3d& v) { return v.norm() > 0 ? v.normalized() : Vector3d::Zero(); }
-
 double largest_change(const VectorXd& a, const VectorXd& b, Eigen::Index values);
 
 // Adds a share of forces to others.
