@@ -37,7 +37,7 @@ struct Scored {
 };
 
 template <typename T>
-std::vector<T> thinned(const std::vector<T>& all, std::size_t maximum) {
+std::vector<T> every_nth(const std::vector<T>& all, std::size_t maximum) {
   if (all.size() <= maximum) return all;
   std::vector<T> some;
   for (std::size_t i = 0; i < maximum; ++i) some.push_back(all[i * all.size() / maximum]);
@@ -57,9 +57,9 @@ std::vector<Vector3d> normals_of(const geometry::Surface& surface) {
 class Judge {
  public:
   Judge(const geometry::Surface& surface, const SeenFrame& frame)
-      : surface_(surface), normals_(normals_of(surface)), cloud_mm_(thinned(frame.points_mm, scored_points)) {
+      : surface_(surface), normals_(normals_of(surface)), cloud_mm_(every_nth(frame.points_mm, scored_points)) {
     for (const SeenCurve& curve : frame.curves) {
-      curves_.push_back({geometry::NearestPoint(curve.at_rest_mm), thinned(curve.seen_mm, scored_points)});
+      curves_.push_back({geometry::NearestPoint(curve.at_rest_mm), every_nth(curve.seen_mm, scored_points)});
     }
   }
 

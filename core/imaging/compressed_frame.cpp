@@ -45,7 +45,7 @@ Coding coding_of(const std::string& uid) {
   return Coding::unknown;
 }
 
-Failure damaged(const std::string& name) {
+Failure frame_damaged(const std::string& name) {
   return failure("dicom-pixels-damaged", GLISSON_TEXT("The compressed pixels of {0} are damaged."), {name});
 }
 
@@ -71,7 +71,7 @@ Result<std::vector<std::uint8_t>> decode_frame(const TransferSyntax& syntax, con
   if (coding == Coding::rle) {
     const std::size_t pixels = static_cast<std::size_t>(format.columns) * static_cast<std::size_t>(format.rows);
     auto samples = decode_run_lengths(stream, pixels, static_cast<std::size_t>(format.bits_allocated) / 8);
-    if (!samples) return damaged(name);
+    if (!samples) return frame_damaged(name);
     return std::move(*samples);
   }
   if (const Result<void> sizes = compare_sizes(coding, format, stream, name); !sizes) return failure(sizes.error());
@@ -79,7 +79,7 @@ Result<std::vector<std::uint8_t>> decode_frame(const TransferSyntax& syntax, con
     return coding == Coding::jpeg_2000 ? decode_by_gdcm(format, stream, name)
                                        : decode_by_dcmtk(syntax, format, stream, name);
   } catch (const std::exception&) {
-    return damaged(name);
+    return frame_damaged(name);
   }
 }
 
@@ -137,7 +137,7 @@ Result<void> compare_sizes(Coding coding, const PixelFormat& format, const std::
                            const std::string& name) {
   const std::optional<CodestreamSize> size =
       coding == Coding::jpeg_2000 ? jpeg_2000_size(stream) : jpeg_size(stream, coding == Coding::jpeg_ls);
-  if (!size) return damaged(name);
+  if (!size) return frame_damaged(name);
   const bool fits = size->columns == static_cast<std::uint32_t>(format.columns) &&
                     size->rows == static_cast<std::uint32_t>(format.rows) && size->components == format.samples &&
                     size->bits <= format.bits_allocated;
@@ -189,7 +189,7 @@ Result<std::vector<std::uint8_t>> decode_by_dcmtk(const TransferSyntax& syntax, 
   OFString colour_model;
   const OFCondition decoded =
       pixel_data->getUncompressedFrame(&data_set, 0, first_fragment, samples.data(), even_size, colour_model);
-  if (decoded.bad()) return damaged(name);
+  if (decoded.bad()) return frame_damaged(name);
   return samples;
 }
 
@@ -217,10 +217,10 @@ Result<std::vector<std::uint8_t>> decode_by_gdcm(const PixelFormat& format, cons
   gdcm::DataElement compressed(gdcm::Tag(0x7fe0, 0x0010)), decoded;
   compressed.SetVR(gdcm::VR::OB);
   compressed.SetValue(*fragments);
-  if (!codec.Decode(compressed, decoded)) return damaged(name);
+  if (!codec.Decode(compressed, decoded)) return frame_damaged(name);
   const gdcm::ByteValue* bytes = decoded.GetByteValue();
   const std::uint64_t needed = (format.frame_bits() + 7) / 8;
-  if (bytes == nullptr || bytes->GetLength() < needed) return damaged(name);
+  if (bytes == nullptr || bytes->GetLength() < needed) return frame_damaged(name);
   const auto* first = reinterpret_cast<const std::uint8_t*>(bytes->GetPointer());
   return std::vector<std::uint8_t>(first, first + needed);
 }

@@ -32,7 +32,7 @@ std::vector<fs::path> page_files(const fs::path& folder) {
 }
 
 // Without case and accents ("Déformation": "deformation"), letter by letter, so that every place stays where it is.
-QString plain(const QString& text) {
+QString plain_text(const QString& text) {
   QString letters = text.normalized(QString::NormalizationForm_C);
   for (QChar& letter : letters) {
     if (letter.decompositionTag() == QChar::Canonical) letter = letter.decomposition().front();
@@ -42,8 +42,9 @@ QString plain(const QString& text) {
 }
 
 bool holds_all(const QString& text, const QStringList& words) {
-  const QString letters = plain(text);
-  return std::all_of(words.begin(), words.end(), [&](const QString& word) { return letters.contains(plain(word)); });
+  const QString letters = plain_text(text);
+  return std::all_of(words.begin(), words.end(),
+                     [&](const QString& word) { return letters.contains(plain_text(word)); });
 }
 
 }  // namespace
@@ -59,8 +60,8 @@ class PageText : public QTextBrowser {
   }
 
   void mark(const QString& word) {
-    const QString letters = plain(word);
-    const qsizetype at = plain(toPlainText()).indexOf(letters);
+    const QString letters = plain_text(word);
+    const qsizetype at = plain_text(toPlainText()).indexOf(letters);
     if (at < 0) return;
     QTextCursor found(document());
     found.setPosition(static_cast<int>(at));

@@ -43,7 +43,7 @@ Upright upright(const planning::Resectogram& map) {
 }
 
 // The letter of the side that a direction points to the most: L, R, A, P, H or F.
-QString side_of(const Vector3d& direction) {
+QString side_seen_from(const Vector3d& direction) {
   Eigen::Index axis = 0;
   direction.cwiseAbs().maxCoeff(&axis);
   constexpr const char* towards[] = {"L", "P", "H"};
@@ -125,10 +125,11 @@ void ResectogramView::draw_sides(QPainter& painter) const {
   const Upright seen = upright(map_);
   painter.setPen(QColor(0xa8, 0xb2, 0xc0));
   const QRectF all(rect());
-  painter.drawText(QRectF(0, 0, all.width(), edge_px), Qt::AlignCenter, side_of(seen.up));
-  painter.drawText(QRectF(0, all.height() - edge_px, all.width(), edge_px), Qt::AlignCenter, side_of(-seen.up));
-  painter.drawText(QRectF(0, 0, edge_px, all.height()), Qt::AlignCenter, side_of(-seen.right));
-  painter.drawText(QRectF(all.width() - edge_px, 0, edge_px, all.height()), Qt::AlignCenter, side_of(seen.right));
+  painter.drawText(QRectF(0, 0, all.width(), edge_px), Qt::AlignCenter, side_seen_from(seen.up));
+  painter.drawText(QRectF(0, all.height() - edge_px, all.width(), edge_px), Qt::AlignCenter, side_seen_from(-seen.up));
+  painter.drawText(QRectF(0, 0, edge_px, all.height()), Qt::AlignCenter, side_seen_from(-seen.right));
+  painter.drawText(QRectF(all.width() - edge_px, 0, edge_px, all.height()), Qt::AlignCenter,
+                   side_seen_from(seen.right));
 }
 
 QString ResectogramView::told_at(const QPointF& pixel) const {
