@@ -50,10 +50,7 @@ class OpenClProduct : public ProductKernel {
     }
     const std::size_t padded = opencl::whole_groups(nodes, blocks_in_tile);
     const auto ones = [&](std::size_t entries) {
-      const std::vector<float> numbers(padded * entries, 1.0F);
-      opencl::Buffer buffer = session_.buffer(sizeof(float) * numbers.size());
-      session_.write(buffer, numbers.data(), sizeof(float) * numbers.size());
-      return buffer;
+      return session_.buffer_of(std::vector<float>(padded * entries, 1.0F));
     };
     blocks_ = ones(columns * block_rows);
     x_ = ones(columns);

@@ -76,6 +76,14 @@ class Session {
 
   // Zeros.
   [[nodiscard]] Buffer buffer(std::size_t bytes);
+  // What a vector holds.
+  template <typename Numbers>
+  [[nodiscard]] Buffer buffer_of(const Numbers& numbers) {
+    const std::size_t bytes = sizeof(numbers[0]) * numbers.size();
+    Buffer held = buffer(bytes);
+    write(held, numbers.data(), bytes);
+    return held;
+  }
   void write(const Buffer& to, const void* from, std::size_t bytes);
   // Waits for all that was asked for before.
   void read(const Buffer& from, void* to, std::size_t bytes);

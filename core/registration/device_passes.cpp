@@ -169,17 +169,11 @@ DevicePasses::DevicePasses(const Quantised<std::uint16_t>& field, opencl::Sessio
   const Slices<std::uint16_t>& slices = field.slices;
   const auto nodes = static_cast<std::size_t>(slices.nodes);
   const auto stride = static_cast<std::size_t>(slices.stride);
-  const auto put = [&](const auto& numbers) {
-    const std::size_t bytes = sizeof(numbers[0]) * numbers.size();
-    opencl::Buffer buffer = session_.buffer(bytes);
-    session_.write(buffer, numbers.data(), bytes);
-    return buffer;
-  };
-  pairs_ = put(together(slices.x, slices.x_weight));
+  pairs_ = session_.buffer_of(together(slices.x, slices.x_weight));
   std::vector<std::uint32_t> costs = together(slices.y, slices.y_weight);
   costs.resize(costs.size() + labels_together * stride);  // read, and never the cheapest
-  costs_ = put(costs);
-  seed_ = put(field.seed);
+  costs_ = session_.buffer_of(costs);
+  seed_ = session_.buffer_of(field.seed);
   messages_ = session_.buffer(sizeof(std::uint16_t) * nodes * nodes * stride);
   totals_ = session_.buffer(sizeof(std::uint32_t) * nodes * stride);
   later_ = session_.buffer(sizeof(std::uint32_t) * nodes * stride);

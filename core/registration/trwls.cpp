@@ -53,10 +53,9 @@ namespace {
 
 // The passes, whoever does them, and after each the labels that it found.
 template <typename Word, typename Passes>
-Result<MatchingSolution> solve_by(Passes& passes, const MatchingProblem& problem, const TrwlsOptions& options,
-                                  const Quantised<Word>& field, const Labeller<Word>& labeller,
+Result<MatchingSolution> solve_by(Passes& passes, const TrwlsOptions& options, const Quantised<Word>& field,
+                                  const Labeller<Word>& labeller, const MatchingEnergy& energy,
                                   const Progress& progress) {
-  const MatchingEnergy energy(problem);
   MatchingSolution solution;
   solution.energy = std::numeric_limits<double>::infinity();
   solution.lower_bound = -std::numeric_limits<double>::infinity();
@@ -85,9 +84,8 @@ Result<MatchingSolution> solve_by(Passes& passes, const MatchingProblem& problem
 }
 
 template <typename Word>
-void try_other_starts(const MatchingProblem& problem, const Labeller<Word>& labeller, MatchingSolution& solution,
-                      const Progress& progress) {
-  const MatchingEnergy energy(problem);
+void try_other_starts(const MatchingProblem& problem, const Labeller<Word>& labeller, const MatchingEnergy& energy,
+                      MatchingSolution& solution, const Progress& progress) {
   std::vector<Labelling> settled = labeller.from_starts(rough_starts(problem), progress);
   if (progress.cancelled()) solution.stopped = StopReason::cancelled;
   for (Labelling& labels : settled) {
@@ -104,24 +102,25 @@ Result<MatchingSolution> solve(const MatchingProblem& problem, const TrwlsOption
                                const SliceKernels<Word>& kernels, const Progress& progress) {
   const Quantised<Word> field = quantise<Word>(problem);
   const Labeller<Word> labeller(field, kernels);
+  const MatchingEnergy energy(problem);
   Result<MatchingSolution> solution;
   if constexpr (std::is_same_v<Word, std::uint16_t>) {
     if (options.device) {
       auto passes = DevicePasses::open(field, *options.device);
       if (!passes) return failure(passes.error());
-      solution = solve_by(*passes, problem, options, field, labeller, progress);
+      solution = solve_by(*passes, options, field, labeller, energy, progress);
     }
   }
   if (!options.device) {
     ProcessorPasses<Word> passes(problem, options, field, kernels);
-    solution = solve_by(passes, problem, options, field, labeller, progress);
+    solution = solve_by(passes, options, field, labeller, energy, progress);
   }
   if (!solution) return solution;
   const bool may_be_better = solution->stopped != StopReason::cancelled && solution->stopped != StopReason::bound_met;
   const bool wanted = options.starts == Starts::several && options.polish == Polish::single_nodes &&
                       options.stopping == Stopping::dynamic;
-  if (wanted && may_be_better) try_other_starts(problem, labeller, *solution, progress);
-  if (solution->labels.empty()) return unsolved(problem, MatchingEnergy(problem));
+  if (wanted && may_be_better) try_other_starts(problem, labeller, energy, *solution, progress);
+  if (solution->labels.empty()) return unsolved(problem, energy);
   return solution;
 }
 

@@ -151,16 +151,10 @@ Result<DeviceGradients> DeviceGradients::open(const BlockCsr& matrix, const std:
 
 DeviceGradients::DeviceGradients(const BlockCsr& matrix, const std::vector<float>& mask, opencl::Session session)
     : session_(std::move(session)), rows_(matrix.rows()) {
-  const auto put = [&](const auto& numbers) {
-    const std::size_t bytes = sizeof(numbers[0]) * numbers.size();
-    opencl::Buffer buffer = session_.buffer(bytes);
-    session_.write(buffer, numbers.data(), bytes);
-    return buffer;
-  };
   const auto rows = static_cast<std::size_t>(rows_);
-  starts_ = put(starts_of(matrix));
-  columns_ = put(matrix.columns().items);
-  mask_ = put(mask);
+  starts_ = session_.buffer_of(starts_of(matrix));
+  columns_ = session_.buffer_of(matrix.columns().items);
+  mask_ = session_.buffer_of(mask);
   values_ = session_.buffer(sizeof(float) * matrix.values().size());
   inverse_diagonal_ = session_.buffer(sizeof(float) * 9 * rows);
   for (opencl::Buffer* vector : {&r_, &x_, &p_, &q_, &z_}) *vector = session_.buffer(sizeof(float) * 3 * rows);
