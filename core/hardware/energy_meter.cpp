@@ -10,11 +10,12 @@
 #include <optional>
 #include <thread>
 
+#include "base/stopwatch.h"
+
 namespace glisson::hardware {
 namespace {
 
 namespace fs = std::filesystem;
-using MeterClock = std::chrono::steady_clock;
 
 constexpr auto sampling_interval = std::chrono::milliseconds(20);
 
@@ -57,10 +58,6 @@ Result<EnergyUse> energy_during(const EnergyMeter& meter, const std::function<Re
 
 namespace {
 
-double seconds_from(MeterClock::time_point start) {
-  return std::chrono::duration<double>(MeterClock::now() - start).count();
-}
-
 Result<EnergyUse> counted(const EnergyMeter& meter, const std::function<Result<void>()>& work) {
   const auto read_all = [&meter]() -> std::optional<std::vector<double>> {
     std::vector<double> counters;
@@ -73,10 +70,10 @@ Result<EnergyUse> counted(const EnergyMeter& meter, const std::function<Result<v
   };
   const auto before = read_all();
   if (!before) return lost(meter);
-  const auto start = MeterClock::now();
+  const Stopwatch watch;
   if (const auto worked = work(); !worked) return failure(worked.error());
   EnergyUse use;
-  use.seconds = seconds_from(start);
+  use.seconds = watch.seconds();
   const auto after = read_all();
   if (!after) return lost(meter);
   for (std::size_t i = 0; i < meter.sources.size(); ++i) {
@@ -93,14 +90,14 @@ Result<EnergyUse> sampled(const EnergyMeter& meter, const std::function<Result<v
   bool done = false;
   bool answering = true;
   double joules = 0;
-  const auto start = MeterClock::now();
+  const Stopwatch watch;
   double last_s = 0;
   auto last_W = total_power_W(meter);
   if (!last_W) return lost(meter);
 
   const auto add_sample = [&] {
     const auto now_W = total_power_W(meter);
-    const double now_s = seconds_from(start);
+    const double now_s = watch.seconds();
     if (now_W) {
       joules += (now_s - last_s) * (*last_W + *now_W) / 2;
       last_s = now_s;

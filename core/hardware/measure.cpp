@@ -7,12 +7,11 @@
 #include <set>
 #include <thread>
 
+#include "base/stopwatch.h"
 #include "base/upper_median.h"
 
 namespace glisson::hardware {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 constexpr int batches_per_point = 5;
 constexpr double quiet_spread = 1.25;  // the median of the batches over the fastest; a quiet machine stays below
@@ -159,23 +158,21 @@ Result<double> idle_power_W(const EnergyMeter& meter, double listening_s) {
       .map([](const EnergyUse& use) { return use.mean_W(); });
 }
 
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
 Result<Timing> time_product(ProductKernel& kernel, std::size_t nodes, const EnergyMeter* meter, double idle_W,
                             double at_least_s) {
   // Twice as many until a batch takes a fifth of the time wanted: warms caches and clocks as well.
   int times = 1;
   for (;; times *= 2) {
-    const auto start = Clock::now();
+    const Stopwatch watch;
     if (const auto run = kernel.run(nodes, times); !run) return failure(run.error());
-    if (seconds_since(start) >= at_least_s / batches_per_point || times >= 1 << 24) break;
+    if (watch.seconds() >= at_least_s / batches_per_point || times >= 1 << 24) break;
   }
   std::vector<double> seconds;
   const auto all_batches = [&]() -> Result<void> {
     for (int batch = 0; batch < batches_per_point; ++batch) {
-      const auto start = Clock::now();
+      const Stopwatch watch;
       if (const auto run = kernel.run(nodes, times); !run) return failure(run.error());
-      seconds.push_back(seconds_since(start) / times);
+      seconds.push_back(watch.seconds() / times);
     }
     return {};
   };
