@@ -140,12 +140,32 @@ TEST(SmoothEvidence, FindsASmoothFunctionAndNoneInNoise) {
   const auto of = [](const test::Answer& answer) {
     const auto model = material_model(test::compression_tests(answer, 0.2)).value();
     const Observations& all = model->observations();
-    const SmoothEvidence evidence = smooth_evidence(all, {}, all.measured - 20 * all.load, 1, posterior_options);
+    const SmoothEvidence evidence = smooth_evidence(all, {}, all.measured - 20 * all.load, posterior_options);
     return evidence.smooth - evidence.noise;
   };
   EXPECT_LT(of(test::straight_line), -1);
   EXPECT_GT(of([](const auto& trial) { return Eigen::VectorXd(test::straight_line(trial) + 0.02 * trial.time_s); }),
             50);
+}
+
+TEST(SmoothEvidence, TakesNoiseThatRepeatsItselfForNoiseAndNotRipplesThatDo) {
+  const auto of = [](const std::function<double(double time_s, double& state)>& added) {
+    test::Answer answer = [&](const auto& trial) {
+      Eigen::VectorXd stress = test::straight_line(trial);
+      double state = 0;
+      for (Eigen::Index i = 0; i < stress.size(); ++i) stress[i] += added(trial.time_s[i], state);
+      return stress;
+    };
+    const auto model = material_model(test::compression_tests(answer, 0.2)).value();
+    const Observations& all = model->observations();
+    const SmoothEvidence evidence = smooth_evidence(all, {}, all.measured - 20 * all.load, posterior_options);
+    return evidence.smooth - evidence.noise;
+  };
+  // The helper's own noise of 0.2 is added to what stands here.
+  std::mt19937 random(5);
+  std::normal_distribution<double> normal;
+  EXPECT_LT(of([&](double, double& state) { return state = 0.7 * state + 0.08 * normal(random); }), 3);
+  EXPECT_GT(of([](double time_s, double&) { return 0.25 * (std::fmod(time_s, 12) < 6 ? 1 : -1); }), 10);
 }
 
 const WeighedExplanation& likeliest(const Explanation& explanation) { return explanation.posterior.front(); }

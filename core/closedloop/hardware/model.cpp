@@ -162,12 +162,16 @@ Eigen::VectorXd PlatformModel::predicted_by(const PlatformBehaviour& behaviour, 
   return predicted;
 }
 
-// What power was between two samples nobody recorded: half of the difference that it can make.
+// What power was between two samples nobody recorded: half of the difference that it can make, in each trial its own,
+// for one may go in steps and another in waves.
 SystematicUncertainty PlatformModel::systematic_uncertainty() const {
   const PlatformBehaviour declared = declared_behaviour(platform_);
-  SystematicUncertainty uncertainty;
-  uncertainty.directions =
+  const Eigen::VectorXd half =
       (predicted_by(declared, Hold::sample_after) - predicted_by(declared, Hold::sample_before)) / 2;
+  SystematicUncertainty uncertainty;
+  uncertainty.directions = Eigen::MatrixXd::Zero(half.size(), observations_.trial_count());
+  for (Eigen::Index row = 0; row < half.size(); ++row)
+    uncertainty.directions(row, observations_.trial[static_cast<std::size_t>(row)]) = half[row];
   return uncertainty;
 }
 

@@ -36,7 +36,7 @@ class Diagnosis {
   [[nodiscard]] const Candidate& worth_naming(const Choice& choice, Verdict verdict) const;
   [[nodiscard]] double mesh_error_share(const Candidate& named) const;
   [[nodiscard]] Result<std::optional<HeldOut>> held_out(const Candidate& named, double mesh_error_share) const;
-  [[nodiscard]] Result<Posterior> weighed(const Choice& choice) const;
+  [[nodiscard]] Result<Posterior> weighed(const Choice& choice);
   [[nodiscard]] std::vector<Sentence> notes_on_verdict(const Choice& choice, const Remainder& left) const;
 
   const DiagnosisOptions& options_;
@@ -202,7 +202,8 @@ Result<std::optional<HeldOut>> Diagnosis::held_out(const Candidate& named, doubl
 }
 
 // Everything that was fitted. Where the declared model left nothing no effect was: each is looked at by itself.
-Result<Posterior> Diagnosis::weighed(const Choice& choice) const {
+Result<Posterior> Diagnosis::weighed(const Choice& choice) {
+  if (search_.model().predicts_quickly() && !choice.singles.empty()) search_.consider_pairs(choice.singles);
   std::vector<LocalFit> considered = search_.considered();
   const auto consider = [&](const Candidate& candidate) {
     if (candidate.fitted()) considered.push_back(local_fit(candidate.fit, search_.whitening()));

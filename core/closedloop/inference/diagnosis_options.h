@@ -3,6 +3,7 @@
 // reason. Chi-squared and promises are in units of the noise; "excess" is the root mean square by which a residual
 // exceeds the noise.
 
+#include <array>
 #include <cstddef>
 
 namespace glisson::closedloop {
@@ -75,6 +76,9 @@ struct PosteriorOptions {
   // Beside something else the noise may be of any size (it may be what is wrong): half of the probability that it is
   // within this logarithm of the stated one, and a Cauchy tail.
   double unknown_noise_scale = 0.5;
+  // That errors repeat themselves from sample to sample, which nobody states; and how much of each the next one keeps.
+  double noise_repeats = 0.2;
+  std::array<double, 4> noise_kept{0.3, 0.5, 0.7, 0.9};
 
   // The smooth function that stands for something else: normal logarithms of its amplitude, in noises, and of its
   // lengths, in spreads of each feature.
@@ -83,6 +87,14 @@ struct PosteriorOptions {
   double smooth_length = 1.5;            // longer than the data reach: what does not depend on a feature
   double smooth_length_spread = 1;       // from ripples of half a spread to straight lines
   std::size_t smooth_rows = 240;         // its cost grows with their cube
+
+  // What looks like a cause may be something else that resembles it, as a job in the background resembles static power:
+  // odds against the likeliest cause, while its evidence over nothing is no more than so many nats, and as their
+  // inverse beyond. And beside nothing something may be too weak to show. Both chosen on generated cases
+  // (docs/closed-loop.md).
+  double look_alike = 1;
+  double look_alike_nats = 16;
+  double too_weak_to_show = 0.1;
 
   double worth_refining = 15;    // nats below the best: less than one in a million, and no matter how exactly
   double refined_enough = 0.2;   // standard deviations from the maximum of the posterior: a fiftieth of a nat

@@ -30,6 +30,8 @@ bool shows_all(const LocalFit& fit);
 std::vector<LocalFit> best_of_each_set(std::vector<LocalFit> considered);
 void refine(const Weighing& weighing, std::vector<Weighed>& all, const PosteriorOptions& options,
             const Progress& progress);
+LocalFit thinned(LocalFit fit, double share);
+double odds_of_look_alike(double evidence_over_nothing, const Kinds& leading, const PosteriorOptions& options);
 double root_mean_square(const Eigen::VectorXd& values);
 
 // How many kinds there are and how many forms each has say what each set of them may expect.
@@ -106,8 +108,7 @@ Result<Posterior> posterior(const Weighing& weighing, std::vector<LocalFit> cons
   const auto leading =
       std::max_element(all.begin(), all.end(), [&](const auto& a, const auto& b) { return weight(a) < weight(b); });
   const auto smooth = [&](const Eigen::VectorXd& predicted) {
-    return smooth_evidence(observations, weighing.systematic, observations.measured - predicted, weighing.correlation,
-                           options, progress);
+    return smooth_evidence(observations, weighing.systematic, observations.measured - predicted, options, progress);
   };
   // Over the rows that a smooth function rests on, beside the leading explanation's on the same rows.
   std::vector<double> something_else;
@@ -121,7 +122,10 @@ Result<Posterior> posterior(const Weighing& weighing, std::vector<LocalFit> cons
     const SmoothEvidence rest = smooth(*predicted);
     const double beside = rest.smooth - rest.noise;
     const double half = std::log(0.5);
-    something_else.push_back(half + leading->log.best + in_place.smooth - rest.noise);
+    // What the freedom of its parameters costs on these rows, as that of the smooth function is counted.
+    const LogEvidence seen =
+        log_evidence(model, thinned(leading->fit, rest.share_of_rows), weighing.correlation, options);
+    something_else.push_back(half + leading->log.evidence + (seen.best - seen.evidence) + in_place.smooth - rest.noise);
     something_else.push_back(half + leading->log.evidence +
                              (excess(*predicted) <= indistinct ? std::min(0.0, beside) : beside));
   }
@@ -137,6 +141,8 @@ Result<Posterior> posterior(const Weighing& weighing, std::vector<LocalFit> cons
   for (const Weighed& one : all) probabilities[one.kinds] += std::exp(weight(one) - highest);
   for (const auto& [kinds, probability] : probabilities) sum += probability;
   for (const double log : something_else) other += std::exp(log - highest);
+  other +=
+      probabilities[leading->kinds] * odds_of_look_alike(leading->log.evidence - of_nothing, leading->kinds, options);
   sum += other;
   Posterior result;
   const auto tell = [&](Kinds kinds, bool is_other, double probability) {
@@ -280,6 +286,20 @@ void refine(const Weighing& weighing, std::vector<Weighed>& all, const Posterior
       all[i].log = log_evidence(weighing.model, all[i].fit, weighing.correlation, options);
     }
   });
+}
+
+// To a share of its rows, evenly from all.
+LocalFit thinned(LocalFit fit, double share) {
+  fit.chi2 *= share;
+  fit.rows = static_cast<Eigen::Index>(std::lround(share * double(fit.rows)));
+  fit.downhill *= share;
+  fit.information *= share;
+  return fit;
+}
+
+double odds_of_look_alike(double evidence_over_nothing, const Kinds& leading, const PosteriorOptions& options) {
+  if (leading.empty()) return options.too_weak_to_show;
+  return options.look_alike * std::min(1.0, options.look_alike_nats / std::max(1e-9, evidence_over_nothing));
 }
 
 double root_mean_square(const Eigen::VectorXd& values) {

@@ -3,12 +3,14 @@
 #include <ceres/ceres.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <limits>
 #include <map>
 #include <numbers>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -24,13 +26,21 @@ struct RestBlock {
   Eigen::VectorXd residual;
   Eigen::MatrixXd noise;                         // covariance, with what the prediction itself may be off by
   std::vector<Eigen::MatrixXd> square_distance;  // a feature: between any two rows, the feature scaled to unit spread
+  std::size_t time = 0;                          // which feature is time; as many as there are where none is
 };
 
 // What each row stands for: rows of the experiment that are averaged.
 using Grouping = std::vector<std::vector<Eigen::Index>>;
-Grouping grouped(const Observations& observations, double correlation, std::size_t maximum);
+Grouping grouped(const Observations& observations, std::size_t maximum);
+// `kept`: the share of each error that the next sample of its series repeats.
 std::vector<RestBlock> blocks_of(const Observations& observations, const SystematicUncertainty& systematic,
-                                 const Eigen::VectorXd& residual, const Grouping& groups, double correlation);
+                                 const Eigen::VectorXd& residual, const Grouping& groups, double kept);
+double evidence_of_noise(const std::vector<RestBlock>& blocks, const PosteriorOptions& options,
+                         const Progress& progress);
+double evidence_of_smooth(const std::vector<RestBlock>& blocks, const PosteriorOptions& options,
+                          const Progress& progress);
+// Root mean square of what is left, in units of the noise of its rows.
+double size_of(const std::vector<RestBlock>& blocks);
 
 // -ln of the probability of the residuals and of x: the noise's logarithm, and with a smooth function each block's
 // amplitude's and each feature's length's.
@@ -144,59 +154,105 @@ double log_evidence_from(std::vector<double> x, const std::vector<RestBlock>& bl
 }  // namespace
 
 SmoothEvidence smooth_evidence(const Observations& observations, const SystematicUncertainty& systematic,
-                               const Eigen::VectorXd& residual, double correlation, const PosteriorOptions& options,
+                               const Eigen::VectorXd& residual, const PosteriorOptions& options,
                                const Progress& progress) {
-  const Grouping groups = grouped(observations, correlation, options.smooth_rows);
-  const std::vector<RestBlock> blocks = blocks_of(observations, systematic, residual, groups, correlation);
+  const Grouping groups = grouped(observations, options.smooth_rows);
+  const std::vector<RestBlock> white = blocks_of(observations, systematic, residual, groups, 0);
   SmoothEvidence evidence;
-  double square = 0, count = 0;
-  for (const RestBlock& block : blocks) {
-    square += block.residual.cwiseAbs2().cwiseQuotient(block.noise.diagonal()).sum();
-    count += static_cast<double>(block.residual.size());
+  evidence.smooth = evidence_of_smooth(white, options, progress);
+  evidence.noise = evidence_of_noise(white, options, progress);
+  if (observations.has_places()) {
+    std::size_t taken = 0;
+    for (const auto& group : groups) taken += group.size();
+    evidence.share_of_rows = double(taken) / double(observations.rows());
+    return evidence;
   }
-  const double too_large = 0.5 * std::log(std::max(1e-3, square / count));
-  evidence.noise = std::max(log_evidence_from({0.0}, blocks, false, options, progress),
-                            log_evidence_from({too_large}, blocks, false, options, progress));
-  // From long lengths, from short ones, and from a noise that is as large as all of the residual: the evidence has
-  // several maxima.
-  evidence.smooth = -std::numeric_limits<double>::infinity();
-  struct Beginning {
-    double length, noise, amplitude;  // the last two as shares of the residual
-  };
-  const double size = std::sqrt(std::max(0.1, square / count));
-  for (const Beginning& start :
-       {Beginning{2.0, 1 / size, 1.0}, Beginning{0.7, 1 / size, 1.0}, Beginning{2.0, 1.0, 0.3}}) {
-    std::vector<double> x{std::log(start.noise * size)};
-    for (const RestBlock& block : blocks) {
-      const double mean_square = block.residual.squaredNorm() / static_cast<double>(block.residual.size());
-      x.push_back(0.5 * std::log(std::max(0.1, mean_square)) + std::log(start.amplitude));
-    }
-    x.insert(x.end(), blocks.front().square_distance.size(), std::log(start.length));
-    const double from_here = log_evidence_from(std::move(x), blocks, true, options, progress);
-    evidence.smooth = std::max(evidence.smooth, from_here);
+  // Or noise that repeats itself, as instruments' may.
+  std::vector<double> logs{std::log(1 - options.noise_repeats) + evidence.noise};
+  for (const double kept : options.noise_kept) {
+    const double log_share = std::log(options.noise_repeats / double(options.noise_kept.size()));
+    logs.push_back(log_share +
+                   evidence_of_noise(blocks_of(observations, systematic, residual, groups, kept), options, progress));
   }
+  const double highest = *std::max_element(logs.begin(), logs.end());
+  double sum = 0;
+  for (const double log : logs) sum += std::exp(log - highest);
+  evidence.noise = highest + std::log(sum);
   return evidence;
 }
 
 namespace {
 
-// Places are thinned out; without them neighbours in time, of one trial and direction, are averaged.
-Grouping grouped(const Observations& observations, double correlation, std::size_t maximum) {
-  const auto rows = static_cast<double>(observations.rows());
-  const double wanted = std::min(static_cast<double>(maximum), std::max(10.0, rows / correlation));
-  Grouping groups;
-  if (observations.has_places()) {
-    const auto count = std::min(static_cast<Eigen::Index>(wanted), observations.rows());
-    for (Eigen::Index i = 0; i < count; ++i) groups.push_back({i * observations.rows() / count});
-    return groups;
+double evidence_of_noise(const std::vector<RestBlock>& blocks, const PosteriorOptions& options,
+                         const Progress& progress) {
+  const double too_large = std::log(std::max(0.03, size_of(blocks)));
+  return std::max(log_evidence_from({0.0}, blocks, false, options, progress),
+                  log_evidence_from({too_large}, blocks, false, options, progress));
+}
+
+// The evidence has several maxima: the search begins from long lengths, from short ones, from ripples in time, and from
+// a noise that is as large as all of the residual.
+double evidence_of_smooth(const std::vector<RestBlock>& blocks, const PosteriorOptions& options,
+                          const Progress& progress) {
+  struct Beginning {
+    double length, in_time, noise, amplitude;  // the last two as shares of the residual
+  };
+  const double size = std::max(0.3, size_of(blocks));
+  double best = -std::numeric_limits<double>::infinity();
+  for (const Beginning& start : {Beginning{2.0, 2.0, 1 / size, 1.0}, Beginning{0.7, 0.7, 1 / size, 1.0},
+                                 Beginning{3.0, 0.1, 1 / size, 0.7}, Beginning{2.0, 2.0, 1.0, 0.3}}) {
+    std::vector<double> x{std::log(start.noise * size)};
+    for (const RestBlock& block : blocks) {
+      const double mean_square = block.residual.squaredNorm() / static_cast<double>(block.residual.size());
+      x.push_back(0.5 * std::log(std::max(0.1, mean_square)) + std::log(start.amplitude));
+    }
+    for (std::size_t f = 0; f < blocks.front().square_distance.size(); ++f)
+      x.push_back(std::log(f == blocks.front().time ? start.in_time : start.length));
+    best = std::max(best, log_evidence_from(std::move(x), blocks, true, options, progress));
   }
-  std::map<std::pair<int, int>, std::vector<Eigen::Index>> series;
+  return best;
+}
+
+double size_of(const std::vector<RestBlock>& blocks) {
+  double square = 0, count = 0;
+  for (const RestBlock& block : blocks) {
+    square += block.residual.cwiseAbs2().cwiseQuotient(block.noise.diagonal()).sum();
+    count += static_cast<double>(block.residual.size());
+  }
+  return std::sqrt(square / count);
+}
+
+// Neighbours in time, of one trial, direction and place, are averaged: enough of them to leave so many groups. Where
+// places are many, some are passed over, and each of the others is left a few means.
+Grouping grouped(const Observations& observations, std::size_t maximum) {
+  constexpr std::size_t means_of_a_place = 3;
+  const bool places = observations.has_places();
+  using Place = std::array<double, 3>;
+  std::map<std::tuple<int, int, Place>, std::size_t> known;
+  std::vector<std::vector<Eigen::Index>> series;
   for (Eigen::Index row = 0; row < observations.rows(); ++row) {
     const auto i = static_cast<std::size_t>(row);
-    series[{observations.trial[i], observations.direction[i]}].push_back(row);
+    const Place place =
+        places ? Place{observations.place_mm(row, 0), observations.place_mm(row, 1), observations.place_mm(row, 2)}
+               : Place{};
+    const auto [at, is_new] =
+        known.try_emplace({observations.trial[i], observations.direction[i], place}, series.size());
+    if (is_new) series.emplace_back();
+    series[at->second].push_back(row);
   }
-  const auto size = static_cast<std::size_t>(std::ceil(rows / wanted));
-  for (const auto& [key, own] : series) {
+  std::size_t size = (static_cast<std::size_t>(observations.rows()) + maximum - 1) / maximum, every = 1;
+  if (places) {
+    std::size_t groups = 0, longest = 0;
+    for (const auto& own : series) {
+      groups += std::min(means_of_a_place, own.size());
+      longest = std::max(longest, own.size());
+    }
+    every = (groups + maximum - 1) / maximum;
+    if (every > 1) size = (longest + means_of_a_place - 1) / means_of_a_place;
+  }
+  Grouping groups;
+  for (std::size_t s = 0; s < series.size(); s += every) {
+    const auto& own = series[s];
     for (std::size_t first = 0; first < own.size(); first += size)
       groups.emplace_back(own.begin() + static_cast<std::ptrdiff_t>(first),
                           own.begin() + static_cast<std::ptrdiff_t>(std::min(own.size(), first + size)));
@@ -204,8 +260,44 @@ Grouping grouped(const Observations& observations, double correlation, std::size
   return groups;
 }
 
+// Features have lost what they were called: time is the one that goes with it.
+std::size_t feature_of_time(const Observations& observations, const Eigen::MatrixXd& features) {
+  constexpr double the_same = 1 - 1e-9;
+  const Eigen::VectorXd since = observations.time_s.array() - observations.time_s.mean();
+  Eigen::Index f = 0;
+  while (f < features.cols() && std::abs(features.col(f).dot(since)) < the_same * features.col(f).norm() * since.norm())
+    ++f;
+  return static_cast<std::size_t>(f);
+}
+
+// Of means over groups of samples, each of which has a variance of 1 and keeps a share of the error before it.
+Eigen::MatrixXd covariance_of_means(const Observations& observations, const Grouping& groups,
+                                    const std::vector<std::size_t>& own, double kept) {
+  const auto n = static_cast<Eigen::Index>(own.size());
+  Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(n, n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const auto& first = groups[own[static_cast<std::size_t>(i)]];
+    if (kept <= 0) {
+      covariance(i, i) = 1 / double(first.size());
+      continue;
+    }
+    for (Eigen::Index j = 0; j <= i; ++j) {
+      const auto& second = groups[own[static_cast<std::size_t>(j)]];
+      const auto a = static_cast<std::size_t>(first.front()), b = static_cast<std::size_t>(second.front());
+      if (observations.trial[a] != observations.trial[b]) continue;
+      double sum = 0;
+      for (const Eigen::Index row : first)
+        for (const Eigen::Index other : second)
+          sum += std::pow(kept, std::abs(observations.sample[static_cast<std::size_t>(row)] -
+                                         observations.sample[static_cast<std::size_t>(other)]));
+      covariance(i, j) = covariance(j, i) = sum / double(first.size() * second.size());
+    }
+  }
+  return covariance;
+}
+
 std::vector<RestBlock> blocks_of(const Observations& observations, const SystematicUncertainty& systematic,
-                                 const Eigen::VectorXd& residual, const Grouping& groups, double correlation) {
+                                 const Eigen::VectorXd& residual, const Grouping& groups, double kept) {
   const auto averaged = [&](const Eigen::MatrixXd& columns, const std::vector<std::size_t>& which) {
     Eigen::MatrixXd mean(static_cast<Eigen::Index>(which.size()), columns.cols());
     for (std::size_t i = 0; i < which.size(); ++i)
@@ -213,6 +305,7 @@ std::vector<RestBlock> blocks_of(const Observations& observations, const Systema
     return mean;
   };
   const Eigen::MatrixXd features = varying_features(observations);
+  const std::size_t time = feature_of_time(observations, features);
   const Eigen::VectorXd inverse_noise = observations.noise.cwiseInverse();
   std::vector<RestBlock> blocks;
   for (int direction = 0; direction < static_cast<int>(observations.directions.size()); ++direction) {
@@ -223,9 +316,8 @@ std::vector<RestBlock> blocks_of(const Observations& observations, const Systema
     RestBlock block;
     block.residual = averaged(inverse_noise.cwiseProduct(residual), own);
     const auto n = static_cast<Eigen::Index>(own.size());
-    block.noise = Eigen::MatrixXd::Zero(n, n);
-    for (Eigen::Index i = 0; i < n; ++i)
-      block.noise(i, i) = std::min(1.0, correlation / double(groups[own[static_cast<std::size_t>(i)]].size()));
+    block.noise = covariance_of_means(observations, groups, own, kept);
+    block.time = time;
     if (systematic.directions.cols() > 0) {
       const Eigen::MatrixXd off = averaged(inverse_noise.asDiagonal() * systematic.directions, own);
       block.noise += off * off.transpose();

@@ -15,16 +15,18 @@
 
 namespace glisson::closedloop {
 
-// Natural logarithms, over the same rows: neighbours in time averaged, or every so many markers, to at most
-// PosteriorOptions::smooth_rows and no more than are independent of each other (rows / correlation).
+// Natural logarithms, over the same rows: neighbours in time averaged, of every so many markers, to about
+// PosteriorOptions::smooth_rows means.
 struct SmoothEvidence {
   double smooth = 0;
-  double noise = 0;
+  double noise = 0;  // white, or, without places, repeating itself from sample to sample (AR(1))
+  // Of the information in all rows, what these hold: averages keep it, markers that were passed over do not.
+  double share_of_rows = 1;
 };
 
 // `residual`: measured - predicted. Where the search is cancelled, its best so far.
 [[nodiscard]] SmoothEvidence smooth_evidence(const Observations& observations, const SystematicUncertainty& systematic,
-                                             const Eigen::VectorXd& residual, double correlation,
-                                             const PosteriorOptions& options, const Progress& progress = {});
+                                             const Eigen::VectorXd& residual, const PosteriorOptions& options,
+                                             const Progress& progress = {});
 
 }  // namespace glisson::closedloop

@@ -3,6 +3,7 @@
 // outcome.
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/progress.h"
@@ -36,7 +37,10 @@ class Search {
   // Each effect of the catalogue alone. Of models whose fits are slow, to first order from where a fit would begin.
   Result<std::vector<LocalFit>> each_alone() const;
 
-  // All that the steps fitted, for what they are worth together.
+  // Fits each two kinds together where the steps did not, and all forms of the best: of models that predict quickly.
+  void consider_pairs(const std::vector<Candidate>& singles);
+
+  // All that was fitted, for what it is worth together.
   [[nodiscard]] const std::vector<LocalFit>& considered() const { return considered_; }
 
   // The best candidate of each other kind in place of setting `which` of `chosen`, and the other forms of its own.
@@ -69,6 +73,8 @@ class Search {
   Result<Candidate> forward(Candidate current, std::vector<Candidate>* singles);
   Result<Candidate> with_best_pair(Candidate chosen, const Candidate& declared, const std::vector<Candidate>& singles);
   [[nodiscard]] std::vector<Candidate> pairs_of(const std::vector<Candidate>& singles) const;
+  [[nodiscard]] std::vector<Candidate> fit_together(
+      const std::vector<std::pair<const Candidate*, const Candidate*>>& together) const;
   [[nodiscard]] std::vector<const Effect*> additions(const Settings& active) const;
   [[nodiscard]] Result<std::vector<Candidate>> fit_each(const Settings& active,
                                                         const std::vector<const Effect*>& effects,
@@ -100,6 +106,7 @@ class Search {
   Whitening whitening_;
   CrossValidationFolds folds_;
   std::vector<LocalFit> considered_;
+  bool pairs_considered_ = false;
   double correlation_ = 1;  // of what the best candidate so far leaves
 };
 

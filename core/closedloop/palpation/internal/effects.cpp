@@ -4,6 +4,7 @@
 #include <cmath>
 #include <Eigen/Geometry>
 #include <limits>
+#include <numbers>
 
 #include "base/units.h"
 
@@ -203,11 +204,14 @@ Effect frame_misalignment(const Sizes& sizes) {
       {},
       GLISSON_TEXT("The camera's coordinates do not match the specimen's: all markers seem shifted or turned alike."),
       {Eigen::VectorXd::Zero(6)}};
+  // Cameras are registered to some 2 mm and 3 degrees, which turn about the origin of coordinates.
+  constexpr double usual_mm = 2, usual_deg = 3;
   const double far_mm = sizes.box.sizes().norm() + 0.4 * sizes.box.center().norm();
-  for (int d = 0; d < 3; ++d) effect.parameters.push_back({"rotation_deg", 0, -20, 20, -3, 3, Scale::linear});
-  for (int d = 0; d < 3; ++d) {
-    effect.parameters.push_back({"translation_mm", 0, -far_mm, far_mm, -0.2 * far_mm, 0.2 * far_mm, Scale::linear});
-  }
+  const double expected_mm = usual_mm + usual_deg * std::numbers::pi / 180 * sizes.box.center().norm();
+  for (int d = 0; d < 3; ++d)
+    effect.parameters.push_back({"rotation_deg", 0, -20, 20, -usual_deg, usual_deg, Scale::linear});
+  for (int d = 0; d < 3; ++d)
+    effect.parameters.push_back({"translation_mm", 0, -far_mm, far_mm, -expected_mm, expected_mm, Scale::linear});
   return effect;
 }
 
