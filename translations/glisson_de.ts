@@ -5840,10 +5840,6 @@
         <translation>Was dem angegebenen Modell nach den Messungen fehlt</translation>
     </message>
     <message>
-        <source>A probability weighs how well an explanation predicts what was measured, whatever the size of its effects, against how common it is taken to be before anything is measured. &quot;Something else&quot; stands for every cause that is not in the catalogue. These probabilities are not calibrated: of explanations given 90 % and more, three in four were right where the answer was known. Read them as an order.</source>
-        <translation>Eine Wahrscheinlichkeit wägt ab, wie gut eine Erklärung das Gemessene vorhersagt, wie groß ihre Effekte auch sind, und wie häufig sie vor jeder Messung angenommen wird. „Etwas anderes“ steht für jede Ursache, die nicht im Katalog ist. Diese Wahrscheinlichkeiten sind nicht kalibriert: von Erklärungen mit 90 % und mehr waren drei von vier richtig, wo die Antwort bekannt war. Lesen Sie sie als Reihenfolge.</translation>
-    </message>
-    <message>
         <source>What these trials could have shown</source>
         <translation>Was diese Versuche hätten zeigen können</translation>
     </message>
@@ -5878,10 +5874,6 @@
     <message>
         <source>Glisson plans and reviews liver surgery. Not a medical device.</source>
         <translation>Glisson plant und bespricht Leberoperationen. Kein Medizinprodukt.</translation>
-    </message>
-    <message>
-        <source>Expected to tell what was found from {0}: the predictions are {1} standard deviations of the noise apart.</source>
-        <translation>Unterscheidet das Gefundene voraussichtlich von {0}: die Vorhersagen liegen {1} Standardabweichungen des Rauschens auseinander.</translation>
     </message>
     <message>
         <source>What is left is noise: no test finds anything that noise would not do.</source>
@@ -6510,6 +6502,18 @@
     <message>
         <source>An OpenCL device matches by trwls in 16 bits.</source>
         <translation>Ein OpenCL-Gerät ordnet mit trwls in 16 Bit zu.</translation>
+    </message>
+    <message>
+        <source>A probability weighs how well an explanation predicts what was measured, whatever the size of its effects, against how common it is taken to be before anything is measured. &quot;Something else&quot; stands for every cause that is not in the catalogue. Where the answer was known, in generated experiments, 98 of 100 explanations given 90 % and more were right, and 7 of 10 given 60 to 80 %.</source>
+        <translation>Eine Wahrscheinlichkeit wägt ab, wie gut eine Erklärung das Gemessene vorhersagt, wie groß ihre Effekte auch sind, und wie häufig sie vor jeder Messung angenommen wird. „Etwas anderes“ steht für jede Ursache, die nicht im Katalog ist. Wo die Antwort bekannt war, in erzeugten Experimenten, waren von 100 Erklärungen mit 90 % und mehr 98 richtig, von 10 mit 60 bis 80 % sieben.</translation>
+    </message>
+    <message>
+        <source>It would tell what is likeliest from {0}.</source>
+        <translation>Das würde das Wahrscheinlichste von {0} unterscheiden.</translation>
+    </message>
+    <message>
+        <source>Of the doubt among the known explanations {0} % is expected to be gone then.</source>
+        <translation>Vom Zweifel zwischen den bekannten Erklärungen sind dann voraussichtlich {0} % beseitigt.</translation>
     </message>
 </context>
 <context>
@@ -7351,8 +7355,12 @@
         <translation>Der Fehler fällt von %1 auf %2.</translation>
     </message>
     <message>
-        <source>%1 It would tell what was found from: %2.</source>
-        <translation>%1 Das würde das Gefundene unterscheiden von: %2.</translation>
+        <source>%1 It would tell what is likeliest from: %2.</source>
+        <translation>%1 Das würde das Wahrscheinlichste unterscheiden von: %2.</translation>
+    </message>
+    <message>
+        <source>%1 Of the doubt %2 % is expected to be gone then.</source>
+        <translation>%1 Vom Zweifel sind dann voraussichtlich %2 % beseitigt.</translation>
     </message>
 </context>
 <context>

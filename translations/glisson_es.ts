@@ -5840,10 +5840,6 @@
         <translation>Lo que le falta al modelo declarado, según las mediciones</translation>
     </message>
     <message>
-        <source>A probability weighs how well an explanation predicts what was measured, whatever the size of its effects, against how common it is taken to be before anything is measured. &quot;Something else&quot; stands for every cause that is not in the catalogue. These probabilities are not calibrated: of explanations given 90 % and more, three in four were right where the answer was known. Read them as an order.</source>
-        <translation>Una probabilidad sopesa lo bien que una explicación predice lo medido, sea cual sea el tamaño de sus efectos, y lo frecuente que se supone antes de medir nada. «Otra cosa» representa toda causa que no está en el catálogo. Estas probabilidades no están calibradas: de las explicaciones con un 90 % o más, tres de cada cuatro eran correctas donde se conocía la respuesta. Léalas como un orden.</translation>
-    </message>
-    <message>
         <source>What these trials could have shown</source>
         <translation>Lo que estos ensayos habrían podido mostrar</translation>
     </message>
@@ -5878,10 +5874,6 @@
     <message>
         <source>Glisson plans and reviews liver surgery. Not a medical device.</source>
         <translation>Glisson planifica y revisa cirugía hepática. No es un producto sanitario.</translation>
-    </message>
-    <message>
-        <source>Expected to tell what was found from {0}: the predictions are {1} standard deviations of the noise apart.</source>
-        <translation>Se espera que distinga lo encontrado de {0}: las predicciones distan {1} desviaciones estándar del ruido.</translation>
     </message>
     <message>
         <source>What is left is noise: no test finds anything that noise would not do.</source>
@@ -6510,6 +6502,18 @@
     <message>
         <source>An OpenCL device matches by trwls in 16 bits.</source>
         <translation>Un dispositivo OpenCL empareja con trwls en 16 bits.</translation>
+    </message>
+    <message>
+        <source>A probability weighs how well an explanation predicts what was measured, whatever the size of its effects, against how common it is taken to be before anything is measured. &quot;Something else&quot; stands for every cause that is not in the catalogue. Where the answer was known, in generated experiments, 98 of 100 explanations given 90 % and more were right, and 7 of 10 given 60 to 80 %.</source>
+        <translation>Una probabilidad sopesa lo bien que una explicación predice lo medido, sea cual sea el tamaño de sus efectos, y lo frecuente que se supone antes de medir nada. «Otra cosa» representa toda causa que no está en el catálogo. Donde se conocía la respuesta, en experimentos generados, 98 de cada 100 explicaciones con un 90 % o más eran correctas, y 7 de cada 10 entre el 60 y el 80 %.</translation>
+    </message>
+    <message>
+        <source>It would tell what is likeliest from {0}.</source>
+        <translation>Distinguiría lo más probable de {0}.</translation>
+    </message>
+    <message>
+        <source>Of the doubt among the known explanations {0} % is expected to be gone then.</source>
+        <translation>De la duda entre las explicaciones conocidas se espera que entonces haya desaparecido un {0} %.</translation>
     </message>
 </context>
 <context>
@@ -7351,8 +7355,12 @@
         <translation>El error baja de %1 a %2.</translation>
     </message>
     <message>
-        <source>%1 It would tell what was found from: %2.</source>
-        <translation>%1 Distinguiría lo hallado de: %2.</translation>
+        <source>%1 It would tell what is likeliest from: %2.</source>
+        <translation>%1 Distinguiría lo más probable de: %2.</translation>
+    </message>
+    <message>
+        <source>%1 Of the doubt %2 % is expected to be gone then.</source>
+        <translation>%1 De la duda se espera que entonces haya desaparecido un %2 %.</translation>
     </message>
 </context>
 <context>

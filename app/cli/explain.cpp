@@ -28,7 +28,8 @@ Result<Outcome> run(const ExplainCommand& command, const Progress& progress) {
 
   const auto& observations = explained->model->observations();
   Json document = closedloop::report_json(explained->explanation, observations);
-  document["files"] = {(out / "report.json").string(), (out / "report.html").string(), (out / "model.json").string()};
+  document["files"] = {(out / "report.json").string(), (out / "report.html").string(), (out / "model.json").string(),
+                       (out / "next_trials.json").string()};
   return Outcome{std::move(document), in_words(explained->explanation, observations)};
 }
 
@@ -55,7 +56,8 @@ std::string in_words(const closedloop::Explanation& explanation, const closedloo
     text += "\n";
   }
   if (explanation.smooth_correction) text += "  smooth-correction, which claims no cause\n";
-  if (explanation.next) text += "  next: " + explanation.next->sentence.message() + "\n";
+  for (const auto& next : explanation.next)
+    text += fmt::format("  next: {} ({:.0f} % of the doubt gone)\n", next.sentence.message(), 100 * next.doubt_removed);
   return text + bullet_list(messages(explanation.notes));
 }
 
@@ -65,7 +67,8 @@ void add_explain(CLI::App& app, Action& chosen) {
   CLI::App* command = app.add_subcommand("explain", "Close the loop: find what a model lacks that measurements show");
   auto settings = std::make_shared<ExplainCommand>();
   command->add_option("experiment", settings->experiment, "Experiment (JSON, glisson-experiment/1)")->required();
-  command->add_option("--out", settings->out, "Folder for report.json, report.html and model.json")->required();
+  command->add_option("--out", settings->out, "Folder for report.json, report.html, model.json and next_trials.json")
+      ->required();
   command->callback(
       [&chosen, settings] { chosen = [settings](const Progress& progress) { return run(*settings, progress); }; });
 }

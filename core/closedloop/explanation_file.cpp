@@ -1,5 +1,7 @@
 #include "closedloop/explanation_file.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -99,14 +101,19 @@ Json report_json(const Explanation& explanation, const Observations& observation
   for (const RankedCandidate& candidate : explanation.ranking) json["ranking"].push_back(json_of(candidate, named));
   json["residual"] = {{"before", json_of(explanation.residual_before)}, {"after", json_of(explanation.residual_after)}};
   json["next_measurement"] = nullptr;
-  if (explanation.next) {
-    std::string alternatives;
-    for (const std::string& alternative : explanation.next->alternatives)
-      alternatives += (alternatives.empty() ? "" : ", ") + alternative;
-    json["next_measurement"] =
-        explanation.next->sentence.message() + " It would tell what was found from: " + alternatives + ".";
-    json["next_measurement_pieces"] = json_of(explanation.next->sentence);
-    json["next_measurement_pieces"]["alternatives"] = explanation.next->alternatives;
+  json["next_trials"] = Json::array();
+  for (const NextMeasurement& next : explanation.next) {
+    Json pieces = json_of(next.sentence);
+    pieces["alternatives"] = next.alternatives;
+    pieces["doubt_removed"] = next.doubt_removed;
+    json["next_trials"].push_back(std::move(pieces));
+  }
+  if (!explanation.next.empty()) {
+    const NextMeasurement& next = explanation.next.front();
+    json["next_measurement"] = next.sentence.message();
+    if (!next.alternatives.empty())
+      json["next_measurement"] = fmt::format("{} It would tell what is likeliest from: {}.", next.sentence.message(),
+                                             fmt::join(next.alternatives, ", "));
   }
   if (!explanation.posterior.empty()) {
     json["posterior"] = {{"explanations", Json::array()},
@@ -130,6 +137,19 @@ Json report_json(const Explanation& explanation, const Observations& observation
   json["notes"] = messages(explanation.notes);
   json["note_pieces"] = Json::array();
   for (const Sentence& note : explanation.notes) json["note_pieces"].push_back(json_of(note));
+  return null_where_not_finite(std::move(json));
+}
+
+Json next_trials_json(const Explanation& explanation, const Experiment& experiment) {
+  Json json{{"format", "glisson-next-trials/1"},
+            {"kind", kind_of(experiment)},
+            {"title", experiment.title},
+            {"trials", Json::array()}};
+  for (const NextMeasurement& next : explanation.next)
+    json["trials"].push_back({{"sentence", next.sentence.message()},
+                              {"tells_apart", next.alternatives},
+                              {"doubt_removed", next.doubt_removed},
+                              {"trial", next.conditions}});
   return null_where_not_finite(std::move(json));
 }
 

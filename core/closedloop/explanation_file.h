@@ -28,6 +28,10 @@ struct BetterModel {
 // The contract's report; figures carry "_mm" for palpation and stand without it elsewhere.
 [[nodiscard]] Json report_json(const Explanation& explanation, const Observations& observations);
 
+// The trials to make next, for a lab ("glisson-next-trials/1"): sentences, and what is done in each as an experiment's
+// file says it, so that it is measured, completed and added there.
+[[nodiscard]] Json next_trials_json(const Explanation& explanation, const Experiment& experiment);
+
 // Needs the model for the names of parameters.
 [[nodiscard]] std::string model_text(const Explanation& explanation, const ForwardModel& model,
                                      const Experiment& experiment);

@@ -19,6 +19,10 @@ Result<void> write_explanation(const std::filesystem::path& folder, const closed
                             closedloop::model_text(explained.explanation, *explained.model, explained.experiment));
         })
         .and_then([&] {
+          return write_file(folder / "next_trials.json",
+                            closedloop::next_trials_json(explained.explanation, explained.experiment).dump(2) + "\n");
+        })
+        .and_then([&] {
           return write_html(folder / "report.html",
                             explanation_page(explained.explanation, observations, explained.experiment.title, words));
         });

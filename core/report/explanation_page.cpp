@@ -66,9 +66,9 @@ Page explanation_page(const Explanation& explanation, const Observations& observ
     paragraph(words.say(
         GLISSON_TEXT("A probability weighs how well an explanation predicts what was measured, whatever the size of "
                      "its effects, against how common it is taken to be before anything is measured. \"Something "
-                     "else\" stands for every cause that is not in the catalogue. These probabilities are not "
-                     "calibrated: of explanations given 90 % and more, three in four were right where the answer was "
-                     "known. Read them as an order.")));
+                     "else\" stands for every cause that is not in the catalogue. Where the answer was known, "
+                     "in generated experiments, 98 of 100 explanations given 90 % and more were right, and 7 of 10 "
+                     "given 60 to 80 %.")));
   }
   page.blocks.push_back(errors_table(explanation, observations, words));
   if (!explanation.smallest_visible.empty()) {
@@ -95,9 +95,10 @@ Page explanation_page(const Explanation& explanation, const Observations& observ
   heading(GLISSON_TEXT("After"));
   paragraph(shape_sentence(explanation.residual_after, words));
   heading(GLISSON_TEXT("What to measure next"));
-  paragraph(explanation.next ? next_trial(*explanation.next, words)
-                             : words.say(GLISSON_TEXT("No further trial is needed to tell the leading explanations "
-                                                      "apart, or none is known that would.")));
+  if (explanation.next.empty())
+    paragraph(words.say(GLISSON_TEXT(
+        "No further trial is needed to tell the leading explanations apart, or none is known that would.")));
+  for (const auto& next : explanation.next) paragraph(next_trial(next, words));
   for (Sentence note : explanation.notes) {
     for (std::string& argument : note.arguments) argument = words.quoted_effect(argument);
     paragraph(words.sentence(note));
@@ -119,10 +120,12 @@ std::string named(const std::string& kind, const std::string& form, const Words&
 }
 
 std::string next_trial(const closedloop::NextMeasurement& next, const Words& words) {
-  return words.sentence(next.sentence) + " " +
-         words.say(GLISSON_TEXT("Expected to tell what was found from {0}: the predictions are {1} standard deviations "
-                                "of the noise apart."),
-                   {joined(next.alternatives, words), fmt::format("{:.0f}", next.expected_separation)});
+  std::string text = words.sentence(next.sentence) + " ";
+  if (!next.alternatives.empty())
+    text +=
+        words.say(GLISSON_TEXT("It would tell what is likeliest from {0}."), {joined(next.alternatives, words)}) + " ";
+  return text + words.say(GLISSON_TEXT("Of the doubt among the known explanations {0} % is expected to be gone then."),
+                          {fmt::format("{:.0f}", 100 * next.doubt_removed)});
 }
 
 std::string shape_sentence(const closedloop::ResidualDiagnostics& diagnostics, const Words& words) {

@@ -222,8 +222,11 @@ TEST(PalpationModel, FurtherTrialsArePredictedAsTheExperimentsOwnWouldBe) {
   Palpation experiment = pad({.bricks = {4, 4, 2}, .forces_N = {1.0}, .hold_on = false});
   experiment.trials[2].samples.back().force_mN = 1500;  // the one that the further trials vary
   const auto model = model_of(experiment);
-  const std::vector<std::string> further = messages(model->further_trials());
-  ASSERT_EQ(further.size(), 4u);
+  const std::vector<FurtherTrial> trials = model->further_trials();
+  ASSERT_EQ(trials.size(), 4u);
+  std::vector<std::string> further;
+  for (const FurtherTrial& trial : trials) further.push_back(trial.sentence.message());
+  EXPECT_NEAR(trials[1].conditions["samples"][1]["force_N"].get<double>(), 3, 1e-9);
   EXPECT_THAT(further[0], HasSubstr("Press at ("));
   EXPECT_THAT(further[1], HasSubstr("trial p03, but with 3 N"));
   EXPECT_THAT(further[2], HasSubstr("hold the force for"));
@@ -232,7 +235,9 @@ TEST(PalpationModel, FurtherTrialsArePredictedAsTheExperimentsOwnWouldBe) {
   const Eigen::Index rows = 3 * 40;
   const Eigen::VectorXd own = model->predict({}).value().segment(2 * rows, rows) / experiment.noise_mm;
   const auto predicted = [&](std::size_t trial, const Settings& settings) {
-    return model->predict_further(trial, settings).value();
+    Eigen::Index first = 0;
+    for (std::size_t t = 0; t < trial; ++t) first += trials[t].rows;
+    return Eigen::VectorXd(model->predict_further(settings).value().segment(first, trials[trial].rows));
   };
   EXPECT_LT((predicted(1, {}) - 2 * own).norm(), 1e-6 * own.norm());
   EXPECT_LT((predicted(2, {}) - own).norm(), 1e-6 * own.norm());  // the declared model does not creep

@@ -321,9 +321,8 @@ class EvidenceTest : public QObject {
       }
       QVERIFY2(next != english_next && notes != english_notes, qPrintable(next));
       QVERIFY2(!next.contains("It would tell"), qPrintable(next));
-      for (const std::string& kind : record.next_tells_apart) {
-        QVERIFY2(next.contains(effect_label(kind)), qPrintable(next));
-      }
+      for (const EvidenceNextTrial& trial : record.next)
+        for (const std::string& kind : trial.tells_apart) QVERIFY2(next.contains(effect_label(kind)), qPrintable(next));
       for (const auto* drawing : view_->answer().findChildren<SvgView*>()) {
         QVERIFY2(!drawing->toolTip().contains("before"), qPrintable(drawing->toolTip()));
       }
@@ -373,11 +372,13 @@ class EvidenceTest : public QObject {
   void proposes_every_next_trial_in_german() {
     const auto tissue = closedloop::read_experiment(*resource_folder() / "examples" / "tissue" / "experiment.json");
     QVERIFY(bool(tissue));
-    std::vector<Sentence> proposals = closedloop::forward_model(*tissue).value()->further_trials();
+    std::vector<Sentence> proposals;
+    for (const auto& trial : closedloop::forward_model(*tissue).value()->further_trials())
+      proposals.push_back(trial.sentence);
     const auto palpation = closedloop::palpation_model(closedloop::test::pad({.bricks = {4, 4, 2}, .markers = 24}));
-    for (const Sentence& proposal : (*palpation)->further_trials()) proposals.push_back(proposal);
+    for (const auto& trial : (*palpation)->further_trials()) proposals.push_back(trial.sentence);
     const auto hardware = closedloop::platform_model(cell_at_2_A());
-    for (const Sentence& proposal : (*hardware)->further_trials()) proposals.push_back(proposal);
+    for (const auto& trial : (*hardware)->further_trials()) proposals.push_back(trial.sentence);
     QCOMPARE(proposals.size(), std::size_t{13});
 
     const fs::path kept = folder_ / "next";
@@ -387,9 +388,10 @@ class EvidenceTest : public QObject {
     std::set<QString> told;
     for (const Sentence& proposal : proposals) {
       Json with_proposal = report;
-      with_proposal["next_measurement"] = proposal.message();
-      with_proposal["next_measurement_pieces"] = {
-          {"text", proposal.text}, {"arguments", proposal.arguments}, {"alternatives", rivals}};
+      with_proposal["next_trials"] = Json::array({{{"text", proposal.text},
+                                                   {"arguments", proposal.arguments},
+                                                   {"alternatives", rivals},
+                                                   {"doubt_removed", 0.8}}});
       QVERIFY(bool(write_json_file(kept / "report.json", with_proposal)));
       choose_language("en");
       view_->open(kept / "report.json");
@@ -405,7 +407,7 @@ class EvidenceTest : public QObject {
       for (const std::string& figure : proposal.arguments) {
         QVERIFY2(german.contains(QString::fromStdString(figure)), qPrintable(german));
       }
-      QVERIFY2(german.contains("Das würde das Gefundene unterscheiden von"), qPrintable(german));
+      QVERIFY2(german.contains("Das würde das Wahrscheinlichste unterscheiden von"), qPrintable(german));
       for (const std::string& rival : rivals) QVERIFY2(german.contains(effect_label(rival)), qPrintable(german));
       told.insert(german);
     }

@@ -7,6 +7,7 @@
 #include "widgets/evidence/effect_words.h"
 #include "widgets/evidence/svg_view.h"
 #include "widgets/words/keep_translated.h"
+#include "widgets/words/numbers.h"
 #include "widgets/words/translated.h"
 
 namespace glisson::widgets {
@@ -161,21 +162,27 @@ void EvidenceAnswer::show_residual() {
 
 void EvidenceAnswer::show_drawings() {
   qDeleteAll(drawings_->findChildren<SvgView*>());
-  // In space what is left stands already; the last drawing is the error by load.
+  // In space what is left stands already: besides the probabilities the last drawing is shown, the error by load.
   const bool in_space = explained_ && has_residual_scene(*explained_);
   const auto& drawings = record_->drawings;
-  for (std::size_t k = in_space && !drawings.empty() ? drawings.size() - 1 : 0; k < drawings.size(); ++k) {
-    drawings_->layout()->addWidget(new SvgView(drawings[k], drawings_));
-  }
+  for (const EvidenceDrawing& drawing : drawings)
+    if (!in_space || drawing.probabilities || &drawing == &drawings.back())
+      drawings_->layout()->addWidget(new SvgView(drawing, drawings_));
   drawings_->setVisible(!drawings.empty());
 }
 
 QString EvidenceAnswer::next_measurement(const EvidenceRecord& record) {
-  if (!record.next_measurement) return tr("No further trial is known that would tell the leading explanations apart.");
-  const QString sentence = translated(*record.next_measurement);
-  return record.next_tells_apart.empty()
-             ? sentence
-             : tr("%1 It would tell what was found from: %2.").arg(sentence, effect_labels(record.next_tells_apart));
+  if (record.next.empty()) return tr("No further trial is known that would tell the leading explanations apart.");
+  QStringList lines;
+  for (const EvidenceNextTrial& next : record.next) {
+    QString line = translated(next.sentence);
+    if (!next.tells_apart.empty())
+      line = tr("%1 It would tell what is likeliest from: %2.").arg(line, effect_labels(next.tells_apart));
+    if (next.doubt_removed)
+      line = tr("%1 Of the doubt %2 % is expected to be gone then.").arg(line, number(100 * *next.doubt_removed, 0));
+    lines << line;
+  }
+  return lines.join("\n");
 }
 
 void EvidenceAnswer::word() {

@@ -139,11 +139,15 @@ EvidenceRecord record_in(const Json& said, const Json& model) {
                               reader.number(json, "delta_bic"), strings(json, "alike"),
                               json.value("removed", std::string())});
   }
-  if (said.contains("next_measurement_pieces")) {
-    record.next_measurement = sentence_in(said["next_measurement_pieces"]);
-    record.next_tells_apart = strings(said["next_measurement_pieces"], "alternatives");
+  if (said.contains("next_trials")) {
+    for (const Json& pieces : said["next_trials"])
+      record.next.push_back(
+          {sentence_in(pieces), strings(pieces, "alternatives"), reader.number(pieces, "doubt_removed")});
+  } else if (said.contains("next_measurement_pieces")) {
+    const Json& pieces = said["next_measurement_pieces"];
+    record.next.push_back({sentence_in(pieces), strings(pieces, "alternatives"), {}});
   } else if (said.contains("next_measurement") && said["next_measurement"].is_string()) {
-    record.next_measurement = Sentence{said["next_measurement"].get<std::string>(), {}};
+    record.next.push_back({{said["next_measurement"].get<std::string>(), {}}, {}, {}});
   }
   for (const Json& pieces : said.value("note_pieces", Json::array())) record.notes.push_back(sentence_in(pieces));
   if (!said.contains("note_pieces")) {  // of an older version, in English
@@ -152,16 +156,15 @@ EvidenceRecord record_in(const Json& said, const Json& model) {
   return record;
 }
 
-// The page's drawings, each with the caption below it. Probabilities stay on the page: until they are calibrated
-// (docs/closed-loop.md) a surgeon's screen does not show them.
+// The page's drawings, each with the caption below it.
 std::vector<EvidenceDrawing> drawings_in(const QString& html) {
   static const QRegularExpression drawing("<figure[^>]*>(<svg.*?</svg>)\\s*<figcaption>(.*?)</figcaption>",
                                           QRegularExpression::DotMatchesEverythingOption);
   std::vector<EvidenceDrawing> drawings;
   for (auto found = drawing.globalMatch(html); found.hasNext();) {
     const auto match = found.next();
-    if (match.captured(1).contains("class=\"probabilities\"")) continue;
-    drawings.push_back({match.captured(1).toStdString(), match.captured(2)});
+    drawings.push_back({match.captured(1).toStdString(), match.captured(2),
+                        match.captured(1).contains("class=\"probabilities\"")});
   }
   return drawings;
 }

@@ -45,6 +45,14 @@ struct EvidenceCandidate {
 struct EvidenceDrawing {
   std::string svg;
   QString caption;
+  bool probabilities = false;
+};
+
+// A report of an older version has the sentence alone, in English, the kinds in it.
+struct EvidenceNextTrial {
+  Sentence sentence;
+  std::vector<std::string> tells_apart;  // kinds
+  std::optional<double> doubt_removed;   // share
 };
 
 struct EvidenceRecord {
@@ -58,10 +66,7 @@ struct EvidenceRecord {
   std::vector<std::string> shape_before, shape_after;  // in what the rest is not noise; empty for noise
   std::vector<EvidenceEffect> effects;
   std::vector<EvidenceCandidate> ranking;
-  // What to measure next, if anything would help, and which kinds it would tell apart. A report of an older version has
-  // the sentence in English, the kinds in it.
-  std::optional<Sentence> next_measurement;
-  std::vector<std::string> next_tells_apart;
+  std::vector<EvidenceNextTrial> next;  // what to measure next, one after the other
   std::vector<Sentence> notes;
   std::vector<EvidenceDrawing> drawings;
 };

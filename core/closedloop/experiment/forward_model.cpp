@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 namespace glisson::closedloop {
@@ -17,16 +18,17 @@ double step_of(const Parameter& parameter, double value) {
   return value + step <= parameter.upper ? step : -step;
 }
 
-}  // namespace
-
-Result<Linearisation> ForwardModel::linearise(const Settings& settings) const {
+// Central differences, one-sided at a bound.
+Result<Linearisation> differences(const ForwardModel& model, const Settings& settings,
+                                  const std::function<Result<Eigen::VectorXd>(const Settings&)>& predict) {
   auto here = predict(settings);
   if (!here) return failure(std::move(here.error()));
-  Linearisation result{std::move(*here), Eigen::MatrixXd(observations().rows(), parameter_count(settings))};
+  Linearisation result{std::move(*here), {}};
+  result.derivatives.resize(result.predicted.size(), parameter_count(settings));
   Settings moved = settings;
   Eigen::Index column = 0;
   for (std::size_t s = 0; s < settings.size(); ++s) {
-    const Effect* effect = effect_of(*this, settings[s]);
+    const Effect* effect = effect_of(model, settings[s]);
     GLISSON_ASSERT(effect != nullptr);
     for (Eigen::Index p = 0; p < settings[s].parameters.size(); ++p, ++column) {
       const Parameter& parameter = effect->parameters[static_cast<std::size_t>(p)];
@@ -49,6 +51,16 @@ Result<Linearisation> ForwardModel::linearise(const Settings& settings) const {
   return result;
 }
 
+}  // namespace
+
+Result<Linearisation> ForwardModel::linearise(const Settings& settings) const {
+  return differences(*this, settings, [this](const Settings& at) { return predict(at); });
+}
+
+Result<Linearisation> ForwardModel::linearise_further(const Settings& settings) const {
+  return differences(*this, settings, [this](const Settings& at) { return predict_further(at); });
+}
+
 std::vector<Start> ForwardModel::starts(const Effect& effect, const Settings&, const Eigen::VectorXd&) const {
   std::vector<Start> starts;
   for (const Eigen::VectorXd& values : effect.starts) starts.push_back({values});
@@ -59,7 +71,7 @@ Result<Eigen::VectorXd> ForwardModel::predict_as(const std::string&, const Setti
   return predict(settings);
 }
 
-Result<Eigen::VectorXd> ForwardModel::predict_further(std::size_t, const Settings&) const {
+Result<Eigen::VectorXd> ForwardModel::predict_further(const Settings&) const {
   return failure("no-further-trials", GLISSON_TEXT("This experiment proposes no further trials."));
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "base/json.h"
 #include "base/progress.h"
 #include "base/result.h"
 #include "base/sentence.h"
@@ -22,6 +23,14 @@ namespace glisson::closedloop {
 struct Linearisation {
   Eigen::VectorXd predicted;
   Eigen::MatrixXd derivatives;
+};
+
+// A trial that could still be made: for a person ("Press at (...) mm with 2 N."), and what is done in it, as a trial of
+// an experiment's file says it; nothing is measured yet.
+struct FurtherTrial {
+  Sentence sentence;
+  Json conditions;
+  Eigen::Index rows = 0;  // that it would measure
 };
 
 // Where a search for an effect may begin.
@@ -60,10 +69,11 @@ class ForwardModel {
   // Whether a prediction takes so little that sets of effects may be tried by the score.
   [[nodiscard]] virtual bool predicts_quickly() const { return true; }
 
-  // Further trials that could be measured, as sentences for a person ("press at (…) mm with 2 N"), and what settings
-  // predict there, in units of the noise.
-  [[nodiscard]] virtual std::vector<Sentence> further_trials() const { return {}; }
-  [[nodiscard]] virtual Result<Eigen::VectorXd> predict_further(std::size_t trial, const Settings& settings) const;
+  // Further trials that could be measured, the simplest first, and what settings predict there, in units of the noise:
+  // the rows of all trials, one after the other. Derivatives by differences unless a model knows better.
+  [[nodiscard]] virtual std::vector<FurtherTrial> further_trials() const { return {}; }
+  [[nodiscard]] virtual Result<Eigen::VectorXd> predict_further(const Settings& settings) const;
+  [[nodiscard]] virtual Result<Linearisation> linearise_further(const Settings& settings) const;
 
   // Which of several things the numbers turned out to be (a measurement, a solution on the mesh itself): a word that
   // model.json keeps, so that other trials are predicted as the same. Empty where there is nothing to tell apart.

@@ -22,10 +22,16 @@ class PlatformModel : public ForwardModel {
   [[nodiscard]] const std::vector<Effect>& catalogue() const override { return catalogue_; }
   [[nodiscard]] Result<Eigen::VectorXd> predict(const Settings& settings) const override;
   [[nodiscard]] SystematicUncertainty systematic_uncertainty() const override;
-  [[nodiscard]] std::vector<Sentence> further_trials() const override;
-  [[nodiscard]] Result<Eigen::VectorXd> predict_further(std::size_t trial, const Settings& settings) const override;
+  [[nodiscard]] std::vector<FurtherTrial> further_trials() const override;
+  [[nodiscard]] Result<Eigen::VectorXd> predict_further(const Settings& settings) const override;
 
  private:
+  struct FurtherRecording {
+    Sentence sentence;
+    PlatformTrial trial;
+  };
+  [[nodiscard]] std::vector<FurtherRecording> further() const;
+  [[nodiscard]] Eigen::VectorXd in_noises(PlatformReadings predicted) const;
   [[nodiscard]] Eigen::VectorXd predicted_by(const PlatformBehaviour& behaviour, Hold hold) const;
   [[nodiscard]] Result<PlatformBehaviour> behaviour(const Settings& settings) const;
   [[nodiscard]] bool is_compared(const PlatformTrial& trial, std::size_t quantity) const;
@@ -175,27 +181,62 @@ SystematicUncertainty PlatformModel::systematic_uncertainty() const {
   return uncertainty;
 }
 
-std::vector<Sentence> PlatformModel::further_trials() const {
-  return {{GLISSON_TEXT("Repeat the longest trial at half of its current or load."), {}},
-          {GLISSON_TEXT("Repeat the longest trial at twice its current or load."), {}},
-          {GLISSON_TEXT("Repeat the longest trial in a room that is 15 °C warmer."), {}}};
+std::vector<FurtherTrial> PlatformModel::further_trials() const {
+  std::vector<FurtherTrial> trials;
+  for (FurtherRecording& further : further()) {
+    const PlatformTrial& trial = further.trial;
+    Json conditions{{"id", trial.id}, {"ambient_C", trial.ambient_C}};
+    const auto column = [&](const char* name, const Eigen::VectorXd& values) {
+      if (values.size() > 0) conditions[name] = std::vector<double>(values.begin(), values.end());
+    };
+    column("time_s", trial.time_s);
+    column("current_A", trial.current_A);
+    column("load", trial.load);
+    const Eigen::Index rows = in_noises(readings(declared_behaviour(platform_), platform_, trial)).size();
+    trials.push_back({std::move(further.sentence), std::move(conditions), rows});
+  }
+  return trials;
 }
 
-Result<Eigen::VectorXd> PlatformModel::predict_further(std::size_t which, const Settings& settings) const {
-  const auto longest = std::max_element(platform_.trials.begin(), platform_.trials.end(),
-                                        [](const auto& a, const auto& b) { return a.time_s.size() < b.time_s.size(); });
-  PlatformTrial trial = *longest;
-  const double factor = which == 0 ? 0.5 : which == 1 ? 2.0 : 1.0;
-  trial.current_A *= factor;
-  trial.load *= factor;
-  if (which == 2) trial.ambient_C += 15;
+Result<Eigen::VectorXd> PlatformModel::predict_further(const Settings& settings) const {
+  const auto changed = behaviour(settings);
+  if (!changed) return failure(changed.error());
+  Eigen::VectorXd all;
+  for (const FurtherRecording& further : further()) {
+    const Eigen::VectorXd own = in_noises(readings(*changed, platform_, further.trial));
+    const Eigen::Index before = all.size();
+    all.conservativeResize(before + own.size());
+    all.tail(own.size()) = own;
+  }
+  return all;
+}
+
+// Variations of the longest trial.
+std::vector<PlatformModel::FurtherRecording> PlatformModel::further() const {
+  PlatformTrial trial =
+      *std::max_element(platform_.trials.begin(), platform_.trials.end(),
+                        [](const auto& a, const auto& b) { return a.time_s.size() < b.time_s.size(); });
   // Nothing is measured there yet.
   trial.voltage_V.resize(0);
   trial.temperature_C.resize(0);
   trial.power_W.resize(0);
-  const auto changed = behaviour(settings);
-  if (!changed) return failure(changed.error());
-  const auto values = in_order(readings(*changed, platform_, trial));
+  std::vector<FurtherRecording> all;
+  const auto add = [&](const char* sentence, double times, double warmer_C) {
+    PlatformTrial changed = trial;
+    changed.id = "next-" + std::to_string(all.size() + 1);
+    changed.current_A *= times;
+    changed.load *= times;
+    changed.ambient_C += warmer_C;
+    all.push_back({{sentence, {}}, std::move(changed)});
+  };
+  add(GLISSON_TEXT("Repeat the longest trial at half of its current or load."), 0.5, 0);
+  add(GLISSON_TEXT("Repeat the longest trial at twice its current or load."), 2, 0);
+  add(GLISSON_TEXT("Repeat the longest trial in a room that is 15 °C warmer."), 1, 15);
+  return all;
+}
+
+Eigen::VectorXd PlatformModel::in_noises(PlatformReadings predicted) const {
+  const auto values = in_order(std::move(predicted));
   const std::array noises{platform_.noise_V, platform_.noise_C, platform_.noise_W};
   Eigen::VectorXd all;
   for (std::size_t quantity = 0; quantity < quantities; ++quantity) {

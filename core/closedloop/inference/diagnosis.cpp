@@ -8,6 +8,7 @@
 #include "closedloop/inference/internal/found_effects.h"
 #include "closedloop/inference/internal/search_steps.h"
 #include "closedloop/inference/internal/search_swaps.h"
+#include "closedloop/inference/next_trial.h"
 #include "closedloop/inference/posterior.h"
 #include "closedloop/inference/smooth_baseline.h"
 #include "closedloop/inference/verdict.h"
@@ -37,6 +38,9 @@ class Diagnosis {
   [[nodiscard]] double mesh_error_share(const Candidate& named) const;
   [[nodiscard]] Result<std::optional<HeldOut>> held_out(const Candidate& named, double mesh_error_share) const;
   [[nodiscard]] Result<Posterior> weighed(const Choice& choice);
+  [[nodiscard]] Weighing weighing() const {
+    return {search_.model(), search_.systematic(), search_.whitening(), search_.correlation()};
+  }
   [[nodiscard]] std::vector<Sentence> notes_on_verdict(const Choice& choice, const Remainder& left) const;
 
   const DiagnosisOptions& options_;
@@ -97,7 +101,7 @@ Result<Explanation> Diagnosis::run() {
   append(notes, std::move(found->notes));
   if (!search_.folds().any())
     notes.push_back({GLISSON_TEXT("There is only one trial, so nothing could be predicted that was not fitted."), {}});
-  auto probabilities = weighed(*choice);
+  auto probabilities = options_.probabilities ? weighed(*choice) : Posterior{};
   if (!probabilities) return failure(std::move(probabilities.error()));
   std::vector<SmallestVisible> visible;
   if (verdict == Verdict::nothing_missing) {
@@ -106,7 +110,8 @@ Result<Explanation> Diagnosis::run() {
     if (!found_visible) return failure(std::move(found_visible.error()));
     visible = *std::move(found_visible);
   }
-  auto next = next_measurement(search_.model(), named.fit.settings, found->alternatives, options_);
+  auto next = next_trials(weighing(), *probabilities, options_, progress_);
+  if (!next) return failure(std::move(next.error()));
   progress_.report(1, GLISSON_TEXT("done"));
 
   const auto if_left_out = [&](const Eigen::VectorXd& trials) {
@@ -129,7 +134,7 @@ Result<Explanation> Diagnosis::run() {
           smooth ? std::optional(held_out_error(all_, named.left_out.predicted + smooth->held_out, options_.evidence))
                  : std::nullopt,
       .hidden_targets = {},  // whoever knows them judges by them (explain.cpp)
-      .next = std::move(next),
+      .next = *std::move(next),
       .posterior = *std::move(probabilities),
       .smallest_visible = std::move(visible),
       .notes = std::move(notes),
@@ -216,8 +221,7 @@ Result<Posterior> Diagnosis::weighed(const Choice& choice) {
     if (!alone) return failure(std::move(alone.error()));
     considered.insert(considered.end(), std::move_iterator(alone->begin()), std::move_iterator(alone->end()));
   }
-  return posterior({search_.model(), search_.systematic(), search_.whitening(), search_.correlation()},
-                   std::move(considered), options_.posterior, progress_);
+  return posterior(weighing(), std::move(considered), options_.posterior, progress_);
 }
 
 std::vector<Sentence> Diagnosis::notes_on_verdict(const Choice& choice, const Remainder& left) const {

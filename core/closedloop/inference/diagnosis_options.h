@@ -111,6 +111,17 @@ struct VisibleOptions {
   int tries_where_quick = 10;
 };
 
+// Which trials are proposed (next_trial.h).
+struct NextTrialOptions {
+  std::size_t trials = 3;       // a lab seldom plans further ahead
+  std::size_t compared = 6;     // explanations: each takes a solve of all trials
+  double stands = 0.01;         // of probability: what is less is no alternative
+  double minimum_doubt = 0.03;  // nats: one of two explanations has 99.5 %
+  double worth_a_trial = 0.1;   // of the doubt, expected to go with it
+  double about_as_good = 0.03;  // of the doubt: then the simpler trial is made
+  int draws = 200;              // an explanation: the information is known to some hundredths of it
+};
+
 struct DiagnosisOptions {
   double entry_bic = 10;  // "very strong" evidence on Kass and Raftery's scale (1995), over a score of candidates
   double alike_bic = 10;  // what less than that cannot tell apart, causes from a smooth function without cause too
@@ -127,10 +138,14 @@ struct DiagnosisOptions {
   double inseparable = 0.95;           // correlation of two parameters: a tenth of the variance is each one's own
   double clear_separation = 4;         // standard deviations by which a further trial should tell alternatives apart
 
+  // Without them no trial is proposed either; together they take most of the time where a prediction is quick.
+  bool probabilities = true;
+
   SearchOptions search;
   EvidenceOptions evidence;
   PosteriorOptions posterior;
   VisibleOptions visible;
+  NextTrialOptions next_trial;
 };
 
 }  // namespace glisson::closedloop

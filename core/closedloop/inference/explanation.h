@@ -7,10 +7,12 @@
 #include <string>
 #include <vector>
 
+#include "base/json.h"
 #include "base/sentence.h"
 #include "closedloop/experiment/effect.h"
 #include "closedloop/experiment/observations.h"
 #include "closedloop/experiment/residual.h"
+#include "closedloop/inference/laplace.h"
 #include "closedloop/inference/smooth_correction.h"
 
 namespace glisson::closedloop {
@@ -64,10 +66,13 @@ struct RankedCandidate {
   bool failed = false;  // its solves failed, rather than that it promised too little
 };
 
+// A further trial (next_trial.h).
 struct NextMeasurement {
   Sentence sentence;
-  std::vector<std::string> alternatives;  // kinds it would tell apart
-  double expected_separation = 0;         // of their predictions, in standard deviations of the noise
+  Json conditions;                        // what is done, as a trial of an experiment's file says it
+  std::vector<std::string> alternatives;  // kinds that it would tell from what is likeliest
+  // Of the doubt among the known explanations, the share that it and those before it are expected to take away.
+  double doubt_removed = 0;
 };
 
 // How probable an explanation is among all that were weighed.
@@ -75,6 +80,7 @@ struct WeighedExplanation {
   std::vector<std::string> kinds;  // what acts together, in alphabetical order; none: nothing is missing
   bool something_else = false;     // nothing of the catalogue, or not that alone
   double probability = 0;
+  LocalFit fit = {};  // of its likeliest form; none of something else
 };
 
 // Over nothing, each kind, the sets of kinds that the search fitted, and something else; the likeliest first. The
@@ -114,7 +120,7 @@ struct Explanation {
   std::optional<SmoothCorrection> smooth_correction;
   std::optional<HeldOut> held_out_corrected;    // with it
   std::optional<HiddenTargets> hidden_targets;  // of guidance, where they were given
-  std::optional<NextMeasurement> next;
+  std::vector<NextMeasurement> next;            // one after the other, the most telling first
   Posterior posterior;
   std::vector<SmallestVisible> smallest_visible;  // with "nothing missing"
   // For a person: what is undetermined, what was left out and why. Arguments name kinds and parameters as they are.

@@ -145,11 +145,14 @@ Result<Posterior> posterior(const Weighing& weighing, std::vector<LocalFit> cons
       probabilities[leading->kinds] * odds_of_look_alike(leading->log.evidence - of_nothing, leading->kinds, options);
   sum += other;
   Posterior result;
-  const auto tell = [&](Kinds kinds, bool is_other, double probability) {
-    if (probability / sum >= options.worth_telling) result.push_back({std::move(kinds), is_other, probability / sum});
-  };
-  for (const auto& [kinds, probability] : probabilities) tell(kinds, false, probability);
-  tell({}, true, other);
+  for (const auto& [kinds, probability] : probabilities) {
+    if (probability / sum < options.worth_telling) continue;
+    const Weighed* likeliest = nullptr;  // of its forms
+    for (const Weighed& one : all)
+      if (one.kinds == kinds && (likeliest == nullptr || weight(one) > weight(*likeliest))) likeliest = &one;
+    result.push_back({kinds, false, probability / sum, likeliest->fit});
+  }
+  if (other / sum >= options.worth_telling) result.push_back({{}, true, other / sum});
   std::stable_sort(result.begin(), result.end(),
                    [](const auto& a, const auto& b) { return a.probability > b.probability; });
   return result;

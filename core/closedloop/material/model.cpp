@@ -1,5 +1,6 @@
 #include "closedloop/material/model.h"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -17,18 +18,18 @@ class MaterialModel : public ForwardModel {
   [[nodiscard]] const Observations& observations() const override { return observations_; }
   [[nodiscard]] const std::vector<Effect>& catalogue() const override { return catalogue_; }
   [[nodiscard]] Result<Eigen::VectorXd> predict(const Settings& settings) const override;
-  [[nodiscard]] std::vector<Sentence> further_trials() const override;
-  [[nodiscard]] Result<Eigen::VectorXd> predict_further(std::size_t trial, const Settings& settings) const override;
+  [[nodiscard]] std::vector<FurtherTrial> further_trials() const override;
+  [[nodiscard]] Result<Eigen::VectorXd> predict_further(const Settings& settings) const override;
 
  private:
   [[nodiscard]] MaterialBehaviour behaviour(const Settings& settings) const;
 
-  struct FurtherTrial {
+  struct FurtherRamp {
     Sentence sentence;
     Eigen::VectorXd time_s;
     Eigen::VectorXd stretch;
   };
-  [[nodiscard]] std::vector<FurtherTrial> further() const;
+  [[nodiscard]] std::vector<FurtherRamp> further() const;
 
   Material material_;
   std::vector<MaterialEffect> effects_;  // also those that these trials could not show
@@ -81,19 +82,29 @@ Result<Eigen::VectorXd> MaterialModel::predict(const Settings& settings) const {
   return predicted;
 }
 
-std::vector<Sentence> MaterialModel::further_trials() const {
-  std::vector<Sentence> sentences;
-  for (const FurtherTrial& trial : further()) sentences.push_back(trial.sentence);
-  return sentences;
+std::vector<FurtherTrial> MaterialModel::further_trials() const {
+  std::vector<FurtherTrial> trials;
+  for (const FurtherRamp& ramp : further()) {
+    Json conditions{{"id", fmt::format("next-{}", trials.size() + 1)},
+                    {"time_s", std::vector<double>(ramp.time_s.begin(), ramp.time_s.end())},
+                    {"stretch", std::vector<double>(ramp.stretch.begin(), ramp.stretch.end())}};
+    trials.push_back({ramp.sentence, std::move(conditions), ramp.time_s.size()});
+  }
+  return trials;
 }
 
-Result<Eigen::VectorXd> MaterialModel::predict_further(std::size_t trial, const Settings& settings) const {
-  const FurtherTrial wanted = further().at(trial);
-  return Eigen::VectorXd(reading_kPa(behaviour(settings), wanted.time_s, wanted.stretch) / material_.noise_kPa);
+Result<Eigen::VectorXd> MaterialModel::predict_further(const Settings& settings) const {
+  Eigen::VectorXd all;
+  for (const FurtherRamp& ramp : further()) {
+    const Eigen::Index before = all.size();
+    all.conservativeResize(before + ramp.time_s.size());
+    all.tail(ramp.time_s.size()) = reading_kPa(behaviour(settings), ramp.time_s, ramp.stretch) / material_.noise_kPa;
+  }
+  return all;
 }
 
 // A slow ramp, a fast one, one that is held, two cycles, and the other side of rest: what a testing machine does.
-std::vector<MaterialModel::FurtherTrial> MaterialModel::further() const {
+std::vector<MaterialModel::FurtherRamp> MaterialModel::further() const {
   double strain = 0;
   double seconds = 1;
   for (const MaterialTrial& trial : material_.trials) {
@@ -104,7 +115,7 @@ std::vector<MaterialModel::FurtherTrial> MaterialModel::further() const {
   }
   constexpr Eigen::Index samples = 100;
   const auto trial = [&](const char* sentence, double duration_s, double reach, auto&& shape) {
-    FurtherTrial made{{sentence, {}}, Eigen::VectorXd::LinSpaced(samples, 0, duration_s), {}};
+    FurtherRamp made{{sentence, {}}, Eigen::VectorXd::LinSpaced(samples, 0, duration_s), {}};
     made.stretch = Eigen::VectorXd::NullaryExpr(
         samples, [&](Eigen::Index i) { return 1 + reach * shape(double(i) / double(samples - 1)); });
     return made;
@@ -112,7 +123,7 @@ std::vector<MaterialModel::FurtherTrial> MaterialModel::further() const {
   const auto ramp = [](double x) { return x; };
   const auto held = [](double x) { return std::min(1.0, 20 * x); };
   const auto cycles = [](double x) { return 1 - std::abs(1 - std::fmod(4 * x, 2.0)); };
-  std::vector<FurtherTrial> trials;
+  std::vector<FurtherRamp> trials;
   trials.push_back(trial(GLISSON_TEXT("Deform ten times as slowly."), 10 * seconds, strain, ramp));
   trials.push_back(trial(GLISSON_TEXT("Deform ten times as fast."), seconds / 10, strain, ramp));
   trials.push_back(

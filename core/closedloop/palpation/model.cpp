@@ -6,6 +6,7 @@
 #include <limits>
 #include <mutex>
 
+#include "base/units.h"
 #include "closedloop/inference/fit.h"
 #include "closedloop/palpation/internal/effects.h"
 #include "closedloop/palpation/internal/frame.h"
@@ -47,8 +48,9 @@ class PalpationModel : public ForwardModel {
                                           const Eigen::VectorXd& residual) const override;
 
   [[nodiscard]] bool predicts_quickly() const override { return false; }
-  [[nodiscard]] std::vector<Sentence> further_trials() const override;
-  [[nodiscard]] Result<Eigen::VectorXd> predict_further(std::size_t trial, const Settings& settings) const override;
+  [[nodiscard]] std::vector<FurtherTrial> further_trials() const override;
+  [[nodiscard]] Result<Eigen::VectorXd> predict_further(const Settings& settings) const override;
+  [[nodiscard]] Result<Linearisation> linearise_further(const Settings& settings) const override;
 
  private:
   [[nodiscard]] PalpationState state(const Settings& settings) const {
@@ -72,6 +74,8 @@ class PalpationModel : public ForwardModel {
   double held_from_kPa_per_mm_;
 
   StiffenedResponse stiffened_;
+  [[nodiscard]] const ForwardModel* further() const;
+
   mutable std::once_flag further_once_;
   mutable std::unique_ptr<ForwardModel> further_;  // of all further trials; nothing where they cannot be solved
   mutable std::once_flag uncertainty_once_;
@@ -260,28 +264,55 @@ double PalpationModel::promise_of_stiffening(const Effect& effect, const Setting
   return before && after ? match(left, *after - *before).gain_mm2 : unknown;
 }
 
-std::vector<Sentence> PalpationModel::further_trials() const {
-  std::vector<Sentence> sentences;
-  for (FurtherTrial& further : further_palpations(experiment_, solver_.specimen().body.boundary))
-    sentences.push_back(std::move(further.sentence));
-  return sentences;
+std::vector<FurtherTrial> PalpationModel::further_trials() const {
+  std::vector<FurtherTrial> trials;
+  for (const FurtherPalpation& further : further_palpations(experiment_, solver_.specimen().body.boundary)) {
+    const PalpationTrial& trial = further.trial;
+    const auto vector = [](const Eigen::Vector3d& v) { return Json{v.x(), v.y(), v.z()}; };
+    Json samples = Json::array();
+    Eigen::Index rows = 0;
+    for (const PalpationSample& sample : trial.samples) {
+      samples.push_back({{"time_s", sample.time_s}, {"force_N", units::N_from_mN(sample.force_mN)}});
+      rows += 3 * static_cast<Eigen::Index>(sample.markers.size());
+    }
+    trials.push_back({further.sentence,
+                      {{"id", trial.id},
+                       {"tool",
+                        {{"center_mm", vector(trial.tool.center_mm)},
+                         {"radius_mm", trial.tool.radius_mm},
+                         {"direction", vector(trial.tool.direction)}}},
+                       {"samples", std::move(samples)}},
+                      rows});
+  }
+  return trials;
 }
 
-Result<Eigen::VectorXd> PalpationModel::predict_further(std::size_t trial, const Settings& settings) const {
+const ForwardModel* PalpationModel::further() const {
   std::call_once(further_once_, [&] {
     Palpation all = experiment_;
     all.trials.clear();
-    for (FurtherTrial& further : further_palpations(experiment_, solver_.specimen().body.boundary))
+    for (FurtherPalpation& further : further_palpations(experiment_, solver_.specimen().body.boundary))
       all.trials.push_back(std::move(further.trial));
+    if (all.trials.empty()) return;
     if (auto model = palpation_model(std::move(all))) further_ = std::move(*model);
   });
-  if (!further_) return ForwardModel::predict_further(trial, settings);
-  // Its own catalogue may be another (what it can show depends on its trials), the meaning of settings is the same.
-  auto predicted = further_->predict(settings);
-  if (!predicted) return predicted;
-  std::vector<bool> asked(static_cast<std::size_t>(further_->observations().trial_count()), false);
-  asked[trial] = true;
-  return Eigen::VectorXd((*predicted)(rows_of(further_->observations(), asked)) / experiment_.noise_mm);
+  return further_.get();
+}
+
+// Its own catalogue may be another (what it can show depends on its trials), the meaning of settings is the same.
+Result<Eigen::VectorXd> PalpationModel::predict_further(const Settings& settings) const {
+  const ForwardModel* model = further();
+  if (model == nullptr) return ForwardModel::predict_further(settings);
+  return model->predict(settings).map(
+      [&](const Eigen::VectorXd& predicted) { return Eigen::VectorXd(predicted / experiment_.noise_mm); });
+}
+
+Result<Linearisation> PalpationModel::linearise_further(const Settings& settings) const {
+  const ForwardModel* model = further();
+  if (model == nullptr) return failure(ForwardModel::predict_further(settings).error());
+  return model->linearise(settings).map([&](const Linearisation& linear) {
+    return Linearisation{linear.predicted / experiment_.noise_mm, linear.derivatives / experiment_.noise_mm};
+  });
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ Result<FoundEffects> found_effects(const Search& search, const Candidate& declar
                                    const std::optional<double>& held_out_rms, double rms) {
   const Observations& all = search.model().observations();
   FoundParameters parameters = found_parameters(search, chosen);
-  FoundEffects found{{}, {}, std::move(parameters.notes)};
+  FoundEffects found{{}, std::move(parameters.notes)};
   for (std::size_t which = 0; which < chosen.fit.settings.size(); ++which) {
     const Setting& setting = chosen.fit.settings[which];
     const auto smaller = chosen.fit.settings.size() == 1 ? Result<Candidate>(declared) : search.without(chosen, which);
@@ -40,10 +40,8 @@ Result<FoundEffects> found_effects(const Search& search, const Candidate& declar
     for (const Candidate& other : in_place[which]) {
       const bool known =
           other.kind == setting.kind || std::count(effect.alike.begin(), effect.alike.end(), other.kind) > 0;
-      if (!known && search.bic_of(other) < search.bic_of(chosen) + search.options().alike_bic) {
+      if (!known && search.bic_of(other) < search.bic_of(chosen) + search.options().alike_bic)
         effect.alike.push_back(other.kind);
-        found.alternatives.push_back({other.kind, other.fit.settings});
-      }
     }
     found.effects.push_back(std::move(effect));
   }
@@ -83,33 +81,6 @@ std::vector<RankedCandidate> ranking(const Search& search, const Candidate& decl
     }
   }
   return ranking;
-}
-
-// For two models with normal noise the expected log Bayes factor is half the square of their distance.
-std::optional<NextMeasurement> next_measurement(const ForwardModel& model, const Settings& chosen,
-                                                const std::vector<Alternative>& alternatives,
-                                                const DiagnosisOptions& options) {
-  if (alternatives.empty()) return std::nullopt;
-  const std::vector<Sentence> sentences = model.further_trials();
-  NextMeasurement next;
-  for (std::size_t trial = 0; trial < sentences.size(); ++trial) {
-    const auto expected = model.predict_further(trial, chosen);
-    if (!expected || !expected->allFinite()) continue;
-    std::vector<std::string> separated;
-    double minimum = std::numeric_limits<double>::infinity();
-    for (const Alternative& alternative : alternatives) {
-      const auto otherwise = model.predict_further(trial, alternative.settings);
-      if (!otherwise || !otherwise->allFinite()) continue;
-      const double separation = (*expected - *otherwise).norm();
-      if (separation < options.clear_separation) continue;
-      minimum = std::min(minimum, separation);
-      if (std::count(separated.begin(), separated.end(), alternative.kind) == 0) separated.push_back(alternative.kind);
-    }
-    if (separated.empty()) continue;
-    if (std::pair(separated.size(), minimum) > std::pair(next.alternatives.size(), next.expected_separation))
-      next = {sentences[trial], separated, minimum};
-  }
-  return next.alternatives.empty() ? std::nullopt : std::optional(std::move(next));
 }
 
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
-// What the search found, for people: effects with their parameters and evidence, how each kind does alone, and the
-// trial that would tell alternatives apart.
+// What the search found, for people: effects with their parameters and evidence, and how each kind does
+// alone.
 
 #include <optional>
 #include <string>
@@ -11,15 +11,8 @@
 
 namespace glisson::closedloop {
 
-// A kind that these data cannot tell from one that was found, with all settings that act then.
-struct Alternative {
-  std::string kind;
-  Settings settings;
-};
-
 struct FoundEffects {
   std::vector<FoundEffect> effects;  // by what they remove, the largest first
-  std::vector<Alternative> alternatives;
   std::vector<Sentence> notes;  // which parameters the data leave open
 };
 
@@ -32,11 +25,5 @@ Result<FoundEffects> found_effects(const Search& search, const Candidate& declar
 // Of each kind its best form alone, against the declared model; the best first, what was left out last.
 [[nodiscard]] std::vector<RankedCandidate> ranking(const Search& search, const Candidate& declared,
                                                    const std::vector<Candidate>& singles);
-
-// The trial for which the leading alternative is expected to differ most from what was chosen; nothing where none would
-// tell.
-[[nodiscard]] std::optional<NextMeasurement> next_measurement(const ForwardModel& model, const Settings& chosen,
-                                                              const std::vector<Alternative>& alternatives,
-                                                              const DiagnosisOptions& options);
 
 }  // namespace glisson::closedloop

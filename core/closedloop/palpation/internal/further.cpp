@@ -53,8 +53,8 @@ std::optional<Eigen::Vector3d> untouched_place(const Palpation& experiment, cons
 
 }  // namespace
 
-std::vector<FurtherTrial> further_palpations(const Palpation& experiment,
-                                             const std::vector<mechanics::BoundaryFace>& boundary) {
+std::vector<FurtherPalpation> further_palpations(const Palpation& experiment,
+                                                 const std::vector<mechanics::BoundaryFace>& boundary) {
   const Furthest base = furthest(experiment);
   if (base.sample == nullptr || base.sample->force_mN == 0) return {};
   const double force_N = units::N_from_mN(base.sample->force_mN);
@@ -63,7 +63,7 @@ std::vector<FurtherTrial> further_palpations(const Palpation& experiment,
   for (const PalpationTrial& trial : experiment.trials)
     longest_s = std::max(longest_s, trial.samples.back().time_s - trial.samples.front().time_s);
 
-  std::vector<FurtherTrial> further;
+  std::vector<FurtherPalpation> further;
   const auto add = [&](Sentence sentence, const PalpationTool& tool, double times, double hold_s) {
     PalpationSample before, after = *base.sample;
     after.force_mN *= times;

@@ -10,14 +10,14 @@
 
 namespace glisson::closedloop {
 
-struct FurtherTrial {
+struct FurtherPalpation {
   Sentence sentence;     // for a person: "Press at (…) mm with 2 N."
   PalpationTrial trial;  // one sample with the markers of the experiment; their positions mean nothing
 };
 
 // Variations of the trial that went furthest: at the place of the surface that is furthest from all tools and looks the
 // same way, twice as hard, held ten times as long, pulled instead of pressed.
-[[nodiscard]] std::vector<FurtherTrial> further_palpations(const Palpation& experiment,
+[[nodiscard]] std::vector<FurtherPalpation> further_palpations(const Palpation& experiment,
                                                            const std::vector<mechanics::BoundaryFace>& boundary);
 
 }  // namespace glisson::closedloop
