@@ -6515,6 +6515,18 @@
         <source>Of the doubt among the known explanations {0} % is expected to be gone then.</source>
         <translation>Vom Zweifel zwischen den bekannten Erklärungen sind dann voraussichtlich {0} % beseitigt.</translation>
     </message>
+    <message>
+        <source>How the probabilities went while trials were added</source>
+        <translation>Wie sich die Wahrscheinlichkeiten änderten, während Versuche dazukamen</translation>
+    </message>
+    <message>
+        <source>number of trials</source>
+        <translation>Anzahl der Versuche</translation>
+    </message>
+    <message>
+        <source>probability (%)</source>
+        <translation>Wahrscheinlichkeit (%)</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

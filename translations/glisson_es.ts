@@ -6515,6 +6515,18 @@
         <source>Of the doubt among the known explanations {0} % is expected to be gone then.</source>
         <translation>De la duda entre las explicaciones conocidas se espera que entonces haya desaparecido un {0} %.</translation>
     </message>
+    <message>
+        <source>How the probabilities went while trials were added</source>
+        <translation>Cómo cambiaron las probabilidades al añadir ensayos</translation>
+    </message>
+    <message>
+        <source>number of trials</source>
+        <translation>número de ensayos</translation>
+    </message>
+    <message>
+        <source>probability (%)</source>
+        <translation>probabilidad (%)</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

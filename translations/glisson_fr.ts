@@ -6515,6 +6515,18 @@
         <source>Of the doubt among the known explanations {0} % is expected to be gone then.</source>
         <translation>Du doute entre les explications connues, {0} % devraient alors avoir disparu.</translation>
     </message>
+    <message>
+        <source>How the probabilities went while trials were added</source>
+        <translation>Évolution des probabilités à mesure que des essais s&apos;ajoutaient</translation>
+    </message>
+    <message>
+        <source>number of trials</source>
+        <translation>nombre d&apos;essais</translation>
+    </message>
+    <message>
+        <source>probability (%)</source>
+        <translation>probabilité (%)</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

@@ -55,7 +55,7 @@ std::string kind_of(const Experiment& experiment) {
   return kinds.at(experiment.setup.index());
 }
 
-Json report_json(const Explanation& explanation, const Observations& observations) {
+Json report_json(const Explanation& explanation, const Observations& observations, const PosteriorHistory& history) {
   const Names named(observations);
   Json json{{"verdict", name_of(explanation.verdict)}, {"unit", observations.unit}};
   json["before"] = json_of(explanation.before, observations);
@@ -125,6 +125,7 @@ Json report_json(const Explanation& explanation, const Observations& observation
            {"kinds", weighed.something_else ? Json(nullptr) : Json(weighed.kinds)},
            {"probability", weighed.probability}});
   }
+  if (!history.empty()) json["history"] = json_of(history);
   if (explanation.verdict == Verdict::nothing_missing) {
     Json& visible = json["smallest_visible"] = Json::array();
     for (const SmallestVisible& one : explanation.smallest_visible) {

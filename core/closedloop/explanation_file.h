@@ -10,6 +10,7 @@
 #include "base/result.h"
 #include "closedloop/experiment/forward_model.h"
 #include "closedloop/inference/explanation.h"
+#include "closedloop/posterior_history.h"
 
 namespace glisson::closedloop {
 
@@ -26,7 +27,8 @@ struct BetterModel {
 [[nodiscard]] std::string name_of(Verdict verdict);  // "nothing-missing", "explained", "unexplained"
 
 // The contract's report; figures carry "_mm" for palpation and stand without it elsewhere.
-[[nodiscard]] Json report_json(const Explanation& explanation, const Observations& observations);
+[[nodiscard]] Json report_json(const Explanation& explanation, const Observations& observations,
+                               const PosteriorHistory& history = {});
 
 // The trials to make next, for a lab ("glisson-next-trials/1"): sentences, and what is done in each as an experiment's
 // file says it, so that it is measured, completed and added there.

@@ -3,6 +3,7 @@
 #include "base/json.h"
 #include "base/write_file.h"
 #include "closedloop/explanation_file.h"
+#include "closedloop/posterior_history.h"
 #include "report/explanation_page.h"
 #include "report/html.h"
 
@@ -11,9 +12,10 @@ namespace glisson::report {
 Result<void> write_explanation(const std::filesystem::path& folder, const closedloop::Explained& explained,
                                const Words& words) {
   const closedloop::Observations& observations = explained.model->observations();
+  const auto history = closedloop::history_after(folder / "report.json", explained.explanation, observations);
+  const Json report = closedloop::report_json(explained.explanation, observations, history);
   return write_together([&] {
-    return write_file(folder / "report.json",
-                      closedloop::report_json(explained.explanation, observations).dump(2) + "\n")
+    return write_file(folder / "report.json", report.dump(2) + "\n")
         .and_then([&] {
           return write_file(folder / "model.json",
                             closedloop::model_text(explained.explanation, *explained.model, explained.experiment));
@@ -23,8 +25,8 @@ Result<void> write_explanation(const std::filesystem::path& folder, const closed
                             closedloop::next_trials_json(explained.explanation, explained.experiment).dump(2) + "\n");
         })
         .and_then([&] {
-          return write_html(folder / "report.html",
-                            explanation_page(explained.explanation, observations, explained.experiment.title, words));
+          return write_html(folder / "report.html", explanation_page(explained.explanation, observations,
+                                                                     explained.experiment.title, words, history));
         });
   });
 }

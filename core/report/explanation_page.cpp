@@ -51,7 +51,7 @@ std::string named(const std::string& kind, const std::string& form, const Words&
 }  // namespace
 
 Page explanation_page(const Explanation& explanation, const Observations& observations, const std::string& title,
-                      const Words& words) {
+                      const Words& words, const closedloop::PosteriorHistory& history) {
   Page page;
   page.title = title;
   page.language = words.language;
@@ -63,6 +63,7 @@ Page explanation_page(const Explanation& explanation, const Observations& observ
     paragraph(words.sentence(closedloop::posterior_sentence(
         explanation, [&](const auto& weighed) { return explanation_name(weighed, words, true); })));
     page.blocks.push_back(DrawingRow{{probability_bars(explanation.posterior, words)}});
+    if (history.size() > 1) page.blocks.push_back(DrawingRow{{probabilities_by_trials(history, words)}});
     paragraph(words.say(
         GLISSON_TEXT("A probability weighs how well an explanation predicts what was measured, whatever the size of "
                      "its effects, against how common it is taken to be before anything is measured. \"Something "

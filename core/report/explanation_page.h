@@ -5,13 +5,15 @@
 #include <string>
 
 #include "closedloop/inference/explanation.h"
+#include "closedloop/posterior_history.h"
 #include "report/page.h"
 #include "report/words.h"
 
 namespace glisson::report {
 
+// `history`: drawn from two steps on.
 [[nodiscard]] Page explanation_page(const closedloop::Explanation& explanation,
                                     const closedloop::Observations& observations, const std::string& title,
-                                    const Words& words = {});
+                                    const Words& words = {}, const closedloop::PosteriorHistory& history = {});
 
 }  // namespace glisson::report

@@ -62,6 +62,30 @@ Drawing probability_bars(const closedloop::Posterior& posterior, const Words& wo
           words.say(GLISSON_TEXT("Probability of each explanation, all that were weighed taken together"))};
 }
 
+Drawing probabilities_by_trials(const closedloop::PosteriorHistory& history, const Words& words) {
+  constexpr std::size_t likeliest = 4;
+  std::vector<std::string> names;
+  for (const closedloop::PosteriorStep& step : history) {
+    for (std::size_t i = 0; i < std::min(likeliest, step.posterior.size()); ++i) {
+      const std::string name = explanation_name(step.posterior[i], words);
+      if (std::count(names.begin(), names.end(), name) == 0) names.push_back(name);
+    }
+  }
+  Plot plot{words.say(GLISSON_TEXT("How the probabilities went while trials were added")),
+            words.say(GLISSON_TEXT("number of trials")), words.say(GLISSON_TEXT("probability (%)"))};
+  for (const std::string& name : names) {
+    PlotCurve curve{name, {}};
+    for (const closedloop::PosteriorStep& step : history) {
+      double percent = 0;
+      for (const closedloop::WeighedExplanation& one : step.posterior)
+        if (explanation_name(one, words) == name) percent = 100 * one.probability;
+      curve.points.emplace_back(static_cast<double>(step.trials.size()), percent);
+    }
+    plot.curves.push_back(std::move(curve));
+  }
+  return {svg_of(plot), plot.caption};
+}
+
 std::string explanation_name(const closedloop::WeighedExplanation& weighed, const Words& words, bool quoted) {
   if (weighed.something_else) return words.say(GLISSON_TEXT("something else"));
   if (weighed.kinds.empty()) return words.say(GLISSON_TEXT("nothing is missing"));

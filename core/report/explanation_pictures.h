@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "closedloop/inference/explanation.h"
+#include "closedloop/posterior_history.h"
 #include "report/page.h"
 #include "report/words.h"
 
@@ -17,6 +18,9 @@ namespace glisson::report {
 
 // How probable each explanation is: a bar each, the likeliest first, as long as its probability.
 [[nodiscard]] Drawing probability_bars(const closedloop::Posterior& posterior, const Words& words);
+
+// How they went while trials were added: a curve each of those that were ever among the four likeliest.
+[[nodiscard]] Drawing probabilities_by_trials(const closedloop::PosteriorHistory& history, const Words& words);
 
 // "nothing is missing", "stiffness-scale and hysteresis", "something else"; `quoted` within a sentence.
 [[nodiscard]] std::string explanation_name(const closedloop::WeighedExplanation& weighed, const Words& words,

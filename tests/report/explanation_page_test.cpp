@@ -10,6 +10,7 @@
 namespace glisson::report {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -51,6 +52,19 @@ TEST(ExplanationPage, SaysTheVerdictTheCandidatesAndWhatToMeasureNext) {
                                "gravity_m_s2 2", "at no size in its range", "A &lt;pad&gt;", "p&lt;01&gt;"})
     EXPECT_THAT(html, HasSubstr(expected));
   EXPECT_THAT(html, Not(HasSubstr("nan")));
+}
+
+TEST(ExplanationPage, DrawsHowProbabilitiesWentFromTwoAnswersOn) {
+  const closedloop::Explanation e = a_bed_that_gives_way();
+  const auto drawn = [&](const closedloop::PosteriorHistory& history) {
+    const TemporaryFolder folder;
+    EXPECT_TRUE(write_html(folder.path() / "r.html", explanation_page(e, two_markers(), "A pad", {}, history)));
+    return read_text_file(folder.path() / "r.html").value();
+  };
+  const closedloop::PosteriorStep before{{"p1"}, {{{"capsule"}, false, 0.6}, {{}, true, 0.4}}};
+  const closedloop::PosteriorStep now{{"p1", "p2"}, e.posterior};
+  EXPECT_THAT(drawn({now}), Not(HasSubstr("How the probabilities went")));
+  EXPECT_THAT(drawn({before, now}), AllOf(HasSubstr("How the probabilities went"), HasSubstr("capsule")));
 }
 
 // With words of another language no English stands on the page: a reader that turns every sentence round finds none as
