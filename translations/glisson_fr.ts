@@ -9658,6 +9658,21 @@ sûr %</translation>
     </message>
 </context>
 <context>
+    <name>glisson::widgets::ProbabilityBars</name>
+    <message>
+        <source>Something that is not in the catalogue</source>
+        <translation>Quelque chose qui n&apos;est pas dans le catalogue</translation>
+    </message>
+    <message>
+        <source>Nothing is missing</source>
+        <translation>Rien ne manque</translation>
+    </message>
+    <message>
+        <source>Probability of each explanation. Where the answer was known, in generated experiments, 98 of 100 that were given 90 % and more were right, and 7 of 10 given 60 to 80 %.</source>
+        <translation>Probabilité de chaque explication. Là où la réponse était connue, dans des expériences générées, 98 sur 100 à 90 % et plus étaient justes, et 7 sur 10 entre 60 et 80 %.</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::ReadingPanel</name>
     <message>
         <source>Reading</source>

@@ -42,7 +42,7 @@ std::vector<Drawing> explanation_pictures(const Explanation& explanation, const 
 }
 
 Drawing probability_bars(const closedloop::Posterior& posterior, const Words& words) {
-  constexpr double width_px = 640, name_px = 260, bar_px = 300, line_px = 24;
+  constexpr double width_px = 640, name_px = 340, bar_px = 230, line_px = 24;
   const std::size_t count =
       std::min<std::size_t>(8, posterior.size());  // what comes after is below a percent, or noise
   std::string svg = fmt::format(

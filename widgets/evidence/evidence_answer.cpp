@@ -34,6 +34,8 @@ EvidenceAnswer::EvidenceAnswer(QWidget* parent) : QScrollArea(parent) {
   column->setSpacing(10);
   verdict_ = label("patient_name", page);
   column->addWidget(verdict_);
+  probabilities_ = new ProbabilityBars(page);
+  column->addWidget(probabilities_);
   details_ = new QCheckBox(page);
   details_->setObjectName("evidence_details");
   column->addWidget(details_);
@@ -162,12 +164,12 @@ void EvidenceAnswer::show_residual() {
 
 void EvidenceAnswer::show_drawings() {
   qDeleteAll(drawings_->findChildren<SvgView*>());
-  // In space what is left stands already: besides the probabilities the last drawing is shown, the error by load.
+  // In space what is left stands already; the last drawing is the error by load.
   const bool in_space = explained_ && has_residual_scene(*explained_);
   const auto& drawings = record_->drawings;
-  for (const EvidenceDrawing& drawing : drawings)
-    if (!in_space || drawing.probabilities || &drawing == &drawings.back())
-      drawings_->layout()->addWidget(new SvgView(drawing, drawings_));
+  for (std::size_t k = in_space && !drawings.empty() ? drawings.size() - 1 : 0; k < drawings.size(); ++k) {
+    drawings_->layout()->addWidget(new SvgView(drawings[k], drawings_));
+  }
   drawings_->setVisible(!drawings.empty());
 }
 
@@ -223,6 +225,7 @@ void EvidenceAnswer::word() {
                             (record.shape_after.empty()
                                  ? QString()
                                  : " " + tr("What is left at the end: %1.").arg(shape(record.shape_after))));
+  probabilities_->show_record(record);
   errors_->show_record(record);
   found_->show_record(record);
   candidates_->show_record(record);

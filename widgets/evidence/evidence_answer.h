@@ -14,6 +14,7 @@
 #include "closedloop/explain.h"
 #include "widgets/evidence/evidence_record.h"
 #include "widgets/evidence/evidence_tables.h"
+#include "widgets/evidence/probability_bars.h"
 #include "widgets/evidence/residual_scene.h"
 #include "widgets/views/space_view.h"
 
@@ -44,6 +45,7 @@ class EvidenceAnswer : public QScrollArea {
   std::shared_ptr<const EvidenceRecord> record_;
   std::shared_ptr<const closedloop::Explained> explained_;
   QLabel* verdict_;
+  ProbabilityBars* probabilities_;
   QCheckBox* details_;  // numbers and candidates: hidden until asked for
   QLabel* shape_;
   QSplitter* across_;

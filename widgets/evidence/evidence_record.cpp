@@ -139,6 +139,13 @@ EvidenceRecord record_in(const Json& said, const Json& model) {
                               reader.number(json, "delta_bic"), strings(json, "alike"),
                               json.value("removed", std::string())});
   }
+  if (said.contains("posterior")) {
+    for (const Json& one : said["posterior"].at("explanations")) {
+      EvidenceProbability read{{}, one.at("probability").get<double>()};
+      if (!one.at("kinds").is_null()) read.kinds = one["kinds"].get<std::vector<std::string>>();
+      record.probabilities.push_back(std::move(read));
+    }
+  }
   if (said.contains("next_trials")) {
     for (const Json& pieces : said["next_trials"])
       record.next.push_back(
@@ -156,15 +163,15 @@ EvidenceRecord record_in(const Json& said, const Json& model) {
   return record;
 }
 
-// The page's drawings, each with the caption below it.
+// The page's drawings, each with the caption below it; probabilities are shown as what they are (probability_bars.h).
 std::vector<EvidenceDrawing> drawings_in(const QString& html) {
   static const QRegularExpression drawing("<figure[^>]*>(<svg.*?</svg>)\\s*<figcaption>(.*?)</figcaption>",
                                           QRegularExpression::DotMatchesEverythingOption);
   std::vector<EvidenceDrawing> drawings;
   for (auto found = drawing.globalMatch(html); found.hasNext();) {
     const auto match = found.next();
-    drawings.push_back({match.captured(1).toStdString(), match.captured(2),
-                        match.captured(1).contains("class=\"probabilities\"")});
+    if (match.captured(1).contains("class=\"probabilities\"")) continue;
+    drawings.push_back({match.captured(1).toStdString(), match.captured(2)});
   }
   return drawings;
 }

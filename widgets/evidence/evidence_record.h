@@ -45,7 +45,12 @@ struct EvidenceCandidate {
 struct EvidenceDrawing {
   std::string svg;
   QString caption;
-  bool probabilities = false;
+};
+
+struct EvidenceProbability {
+  std::optional<std::vector<std::string>>
+      kinds;  // what acts together; empty: nothing is missing; absent: something else
+  double probability = 0;
 };
 
 // A report of an older version has the sentence alone, in English, the kinds in it.
@@ -66,7 +71,8 @@ struct EvidenceRecord {
   std::vector<std::string> shape_before, shape_after;  // in what the rest is not noise; empty for noise
   std::vector<EvidenceEffect> effects;
   std::vector<EvidenceCandidate> ranking;
-  std::vector<EvidenceNextTrial> next;  // what to measure next, one after the other
+  std::vector<EvidenceProbability> probabilities;  // the likeliest first; of an old report none
+  std::vector<EvidenceNextTrial> next;             // what to measure next, one after the other
   std::vector<Sentence> notes;
   std::vector<EvidenceDrawing> drawings;
 };
