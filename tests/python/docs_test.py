@@ -107,9 +107,12 @@ class Docs(Case):
             self.skipTest(f"{path} is not there")
         return path
 
-    def test_rows_of_the_table_of_guidance(self):
+    def test_the_table_of_guidance(self):
         page = (ROOT / "docs" / "guidance.md").read_text()
-        for row in self.said_by("guidance_table.py", self.data("guidance_examples", "example-c")).splitlines():
+        examples = [self.data("guidance_examples", f"example-{letter}") for letter in "abcd"]
+        said = self.said_by("guidance_table.py", *examples).splitlines()
+        self.assertEqual(len(said), len(re.findall(r"^\| `[a-d]` \|", page, re.MULTILINE)))
+        for row in said:
             case, frame, *figures = (cell.strip() for cell in row.strip("|").split("|"))
             on_page = next(line for line in page.splitlines() if f"| `{case[-1]}` |" in line and f"| {frame} |" in line)
             self.assertEqual([cell.strip() for cell in on_page.strip("|").split("|")][3:], figures)
