@@ -6527,6 +6527,18 @@
         <source>probability (%)</source>
         <translation>Wahrscheinlichkeit (%)</translation>
     </message>
+    <message>
+        <source>{0} has no frame {1}: it has {2}, counted from 0.</source>
+        <translation>{0} hat kein Bild {1}: Es sind {2}, von 0 an gezählt.</translation>
+    </message>
+    <message>
+        <source>Cut along the plan</source>
+        <translation>Nach Plan schneiden</translation>
+    </message>
+    <message>
+        <source>{0} is not the sequence that was asked for: its SHA-256 is another than {1}.</source>
+        <translation>{0} ist nicht die verlangte Sequenz: Ihr SHA-256 ist ein anderer als {1}.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

@@ -6527,6 +6527,18 @@
         <source>probability (%)</source>
         <translation>probabilidad (%)</translation>
     </message>
+    <message>
+        <source>{0} has no frame {1}: it has {2}, counted from 0.</source>
+        <translation>{0} no tiene la imagen {1}: tiene {2}, contadas desde 0.</translation>
+    </message>
+    <message>
+        <source>Cut along the plan</source>
+        <translation>Cortar según el plan</translation>
+    </message>
+    <message>
+        <source>{0} is not the sequence that was asked for: its SHA-256 is another than {1}.</source>
+        <translation>{0} no es la secuencia pedida: su SHA-256 es otro que {1}.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

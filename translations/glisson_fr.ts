@@ -6527,6 +6527,18 @@
         <source>probability (%)</source>
         <translation>probabilité (%)</translation>
     </message>
+    <message>
+        <source>{0} has no frame {1}: it has {2}, counted from 0.</source>
+        <translation>{0} n’a pas d’image {1} : elle en a {2}, comptées à partir de 0.</translation>
+    </message>
+    <message>
+        <source>Cut along the plan</source>
+        <translation>Couper selon le plan</translation>
+    </message>
+    <message>
+        <source>{0} is not the sequence that was asked for: its SHA-256 is another than {1}.</source>
+        <translation>{0} n’est pas la séquence demandée : son SHA-256 est autre que {1}.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

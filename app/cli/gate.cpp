@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "command.h"
+#include "shared_options.h"
 #include "studies/gate/choose_cases.h"
 
 namespace glisson::cli {
@@ -44,6 +45,8 @@ Result<Outcome> run(const GateCommand& command, const Progress& progress) {
                                    : fmt::format("{}: {}: worse\n", change.name, change.problem);
   }
   if (!gate->only_base.empty()) text += fmt::format("{} cases are missing now: worse\n", gate->only_base.size());
+  if (!gate->only_now.empty()) text += fmt::format("{} cases are new, not compared\n", gate->only_now.size());
+  text += bullet_list(gate->notes);
   text += fmt::format("{}: {}\n", name_of(gate->verdict), (std::filesystem::path(command.out) / "gate.html").string());
   return Outcome{json_of(*gate), std::move(text), gate->verdict != studies::GateVerdict::worse};
 }

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include "base/write_file.h"
 #include "casefile/growth.h"
 #include "command.h"
 #include "report/growth.h"
+#include "report/growth_page.h"
 #include "vasculature/couinaud.h"
 
 namespace glisson::cli {
@@ -49,17 +49,13 @@ Result<Outcome> run(const GrowthCommand& options, const Progress& progress) {
   if (!after) return failure(after.error());
   const auto compared = casefile::compare_studies(*before, *after, options.question, progress);
   if (!compared) return failure(compared.error());
-  const std::filesystem::path folder = options.out;
+  const std::string origin = before->origin().empty() ? after->origin() : before->origin();
   Outcome outcome{report::growth_json(*compared), in_words(*compared, report::growth_sentences(*compared))};
-  auto written = write_together([&] {
-    return write_json_file(folder / "growth.json", outcome.document).and_then([&] {
-      return write_file(folder / "growth.csv", report::growth_table(*compared));
-    });
-  });
-  if (!written) return failure(std::move(written.error()));
-  for (const char* name : {"growth.json", "growth.csv"}) {
-    outcome.document["files"].push_back((folder / name).string());
-    outcome.text += (folder / name).string() + "\n";
+  const auto files = report::write_growth(options.out, *compared, origin);
+  if (!files) return failure(files.error());
+  for (const std::filesystem::path& file : *files) {
+    outcome.document["files"].push_back(file.string());
+    outcome.text += file.string() + "\n";
   }
   return outcome;
 }
@@ -72,7 +68,7 @@ void add_growth(CLI::App& app, Action& chosen) {
   auto options = std::make_shared<GrowthCommand>();
   command->add_option("before", options->before, "The case of the earlier study, with its segments")->required();
   command->add_option("after", options->after, "The case of the later study, with its segments")->required();
-  command->add_option("--out", options->out, "Folder for growth.json and growth.csv")->required();
+  command->add_option("--out", options->out, "Folder for growth.json, growth.csv and growth.html")->required();
   command->add_option("--plan", options->question.plan,
                       "The plan whose remnant is followed: each case's own of that name; one by segments or "
                       "territories may stand in one case alone");

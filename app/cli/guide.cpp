@@ -5,12 +5,9 @@
 #include <cmath>
 
 #include "base/csv.h"
-#include "base/write_file.h"
-#include "casefile/guided_plan.h"
+#include "casefile/guide_case.h"
 #include "command.h"
-#include "guidance/guidance_answer.h"
 #include "guidance/guidance_file.h"
-#include "registration_quality/sequence_file.h"
 #include "shared_options.h"
 
 namespace glisson::cli {
@@ -38,7 +35,8 @@ std::string describe(const guidance::GuidanceAnswer& answer) {
 }
 
 struct Asked {
-  std::string input, sequence, pose, out;
+  std::string input, sequence, sequence_sha256, pose, out;
+  std::size_t frame = 0;
   double noise_mm = 0.5;
 };
 
@@ -76,34 +74,17 @@ Result<std::optional<Eigen::Isometry3d>> parse_pose(const std::string& text) {
 }
 
 Result<Outcome> guide_case(const Asked& asked, const Progress& progress) {
-  progress.report(0.0, GLISSON_TEXT("Reading the guidance case"));
   const auto pose = parse_pose(asked.pose);
   if (!pose) return failure(pose.error());
   const auto patient = casefile::Case::open(asked.input);
   if (!patient) return failure(patient.error());
-  const auto model = casefile::read_model(*patient);
-  if (!model) return failure(model.error());
-  const auto sequence = registration_quality::read_sequence(asked.sequence);
-  if (!sequence) return failure(sequence.error());
-  auto guided = casefile::guided_sequence(*model, *sequence, *pose, asked.noise_mm);
+  const casefile::GuidedFrom from{asked.frame, *pose, asked.noise_mm, asked.sequence_sha256};
+  const auto guided = casefile::guide_case(*patient, asked.sequence, from, progress);
   if (!guided) return failure(guided.error());
-  casefile::add_plans(*guided, *patient);
-  const auto answer = guidance::answer(guided->guidance, progress.part(0.0, 0.9));
-  if (!answer) return failure(Error(answer.error()).in_file(asked.input));
-  std::vector<guidance::ElasticPlacement> placements;
-  for (const guidance::FrameAnswer& frame : answer->frames) placements.push_back(frame.placement);
-  std::size_t pictures = 0;
-  auto written = write_together([&] {
-    return guidance::write_answer(asked.out, guided->guidance, *answer).and_then([&]() -> Result<void> {
-      const auto drawn = casefile::write_overlays(asked.out, *guided, *sequence, placements);
-      if (!drawn) return failure(drawn.error());
-      pictures = drawn->size();
-      return {};
-    });
-  });
-  if (!written) return failure(written.error());
-  Outcome outcome = outcome_of(guided->guidance, *answer, asked.out);
-  outcome.document["pictures"] = pictures;
+  const auto pictures = casefile::write_guided_case(asked.out, *guided);
+  if (!pictures) return failure(pictures.error());
+  Outcome outcome = outcome_of(guided->guided.guidance, guided->answer, asked.out);
+  outcome.document["pictures"] = *pictures;
   return outcome;
 }
 
@@ -115,8 +96,13 @@ void add_guide(CLI::App& app, Action& chosen) {
   command->add_option("input", asked->input, "A guidance case (glisson-guidance/1), or a case folder with --sequence")
       ->required();
   auto* sequence = command->add_option("--sequence", asked->sequence, "The laparoscope's sequence.json");
-  command->add_option("--pose", asked->pose, "Scan to camera in the first frame, about: 16 numbers, row by row")
+  command->add_option("--sequence-sha256", asked->sequence_sha256, "Refuses another sequence.json than the one of this")
       ->needs(sequence);
+  command->add_option("--pose", asked->pose, "Scan to camera in that frame, about: 16 numbers, row by row")
+      ->needs(sequence);
+  command->add_option("--frame", asked->frame, "The frame that it begins with, from 0; the others follow from it")
+      ->needs(sequence)
+      ->capture_default_str();
   command->add_option("--noise-mm", asked->noise_mm, "Standard deviation of the clouds' coordinates")
       ->check(CLI::Range(0.01, 20.0))
       ->needs(sequence)

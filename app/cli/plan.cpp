@@ -1,5 +1,5 @@
-// glisson-cli plan CASE (--list | --add PLAN.json | --compare [--rank-by BY] [--embolise BRANCH] [--out DIR] | --drop
-// NAME) Resection plans by anatomy.
+// glisson-cli plan CASE (--list | --answer PLAN.json [--out DIR] | --add PLAN.json | --compare [--rank-by BY]
+// [--embolise BRANCH] [--out DIR] | --drop NAME): resection plans by anatomy.
 
 #include <fmt/format.h>
 #include <iterator>
@@ -21,7 +21,7 @@ namespace {
 struct PlanCommand {
   std::string case_folder;
   bool list = false, compare = false;
-  std::optional<std::string> add, drop, out, rank_by;
+  std::optional<std::string> answer, add, drop, out, rank_by;
   std::optional<double> body_weight_kg;
   std::vector<std::string> embolised;
   double growth_percent = planning::mean_growth_percent;
@@ -137,6 +137,23 @@ Result<Outcome> add(casefile::Case& patient, const std::string& file, const Prog
                     opened->remarks);
 }
 
+// By what the case holds, which stays as it is.
+Result<Outcome> answer_alone(const casefile::Case& patient, const PlanCommand& options, const Progress& progress) {
+  const auto plan = planning::read_plan(*options.answer);
+  if (!plan) return failure(plan.error());
+  const auto opened = casefile::open_planner(patient, progress);
+  if (!opened) return failure(opened.error());
+  const auto answer = opened->planner.answer(plan->cuts);
+  if (!answer) return failure(Error(answer.error()).in_file(*options.answer));
+  Json described{{"name", plan->name}, {"cuts", planning::plan_json(*plan).at("cuts")}};
+  described.update(planning::answer_json(*answer, opened->planner.trees()));
+  if (options.out) {
+    const std::filesystem::path file = std::filesystem::path(*options.out) / "answer.json";
+    if (auto written = write_json_file(file, described); !written) return failure(std::move(written.error()));
+  }
+  return outcome_of({described}, opened->remarks);
+}
+
 // Of a body of that weight, the liver as heavy as water. At least 0.5 % is what many surgeons want of a healthy liver
 // (Truant et al. 2007, J Am Coll Surg 204:22).
 void add_share_of_body(Json& plan, double body_weight_kg) {
@@ -245,6 +262,7 @@ Result<Outcome> compare(casefile::Case& patient, const PlanCommand& options, con
 Result<Outcome> run(const PlanCommand& options, const Progress& progress) {
   auto patient = casefile::Case::open(options.case_folder);
   if (!patient) return failure(patient.error());
+  if (options.answer) return answer_alone(*patient, options, progress);
   if (options.add) return add(*patient, *options.add, progress);
   if (options.compare) return compare(*patient, options, progress);
   if (options.drop) {
@@ -263,11 +281,13 @@ void add_plan(CLI::App& app, Action& chosen) {
   command->add_option("case", options->case_folder, "The case")->required();
   CLI::Option_group* what = command->add_option_group("what");
   what->add_flag("--list", options->list, "The plans of the case, as they were answered when they were kept");
+  what->add_option("--answer", options->answer, "PLAN.json: answer this plan and keep nothing");
   what->add_option("--add", options->add, "PLAN.json: answer this plan and keep it, in the place of one of its name");
   what->add_flag("--compare", options->compare, "All plans side by side, by what the case holds now");
   what->add_option("--drop", options->drop, "Take the plan of that name out of the case");
   what->require_option(1);
-  command->add_option("--out", options->out, "With --compare: folder for plans.html and plans.csv");
+  command->add_option("--out", options->out,
+                      "With --compare: folder for plans.html and plans.csv; with --answer: for answer.json");
   command->add_option("--rank-by", options->rank_by, "With --compare: the best first by margin, living or branches")
       ->check(CLI::IsMember({"margin", "living", "branches"}));
   command->add_option("--body-weight-kg", options->body_weight_kg, "With --compare: what is left, of the body's weight")
@@ -285,7 +305,9 @@ void add_plan(CLI::App& app, Action& chosen) {
     if (options->body_weight_kg && !options->compare) throw CLI::RequiresError("--body-weight-kg", "--compare");
     if (!options->embolised.empty() && !options->compare) throw CLI::RequiresError("--embolise", "--compare");
     if (options->rank_by && !options->compare) throw CLI::RequiresError("--rank-by", "--compare");
-    if (options->out && !options->compare) throw CLI::RequiresError("--out", "--compare");
+    if (options->out && !options->compare && !options->answer) {
+      throw CLI::RequiresError("--out", "--compare or --answer");
+    }
     chosen = [options](const Progress& progress) { return run(*options, progress); };
   });
 }

@@ -157,8 +157,9 @@ Result<Outcome> run(const SessionCommand& options, const Progress& progress) {
   if (question->setup.law.law == MaterialLaw::linear && has_friction(*commands)) {
     question->remarks.emplace_back("At small strain every tool is smooth: friction is computed at large strain alone.");
   }
-  auto engine = rehearsal::SessionEngine::create(std::move(question->setup), progress.part(0.0, 0.5),
-                                                 rehearsal::reference_in(*commands));
+  const auto reference =
+      options.source.live ? rehearsal::WithReference::when_asked : rehearsal::reference_in(*commands);
+  auto engine = rehearsal::SessionEngine::create(std::move(question->setup), progress.part(0.0, 0.5), reference);
   if (!engine) return failure(std::move(engine.error()));
 
   Outcome outcome{{{"frames", Json::array()}}, ""};
@@ -289,6 +290,10 @@ void add_session(CLI::App& app, Action& chosen) {
       ->add_option("--settle", options->settle,
                    "At large strain, bring frames to rest beside the run: each (default), the last one, none")
       ->transform(one_of<Settling>({{"each", Settling::each}, {"last", Settling::last}, {"none", Settling::none}}));
+  command
+      ->add_flag("--live", options->source.live,
+                 "As the window rehearses the case, to the bit; the reference body comes where a command asks for it")
+      ->excludes(mesh);
   command->add_option(
       "--out", options->out,
       "Folder for the commands with each frame's digest (session.json) and the frames (frames.json); or "

@@ -10,13 +10,17 @@
 namespace glisson::cli {
 namespace {
 
-Result<SessionQuestion> question_of_case(const std::string& folder, bool with_structures) {
-  const auto patient = casefile::Case::open(folder);
+Result<SessionQuestion> question_of_case(const SessionSource& source, bool with_structures) {
+  const auto patient = casefile::Case::open(*source.case_folder);
   if (!patient) return failure(patient.error());
   auto model = casefile::read_model(*patient);
   if (!model) return failure(model.error());
   SessionQuestion question{{}, {}, model->evidence, messages(casefile::model_remarks(*patient)), patient->origin()};
   if (model->assumed) question.remarks.push_back(model->assumed->message());
+  if (source.live && !with_structures) {
+    question.setup = casefile::live_rehearsal_setup(*std::move(model)).setup;
+    return question;
+  }
   std::vector<geometry::Surface> structures;
   for (const casefile::StructureSurface& structure : model->structures) {
     if (!with_structures) break;
@@ -48,7 +52,7 @@ Result<SessionQuestion> question_of(const SessionSource& source, bool with_struc
   if (source.engine == mechanics::Engine::meshfree) {
     return failure("not-available", GLISSON_TEXT("A session knows the engine fem alone; meshfree is for simulate."));
   }
-  auto question = source.case_folder ? question_of_case(*source.case_folder, with_structures)
+  auto question = source.case_folder ? question_of_case(source, with_structures)
                                      : question_of_mesh(*source.mesh_file, *source.scenario_file);
   if (!question) return question;
   mechanics::ChosenLaw& law = question->setup.law;

@@ -24,6 +24,8 @@ struct SessionSource {
   mechanics::Engine engine = mechanics::Engine::fem;
   std::optional<mechanics::MaterialLaw> material;
   std::optional<double> strain_stiffening;
+  // Of a case: as the window rehearses it, to the bit.
+  bool live = false;
 };
 
 // `with_structures`: the setup's structures are those of the case, which cost time at each step. Failures: those of

@@ -9,6 +9,7 @@
 #include "documents.h"
 #include "guidance/guidance_answer.h"
 #include "guidance/guidance_file.h"
+#include "guided_dict.h"
 #include "long_call.h"
 #include "rooms.h"
 
@@ -30,28 +31,32 @@ Result<Guided> guided(const std::filesystem::path& file, const Progress& progres
   return Guided{*std::move(asked), *std::move(answer)};
 }
 
-// The document as it is written to files, with each frame's arrays.
-py::object guide(const std::filesystem::path& file, const py::object& progress) {
-  Guided found = long_call(progress, [&](const Progress& told) { return guided(file, told); });
-  const py::object document = python_of(guidance::answer_json(found.asked, found.answer));
+}  // namespace
+
+py::object guided_dict(guidance::GuidanceCase asked, guidance::GuidanceAnswer answer) {
+  const py::object document = python_of(guidance::answer_json(asked, answer));
   const py::list frames = document["frames"];
-  for (std::size_t n = 0; n < found.answer.frames.size(); ++n) {
-    guidance::ElasticPlacement& placed = found.answer.frames[n].placement;
+  for (std::size_t n = 0; n < answer.frames.size(); ++n) {
+    guidance::ElasticPlacement& placed = answer.frames[n].placement;
     if (!placed.converged) continue;
     const py::object frame = frames[n];
     frame["pose"] = Eigen::Matrix4d(placed.pose.matrix());
     frame["displacement_mm"] = handed_over(std::move(placed.displacement_mm));
   }
-  document["mesh"] = std::make_shared<geometry::TetMesh>(std::move(found.asked.mesh));
-  document["notes"] = found.answer.notes;
+  document["mesh"] = std::make_shared<geometry::TetMesh>(std::move(asked.mesh));
+  document["notes"] = answer.notes;
   return document;
 }
 
-}  // namespace
-
 void add_guidance(py::module_& module) {
-  module.def("guide", &guide, py::arg("file"), py::kw_only(), py::arg("progress") = py::none(),
-             R"(The organ and its hidden targets in each frame of a guidance case (guidance.json, "glisson-guidance/1").
+  module.def(
+      "guide",
+      [](const std::filesystem::path& file, const py::object& progress) {
+        Guided found = long_call(progress, [&](const Progress& told) { return guided(file, told); });
+        return guided_dict(std::move(found.asked), std::move(found.answer));
+      },
+      py::arg("file"), py::kw_only(), py::arg("progress") = py::none(),
+      R"(The organ and its hidden targets in each frame of a guidance case (guidance.json, "glisson-guidance/1").
 
 A dict: mesh (the TetMesh at rest); frames, a dict each: id, converged (where not, a note says why), residual_rms_mm,
 seconds; and where it did: pose (4 x 4, scan to camera, mm); displacement_mm (points, 3), in the scan's frame: a place x of the scan lies

@@ -95,13 +95,18 @@ template <typename Picture>
 py::class_<Picture, std::shared_ptr<Picture>> add_image(py::module_& module, const char* name,
                                                         const std::string& documentation) {
   py::class_<Picture, std::shared_ptr<Picture>> image(module, name, documentation.c_str());
-  image.def_property_readonly("array", &array_of<Picture>, "The values, [i, j, k], without a copy.")
+  image
+      .def_property_readonly("array", &array_of<Picture>,
+                             "The values, shape (i, j, k), in the image's unit (kPa, HU, 0 or 1, ...), without a copy.")
       .def_property_readonly(
-          "spacing_mm", [](const Picture& self) { return self.grid.spacing_mm; }, "Along i, j, k, mm.")
+          "spacing_mm", [](const Picture& self) { return self.grid.spacing_mm; },
+          "(3,): between voxels along i, j, k, mm.")
       .def_property_readonly(
-          "origin_mm", [](const Picture& self) { return self.grid.origin_mm; }, "Centre of voxel (0, 0, 0), LPS, mm.")
+          "origin_mm", [](const Picture& self) { return self.grid.origin_mm; },
+          "(3,): centre of voxel (0, 0, 0), LPS, mm.")
       .def_property_readonly(
-          "direction", [](const Picture& self) { return self.grid.direction; }, "Columns: the axes i, j, k in LPS.")
+          "direction", [](const Picture& self) { return self.grid.direction; },
+          "(3, 3): its columns are the unit vectors of the axes i, j, k in LPS.")
       .def_property_readonly(
           "voxel_volume_mm3", [](const Picture& self) { return self.grid.voxel_volume_mm3(); }, "mm3.")
       .def(
@@ -109,13 +114,13 @@ py::class_<Picture, std::shared_ptr<Picture>> add_image(py::module_& module, con
           [](const Picture& self, const Numbers& index) {
             return Eigen::Vector3d(self.grid.position_mm(vector_from(index, "index")));
           },
-          py::arg("index"), "Where a (fractional) voxel index [i, j, k] lies: LPS, mm.")
+          py::arg("index"), "(3,): where a voxel index (3,), which may be fractional, lies: LPS, mm.")
       .def(
           "index_of",
           [](const Picture& self, const Numbers& position_mm) {
             return Eigen::Vector3d(self.grid.index_of(vector_from(position_mm, "position_mm")));
           },
-          py::arg("position_mm"), "The (fractional) voxel index [i, j, k] at a position (LPS, mm).")
+          py::arg("position_mm"), "(3,): the voxel index [i, j, k], fractional, at a position (3,), LPS, mm.")
       .def(
           "__array__",
           [](const py::object& self, const py::object& dtype) -> py::object {
@@ -256,7 +261,8 @@ void add_series(py::module_& module) {
       .def_property_readonly(
           "size", [](const Series& self) { return self.grid.size; }, "(i, j, k) of one volume.")
       .def_property_readonly(
-          "spacing_mm", [](const Series& self) { return self.grid.spacing_mm; }, "Along i, j, k, mm.")
+          "spacing_mm", [](const Series& self) { return self.grid.spacing_mm; },
+          "(3,): between voxels along i, j, k, mm.")
       .def("__repr__", [](const Series& self) {
         return "<glisson.Series " + std::string(role_name(self.role)) + ", " + in_words(self.grid) + ">";
       });

@@ -89,10 +89,10 @@ void add_mechanics(py::module_& module) {
           "max_displacement_mm", [](const Answer& self) { return self.rest.result.max_displacement_mm; }, "mm.")
       .def_property_readonly(
           "relative_residual", [](const Answer& self) { return self.rest.result.relative_residual; },
-          "|K u - f| / |f| over what is free to move.")
+          "|K u - f| / |f| over what is free to move: a ratio.")
       .def_property_readonly(
           "largest_strain", [](const Answer& self) { return self.rest.result.largest_strain; },
-          "Largest principal strain in magnitude.")
+          "Largest principal strain in magnitude: a ratio.")
       .def_property_readonly(
           "strain_energy_uJ", [](const Answer& self) { return self.rest.result.strain_energy_uJ; }, "uJ.")
       .def_property_readonly("reactions_N", &reactions_N,

@@ -40,6 +40,7 @@ PYBIND11_MODULE(_core, module) {
   python::add_guidance(module);
   python::add_closedloop(module);
   python::add_casefile(module);
+  python::add_growth(module);
   python::add_scene(module);
   python::add_report(module);
 

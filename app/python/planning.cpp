@@ -49,7 +49,7 @@ py::dict dict_of(Resectogram unrolled) {
 
 }  // namespace
 
-std::vector<Cut> cuts_from(const py::object& cuts) {
+std::vector<planning::Cut> cuts_from(const py::object& cuts) {
   Json document = or_raise(parse_json(text_of(cuts)));
   if (document.is_object() && !document.contains("cuts")) document = Json::array({document});
   if (document.is_array()) document = Json{{"cuts", std::move(document)}};

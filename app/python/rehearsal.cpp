@@ -14,6 +14,7 @@
 #include "rehearsal/static_rehearsal.h"
 #include "rehearsal/tool_presets.h"
 #include "rooms.h"
+#include "session_held.h"
 
 namespace py = pybind11;
 
@@ -92,7 +93,7 @@ void add_static_rehearsal(py::module_& module) {
                     "Between patient and atlas over the surface, mm; 0 without an atlas.")
       .def_readonly("force_N", &RehearsalState::force_N, "(3,), N.")
       .def_readonly("relative_residual", &RehearsalState::relative_residual,
-                    "The larger of the solves that it is made from.")
+                    "The larger of the solves that it is made from: a ratio.")
       .def_property_readonly(
           "state", [](const RehearsalState& self) { return std::string(to_string(self.validity.state())); },
           "As Simulation.state.")
@@ -113,7 +114,7 @@ void add_static_rehearsal(py::module_& module) {
             return handed_over(self.patient_displacement_mm(force));
           },
           py::arg("force_N"), "float64, shape (points, 3): of every point of the mesh, mm.")
-      .def_property_readonly("center_mm", &PlacedTool::center_mm, "LPS, mm.")
+      .def_property_readonly("center_mm", &PlacedTool::center_mm, "(3,), LPS, mm.")
       .def_property_readonly("radius_mm", &PlacedTool::radius_mm, "Of the disc that it touches, mm.")
       .def_property_readonly("touched_faces", &PlacedTool::touched_faces, "Faces of the surface under it.");
   py::class_<StaticRehearsal>(module, "StaticRehearsal",
@@ -144,12 +145,6 @@ Raises glisson.Error: as simulate, landmark-outside; place_tool: tool-touches-no
 }
 
 // ---- a session
-
-// The engine forgets what it was told; a recording is kept here.
-struct Session {
-  SessionEngine engine;
-  Recording recording;
-};
 
 Recording one_command(const py::object& command) {
   py::list commands;

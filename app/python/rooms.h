@@ -23,6 +23,7 @@ void add_planning(pybind11::module_& module);
 void add_guidance(pybind11::module_& module);
 void add_closedloop(pybind11::module_& module);
 void add_casefile(pybind11::module_& module);
+void add_growth(pybind11::module_& module);
 void add_scene(pybind11::module_& module);
 void add_report(pybind11::module_& module);
 

@@ -70,7 +70,9 @@ Raises glisson.Error: scene-unknown, case-lacks-entry, picture-size, drawing-una
         }));
       },
       py::arg("folder"), py::kw_only(), py::arg("width") = 1600, py::arg("height") = 1000,
-      "The moved liver of a result's folder, coloured by displacement, as draw_case.");
+      "The moved liver of a result's folder, coloured by displacement: uint8, shape (height, width, 3), as "
+      "draw_case.\n\n"
+      "Raises glisson.Error: picture-size, drawing-unavailable, and what is wrong with the folder.");
   module.def(
       "draw_surface", &surface_picture, py::arg("surface"), py::kw_only(), py::arg("field") = py::none(),
       py::arg("range") = std::array<double, 2>{0, 1}, py::arg("title") = "", py::arg("colour_map") = "viridis",

@@ -46,9 +46,9 @@ void add_trees(py::module_& module) {
   py::class_<VesselTrees, std::shared_ptr<VesselTrees>>(
       module, "VesselTrees",
       "Portal and hepatic veins, each as a tree; vessel_trees() and Case.find_vessels() make one.")
-      .def_readonly("portal_entry_mm", &VesselTrees::portal_entry_mm, "Where the portal vein divides: LPS, mm.")
+      .def_readonly("portal_entry_mm", &VesselTrees::portal_entry_mm, "(3,): where the portal vein divides, LPS, mm.")
       .def_readonly("hepatic_entry_mm", &VesselTrees::hepatic_entry_mm,
-                    "Where the hepatic veins meet the vena cava: LPS, mm.")
+                    "(3,): where the hepatic veins meet the vena cava, LPS, mm.")
       .def_property_readonly(
           "branches",
           [](const VesselTrees& self) {

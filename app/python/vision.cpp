@@ -226,7 +226,8 @@ Raises glisson.Error: stereo-image-sizes, stereo-failed.)");
         });
         return py::dict("file"_a = made.file, "frames"_a = made.frames, "landmarks"_a = made.landmarks,
                         "mean_points"_a = made.mean_points, "valid_fraction"_a = made.mean_valid_fraction,
-                        "epipolar_px"_a = made.epipolar_px, "notes"_a = made.notes);
+                        "epipolar_px"_a = made.epipolar_px, "alignment_rms_mm"_a = made.alignment_rms_mm,
+                        "notes"_a = made.notes);
       },
       py::arg("left"), py::arg("right"), py::arg("calibration"), py::arg("folder"), py::kw_only(), py::arg("every") = 1,
       py::arg("frames") = 600, py::arg("step_px") = 4, py::arg("model") = py::none(), py::arg("landmarks") = py::none(),
@@ -238,7 +239,8 @@ every, frames  one frame of so many, at most so many; step_px: a point every so 
 model          a surface file to register to; without, the frames' own, aligned globally
 landmarks      tracks.csv of an expert; without, tracked features
 
-A dict: file (sequence.json), frames, landmarks, mean_points, valid_fraction, epipolar_px, notes.
+A dict: file (sequence.json), frames, landmarks, mean_points, valid_fraction, epipolar_px, alignment_rms_mm (how well
+the frames' landmarks agree before, as rigid bodies, and aligned; None with a model), notes.
 progress is told (fraction, stage); KeyboardInterrupt cancels.
 Raises glisson.Error: video-not-readable, video-no-frames, sequence-folder-not-empty, sequence-lengths,
 sequence-too-few-frames, sequence-no-landmarks.)");

@@ -105,8 +105,15 @@ Result<void> History::record(const Sentence& name, const std::function<Result<vo
   return outcome ? finished : outcome;
 }
 
-Result<void> History::record_values(const Sentence& name, const std::vector<ValueChange>& values, Joins joins) {
+Result<void> History::record_values(const Sentence& name, const std::vector<ValueChange>& values, Joins joins,
+                                    const std::optional<RecordingBeside>& beside) {
   const std::lock_guard one_at_a_time(changing_);
+  std::vector<std::string> kept;
+  if (beside) {
+    const fs::path file = file_of_session(impl_->case_folder, beside->session);
+    if (auto written = write_text_file(file, beside->text); !written) return written;
+    kept.push_back(file.filename().string());
+  }
   Listing next = impl_->listing;
   for (const ValueChange& value : values) next.values[value.key] = value.after;
   if (joins == Joins::last_of_same_keys && next.done > 0 && next.done == next.steps.size()) {
@@ -115,10 +122,11 @@ Result<void> History::record_values(const Sentence& name, const std::vector<Valu
                                  [](const ValueChange& a, const ValueChange& b) { return a.key == b.key; });
     if (same && !values.empty()) {
       for (std::size_t k = 0; k < values.size(); ++k) last.values[k].after = values[k].after;
+      last.kept.insert(last.kept.end(), kept.begin(), kept.end());
       return impl_->install(std::move(next));
     }
   }
-  return impl_->append(std::move(next), Step{0, name, values, {}});
+  return impl_->append(std::move(next), Step{0, name, values, std::move(kept)});
 }
 
 std::string History::value_of(const std::string& key) const {

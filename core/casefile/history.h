@@ -6,6 +6,7 @@
 //   history/steps/N-ID.runs  of a label: the voxels that the step turned
 //   history/kept/SHA256.EXT  of any other file: what it held before it was replaced
 //                            (of the plan that is followed, results/resection, too)
+//   history/kept/session-ID.json  commands of a session that led to small values
 //   history/begun.json       while a change is under way: what the case was when it began
 //
 // A step is a difference, never a whole volume where runs of voxels say the same. Beyond the caps the oldest steps are
@@ -35,6 +36,15 @@ struct ValueChange {
   std::string before;
   std::string after;
 };
+
+// What led to a value and would be too long to stand in it: commands of a session, which grow from step to step. It is
+// kept as long as a step with it is.
+struct RecordingBeside {
+  std::string session;  // letters, digits and dashes
+  std::string text;     // JSON; takes the place of what was kept of that session
+};
+// As it was kept; empty where there is none.
+[[nodiscard]] std::string recording_beside(const std::filesystem::path& case_folder, const std::string& session);
 
 struct HistoryCaps {
   // Of everything under history/. A stroke of the brush takes about a kilobyte, a model that was built anew some
@@ -67,7 +77,8 @@ class History {
   // The same for values. Within `joins`, a change of the same keys as the last step becomes part of that step, so that
   // a slider that is dragged is one step.
   enum class Joins { no, last_of_same_keys };
-  Result<void> record_values(const Sentence& name, const std::vector<ValueChange>& values, Joins joins = Joins::no);
+  Result<void> record_values(const Sentence& name, const std::vector<ValueChange>& values, Joins joins = Joins::no,
+                             const std::optional<RecordingBeside>& beside = {});
 
   // What a key holds as things stand; empty where nothing is known of it.
   [[nodiscard]] std::string value_of(const std::string& key) const;

@@ -1,6 +1,7 @@
 #include "casefile/history_journal.h"
 
 #include <algorithm>
+#include <cctype>
 
 #include "base/files.h"
 #include "casefile/entry_record.h"
@@ -79,6 +80,18 @@ std::filesystem::path file_of_step(const std::filesystem::path& case_folder, int
 std::filesystem::path file_of_runs(const std::filesystem::path& case_folder, int number, std::string id) {
   std::replace(id.begin(), id.end(), '/', '~');
   return case_folder / "history" / "steps" / (std::to_string(number) + "-" + id + ".runs");
+}
+
+std::filesystem::path file_of_session(const std::filesystem::path& case_folder, const std::string& session) {
+  std::string name;
+  for (const unsigned char c : session) {
+    if (std::isalnum(c) != 0 || c == '-') name += static_cast<char>(c);
+  }
+  return case_folder / "history" / "kept" / ("session-" + name + ".json");
+}
+
+std::string recording_beside(const std::filesystem::path& case_folder, const std::string& session) {
+  return read_text_file(file_of_session(case_folder, session), std::uint64_t{64} << 20).value_or("");
 }
 
 Json json_of(const std::vector<EntryChange>& changes) {

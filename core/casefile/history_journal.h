@@ -47,6 +47,10 @@ Result<Listing> read_listing(const std::filesystem::path& case_folder);
 [[nodiscard]] std::filesystem::path file_of_step(const std::filesystem::path& case_folder, int number);
 [[nodiscard]] std::filesystem::path file_of_runs(const std::filesystem::path& case_folder, int number, std::string id);
 
+// Of the recording beside values; no path leads out of the folder, whatever a case names a session.
+[[nodiscard]] std::filesystem::path file_of_session(const std::filesystem::path& case_folder,
+                                                    const std::string& session);
+
 // One entry of a step about entries; steps/N.json holds a list of them.
 struct EntryChange {
   std::string id;

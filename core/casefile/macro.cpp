@@ -11,6 +11,7 @@
 #include "base/files.h"
 #include "base/json.h"
 #include "casefile/history_journal.h"
+#include "casefile/macro_values.h"
 #include "casefile/model_upkeep.h"
 
 namespace glisson::casefile {
@@ -18,14 +19,11 @@ namespace fs = std::filesystem;
 namespace {
 
 std::vector<Command> commands_of(const Step& step, const std::vector<EntryChange>& changes);
-std::vector<Command> commands_of_values(const Step& step);
 std::string heading(const Macro& macro, const char* for_whom);
 std::string heading(const MacroStep& step);
 std::string one_line(const std::string& text);
 std::string in_shell(const std::string& word);
-std::string in_python(const std::string& text);
-std::string in_python(const Json& json);
-std::string scenario_file(int number) { return fmt::format("scenario-{}.json", number); }
+std::string word_in_shell(const std::string& word, const Macro& macro);
 
 }  // namespace
 
@@ -42,11 +40,10 @@ Result<Macro> macro_of(const fs::path& case_folder) {
       const auto changes = read_changes(file_of_step(case_folder, step.number));
       if (!changes) return failure(changes.error());
       told.commands = commands_of(step, *changes);
-    } else {
-      told.commands = commands_of_values(step);
     }
     macro.steps.push_back(std::move(told));
   }
+  add_commands_of_values(case_folder, *listing, macro);
   return macro;
 }
 
@@ -54,15 +51,16 @@ std::string as_command_line(const Macro& macro) {
   std::string text = heading(macro, "for a shell");
   text += "CASE=before.glisson  # a copy of the case as it was\n";
   text += "RECORDED=" + in_shell(macro.recorded.string()) + "  # whose history holds what was done by hand\n";
+  for (std::size_t n = 0; n < macro.sequences.size(); ++n) {
+    text += fmt::format("SEQUENCE_{}=sequence.json  # the file whose SHA-256 is {}\n", n + 1, macro.sequences[n]);
+  }
   for (const MacroStep& step : macro.steps) {
     text += heading(step);
     for (const Command& command : step.commands) {
-      if (!command.scenario.empty()) {
-        text += fmt::format("cat > {} <<'END' &&\n{}\nEND\n", scenario_file(step.number), command.scenario);
-      }
+      if (!command.file.empty()) text += fmt::format("cat > {} <<'END' &&\n{}\nEND\n", command.file, command.document);
       text += "glisson-cli";
       for (const std::string& word : command.words) {
-        text += word == the_case ? " \"$CASE\"" : word == recorded_case ? " \"$RECORDED\"" : " " + in_shell(word);
+        text += " " + word_in_shell(word, macro);
       }
       text += " &&\n";
     }
@@ -74,6 +72,9 @@ std::string as_python(const Macro& macro) {
   std::string text = heading(macro, "in Python");
   text += "import glisson\n\npatient = glisson.Case(\"before.glisson\")  # a copy of the case as it was\n";
   text += "recorded = " + in_python(macro.recorded.string()) + "  # whose history holds what was done by hand\n";
+  for (std::size_t n = 0; n < macro.sequences.size(); ++n) {
+    text += fmt::format("sequence_{} = \"sequence.json\"  # the file whose SHA-256 is {}\n", n + 1, macro.sequences[n]);
+  }
   for (const MacroStep& step : macro.steps) {
     text += heading(step);
     for (const Command& command : step.commands) text += command.python + "\n";
@@ -90,8 +91,10 @@ std::string heading(const Macro& macro, const char* for_whom) {
 }
 
 std::string heading(const MacroStep& step) {
-  return fmt::format("\n# {}. {}{}\n", step.number, one_line(step.name.message()),
-                     step.commands.empty() ? " (moved a view, and changed nothing in the case)" : "");
+  const std::string remark = step.told_in != 0       ? fmt::format(" (in the session of step {})", step.told_in)
+                             : step.commands.empty() ? " (moved a view, and changed nothing in the case)"
+                                                     : "";
+  return fmt::format("\n# {}. {}{}\n", step.number, one_line(step.name.message()), remark);
 }
 
 using Options = std::map<std::string, std::string>;
@@ -257,43 +260,21 @@ std::vector<Command> commands_of(const Step& step, const std::vector<EntryChange
   return all && step.followed.empty() ? commands : std::vector<Command>{redo(step)};
 }
 
-// A tool that presses with a known force on a patch, as a load of a scenario (widgets/session/rehearsal_undo.cpp keeps
-// it so).
-std::vector<Command> commands_of_values(const Step& step) {
-  if (step.values.size() != 1 || step.values.front().key != "rehearse/tool") return {};
-  Json loads = Json::array();
-  try {
-    const Json state = Json::parse(step.values.front().after).at(0);
-    if (state.at("touch") != "patch") return {};
-    for (const Json& tool : state.at("tools")) {
-      Json force_N = Json::array();
-      for (std::size_t k = 0; k < 3; ++k) {
-        force_N.push_back(tool.at("force_N").get<double>() * tool.at("direction").at(k).get<double>());
-      }
-      loads.push_back({{"tool",
-                        {{"center_mm", tool.at("center_mm")},
-                         {"radius_mm", tool.at("radius_mm").get<double>()},
-                         {"force_N", std::move(force_N)}}}});
-    }
-  } catch (const Json::exception&) {
-    return {};
-  }
-  if (loads.empty()) return {};
-  const Json scenario{{"loads", std::move(loads)}};
-  const std::string out = fmt::format("rehearsal-{}", step.number);
-  return {{{"simulate", the_case, "--scenario", scenario_file(step.number), "--out", out},
-           fmt::format("asked = patient.question({})\nrehearsal_{} = glisson.simulate(asked[\"mesh\"], "
-                       "asked[\"scenario\"])",
-                       in_python(scenario), step.number),
-           scenario.dump()}};
-}
-
 // What stands in a comment must not end it.
 std::string one_line(const std::string& text) {
   std::string line = text;
   std::replace_if(
       line.begin(), line.end(), [](unsigned char c) { return c < ' ' || c == 0x7f; }, ' ');
   return line;
+}
+
+std::string word_in_shell(const std::string& word, const Macro& macro) {
+  if (word == the_case) return "\"$CASE\"";
+  if (word == recorded_case) return "\"$RECORDED\"";
+  for (std::size_t n = 1; n <= macro.sequences.size(); ++n) {
+    if (word == fmt::format("{}{}}}", sequence_word, n)) return fmt::format("\"$SEQUENCE_{}\"", n);
+  }
+  return in_shell(word);
 }
 
 std::string in_shell(const std::string& word) {
@@ -305,10 +286,6 @@ std::string in_shell(const std::string& word) {
   for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return quoted + "'";
 }
-
-// A document without true, false and null reads the same in Python.
-std::string in_python(const Json& json) { return json.dump(-1, ' ', true, Json::error_handler_t::replace); }
-std::string in_python(const std::string& text) { return in_python(Json(text)); }
 
 }  // namespace
 }  // namespace glisson::casefile

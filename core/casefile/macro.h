@@ -4,8 +4,11 @@
 //
 // A step of the history becomes the commands that computed its entries, where Glisson computed them from the case alone
 // (how an entry was made says from what, and with which options). What a hand drew or placed, and what came from
-// outside, is taken over from the recorded history (`redo`, redo_step.h). What moved a view and changed nothing in the
-// case is said in a comment; a tool on the liver besides as a simulation.
+// outside, is taken over from the recorded history (`redo`, redo_step.h).
+//
+// What changed nothing in the case becomes the command that answers it: a tool on a patch a simulation; tools in
+// contact and cuts led on under them a session, which comes to the same digests as in the window or fails; a cut in the
+// making the answer to it as a plan; the liver laid by hand on a frame guidance that begins there.
 
 #include <filesystem>
 #include <string>
@@ -16,25 +19,30 @@
 
 namespace glisson::casefile {
 
-// One call, twice. In `words`, what comes after "glisson-cli", the_case and recorded_case stand for folders.
+// One call, twice. In `words`, what comes after "glisson-cli", the_case and recorded_case stand for folders,
+// "{sequence-1}" for a file: a case does not know where its videos lie.
 inline constexpr const char* the_case = "{case}";
 inline constexpr const char* recorded_case = "{recorded}";
+inline constexpr const char* sequence_word = "{sequence-";  // and "1}" for the first of Macro::sequences
 struct Command {
   std::vector<std::string> words;
-  std::string python;         // statements about `patient`, a glisson.Case, and `recorded`, the folder
-  std::string scenario = {};  // JSON, where the command line reads a scenario's file
+  std::string python;     // statements about `patient`, a glisson.Case, and `recorded`, the folder
+  std::string file = {};  // which the command line reads, and the JSON in it
+  std::string document = {};
 };
 
 struct MacroStep {
   int number = 0;  // in the case's history
   Sentence name;
-  std::vector<Command> commands;  // none: it changed nothing in the case
+  std::vector<Command> commands;  // none: it moved a view, or
+  int told_in = 0;                // the session of this later step holds it too
 };
 
 struct Macro {
-  std::filesystem::path recorded;  // the case
-  bool earlier_forgotten = false;  // the history keeps a limited number of steps
-  std::vector<MacroStep> steps;    // that are done, not those that were undone
+  std::filesystem::path recorded;           // the case
+  bool earlier_forgotten = false;           // the history keeps a limited number of steps
+  std::vector<MacroStep> steps;             // that are done, not those that were undone
+  std::vector<std::string> sequences = {};  // SHA-256 of each sequence.json that a step is of
 };
 
 // Fails as Case::open does, and with "history-damaged".

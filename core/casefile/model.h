@@ -83,6 +83,14 @@ Result<PatientModel> read_model_before_evidence(const Case& patient);
 // be compared with where its stiffness was measured.
 [[nodiscard]] rehearsal::RehearsalSetup rehearsal_setup(PatientModel model);
 
+// The same as the window rehearses it, to the bit: the surfaces of the liver and its structures move along, factors
+// take half the memory (answers are refined to the same residual), and landmarks outside of the model are left out.
+struct LiveSetup {
+  rehearsal::RehearsalSetup setup;
+  std::size_t lost_landmarks = 0;
+};
+[[nodiscard]] LiveSetup live_rehearsal_setup(PatientModel model);
+
 // What a case brings to a scenario: the modulus stands in the mesh, supports and landmarks where the scenario has none,
 // and what was accepted of the evidence. What the scenario says itself stands; what of the evidence is left out for
 // that, or because its engine or material cannot hold it, is answered, besides what is carried.

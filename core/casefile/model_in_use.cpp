@@ -30,6 +30,21 @@ rehearsal::RehearsalSetup rehearsal_setup(PatientModel model) {
   return setup;
 }
 
+LiveSetup live_rehearsal_setup(PatientModel model) {
+  std::vector<geometry::Surface> moved{std::move(model.liver.surface)};
+  for (StructureSurface& structure : model.structures) moved.push_back(std::move(structure.surface));
+  LiveSetup live{rehearsal_setup(std::move(model)), 0};
+  rehearsal::RehearsalSetup& setup = live.setup;
+  setup.structures = std::move(moved);
+  setup.options.factor_precision = mechanics::StaticOptions::FactorPrecision::single;
+  if (!mechanics::locate_landmarks(setup.mesh, setup.landmarks, setup.landmark_tolerance_mm)) {
+    live.lost_landmarks = std::erase_if(setup.landmarks, [&](const mechanics::Landmark& landmark) {
+      return !mechanics::locate_landmarks(setup.mesh, {landmark}, setup.landmark_tolerance_mm);
+    });
+  }
+  return live;
+}
+
 std::vector<Sentence> put_into(mechanics::Scenario& scenario, const PatientModel& model) {
   const bool own_supports = !scenario.supports.empty(), own_modulus = scenario.youngs_modulus.has_value(),
              own_capsule = scenario.capsule.has_value(), no_grain = !mechanics::may_have_grain(scenario);

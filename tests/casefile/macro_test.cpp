@@ -7,11 +7,13 @@
 #include <fstream>
 
 #include "base/files.h"
+#include "base/json.h"
 #include "casefile/contents.h"
 #include "casefile/history.h"
 #include "casefile/placed_landmarks.h"
 #include "casefile/redo_step.h"
 #include "casefile/structures.h"
+#include "rehearsal/session.h"
 #include "segmentation/edit.h"
 
 namespace glisson::casefile {
@@ -181,11 +183,94 @@ TEST_F(MacroTest, AToolThatPressedIsASimulationAndWhatWasUndoneIsLeftOut) {
   const auto macro = macro_of(folder_);
   ASSERT_TRUE(macro);
   ASSERT_EQ(macro->steps.size(), 2u);
-  EXPECT_THAT(macro->steps[0].commands.at(0).scenario, HasSubstr("\"force_N\":[0.0,0.0,-2.0]"));
+  EXPECT_THAT(macro->steps[0].commands.at(0).document, HasSubstr("\"force_N\":[0.0,0.0,-2.0]"));
   EXPECT_THAT(macro->steps[0].commands.at(0).words,
               ElementsAre("simulate", "{case}", "--scenario", "scenario-1.json", "--out", "rehearsal-1"));
   EXPECT_TRUE(macro->steps[1].commands.empty());
   EXPECT_THAT(as_command_line(*macro), HasSubstr("# 2. By hand (moved a view, and changed nothing in the case)"));
+}
+
+TEST_F(MacroTest, ASessionIsOneCommandHoweverManyStepsItTook) {
+  const auto hold = [](double push_mN, const std::string& digest) {
+    mechanics::TouchingTool probe{mechanics::palpation_probe(8), mechanics::pose_towards({1, 2, 3}, {0, 0, 1}),
+                                  push_mN};
+    return std::pair<rehearsal::SessionCommand, std::string>{rehearsal::HoldTool{{"tool-0", probe}}, digest};
+  };
+  rehearsal::Recording recording;
+  const auto tool_step = [&](double push_mN, const std::string& session) {
+    recording.push_back(hold(push_mN, "digest-" + std::to_string(recording.size())));
+    const std::string before = history()->value_of("rehearse/tool");
+    const std::string after = Json::array({{{"touch", "rigid"},
+                                            {"deformations", session == "b" ? "large" : "small"},
+                                            {"tools", Json::array()},
+                                            {"session", session},
+                                            {"commands", recording.size()}}})
+                                  .dump();
+    ASSERT_TRUE(history()->record_values({"Tool", {}}, {{"rehearse/tool", before, after}}, History::Joins::no,
+                                         RecordingBeside{session, rehearsal::recording_text(recording)}));
+  };
+  tool_step(100, "a");
+  tool_step(200, "a");
+  tool_step(300, "a");
+  ASSERT_TRUE(history()->undo());  // the third is no step any more
+  recording.clear();
+  tool_step(50, "b");
+  const auto macro = macro_of(folder_);
+  ASSERT_TRUE(macro);
+  ASSERT_EQ(macro->steps.size(), 3u);
+  EXPECT_TRUE(macro->steps[0].commands.empty());
+  EXPECT_EQ(macro->steps[0].told_in, 2);
+  EXPECT_THAT(words(), ElementsAre("session {case} --live --material linear --settle last --commands session-2.json "
+                                   "--out rehearsal-2",
+                                   "session {case} --live --material neo-hookean --settle last --commands "
+                                   "session-4.json --out rehearsal-4"));
+  const auto again = rehearsal::parse_recording(macro->steps[1].commands.front().document);
+  ASSERT_TRUE(again);
+  ASSERT_EQ(again->size(), 2u);
+  EXPECT_EQ(again->back().second, "digest-1");
+  EXPECT_THAT(as_command_line(*macro), HasSubstr("# 1. Tool (in the session of step 2)"));
+  EXPECT_THAT(as_python(*macro), HasSubstr("rehearsal_4 = patient.session(material=\"neo-hookean\")"));
+  // What no step needs any more goes.
+  draw("liver", 12);
+  EXPECT_NE(recording_beside(folder_, "a"), "");
+  while (history()->steps_to_undo() > 0) ASSERT_TRUE(history()->undo());
+  draw("liver", 13);
+  EXPECT_EQ(recording_beside(folder_, "a"), "");
+  EXPECT_EQ(recording_beside(folder_, "../../case"), "");
+}
+
+TEST_F(MacroTest, ACutInTheMakingIsAnsweredAndALiverLaidByHandIsRefined) {
+  const auto said = [](const std::string& plan) { return Json::array({plan}).dump(); };
+  const std::string plane = said(R"({"format":"glisson-plan/1","name":"taken","cuts":[{"plane":{"point_mm":[1,2,3],)"
+                                 R"("normal":[1,0,0],"removed":"larger"}}]})");
+  const std::string taken = said(R"({"format":"glisson-plan/1","name":"taken","cuts":[{"segments":[6,7]}]})");
+  ASSERT_TRUE(history()->record_values({"Set a plane", {}}, {{"resect/surface", "[null]", plane}}));
+  ASSERT_TRUE(history()->record_values({"Cut by segments", {}}, {{"resect/taken", "[null]", taken}}));
+  ASSERT_TRUE(history()->record_values({"No cut", {}},
+                                       {{"resect/surface", plane, "[null]"}, {"resect/taken", taken, "[null]"}}));
+  const std::string content(64, 'a');
+  const std::string pose =
+      R"([{"sequence":")" + content + R"(","frame":2,"pose":[1,0,0,0.1,0,1,0,2,0,0,1,90,0,0,0,1]}])";
+  ASSERT_TRUE(history()->record_values({"By hand", {}}, {{"guide/pose", "[null]", pose}}));
+  ASSERT_TRUE(
+      history()->record_values({"By hand", {}}, {{"guide/pose", pose, R"([{"sequence":"$[hit]","frame":2}])"}}));
+  const auto macro = macro_of(folder_);
+  ASSERT_TRUE(macro);
+  ASSERT_EQ(macro->steps.size(), 5u);
+  EXPECT_EQ(Json::parse(macro->steps[0].commands.at(0).document).at("cuts").size(), 1u);
+  const Json both = Json::parse(macro->steps[1].commands.at(0).document).at("cuts");
+  ASSERT_EQ(both.size(), 2u);
+  EXPECT_EQ(both[0].at("plane").at("removed"), "larger");
+  EXPECT_TRUE(macro->steps[2].commands.empty());
+  EXPECT_TRUE(macro->steps[4].commands.empty());
+  EXPECT_THAT(words(), ElementsAre("plan {case} --answer plan-1.json --out plan-1",
+                                   "plan {case} --answer plan-2.json --out plan-2",
+                                   "guide {case} --sequence {sequence-1} --sequence-sha256 " + content +
+                                       " --frame 2 "
+                                       "--pose=1,0,0,0.1,0,1,0,2,0,0,1,90,0,0,0,1 --out guided-4"));
+  EXPECT_THAT(as_command_line(*macro), HasSubstr("SEQUENCE_1=sequence.json  # the file whose SHA-256 is " + content));
+  EXPECT_THAT(as_command_line(*macro), HasSubstr("--sequence \"$SEQUENCE_1\""));
+  EXPECT_THAT(as_python(*macro), HasSubstr("patient.guide(sequence_1, frame=2, pose=[1, 0, 0, 0.1, "));
 }
 
 TEST_F(MacroTest, SaysThatEarlierStepsAreForgotten) {

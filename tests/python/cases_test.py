@@ -1,5 +1,7 @@
 """Cases from Python: made, filled, read back, and refused where they are none."""
+import json
 import pathlib
+import sys
 import tempfile
 import unittest
 
@@ -78,6 +80,66 @@ class Cases(Case):
         self.assertIn("import glisson", case.macro())
         self.assertIn("CASE=", case.macro("command-line"))
         self.assertRefused("choice-unknown", case.macro, "cobol")
+
+    def patient_with_liver(self, name, liver):
+        glisson.write_volume_file(self.root / f"{name}.nrrd", image_of(liver))
+        case = glisson.Case.create(self.root / f"{name}.glisson")
+        case.import_study(self.root / f"{name}.nrrd")
+        case.grow_structure("liver", [[0, 0, 0]])
+        return case
+
+    def test_another_program_outlines_and_its_values_are_named(self):
+        glisson.write_volume_file(self.root / "anatomy.nrrd", image_of(ball(40, 40.0, 2.5)))
+        case = glisson.Case.create(self.root / "patient.glisson")
+        case.import_study(self.root / "anatomy.nrrd")
+        network = self.root / "network.py"  # whatever is bright is a 3
+        network.write_text("import sys, glisson\nimage = glisson.read_volume_file(sys.argv[1])\n"
+                           "glisson.write_volume_file(sys.argv[2], glisson.Volume(3.0 * (image.array > 130), "
+                           "spacing_mm=image.spacing_mm, origin_mm=image.origin_mm, direction=image.direction))\n")
+        command = f"{sys.executable} {network} {{image}} {{labels}}"
+        outlined = case.outline_by_program(command, names={3: "liver"})
+        self.assertEqual([one["name"] for one in outlined], ["liver"])
+        self.assertGreater(glisson.dice(case.mask("liver"), ball(40, 40.0, 2.5)), 0.95)
+        self.assertAlmostEqual(outlined[0]["volume_ml"], glisson.volume_ml(case.mask("liver")), delta=1e-6)
+        before = case.entries
+        self.assertRefused("command-no-image", case.outline_by_program, "network {folder}")
+        self.assertRefused("program-not-found", case.outline_by_program, "no-such-network {image} {folder}")
+        self.assertRefused("program-failed", case.outline_by_program, f"{sys.executable} {network} {{image}} {{folder}}/x/y")
+        self.assertEqual(case.entries, before)
+
+    def test_two_studies_are_compared_segment_by_segment(self):
+        before = self.patient_with_liver("before", ball(56, 60.0, 2.5))
+        after = self.patient_with_liver("after", ball(56, 66.0, 2.5))
+        self.assertRefused("growth-segments-missing", glisson.compare_studies, before, after)
+        for case in (before, after):
+            case.find_territories(by="prior")
+        before.keep_plan("Right side", {"segments": [5, 6, 7, 8]})
+        grown = glisson.compare_studies(before, after, plan="Right side", days=28, folder=self.root / "growth")
+        ml = [glisson.volume_ml(case.mask("liver")) for case in (before, after)]
+        self.assertAlmostEqual(grown["liver"]["before_ml"], ml[0], delta=1e-6)
+        self.assertAlmostEqual(grown["liver"]["change_percent"], 100 * (ml[1] / ml[0] - 1), delta=1e-6)
+        self.assertAlmostEqual(sum(one["after_ml"] for one in grown["segments"]), ml[1], delta=1e-6)
+        self.assertIn("kinetic_growth_rate_points_per_week", grown["remnant"])
+        self.assertEqual(json.loads((self.root / "growth" / "growth.json").read_text()), grown)
+        page = (self.root / "growth" / "growth.html").read_text()
+        self.assertIn(f"{grown['liver']['change_percent']:+.1f}", page)
+        self.assertIn("what the plan Right side leaves", page)
+        self.assertRefused("growth-same-case", glisson.compare_studies, before, before)
+
+    def test_it_is_rehearsed_as_the_window_does_and_to_the_bit(self):
+        case = self.patient_with_liver("patient", ball(40, 40.0, 2.5))
+        case.mesh_liver(target_cells=800)
+        case.assign_stiffness(uniform_kPa=6.1)
+        hold = {"hold": {"id": "jaws", "grasp": {"at_rest_mm": [0, -40, 0], "radius_mm": 12}, "displacement_mm": [0, -3, 0]}}
+        for material in ("linear", "neo-hookean"):
+            session = case.session(material=material)
+            for command in (hold, {"settle": True}):
+                self.assertEqual(session.step(command).refused, "")
+            self.assertGreater(session.state.max_displacement_mm, 2)
+            again = case.session(material=material)
+            self.assertIsNone(again.replay(session.recording()))
+            self.assertEqual(again.state.digest, session.state.digest)
+        self.assertRefused("choice-unknown", case.session, material="rubber")
 
     def test_what_is_no_case_is_refused(self):
         with self.assertRaises(glisson.Error):

@@ -2,12 +2,18 @@
 // Sequences whose truth is known: the front of a real liver's surface, breathing and pressed by a tool, registered
 // perfectly but for a fault in a known place.
 
+#include <fmt/format.h>
+#include <gtest/gtest.h>
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <numbers>
 #include <numeric>
 #include <random>
 
+#include "base/files.h"
+#include "base/json.h"
+#include "geometry/mesh_file.h"
 #include "registration/rigid.h"
 #include "registration_quality/benchmark.h"
 
@@ -134,6 +140,45 @@ inline Benchmark benchmark_for(const MadeSequence& made) {
     if (place) place = to_model * *place;
   }
   return benchmark;
+}
+
+// As a sequence on disk that was registered by somebody else: sequence.json with its benchmark, alone.json without, and
+// truth.csv: each point at rest, and its mean true error over the frames.
+inline void write_made(const MadeSequence& made, const std::filesystem::path& folder) {
+  namespace fs = std::filesystem;
+  fs::create_directories(folder);
+  Json document{{"frames", Json::array()}, {"landmarks", "tracks.csv"}, {"registered", Json::array()}};
+  for (std::size_t t = 0; t < made.sequence.frames.size(); ++t) {
+    const auto& frame = made.sequence.frames[t];
+    for (const auto& [letter, points_mm] : {std::pair{'f', &frame.cloud_mm}, std::pair{'r', &frame.registered_mm}}) {
+      geometry::Surface cloud;
+      cloud.points_mm = *points_mm;
+      cloud.triangles = {{0, 1, 2}};
+      EXPECT_TRUE(geometry::write_surface(folder / fmt::format("{}{:03}.ply", letter, t), cloud));
+    }
+    document["frames"].push_back({{"cloud", fmt::format("f{:03}.ply", t)}});
+    document["registered"].push_back(fmt::format("r{:03}.ply", t));
+  }
+  std::string tracks = "landmark,frame,x_mm,y_mm,z_mm\n", truth = "x_mm,y_mm,z_mm,error_mm\n";
+  for (const LandmarkTrack& track : made.sequence.landmarks) {
+    for (std::size_t t = 0; t < track.positions_mm.size(); ++t) {
+      if (!track.positions_mm[t]) continue;
+      const Vector3d& seen = *track.positions_mm[t];
+      tracks += fmt::format("{},{},{},{},{}\n", track.id, t, seen.x(), seen.y(), seen.z());
+    }
+  }
+  for (std::size_t k = 0; k < made.rest_mm.size(); ++k) {
+    double sum_mm = 0;
+    for (const auto& frame : made.true_error_mm) sum_mm += frame[k] / static_cast<double>(made.true_error_mm.size());
+    const Vector3d& rest = made.rest_mm[k];
+    truth += fmt::format("{},{},{},{}\n", rest.x(), rest.y(), rest.z(), sum_mm);
+  }
+  EXPECT_TRUE(write_text_file(folder / "tracks.csv", tracks));
+  EXPECT_TRUE(write_text_file(folder / "truth.csv", truth));
+  EXPECT_TRUE(write_json_file(folder / "alone.json", document));
+  EXPECT_TRUE(write_benchmark(folder / "benchmark.csv", made.sequence.landmarks, benchmark_for(made)));
+  document["benchmark"] = "benchmark.csv";
+  EXPECT_TRUE(write_json_file(folder / "sequence.json", document));
 }
 
 // The true error of each triangle: the mean, over all frames, of the points that lie over it.

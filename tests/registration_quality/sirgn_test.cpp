@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 
 #include "base/files.h"
@@ -164,6 +165,36 @@ TEST(Sirgn, SeesFaultsThatComeAndGoAgainstTheBenchmarkToo) {
         print_areas(what.c_str(), judgement);
       }
     }
+  }
+}
+
+// Those of the table in docs/real-data.md, for docs/examples/python/judge_known_fault.py too: they stay in
+// $GLISSON_KEEP_SEQUENCES where that is set.
+TEST(Sirgn, JudgesTheSameSequencesFromDisk) {
+  GLISSON_NEEDS_DATA("pbsm_liver_insilico");
+  const TemporaryFolder temporary;
+  const char* kept = std::getenv("GLISSON_KEEP_SEQUENCES");
+  const std::filesystem::path folder = kept != nullptr ? std::filesystem::path(kept) : temporary.path();
+  struct Row {
+    const char* name;
+    Fault::Course course;
+    int landmarks;
+    double outliers;
+  };
+  for (const Row& row :
+       {Row{"growing-200", Fault::Course::with_time, 200, 0}, Row{"jumps-200", Fault::Course::irregular, 200, 0.1},
+        Row{"jumps-60", Fault::Course::irregular, 60, 0.1}, Row{"constant-200", Fault::Course::constant, 200, 0},
+        Row{"constant-60", Fault::Course::constant, 60, 0}}) {
+    const SequenceSpec spec{.landmarks = row.landmarks, .outlier_share = row.outliers, .faults = {fault(row.course)}};
+    const auto made = test::make_sequence(liver(), spec);
+    test::write_made(made, folder / row.name);
+    const auto files = read_sequence(folder / row.name / "sequence.json");
+    ASSERT_TRUE(files) << files.error().message();
+    const auto registered = register_sequence(*files, SequenceMethod::given);
+    ASSERT_TRUE(registered) << registered.error().message();
+    const auto found = sirgn(*registered);
+    ASSERT_TRUE(found) << found.error().message();
+    EXPECT_NEAR(found->mean_correlation, judge(spec, By::benchmark).quality.mean_correlation, 2e-3) << row.name;
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <cstdlib>
 
 #include "base/files.h"
 #include "geometry/mesh_file.h"
@@ -35,6 +36,12 @@ class VideoFolders {
   }
   [[nodiscard]] std::filesystem::path left() const { return folder_.path() / "left"; }
   [[nodiscard]] std::filesystem::path right() const { return folder_.path() / "right"; }
+  // For docs/examples/python/sequence_from_video.py.
+  void keep_in(const std::filesystem::path& folder) const {
+    std::filesystem::create_directories(folder);
+    std::filesystem::copy(folder_.path(), folder, std::filesystem::copy_options::recursive);
+    EXPECT_TRUE(vision::write_stereo_calibration(folder / "camera.json", StereoVideo::calibration()));
+  }
   [[nodiscard]] std::filesystem::path out() const { return folder_.path() / "sequence"; }
   [[nodiscard]] Result<VideoSequence> make(const VideoSequenceOptions& options) const {
     auto from_left = vision::FrameSource::open(left()).value();
@@ -49,6 +56,7 @@ class VideoFolders {
 TEST(VideoSequence, GoesFromPicturesToAJudgedRegistration) {
   GLISSON_NEEDS_DATA("hamlyn_heart_stereo");
   const VideoFolders video(5);
+  if (const char* kept = std::getenv("GLISSON_KEEP_SEQUENCES")) video.keep_in(std::filesystem::path(kept) / "video");
   VideoSequenceOptions options;
   options.stereo.step_px = 8;
   const auto made = video.make(options);

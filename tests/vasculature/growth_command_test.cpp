@@ -106,6 +106,11 @@ TEST_F(GrowthCommand, TellsWhatGrewBetweenTwoStudies) {
   ASSERT_TRUE(table);
   EXPECT_EQ(std::count(table->begin(), table->end(), '\n'), 11);  // a head, eight segments, the remnant, the liver
   EXPECT_THAT(*table, HasSubstr("\nVIII,"));
+  const auto page = read_text_file(file("growth/growth.html"));
+  ASSERT_TRUE(page);
+  EXPECT_THAT(*page, HasSubstr("what the plan Right side leaves"));
+  EXPECT_THAT(*page, HasSubstr("segment VIII"));
+  EXPECT_THAT(*page, HasSubstr("Kinetic growth rate"));
 
   const Json standard = answer(compare({"--plan", "Right side", "--standard-liver-ml", "1500"}));
   EXPECT_EQ(standard.at("percent_of"), "standard");

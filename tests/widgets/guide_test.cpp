@@ -3,9 +3,12 @@
 
 #include <QJsonArray>
 #include <QJsonObject>
+#include <QProcess>
 #include <QtTest>
 
 #include "base/files.h"
+#include "base/json.h"
+#include "casefile/macro.h"
 #include "fits.h"
 #include "geometry/mesh_file.h"
 #include "guided_case.h"
@@ -186,6 +189,40 @@ class GuideTest : public QObject {
       QVERIFY(page_->answered(f) != nullptr && page_->answered(f)->placement.converged);
       QVERIFY((tumour_mm(*page_->answered(f)) - truth_mm_[f]).norm() < 6);
     }
+  }
+
+  // The diary's command begins where the hand left it, and comes to what the window shows, to the bit.
+  void is_told_as_a_command_that_refines_it_alike() {
+    const auto macro = test::needed(casefile::macro_of(case_));
+    QCOMPARE(macro.sequences.size(), std::size_t{1});
+    const auto step = std::find_if(macro.steps.rbegin(), macro.steps.rend(),
+                                   [](const casefile::MacroStep& each) { return !each.commands.empty(); });
+    QVERIFY(step != macro.steps.rend());
+    const fs::path out = folder_.path() / "told";
+    QStringList words;
+    for (const std::string& word : step->commands.front().words) {
+      words << QString::fromStdString(word == casefile::the_case ? case_.string()
+                                      : word == "{sequence-1}"   ? sequence_.string()
+                                                                 : word);
+    }
+    QCOMPARE(words.front(), QString("guide"));
+    words.back() = QString::fromStdString(out.string());
+    const QString program = QCoreApplication::applicationDirPath() + "/glisson-cli";
+    QCOMPARE(QProcess::execute(program, words), 0);
+    const Json answer = test::needed(read_json_file(out / "guidance.json"));
+    QCOMPARE(answer.at("frames").size(), std::size_t{frames});
+    for (const Json& frame : answer.at("frames")) {
+      const auto f = static_cast<std::size_t>(std::stoi(frame.at("id").get<std::string>().substr(1)));
+      const guidance::ElasticPlacement& shown = page_->answered(f)->placement;
+      for (int k = 0; k < 16; ++k) QCOMPARE(frame.at("pose").at(k).get<double>(), shown.pose.matrix()(k / 4, k % 4));
+      for (std::size_t t = 0; t < shown.target_mm.size(); ++t) {
+        const Json& position_mm = frame.at("targets").at(t).at("position_mm");
+        for (int axis = 0; axis < 3; ++axis) QVERIFY(position_mm.at(axis).get<double>() == shown.target_mm[t][axis]);
+      }
+    }
+    QCOMPARE(words[4], QString("--sequence-sha256"));
+    words[5] = QString(64, '0');  // of another video
+    QCOMPARE(QProcess::execute(program, words), 1);
   }
 
   void films_what_is_shown() {

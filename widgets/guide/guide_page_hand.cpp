@@ -66,6 +66,7 @@ void GuidePage::move_by_hand(const Eigen::Isometry3d& pose) {
 
 void GuidePage::keep_hand_pose() {
   const QJsonValue now = json_of(hand_);
+  if (hand_) hand_ = hand_pose_of(now);  // what is kept is what a refinement begins from, to the bit
   context_.undo.value_changed({GLISSON_TEXT("Place the liver by hand"), {}}, pose_key, kept_, now);
   kept_ = now;
   word();

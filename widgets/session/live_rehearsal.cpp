@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <QtConcurrentRun>
+#include <QUuid>
 
 namespace glisson::widgets {
 namespace {
@@ -120,7 +121,10 @@ void LiveRehearsal::start_anew() {
   session_number_.reset();
   contact_.reset();
   cut_steps_ = cuts_since_tool_ = 0;
+  strips_.clear();
+  session_name_.clear();
   if (setup_ && in_session()) {
+    session_name_ = QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString();
     const bool large = deformations_ == Deformations::large;
     session_ = std::make_unique<rehearsal::LiveSession>(
         rehearsal::with_law(*setup_, large ? mechanics::MaterialLaw::neo_hookean : mechanics::MaterialLaw::linear));
@@ -229,6 +233,7 @@ void LiveRehearsal::advance_cut(const mechanics::CutStrip& strip) {
   if (!session_ || frozen_) return;
   go_on();
   session_->post(rehearsal::AdvanceCut{strip});
+  strips_.push_back(strip);
   ++cuts_since_tool_;
   set_solving(Solving::solving);
 }
@@ -237,8 +242,40 @@ void LiveRehearsal::take_cut_back() {
   if (!can_take_cut_back()) return;
   go_on();
   session_->post(rehearsal::Undo{});
+  if (!strips_.empty()) strips_.pop_back();
   --cuts_since_tool_;
   set_solving(Solving::solving);
+}
+
+// One that was refused is asked for again from the same place, so that those that are open come first.
+std::vector<mechanics::CutStrip> LiveRehearsal::cut_along() const {
+  const auto open = std::min(strips_.size(), static_cast<std::size_t>(cut_steps_));
+  return {strips_.begin(), strips_.begin() + static_cast<std::ptrdiff_t>(open)};
+}
+
+void LiveRehearsal::cut_all(const std::vector<mechanics::CutStrip>& wanted) {
+  if (!session_ || frozen_) return;
+  const std::vector<mechanics::CutStrip> open = cut_along();
+  if (wanted.size() < open.size()) {
+    const auto fewer = static_cast<int>(open.size() - wanted.size());
+    if (fewer > cuts_since_tool_) {
+      const std::vector<PlacedTool> tools = tools_;
+      start_anew();
+      hold_all(tools);
+      for (const mechanics::CutStrip& strip : wanted) advance_cut(strip);
+      return;
+    }
+    go_on();
+    for (int step = 0; step < fewer; ++step) session_->post(rehearsal::Undo{});
+    strips_ = wanted;
+    cuts_since_tool_ -= fewer;
+    set_solving(Solving::solving);
+  }
+  for (std::size_t step = open.size(); step < wanted.size(); ++step) advance_cut(wanted[step]);
+}
+
+rehearsal::Recording LiveRehearsal::recording() const {
+  return session_ ? session_->recording() : rehearsal::Recording();
 }
 
 bool LiveRehearsal::can_take_cut_back() const {

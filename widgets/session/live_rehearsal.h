@@ -73,7 +73,15 @@ class LiveRehearsal : public QObject {
   void advance_cut(const mechanics::CutStrip& strip);
   void take_cut_back();
   [[nodiscard]] bool can_take_cut_back() const;
-  [[nodiscard]] int cut_steps() const { return cut_steps_; }  // that are open
+  [[nodiscard]] int cut_steps() const { return cut_steps_; }         // that are open
+  [[nodiscard]] std::vector<mechanics::CutStrip> cut_along() const;  // those steps
+  // That cut and no other. Where what is open cannot be taken back, the session starts anew with the same tools.
+  void cut_all(const std::vector<mechanics::CutStrip>& wanted);
+
+  // Of all that is answered by a session: a name that no other session has, and what it carried out, with digests.
+  // Empty outside of one.
+  [[nodiscard]] const std::string& session_name() const { return session_name_; }
+  [[nodiscard]] rehearsal::Recording recording() const;
 
   // Nothing moves any tool while it is frozen.
   void set_frozen(bool frozen);
@@ -169,8 +177,10 @@ class LiveRehearsal : public QObject {
   std::unique_ptr<rehearsal::LiveSession> session_;
   std::optional<std::uint64_t> session_number_;  // of the last state seen
   std::shared_ptr<const rehearsal::SessionState> contact_;
+  std::string session_name_;
   int cut_steps_ = 0;
   int cuts_since_tool_ = 0;
+  std::vector<mechanics::CutStrip> strips_;  // asked for; more than the steps that are open where some were refused
   QTimer session_timer_;
 
   RehearsalTrack track_;

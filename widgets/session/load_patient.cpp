@@ -29,12 +29,8 @@ PatientStructure structure_of(const casefile::StructureSurface& read) {
 
 // Landmarks are those of the structures as they are outlined now, the mesh is that of the model: after an edit some may
 // lie outside of it.
-void leave_out_lost_landmarks(rehearsal::RehearsalSetup& setup, Patient& patient) {
-  const auto is_lost = [&](const mechanics::Landmark& landmark) {
-    return !mechanics::locate_landmarks(setup.mesh, {landmark}, setup.landmark_tolerance_mm);
-  };
-  if (mechanics::locate_landmarks(setup.mesh, setup.landmarks, setup.landmark_tolerance_mm)) return;
-  const auto lost = std::erase_if(setup.landmarks, is_lost);
+void say_lost_landmarks(std::size_t lost, Patient& patient) {
+  if (lost == 0) return;
   patient.remarks.push_back(
       {GLISSON_TEXT("The structures have changed since the model was built. Landmarks that now lie outside "
                     "of it are left out ({0}). Build the model anew."),
@@ -81,11 +77,8 @@ Result<void> prepare_rehearsal(const casefile::Case& from, Patient& patient, con
     shown.preparing = true;
     first_look(shown);
   }
-  rehearsal::RehearsalSetup setup = casefile::rehearsal_setup(*std::move(model));
-  for (const PatientStructure& structure : patient.structures) setup.structures.push_back(*structure.surface);
-  leave_out_lost_landmarks(setup, patient);
-  // Half the memory and half the time of a solve; answers are refined to the same residual.
-  setup.options.factor_precision = mechanics::StaticOptions::FactorPrecision::single;
+  auto [setup, lost_landmarks] = casefile::live_rehearsal_setup(*std::move(model));
+  say_lost_landmarks(lost_landmarks, patient);
   auto rehearsal = rehearsal::StaticRehearsal::create(setup, progress);
   if (!rehearsal) return failure(rehearsal.error());
   setup.models = rehearsal->models();

@@ -11,6 +11,10 @@ constexpr const char* key = "rehearse/tool";
 constexpr const char* rigid = "rigid";
 constexpr const char* deformations = "deformations";
 constexpr const char* large = "large";
+constexpr const char* cut_key = "cut";
+// What answered it, and after how many of its commands; of no matter for how things stand.
+constexpr const char* session_key = "session";
+constexpr const char* commands_key = "commands";
 
 QJsonArray qt_json_of(const Eigen::Vector3d& vector) { return {vector.x(), vector.y(), vector.z()}; }
 
@@ -45,11 +49,35 @@ Sentence name_of(const QJsonObject& before, const QJsonObject& after) {
   if ((before[deformations] == large) != (after[deformations] == large)) {
     return {GLISSON_TEXT("Small or large deformations"), {}};
   }
+  if (before[cut_key] != after[cut_key]) return {GLISSON_TEXT("Cut along the plan"), {}};
   if (were.isEmpty()) return {GLISSON_TEXT("Place the tool"), {}};
   if (were.size() < are.size()) return {GLISSON_TEXT("Place another tool"), {}};
   if (were.size() > are.size()) return {GLISSON_TEXT("Take the tool away"), {}};
   const bool moved = were.last().toObject()["center_mm"] != are.last().toObject()["center_mm"];
   return {moved ? GLISSON_TEXT("Move the tool") : GLISSON_TEXT("Change the force"), {}};
+}
+
+QJsonObject how_things_stand(QJsonObject state) {
+  state.remove(session_key);
+  state.remove(commands_key);
+  return state;
+}
+
+// As commands of a session, which read back to the same bits.
+QString text_of(const std::vector<mechanics::CutStrip>& strips) {
+  rehearsal::Recording advances;
+  for (const mechanics::CutStrip& strip : strips) advances.emplace_back(rehearsal::AdvanceCut{strip}, "");
+  return QString::fromStdString(rehearsal::recording_text(advances));
+}
+
+std::vector<mechanics::CutStrip> strips_of(const QString& text) {
+  std::vector<mechanics::CutStrip> strips;
+  const auto advances = rehearsal::parse_recording(text.toStdString());
+  if (!advances) return strips;
+  for (const auto& [command, digest] : *advances) {
+    if (const auto* advance = std::get_if<rehearsal::AdvanceCut>(&command)) strips.push_back(advance->strip);
+  }
+  return strips;
 }
 
 }  // namespace
@@ -71,16 +99,27 @@ void RehearsalUndo::begin() {
 QJsonValue RehearsalUndo::state() const {
   QJsonArray tools;
   for (const PlacedTool& tool : rehearsal_.tools()) tools.append(qt_json_of(tool));
-  return QJsonObject{{"touch", rehearsal_.touch() == Touch::rigid ? rigid : "patch"},
-                     {deformations, rehearsal_.deformations() == Deformations::large ? large : "small"},
-                     {"tools", tools}};
+  QJsonObject state{{"touch", rehearsal_.touch() == Touch::rigid ? rigid : "patch"},
+                    {deformations, rehearsal_.deformations() == Deformations::large ? large : "small"},
+                    {"tools", tools}};
+  const auto strips = rehearsal_.cut_along();
+  if (!strips.empty()) state[cut_key] = text_of(strips);
+  return state;
 }
 
 void RehearsalUndo::note() {
   if (!rehearsal_.body() || rehearsal_.shown_moment() || rehearsal_.solving() == Solving::solving) return;
-  const QJsonValue now = state();
-  if (now == known_) return;
-  undo_.value_changed(name_of(known_.toObject(), now.toObject()), key, known_, now);
+  QJsonObject now = state().toObject();
+  if (now == how_things_stand(known_.toObject())) return;
+  const Sentence name = name_of(known_.toObject(), now);
+  std::optional<casefile::RecordingBeside> beside;
+  if (!rehearsal_.session_name().empty()) {
+    const rehearsal::Recording recording = rehearsal_.recording();
+    now[session_key] = QString::fromStdString(rehearsal_.session_name());
+    now[commands_key] = static_cast<int>(recording.size());
+    beside = casefile::RecordingBeside{rehearsal_.session_name(), rehearsal::recording_text(recording)};
+  }
+  undo_.values_changed(name, {{key, known_, now}}, Undo::Joins::never, beside);
   known_ = now;
 }
 
@@ -99,6 +138,7 @@ void RehearsalUndo::apply(const QJsonValue& wanted) {
     rehearsal_.set_deformations(kind);
   }
   rehearsal_.hold_all(tools);
+  rehearsal_.cut_all(strips_of(state[cut_key].toString()));
 }
 
 }  // namespace glisson::widgets

@@ -78,7 +78,8 @@ void Undo::value_changed(const Sentence& name, const QString& key, const QJsonVa
   values_changed(name, {{key, before, after}}, joins);
 }
 
-void Undo::values_changed(const Sentence& name, const std::vector<Changed>& values, Joins joins) {
+void Undo::values_changed(const Sentence& name, const std::vector<Changed>& values, Joins joins,
+                          const std::optional<casefile::RecordingBeside>& beside) {
   std::vector<casefile::ValueChange> changes;
   for (const Changed& value : values) {
     if (value.before != value.after) {
@@ -86,10 +87,10 @@ void Undo::values_changed(const Sentence& name, const std::vector<Changed>& valu
     }
   }
   if (!history_ || refused_ || changes.empty()) return;
-  queue([this, history = history_, name, changes, joins]() -> std::function<void()> {
+  queue([this, history = history_, name, changes, joins, beside]() -> std::function<void()> {
     const auto outcome = history->record_values(
         name, changes,
-        joins == Joins::with_same ? casefile::History::Joins::last_of_same_keys : casefile::History::Joins::no);
+        joins == Joins::with_same ? casefile::History::Joins::last_of_same_keys : casefile::History::Joins::no, beside);
     return [this, outcome] {
       if (!outcome) Q_EMIT failed(outcome.error());
     };

@@ -61,7 +61,9 @@ class Undo : public QObject {
     QString key;
     QJsonValue before, after;
   };
-  void values_changed(const Sentence& name, const std::vector<Changed>& values, Joins joins = Joins::never);
+  // `beside`: what led to them and is too long for a value.
+  void values_changed(const Sentence& name, const std::vector<Changed>& values, Joins joins = Joins::never,
+                      const std::optional<casefile::RecordingBeside>& beside = {});
   void keep(const QString& key, std::function<void(const QJsonValue&)> apply);
   // What the case remembers of it; undefined where nothing.
   [[nodiscard]] QJsonValue value(const QString& key) const;

@@ -81,6 +81,17 @@ class Case:
 
         progress(fraction, stage) is told how far it is; KeyboardInterrupt cancels."""
 
+    def guide(self, sequence: str | os.PathLike[str], *, pose: Optional[numpy.typing.ArrayLike] = ..., frame: int = ..., noise_mm: float = ..., sequence_sha256: str = ..., folder: Optional[str | os.PathLike[str]] = ..., progress: Optional[Callable[[float, str], Any]] = ...) -> Any:
+        """The patient's liver, its structures and landmarks on the frames of a laparoscope's sequence.json.
+
+        pose      about where it lies in that frame, scan to camera, mm: (4, 4), or 16 numbers row by row; else searched for
+        frame     which is answered first, from 0; the others follow from it
+        noise_mm  standard deviation of each coordinate of the clouds
+        sequence_sha256   of sequence.json, where another one is to be refused
+        folder    where given, guidance.json, a mesh a frame and pictures with outlines are written there
+
+        A dict, as guide() answers. Raises glisson.Error: pose-not-rigid, guide-no-frame, guide-other-sequence, case-lacks-entry."""
+
     def import_study(self, path: str | os.PathLike[str], *, anatomy_uid: Optional[str] = ..., stiffness_uid: Optional[str] = ..., progress: Optional[Callable[[float, str], Any]] = ...) -> Dict[str, Any]:
         """Takes the series of a folder or file into the case: id -> notes of each volume.
 
@@ -118,6 +129,20 @@ class Case:
     def origin(self) -> str:
         """"SIMULATED ...", or empty for a real patient: to be shown beside anything of it."""
 
+    def outline_by_program(self, command: str, *, names: Mapping[int, str] = ..., progress: Optional[Callable[[float, str], Any]] = ...) -> List[Any]:
+        """Hands the anatomy to another program, as a segmentation network, and saves what it outlines.
+
+        command  its words, as "TotalSegmentator -i {image} -o {folder}": {image} is the anatomy as .nii.gz (float; HU, or as
+                 measured), {image_folder} the folder in which it lies alone, {folder} an empty one for what the program
+                 writes, {labels} a file in it for a program that writes one. No shell reads them.
+        names    value -> name, as {1: "liver"}, where its label maps and their files' names do not say
+
+        A list of dicts: name, id, volume_ml, notes. Structures of the same names are replaced; where it fails the case stays
+        as it was.
+
+        progress(fraction, stage) is told how far it is; KeyboardInterrupt cancels.
+        Raises glisson.Error: command-no-image, command-no-labels, program-no-labels, program-not-found, program-failed, case-lacks-entry."""
+
     def planner(self, *, progress: Optional[Callable[[float, str], Any]] = ...) -> Planner:
         """A Planner for this patient: with its trees and territories where it has them."""
 
@@ -140,6 +165,14 @@ class Case:
         must be as that one was before the step; its files come out the same, byte for byte.
 
         Raises glisson.Error: step-unknown, step-does-not-fit, step-content-gone, step-changes-nothing."""
+
+    def session(self, *, material: str = ..., progress: Optional[Callable[[float, str], Any]] = ...) -> Session:
+        """A Session of this patient as the window rehearses, so that its recordings replay to the bit.
+
+        material  "linear" (small strain), "neo-hookean" or "corotational" (large)
+
+        The reference body, where there is one, comes with the command {"compare": True}.
+        Raises glisson.Error: case-lacks-entry before there is a model; choice-unknown."""
 
     @property
     def structures(self) -> List[str]:
@@ -196,29 +229,29 @@ class LabelMap:
 
     @property
     def array(self) -> numpy.typing.NDArray[Any]:
-        """The values, [i, j, k], without a copy."""
+        """The values, shape (i, j, k), in the image's unit (kPa, HU, 0 or 1, ...), without a copy."""
 
     @property
     def direction(self) -> numpy.typing.NDArray[numpy.float64]:
-        """Columns: the axes i, j, k in LPS."""
+        """(3, 3): its columns are the unit vectors of the axes i, j, k in LPS."""
 
     @staticmethod
     def empty(size: Sequence[int], *, spacing_mm: numpy.typing.ArrayLike = ..., origin_mm: numpy.typing.ArrayLike = ..., direction: numpy.typing.ArrayLike = ...) -> LabelMap:
         """All zero, to be filled in place through its array; size is (i, j, k)."""
 
     def index_of(self, position_mm: numpy.typing.ArrayLike) -> numpy.typing.NDArray[numpy.float64]:
-        """The (fractional) voxel index [i, j, k] at a position (LPS, mm)."""
+        """(3,): the voxel index [i, j, k], fractional, at a position (3,), LPS, mm."""
 
     @property
     def origin_mm(self) -> numpy.typing.NDArray[numpy.float64]:
-        """Centre of voxel (0, 0, 0), LPS, mm."""
+        """(3,): centre of voxel (0, 0, 0), LPS, mm."""
 
     def position_mm(self, index: numpy.typing.ArrayLike) -> numpy.typing.NDArray[numpy.float64]:
-        """Where a (fractional) voxel index [i, j, k] lies: LPS, mm."""
+        """(3,): where a voxel index (3,), which may be fractional, lies: LPS, mm."""
 
     @property
     def spacing_mm(self) -> numpy.typing.NDArray[numpy.float64]:
-        """Along i, j, k, mm."""
+        """(3,): between voxels along i, j, k, mm."""
 
     @property
     def voxel_volume_mm3(self) -> float:
@@ -273,29 +306,29 @@ class Mask:
 
     @property
     def array(self) -> numpy.typing.NDArray[Any]:
-        """The values, [i, j, k], without a copy."""
+        """The values, shape (i, j, k), in the image's unit (kPa, HU, 0 or 1, ...), without a copy."""
 
     @property
     def direction(self) -> numpy.typing.NDArray[numpy.float64]:
-        """Columns: the axes i, j, k in LPS."""
+        """(3, 3): its columns are the unit vectors of the axes i, j, k in LPS."""
 
     @staticmethod
     def empty(size: Sequence[int], *, spacing_mm: numpy.typing.ArrayLike = ..., origin_mm: numpy.typing.ArrayLike = ..., direction: numpy.typing.ArrayLike = ...) -> Mask:
         """All zero, to be filled in place through its array; size is (i, j, k)."""
 
     def index_of(self, position_mm: numpy.typing.ArrayLike) -> numpy.typing.NDArray[numpy.float64]:
-        """The (fractional) voxel index [i, j, k] at a position (LPS, mm)."""
+        """(3,): the voxel index [i, j, k], fractional, at a position (3,), LPS, mm."""
 
     @property
     def origin_mm(self) -> numpy.typing.NDArray[numpy.float64]:
-        """Centre of voxel (0, 0, 0), LPS, mm."""
+        """(3,): centre of voxel (0, 0, 0), LPS, mm."""
 
     def position_mm(self, index: numpy.typing.ArrayLike) -> numpy.typing.NDArray[numpy.float64]:
-        """Where a (fractional) voxel index [i, j, k] lies: LPS, mm."""
+        """(3,): where a voxel index (3,), which may be fractional, lies: LPS, mm."""
 
     @property
     def spacing_mm(self) -> numpy.typing.NDArray[numpy.float64]:
-        """Along i, j, k, mm."""
+        """(3,): between voxels along i, j, k, mm."""
 
     @property
     def voxel_volume_mm3(self) -> float:
@@ -309,7 +342,7 @@ class PlacedTool:
 
     @property
     def center_mm(self) -> numpy.typing.NDArray[numpy.float64]:
-        """LPS, mm."""
+        """(3,), LPS, mm."""
 
     def displacement_mm(self, force_N: numpy.typing.ArrayLike) -> numpy.typing.NDArray[Any]:
         """float64, shape (points, 3): of every point of the mesh, mm."""
@@ -385,7 +418,7 @@ class RehearsalState:
 
     @property
     def relative_residual(self) -> float:
-        """The larger of the solves that it is made from."""
+        """The larger of the solves that it is made from: a ratio."""
 
     @property
     def state(self) -> str:
@@ -447,7 +480,7 @@ class Series:
 
     @property
     def spacing_mm(self) -> numpy.typing.NDArray[numpy.float64]:
-        """Along i, j, k, mm."""
+        """(3,): between voxels along i, j, k, mm."""
 
     @property
     def uid(self) -> str:
@@ -552,7 +585,7 @@ class Simulation:
 
     @property
     def largest_strain(self) -> float:
-        """Largest principal strain in magnitude."""
+        """Largest principal strain in magnitude: a ratio."""
 
     @property
     def max_displacement_mm(self) -> float:
@@ -572,7 +605,7 @@ class Simulation:
 
     @property
     def relative_residual(self) -> float:
-        """|K u - f| / |f| over what is free to move."""
+        """|K u - f| / |f| over what is free to move: a ratio."""
 
     @property
     def sentence(self) -> str:
@@ -765,11 +798,11 @@ class VesselTrees:
 
     @property
     def hepatic_entry_mm(self) -> numpy.typing.NDArray[numpy.float64]:
-        """Where the hepatic veins meet the vena cava: LPS, mm."""
+        """(3,): where the hepatic veins meet the vena cava, LPS, mm."""
 
     @property
     def portal_entry_mm(self) -> numpy.typing.NDArray[numpy.float64]:
-        """Where the portal vein divides: LPS, mm."""
+        """(3,): where the portal vein divides, LPS, mm."""
 
 class Volume:
     """A measured quantity on a grid in space.
@@ -793,29 +826,29 @@ class Volume:
 
     @property
     def array(self) -> numpy.typing.NDArray[Any]:
-        """The values, [i, j, k], without a copy."""
+        """The values, shape (i, j, k), in the image's unit (kPa, HU, 0 or 1, ...), without a copy."""
 
     @property
     def direction(self) -> numpy.typing.NDArray[numpy.float64]:
-        """Columns: the axes i, j, k in LPS."""
+        """(3, 3): its columns are the unit vectors of the axes i, j, k in LPS."""
 
     @staticmethod
     def empty(size: Sequence[int], *, spacing_mm: numpy.typing.ArrayLike = ..., origin_mm: numpy.typing.ArrayLike = ..., direction: numpy.typing.ArrayLike = ..., unit: str = ...) -> Volume:
         """All zero, to be filled in place through its array; size is (i, j, k)."""
 
     def index_of(self, position_mm: numpy.typing.ArrayLike) -> numpy.typing.NDArray[numpy.float64]:
-        """The (fractional) voxel index [i, j, k] at a position (LPS, mm)."""
+        """(3,): the voxel index [i, j, k], fractional, at a position (3,), LPS, mm."""
 
     @property
     def origin_mm(self) -> numpy.typing.NDArray[numpy.float64]:
-        """Centre of voxel (0, 0, 0), LPS, mm."""
+        """(3,): centre of voxel (0, 0, 0), LPS, mm."""
 
     def position_mm(self, index: numpy.typing.ArrayLike) -> numpy.typing.NDArray[numpy.float64]:
-        """Where a (fractional) voxel index [i, j, k] lies: LPS, mm."""
+        """(3,): where a voxel index (3,), which may be fractional, lies: LPS, mm."""
 
     @property
     def spacing_mm(self) -> numpy.typing.NDArray[numpy.float64]:
-        """Along i, j, k, mm."""
+        """(3,): between voxels along i, j, k, mm."""
 
     @property
     def unit(self) -> str:
@@ -862,6 +895,20 @@ def cell_stiffness(mesh: TetMesh, shear_kPa: Volume, *, confident: Optional[Mask
     Raises glisson.Error: stiffness-no-cells, stiffness-empty-map, stiffness-bad-grid, stiffness-bad-options,
     stiffness-no-overlap, stiffness-nothing-reliable."""
 
+def compare_studies(before: Case, after: Case, *, plan: Optional[str] = ..., days: Optional[float] = ..., standard_liver_ml: Optional[float] = ..., same_patient: bool = ..., folder: Optional[str | os.PathLike[str]] = ..., progress: Optional[Callable[[float, str], Any]] = ...) -> Any:
+    """What grew between two studies of one patient, as before and after an embolisation: two Cases with segments.
+
+    plan               whose remnant is followed: each case's own of that name
+    days               between the studies, where their images have no dates
+    standard_liver_ml  of which the per cent are in both; None: of each study's own liver
+    same_patient       the images name two patients, and they are of one all the same
+    folder             where given, growth.json, growth.csv and growth.html are written there
+
+    A dict as growth.json ("glisson-growth/1"): liver, segments, remnant (before_ml, after_ml, change_percent, ...), days,
+    sentences. Neither case is changed.
+    Raises glisson.Error: growth-same-case, growth-not-one-patient, growth-order, growth-days, growth-days-differ,
+    growth-segments-missing, growth-segments-stale, growth-standard-volume, growth-plan-in-one-study, plan-unknown."""
+
 def couinaud_segments(liver: Mask, trees: Optional[VesselTrees] = ..., *, progress: Optional[Callable[[float, str], Any]] = ...) -> Dict[str, Any]:
     """Couinaud's eight segments of a liver, from its VesselTrees or, without, from its shape alone.
 
@@ -882,7 +929,9 @@ def draw_case(case: Case, scene: str, *, width: int = ..., height: int = ...) ->
     Raises glisson.Error: scene-unknown, case-lacks-entry, picture-size, drawing-unavailable."""
 
 def draw_result(folder: str | os.PathLike[str], *, width: int = ..., height: int = ...) -> numpy.typing.NDArray[Any]:
-    """The moved liver of a result's folder, coloured by displacement, as draw_case."""
+    """The moved liver of a result's folder, coloured by displacement: uint8, shape (height, width, 3), as draw_case.
+
+    Raises glisson.Error: picture-size, drawing-unavailable, and what is wrong with the folder."""
 
 def draw_surface(surface: Surface, *, field: Optional[str] = ..., range: Sequence[float] = ..., title: str = ..., colour_map: str = ..., color_rgb: Sequence[float] = ..., width: int = ..., height: int = ...) -> numpy.typing.NDArray[Any]:
     """A Surface from the surgeon's side, drawn with no window: uint8, shape (height, width, 3), rows from the top.
@@ -950,7 +999,8 @@ def make_sequence(left: str | os.PathLike[str], right: str | os.PathLike[str], c
     model          a surface file to register to; without, the frames' own, aligned globally
     landmarks      tracks.csv of an expert; without, tracked features
 
-    A dict: file (sequence.json), frames, landmarks, mean_points, valid_fraction, epipolar_px, notes.
+    A dict: file (sequence.json), frames, landmarks, mean_points, valid_fraction, epipolar_px, alignment_rms_mm (how well
+    the frames' landmarks agree before, as rigid bodies, and aligned; None with a model), notes.
     progress is told (fraction, stage); KeyboardInterrupt cancels.
     Raises glisson.Error: video-not-readable, video-no-frames, sequence-folder-not-empty, sequence-lengths,
     sequence-too-few-frames, sequence-no-landmarks."""

@@ -146,7 +146,7 @@ Results only(const Results& results, const std::vector<std::string>& cases) {
 namespace {
 
 Steps steps_of(const std::string& metric, const std::vector<double>& values) {
-  const bool higher_is_better = usual_tolerance(metric).higher_is_better;
+  const bool higher_is_better = usual_tolerance(metric).better == MetricTolerance::Better::higher;
   std::vector<double> sizes;
   for (const double value : values) {
     if (std::isfinite(value)) sizes.push_back(std::abs(value));

@@ -1,5 +1,6 @@
 #include "studies/gate/gate.h"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,6 +12,8 @@
 namespace glisson::studies {
 namespace {
 
+using Better = MetricTolerance::Better;
+
 constexpr double largest_number = 1e100;  // differences and ratios then stay finite
 
 // A metric's numbers in the cases that both have.
@@ -21,6 +24,7 @@ struct Pairs {
 
 Result<void> check_comparable(const Results& base, const Results& now, const GateOptions& options);
 std::vector<std::string> missing_from(const Results& one, const Results& other);
+std::vector<std::string> notes_on(const Results& base, const Results& now);
 std::vector<MetricChange> compare_metrics(const Results& base, const Results& now, const GateOptions& options);
 std::vector<WorstCase> worst_cases(const std::vector<MetricChange>& metrics, const Results& base, const Results& now,
                                    const GateOptions& options);
@@ -40,7 +44,9 @@ MetricTolerance tolerance_of(const std::string& metric, const GateOptions& optio
 
 // By how many tolerances a case got worse.
 double tolerances_worse(double base, double now, const MetricTolerance& tolerance) {
-  const double worse = tolerance.higher_is_better ? base - now : now - base;
+  const double worse = tolerance.better == Better::same     ? std::abs(now - base)
+                       : tolerance.better == Better::higher ? base - now
+                                                            : now - base;
   const double allowed = tolerance.absolute.value_or(tolerance.percent / 100 * std::abs(base));
   if (worse <= 0) return 0;
   return allowed > 0 ? worse / allowed : std::numeric_limits<double>::infinity();
@@ -48,8 +54,16 @@ double tolerances_worse(double base, double now, const MetricTolerance& toleranc
 
 // By how many it got better.
 double tolerances_better(double base, double now, MetricTolerance tolerance) {
-  tolerance.higher_is_better = !tolerance.higher_is_better;
+  if (tolerance.better == Better::same) return 0;
+  tolerance.better = tolerance.better == Better::higher ? Better::lower : Better::higher;
   return tolerances_worse(base, now, tolerance);
+}
+
+// Of so much worse by chance, and of so much better.
+std::pair<double, double> p_of(const PairedChange& paired, Better better) {
+  if (better == Better::same) return {std::min(1.0, 2 * std::min(paired.p_less, paired.p_greater)), 1.0};
+  return better == Better::higher ? std::pair(paired.p_less, paired.p_greater)
+                                  : std::pair(paired.p_greater, paired.p_less);
 }
 
 }  // namespace
@@ -70,6 +84,7 @@ Result<Gate> compare_results(const Results& base, const Results& now, const Gate
   Gate gate;
   gate.only_base = missing_from(base, now);
   gate.only_now = missing_from(now, base);
+  gate.notes = notes_on(base, now);
   gate.metrics = compare_metrics(base, now, options);
   gate.worst = worst_cases(gate.metrics, base, now, options);
   std::size_t done = 0;
@@ -113,6 +128,24 @@ std::vector<std::string> missing_from(const Results& one, const Results& other) 
   return missing;
 }
 
+// Whether what about.json says of both goes together; other data is refused before.
+std::vector<std::string> notes_on(const Results& base, const Results& now) {
+  std::vector<std::string> notes;
+  if (base.program != now.program)
+    notes.push_back(
+        fmt::format("The results are of two programs: base \"{}\", new \"{}\".", base.program, now.program));
+  if (base.data.empty() != now.data.empty()) {
+    notes.push_back(
+        fmt::format("Only {} says on which data it was made; whether the other is of the same is not known.",
+                    base.data.empty() ? "new" : "base"));
+  }
+  if (!base.version.empty() && base.version == now.version && base.program == now.program)
+    notes.push_back(fmt::format("Base and new are of the same version, {}.", base.version));
+  if (base.version.empty() != now.version.empty())
+    notes.push_back(fmt::format("Only {} says its version.", base.version.empty() ? "new" : "base"));
+  return notes;
+}
+
 std::vector<MetricChange> compare_metrics(const Results& base, const Results& now, const GateOptions& options) {
   std::set<std::string> names;
   for (const Results* results : {&base, &now}) {
@@ -129,7 +162,8 @@ std::vector<MetricChange> compare_metrics(const Results& base, const Results& no
     const Pairs pairs = pairs_of(name, base, now, change);
     const PairedChange paired = judge(pairs, tolerance, change);
     // Each metric may have to be corrected for all of them.
-    const bool too_few = smallest_p(paired.pairs) * static_cast<double>(names.size()) > options.false_alarms;
+    const int sides = tolerance.better == Better::same ? 2 : 1;
+    const bool too_few = sides * smallest_p(paired.pairs) * static_cast<double>(names.size()) > options.false_alarms;
     change.each_case = tolerance.each_case || too_few;
     if (change.each_case) {
       judge_each(pairs, tolerance, change);
@@ -137,8 +171,9 @@ std::vector<MetricChange> compare_metrics(const Results& base, const Results& no
     }
     tested.push_back(metrics.size() - 1);
     tests.push_back(paired);
-    p_worse.push_back(tolerance.higher_is_better ? paired.p_less : paired.p_greater);
-    p_better.push_back(tolerance.higher_is_better ? paired.p_greater : paired.p_less);
+    const auto [worse, better] = p_of(paired, tolerance.better);
+    p_worse.push_back(worse);
+    p_better.push_back(better);
   }
   p_worse = holm_corrected(p_worse);
   p_better = holm_corrected(p_better);

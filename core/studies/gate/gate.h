@@ -24,10 +24,10 @@
 namespace glisson::studies {
 
 struct MetricTolerance {
-  bool higher_is_better = false;
-  double percent = 2;              // of the base's value
-  std::optional<double> absolute;  // in the metric's unit, in place of the percentage
-  bool each_case = false;          // no statistics: no case may pass the tolerance
+  enum class Better { lower, higher, same } better = Better::lower;  // same: a change either way is for the worse
+  double percent = 2;                                                // of the base's value
+  std::optional<double> absolute;                                    // in the metric's unit, in place of the percentage
+  bool each_case = false;                                            // no statistics: no case may pass the tolerance
 };
 
 struct GateOptions {
@@ -37,8 +37,8 @@ struct GateOptions {
   std::map<std::string, std::filesystem::path> masks;  // by a picture's NAME.png
 };
 
-// `metrics` by name: {"better": "lower" | "higher", "percent": 2, "absolute": 0.1, "each_case": true}; beside it
-// "false_alarms", "similarity" and "masks". Failure: "tolerances-invalid".
+// `metrics` by name: {"better": "lower" | "higher" | "same", "percent": 2, "absolute": 0.1, "each_case": true}; beside
+// it "false_alarms", "similarity" and "masks". Failure: "tolerances-invalid".
 Result<GateOptions> read_tolerances(const std::filesystem::path& file);
 
 // Lower is better but for names that are measures of agreement (dice, correlation, ...).
@@ -79,6 +79,7 @@ struct Gate {
   std::vector<PictureChange> pictures;
   std::vector<WorstCase> worst;                  // at most one a metric that got worse, the worst first
   std::vector<std::string> only_base, only_now;  // cases that the other has not
+  std::vector<std::string> notes;                // what a person should know before trusting it: whose results they are
   GateVerdict verdict = GateVerdict::same;
 };
 
@@ -87,7 +88,8 @@ struct Gate {
 Result<Gate> compare_results(const Results& base, const Results& now, const GateOptions& options = {},
                              const Progress& progress = {});
 
-// gate.html for people, gate.json, junit.xml for CI, and the worst pictures beside each other with their difference.
+// gate.html for people, gate.json, junit.xml for CI, and pictures beside each other with their difference: those that
+// differ the most, then those of the worst cases.
 Result<void> write_gate(const Gate& gate, const Results& base, const Results& now, const GateOptions& options,
                         const std::filesystem::path& folder);
 

@@ -15,15 +15,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t pictures_shown = 6;
+constexpr std::size_t pictures_shown = 6;  // of each kind
 
 struct Shown {
-  std::string name;
+  std::string caption;
   vision::Frame beside;  // base, new, difference
 };
 
-std::vector<Shown> worst_pictures(const Gate& gate, const Results& base, const Results& now,
-                                  const GateOptions& options);
+// Names and captions of what is shown.
+using Pictures = std::vector<std::pair<std::string, std::string>>;
+Pictures most_unlike(const Gate& gate);
+Pictures of_worst_cases(const Gate& gate, const Pictures& shown_already);
+std::vector<Shown> side_by_side(const Pictures& pictures, const Results& base, const Results& now,
+                                const GateOptions& options);
 report::Page page_of(const Gate& gate, const Results& base, const Results& now, const GateOptions& options);
 std::string junit_of(const Gate& gate);
 
@@ -34,12 +38,18 @@ Result<void> write_gate(const Gate& gate, const Results& base, const Results& no
   auto drawn = TemporaryFolder::make();
   if (!drawn) return failure(drawn.error());
   report::Page page = page_of(gate, base, now, options);
-  const std::vector<Shown> pictures = worst_pictures(gate, base, now, options);
-  for (std::size_t k = 0; k < pictures.size(); ++k) {
-    const fs::path file = drawn->path() / fmt::format("{}.png", k);
-    if (auto written = vision::write_frame(pictures[k].beside, file); !written) return written;
-    if (k == 0) page.blocks.emplace_back(report::Heading{"Pictures that differ the most: base, new, difference"});
-    page.blocks.emplace_back(report::FigureRow{{{file, pictures[k].name}}});
+  const Pictures unlike = most_unlike(gate), of_cases = of_worst_cases(gate, unlike);
+  std::vector<Shown> pictures;
+  for (const auto& [heading, names] :
+       {std::pair("Pictures that differ the most: base, new, difference", &unlike),
+        std::pair("Pictures of the cases that got worse the most: base, new, difference", &of_cases)}) {
+    if (!names->empty()) page.blocks.emplace_back(report::Heading{heading});
+    for (Shown& one : side_by_side(*names, base, now, options)) {
+      const fs::path file = drawn->path() / fmt::format("{}.png", pictures.size());
+      if (auto written = vision::write_frame(one.beside, file); !written) return written;
+      page.blocks.emplace_back(report::FigureRow{{{file, one.caption}}});
+      pictures.push_back(std::move(one));
+    }
   }
   return write_together([&]() -> Result<void> {
     for (std::size_t k = 0; k < pictures.size(); ++k) {
@@ -53,8 +63,13 @@ Result<void> write_gate(const Gate& gate, const Results& base, const Results& no
 }
 
 Json json_of(const Gate& gate) {
-  Json document{{"verdict", name_of(gate.verdict)}, {"metrics", Json::array()},    {"pictures", Json::array()},
-                {"worst", Json::array()},           {"only_base", gate.only_base}, {"only_new", gate.only_now}};
+  Json document{{"verdict", name_of(gate.verdict)},
+                {"metrics", Json::array()},
+                {"pictures", Json::array()},
+                {"worst", Json::array()},
+                {"only_base", gate.only_base},
+                {"only_new", gate.only_now},
+                {"notes", gate.notes}};
   for (const MetricChange& change : gate.metrics) {
     document["metrics"].push_back({{"name", change.name},
                                    {"cases", change.cases},
@@ -85,30 +100,57 @@ std::string sentence_of(const MetricChange& change) {
                   change.now, change.cases, change.difference, change.interval[0], change.interval[1]);
   if (!change.each_case) text += fmt::format(", p = {:.2g}", change.p);
   if (!change.lost.empty()) text += fmt::format(", {} without a number now", change.lost.size());
+  if (!change.gained.empty()) text += fmt::format(", {} with a number that had none", change.gained.size());
+  if (change.without > 0) text += fmt::format(", {} without a number in both", change.without);
   return text + fmt::format(": {}", name_of(change.verdict));
 }
 
 namespace {
 
 // The most unlike first; those that cannot be compared are in the table alone.
-std::vector<Shown> worst_pictures(const Gate& gate, const Results& base, const Results& now,
-                                  const GateOptions& options) {
+Pictures most_unlike(const Gate& gate) {
   std::vector<const PictureChange*> order;
   for (const PictureChange& change : gate.pictures) {
     if (change.problem.empty() && change.verdict == GateVerdict::worse) order.push_back(&change);
   }
   std::sort(order.begin(), order.end(), [](const auto* a, const auto* b) { return a->similarity < b->similarity; });
-  std::vector<Shown> shown;
+  Pictures pictures;
   for (const PictureChange* change : order) {
-    if (shown.size() == pictures_shown) break;
-    const auto compared = compared_pictures(change->name, base, now, options);
+    if (pictures.size() < pictures_shown) pictures.emplace_back(change->name, change->name);
+  }
+  return pictures;
+}
+
+// Alike as they may be: what a metric sees may hardly show.
+Pictures of_worst_cases(const Gate& gate, const Pictures& shown_already) {
+  Pictures pictures;
+  for (const WorstCase& worst : gate.worst) {
+    for (const PictureChange& change : gate.pictures) {
+      const auto is_this = [&](const auto& picture) { return picture.first == change.name; };
+      const bool shown = std::any_of(shown_already.begin(), shown_already.end(), is_this) ||
+                         std::any_of(pictures.begin(), pictures.end(), is_this);
+      if (shown || !change.problem.empty() || !change.name.starts_with(worst.id + "/")) continue;
+      if (pictures.size() < pictures_shown) {
+        pictures.emplace_back(
+            change.name, fmt::format("{}: {} {:.4g}, {:.4g} before", change.name, worst.metric, worst.now, worst.base));
+      }
+    }
+  }
+  return pictures;
+}
+
+std::vector<Shown> side_by_side(const Pictures& pictures, const Results& base, const Results& now,
+                                const GateOptions& options) {
+  std::vector<Shown> shown;
+  for (const auto& [name, caption] : pictures) {
+    const auto compared = compared_pictures(name, base, now, options);
     if (!compared) continue;
     vision::Frame beside{3 * compared->base.width, compared->base.height, {}};
     for (int y = 0; y < compared->base.height; ++y) {
       for (const vision::Frame* frame : {&compared->base, &compared->now, &compared->similarity.difference})
         beside.rgb.insert(beside.rgb.end(), frame->at(0, y), frame->at(0, y) + std::ptrdiff_t{3} * frame->width);
     }
-    shown.push_back({change->name, std::move(beside)});
+    shown.push_back({caption, std::move(beside)});
   }
   return shown;
 }
@@ -124,7 +166,8 @@ report::Table metrics_table(const Gate& gate) {
   report::Table table;
   table.caption =
       "Medians over the cases that have a number in both; the change is that of pairs, with its 95 % interval.";
-  table.columns = {"Metric", "Cases", "Base", "New", "Change", "Interval", "p of so much worse", "Lost", "Verdict"};
+  table.columns = {"Metric", "Cases",           "Base",   "New", "Change", "Interval", "p of so much worse", "Lost",
+                   "Gained", "Without in both", "Verdict"};
   for (const MetricChange& change : gate.metrics) {
     table.rows.push_back({{change.name},
                           {std::to_string(change.cases)},
@@ -134,6 +177,8 @@ report::Table metrics_table(const Gate& gate) {
                           {fmt::format("{:+.3g} to {:+.3g}", change.interval[0], change.interval[1])},
                           {change.each_case ? "each case" : fmt::format("{:.2g}", change.p)},
                           {std::to_string(change.lost.size())},
+                          {std::to_string(change.gained.size())},
+                          {std::to_string(change.without)},
                           verdict_cell(change.verdict)});
   }
   return table;
@@ -157,6 +202,7 @@ report::Page page_of(const Gate& gate, const Results& base, const Results& now, 
                : gate.verdict == GateVerdict::undecided ? "Not everything could be judged"
                                                         : "Nothing got worse";
   page.subtitle = called(base) + " against " + called(now);
+  for (const std::string& note : gate.notes) page.blocks.emplace_back(report::Paragraph{note});
   page.blocks.emplace_back(metrics_table(gate));
   page.blocks.emplace_back(report::Paragraph{fmt::format(
       "Pairs are judged by Wilcoxon's signed ranks, corrected for all metrics (Holm): chance alone says \"worse\" in "
@@ -199,7 +245,7 @@ report::Page page_of(const Gate& gate, const Results& base, const Results& now, 
 // Test cases by kind, a failure where something got worse, a skip where it could not be judged.
 std::string junit_of(const Gate& gate) {
   std::string cases;
-  int count = 0, failures = 0;
+  int count = 0, failures = 0, skipped = 0;
   const auto add = [&](const std::string& name, const std::string& kind, GateVerdict verdict, const std::string& text) {
     ++count;
     cases += fmt::format("    <testcase classname=\"{}\" name=\"{}\"", kind, report::escaped(name));
@@ -207,6 +253,7 @@ std::string junit_of(const Gate& gate) {
       ++failures;
       cases += fmt::format(">\n      <failure message=\"{}\"/>\n    </testcase>\n", report::escaped(text));
     } else if (verdict == GateVerdict::undecided) {
+      ++skipped;
       cases += fmt::format(">\n      <skipped message=\"{}\"/>\n    </testcase>\n", report::escaped(text));
     } else {
       cases += "/>\n";
@@ -220,8 +267,8 @@ std::string junit_of(const Gate& gate) {
   for (const std::string& id : gate.only_base) add(id, "case", GateVerdict::worse, "the case is missing");
   return fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n  <testsuite name=\"glisson gate\" tests=\"{}\" "
-      "failures=\"{}\">\n{}  </testsuite>\n</testsuites>\n",
-      count, failures, cases);
+      "failures=\"{}\" skipped=\"{}\">\n{}  </testsuite>\n</testsuites>\n",
+      count, failures, skipped, cases);
 }
 
 }  // namespace

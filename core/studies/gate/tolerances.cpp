@@ -20,8 +20,9 @@ MetricTolerance tolerance_from(const std::string& metric, const Json& json, cons
   only_keys(json, {"better", "percent", "absolute", "each_case"}, where);
   MetricTolerance tolerance = usual_tolerance(metric);
   if (json.contains("better")) {
-    tolerance.higher_is_better =
-        one_of<bool>(json.at("better"), where + ", better", {{"lower", false}, {"higher", true}});
+    using Better = MetricTolerance::Better;
+    tolerance.better = one_of<Better>(json.at("better"), where + ", better",
+                                      {{"lower", Better::lower}, {"higher", Better::higher}, {"same", Better::same}});
   }
   if (json.contains("percent")) tolerance.percent = not_negative_in(json.at("percent"), where + ", percent");
   if (json.contains("absolute")) tolerance.absolute = not_negative_in(json.at("absolute"), where + ", absolute");
@@ -57,9 +58,9 @@ MetricTolerance usual_tolerance(const std::string& metric) {
   constexpr std::array<std::string_view, 9> of_agreement{"dice", "jaccard", "correlation",  "auc",     "similarity",
                                                          "psnr", "ssim",    "frames_per_s", "accuracy"};
   MetricTolerance tolerance;
-  tolerance.higher_is_better = std::any_of(of_agreement.begin(), of_agreement.end(), [&](std::string_view name) {
-    return metric.find(name) != std::string::npos;
-  });
+  const bool higher = std::any_of(of_agreement.begin(), of_agreement.end(),
+                                  [&](std::string_view name) { return metric.find(name) != std::string::npos; });
+  if (higher) tolerance.better = MetricTolerance::Better::higher;
   return tolerance;
 }
 

@@ -1,0 +1,85 @@
+// A case rehearsed as the window does it, and its liver found on a video.
+
+#include <pybind11/eigen.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include "arrays.h"
+#include "case_methods.h"
+#include "casefile/guide_case.h"
+#include "casefile/model.h"
+#include "choices.h"
+#include "guided_dict.h"
+#include "long_call.h"
+#include "session_held.h"
+
+namespace py = pybind11;
+
+namespace glisson::python {
+namespace {
+
+using namespace casefile;
+using mechanics::MaterialLaw;
+using std::filesystem::path;
+
+Session session_of(const Case& self, const std::string& material, const py::object& progress) {
+  const auto law = chosen<MaterialLaw>("material", material,
+                                       {{"linear", MaterialLaw::linear},
+                                        {"corotational", MaterialLaw::corotational},
+                                        {"neo-hookean", MaterialLaw::neo_hookean}});
+  return {long_call(progress,
+                    [&](const Progress& told) {
+                      return read_model(self).and_then([&](PatientModel model) {
+                        return rehearsal::SessionEngine::create(
+                            rehearsal::with_law(live_rehearsal_setup(std::move(model)).setup, law), told,
+                            rehearsal::WithReference::when_asked);
+                      });
+                    }),
+          {}};
+}
+
+py::object guide(const Case& self, const path& sequence, const std::optional<Numbers>& pose, std::size_t frame,
+                 double noise_mm, const std::string& sequence_sha256, const std::optional<path>& folder,
+                 const py::object& progress) {
+  GuidedFrom from{frame, std::nullopt, noise_mm, sequence_sha256};
+  if (pose) {
+    from.pose = guidance::rigid_pose({pose->data(), pose->data() + pose->size()});
+    if (!from.pose) raise("pose-not-rigid", "The pose is no rigid motion: 16 numbers, row by row.");
+  }
+  GuidedCase guided = long_call(progress, [&](const Progress& told) {
+    return guide_case(self, sequence, from, told).and_then([&](GuidedCase found) -> Result<GuidedCase> {
+      if (folder) {
+        if (auto written = write_guided_case(*folder, found); !written) return failure(std::move(written.error()));
+      }
+      return found;
+    });
+  });
+  return guided_dict(std::move(guided.guided.guidance), std::move(guided.answer));
+}
+
+}  // namespace
+
+void add_rehearsals(py::class_<Case>& bound) {
+  bound
+      .def("session", &session_of, py::kw_only(), py::arg("material") = "linear", py::arg("progress") = py::none(),
+           R"(A Session of this patient as the window rehearses, so that its recordings replay to the bit.
+
+material  "linear" (small strain), "neo-hookean" or "corotational" (large)
+
+The reference body, where there is one, comes with the command {"compare": True}.
+Raises glisson.Error: case-lacks-entry before there is a model; choice-unknown.)")
+      .def("guide", &guide, py::arg("sequence"), py::kw_only(), py::arg("pose") = py::none(), py::arg("frame") = 0,
+           py::arg("noise_mm") = 0.5, py::arg("sequence_sha256") = "", py::arg("folder") = py::none(),
+           py::arg("progress") = py::none(),
+           R"(The patient's liver, its structures and landmarks on the frames of a laparoscope's sequence.json.
+
+pose      about where it lies in that frame, scan to camera, mm: (4, 4), or 16 numbers row by row; else searched for
+frame     which is answered first, from 0; the others follow from it
+noise_mm  standard deviation of each coordinate of the clouds
+sequence_sha256   of sequence.json, where another one is to be refused
+folder    where given, guidance.json, a mesh a frame and pictures with outlines are written there
+
+A dict, as guide() answers. Raises glisson.Error: pose-not-rigid, guide-no-frame, guide-other-sequence, case-lacks-entry.)");
+}
+
+}  // namespace glisson::python
