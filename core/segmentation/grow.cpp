@@ -18,6 +18,7 @@
 #include "segmentation/slice_holes.h"
 #include "segmentation/structures.h"
 #include "segmentation/tissue_model.h"
+#include "segmentation/unsure_border.h"
 #include "segmentation/working_grid.h"
 
 namespace glisson::segmentation {
@@ -116,13 +117,14 @@ Result<GrowResult> grow_from_seeds(const imaging::Volume& image, const std::vect
                   GLISSON_TEXT("Smoothing the outline"));
   std::vector<double> brightness;
   for (const Seed& seed : *seeds) brightness.push_back(seed.brightness);
+  const OrganLook look{drift, options.drift_length_mm, smallest_sd};
   const auto outlined = [&](const Settled& grown) {
-    RefinedBorder refined = with_border_refined(finished(grown.region, image.grid, block, options), image,
-                                                grown.tissue.mean, grown.tissue.sd);
     GrowResult result;
     result.rounds = grown.rounds;
-    result.mask = without_crumbs(std::move(refined.outline));
-    result.unsure_border = refined.unsure_share;
+    result.mask = without_crumbs(with_border_refined(finished(grown.region, image.grid, block, options), image, look));
+    const UnsureBorder unsure = unsure_border(result.mask, image, grown.tissue.mean, grown.tissue.sd);
+    result.unsure_border = unsure.share;
+    result.unsure_places_mm = unsure.places_mm;
     result.volume_ml = volume_ml(result.mask);
     result.tissue_mean = grown.tissue.mean;
     result.tissue_sd = grown.tissue.sd;
