@@ -1,6 +1,8 @@
 #pragma once
 // The border of an organ's outline put where the image has it. For use within the room.
 
+#include <vector>
+
 #include "imaging/image.h"
 #include "segmentation/likelihood_ratio.h"
 #include "segmentation/tissue_model.h"
@@ -8,9 +10,12 @@
 namespace glisson::segmentation {
 
 struct BorderOptions {
-  double spacing_mm = 1.25;  // of the grid that the border is sought on, about; voxels larger than this stay
-  double band_mm = 5;        // the border moves at most so far in a round
-  int rounds = 2;            // both sides are learnt anew from where the first one put it
+  // The border is sought on a grid of about this spacing, voxels larger than that staying, and moves at most so far.
+  // Both sides are learnt anew in each round; the first may be coarse, the second needs to look only near by.
+  struct Round {
+    double spacing_mm, band_mm;
+  };
+  std::vector<Round> rounds{{2.5, 5}, {1.25, 3}};
   // How much a voxel's likelihood counts against the border's area, in 1/mm. Where both sides are 20 times as likely on
   // their own as on the other, bays and bumps of less than about 3 mm are smoothed away.
   double likelihood_per_mm = 0.2;
@@ -25,8 +30,8 @@ struct OrganLook {
 
 // The outline with its border where it divides best what looks like the organ from what looks like its neighbours, both
 // learnt near by, and is no longer than that asks for: the relaxed cut (relaxed_cut.h) of the likelihood ratio
-// (likelihood_ratio.h) in a band about the border. An outline without a voxel deeper than the band is left as it is: a
-// mouse's liver is smaller than the bumps that are smoothed away. Deterministic.
+// (likelihood_ratio.h) in a band about the border. An outline without a voxel deeper than a round's band is left as it
+// is: a mouse's liver is smaller than the bumps that are smoothed away. Deterministic.
 [[nodiscard]] imaging::Mask with_border_refined(imaging::Mask outline, const imaging::Volume& image,
                                                 const OrganLook& look, const BorderOptions& options = {});
 

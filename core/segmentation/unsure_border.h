@@ -9,9 +9,9 @@
 namespace glisson::segmentation {
 
 struct UnsureBorderOptions {
-  double spacing_mm = 1.25;  // of the grid that is looked at, about; voxels larger than this stay
-  double clear_mm = 2;       // voxels farther than this from the border are wholly inside or outside
-  double local_mm = 5;       // standard deviation of the surroundings in which both sides' brightness is learnt
+  double spacing_mm = 2.5;  // of the grid that is looked at, about; voxels larger than this stay
+  double clear_mm = 2;      // voxels farther than this from the border are wholly inside or outside
+  double local_mm = 5;      // standard deviation of the surroundings in which both sides' brightness is learnt
   // Brighter and darker than the organ by more than this counts as so much.
   double clamp_sd = 5;
   double minimum_contrast_sd = 2;  // between both sides: with less nobody can be sure of the border
