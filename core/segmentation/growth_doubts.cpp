@@ -41,12 +41,18 @@ std::vector<GrowResult::Doubt> doubts_about(const GrowResult& result, const std:
       }
     }
   }
-  if (result.unsure_border > much_unsure_border) {
+  if (result.unsure_border > much_unsure_border && !result.unsure_places_mm.empty()) {
+    std::string places;
+    for (const Eigen::Vector3d& place_mm : result.unsure_places_mm) {
+      places += fmt::format("{}({:.0f}, {:.0f}, {:.0f})", places.empty() ? "" : ", ", place_mm.x(), place_mm.y(),
+                            place_mm.z());
+    }
     doubts.push_back(
         {GrowthDoubt::unsure_border,
-         {GLISSON_TEXT("On {0} % of its border the outline lies on tissue that hardly differs from it: look "
-                       "there before you trust it, and add a point where a part is missing."),
-          {fmt::format("{:.0f}", 100 * result.unsure_border)}}});
+         {GLISSON_TEXT("On {0} % of its border the outline lies on tissue that hardly differs from it, most "
+                       "of all at {1} (LPS, mm): look there before you trust it, and add a point where a "
+                       "part is missing."),
+          {fmt::format("{:.0f}", 100 * result.unsure_border), places}}});
   }
   const std::string volume_ml = fmt::format("{:.0f}", result.volume_ml);
   if (other_face) {
