@@ -103,8 +103,8 @@ void print_row(const std::string& name, const std::vector<double>& sorted) {
 
 class RealLiver : public testing::TestWithParam<std::pair<const char*, const char*>> {};
 
-// The table of Dice figures in docs/real-data.md comes from here. The limits lie a little below what was measured; the
-// labels they are measured against are a network's.
+// The table of Dice figures in docs/real-data.md comes from here, and says which images were for tuning and which were
+// judged. The limits lie a little below what was measured; the labels are a network's.
 TEST_P(RealLiver, IsFoundFromWhereverTheSeedsLie) {
   GLISSON_NEEDS_DATA("totalseg_abdomen_mr_ct");
   const Case c = read_case(GetParam().first, GetParam().second);
@@ -133,7 +133,7 @@ INSTANTIATE_TEST_SUITE_P(Grow, RealLiver,
                                          std::pair{"example_ct", "example_seg_fast_force_split"}),
                          [](const auto& tested) { return std::string(tested.param.first); });
 
-// Three slices of another scanner, with a hand-made outline; it was in view when the options were chosen.
+// Three slices of another scanner, with a hand-made outline that goes around the fat too. For tuning.
 TEST(Grow, TheBorderLiesWhereAHandDrewIt) {
   GLISSON_NEEDS_DATA("dcmqi_liver_seg_ct3");
   const auto folder = test::shared_data() / "dcmqi_liver_seg_ct3";
@@ -148,7 +148,7 @@ TEST(Grow, TheBorderLiesWhereAHandDrewIt) {
   EXPECT_NEAR(grown->volume_ml, volume_ml(liver), 0.13 * volume_ml(liver));
 }
 
-// Between the arms this CT is 30 HU darker and noisier. The rule that tries wider tolerances was made with it in view.
+// Between the arms this CT is 30 HU darker and noisier. For tuning: the rule that tries wider tolerances was made here.
 TEST(Grow, CrossesTheDarkBandOfACt) {
   GLISSON_NEEDS_DATA("totalseg_abdomen_mr_ct");
   const auto folder = test::shared_data() / "totalseg_abdomen_mr_ct";
@@ -167,7 +167,7 @@ TEST(Grow, CrossesTheDarkBandOfACt) {
   const std::vector<double> one = dice_from_random_seeds(c, 3, 1, 6);
   print_row("one seed, 6 mm or deeper", one);
   EXPECT_GT(median(one), 0.95);
-  EXPECT_GT(one.front(), 0.75);  // in the bright part, whose growth stops at the band
+  EXPECT_GT(one.front(), 0.95);  // in the bright part: 0.785 where only twice the volume was enough
 }
 
 // Its coil's light falls off, so that much of the border is unsure, and wider tolerances end in the air around it.
