@@ -4160,8 +4160,8 @@
         <translation>Die Namen sind die des Ordners labels im Fall: liver, portal-vein, ...</translation>
     </message>
     <message>
-        <source>On {0} % of its border the outline lies on tissue that hardly differs from it: look there before you trust it, and add a point where a part is missing.</source>
-        <translation>An {0} % seines Randes liegt der Umriss an Gewebe, das sich kaum unterscheidet: dort nachsehen, bevor man ihm traut, und einen Punkt setzen, wo ein Teil fehlt.</translation>
+        <source>On {0} % of its border the outline lies on tissue that hardly differs from it, most of all at {1} (LPS, mm): look there before you trust it, and add a point where a part is missing.</source>
+        <translation>An {0} % seines Randes liegt der Umriss an Gewebe, das sich kaum unterscheidet, vor allem bei {1} (LPS, mm): dort nachsehen, bevor man ihm traut, und einen Punkt setzen, wo ein Teil fehlt.</translation>
     </message>
     <message>
         <source>A seed lies where there is no image value, or outside of the structure to stay in.</source>

@@ -4160,8 +4160,8 @@
         <translation>Los nombres son los de la carpeta labels del caso: liver, portal-vein, ...</translation>
     </message>
     <message>
-        <source>On {0} % of its border the outline lies on tissue that hardly differs from it: look there before you trust it, and add a point where a part is missing.</source>
-        <translation>En el {0} % de su borde el contorno limita con un tejido que apenas se distingue: mire allí antes de fiarse y añada un punto donde falte una parte.</translation>
+        <source>On {0} % of its border the outline lies on tissue that hardly differs from it, most of all at {1} (LPS, mm): look there before you trust it, and add a point where a part is missing.</source>
+        <translation>En el {0} % de su borde el contorno limita con un tejido que apenas se distingue, sobre todo en {1} (LPS, mm): mire allí antes de fiarse y añada un punto donde falte una parte.</translation>
     </message>
     <message>
         <source>A seed lies where there is no image value, or outside of the structure to stay in.</source>

@@ -4160,8 +4160,8 @@
         <translation>Les noms sont ceux du dossier labels du cas : liver, portal-vein, ...</translation>
     </message>
     <message>
-        <source>On {0} % of its border the outline lies on tissue that hardly differs from it: look there before you trust it, and add a point where a part is missing.</source>
-        <translation>Sur {0} % de son bord, le contour touche un tissu qui n&apos;en diffère guère : regardez-y avant de vous y fier, et ajoutez un point là où une partie manque.</translation>
+        <source>On {0} % of its border the outline lies on tissue that hardly differs from it, most of all at {1} (LPS, mm): look there before you trust it, and add a point where a part is missing.</source>
+        <translation>Sur {0} % de son bord, le contour touche un tissu qui n&apos;en diffère guère, surtout en {1} (LPS, mm) : regardez-y avant de vous y fier, et ajoutez un point là où une partie manque.</translation>
     </message>
     <message>
         <source>A seed lies where there is no image value, or outside of the structure to stay in.</source>

@@ -10,6 +10,7 @@
 
 #include "base/parallel.h"
 #include "base/units.h"
+#include "segmentation/grid_part.h"
 #include "segmentation/structures.h"
 
 namespace glisson::segmentation {
@@ -144,8 +145,13 @@ Mask smooth(Mask mask, double radius_mm) {
 }
 
 Mask with_margin(Mask mask, double margin_mm) {
-  if (margin_mm > 0) set_within(mask, mask, margin_mm, 1);
-  if (margin_mm < 0) set_within(mask, inverse_of(mask), -margin_mm, 0);
+  // Beyond this rim nothing changes.
+  const int rim = static_cast<int>(std::ceil(std::abs(margin_mm) / mask.grid.spacing_mm.minCoeff())) + 1;
+  const Part part = part_around(mask, margin_mm > 0 ? rim : 1);
+  Mask piece = cut_out(mask, part);
+  if (margin_mm > 0) set_within(piece, piece, margin_mm, 1);
+  if (margin_mm < 0) set_within(piece, inverse_of(piece), -margin_mm, 0);
+  put_back(piece, part, mask);
   return mask;
 }
 

@@ -18,6 +18,7 @@
 #include "segmentation/slice_holes.h"
 #include "segmentation/structures.h"
 #include "segmentation/tissue_model.h"
+#include "segmentation/unsure_border.h"
 #include "segmentation/working_grid.h"
 
 namespace glisson::segmentation {
@@ -63,14 +64,15 @@ struct Settled {
 Result<Settled> settled_region(const WorkingImage& working, const std::vector<Seed>& seeds, TissueModel::Drift drift,
                                double smallest_sd, const GrowOptions& options, const Progress& progress);
 
-// The growth at a wider tolerance, where that comes to much more and to nearly the same at one still wider: something
-// with a border of its own, of which `narrow` is a part in another light (between the arms a CT is darker). So are
-// extremal regions found stable (Matas et al., Image Vision Comput 22:761, 2004). Nothing where it is not so: a leak
-// goes on growing.
-Result<std::optional<Settled>> wider_plateau(const Settled& narrow, const WorkingImage& working,
-                                             const std::vector<Seed>& seeds, TissueModel::Drift drift,
-                                             double smallest_sd, const GrowOptions& options, const Progress& progress);
-constexpr double very_unsure_border = 0.4;  // of its border, where it is asked whether it is a part only
+// The tolerance, in times of the option's, at which the growth comes to much more and still wider to nearly the same:
+// something with a border of its own, of which the narrow growth is a part in another light (between the arms a CT is
+// darker). So are extremal regions found stable (Matas et al., Image Vision Comput 22:761, 2004). Nothing where it is
+// not so: a leak goes on growing. Looked for in coarse voxels, which cost little.
+std::optional<double> stable_tolerance(const imaging::Volume& image, const std::vector<Vector3d>& seeds_mm,
+                                       double narrow_ml, TissueModel::Drift drift, double smallest_sd,
+                                       const GrowOptions& options, const Progress& progress);
+GrowOptions at_tolerance(GrowOptions options, double times);
+constexpr double rather_unsure_border = 0.2;  // of its border, where it is asked whether it is a part only
 
 Mask finished(const Region& region, const Grid& grid, const std::array<int, 3>& block, const GrowOptions& options);
 Mask without_crumbs(Mask mask);
@@ -116,29 +118,40 @@ Result<GrowResult> grow_from_seeds(const imaging::Volume& image, const std::vect
                   GLISSON_TEXT("Smoothing the outline"));
   std::vector<double> brightness;
   for (const Seed& seed : *seeds) brightness.push_back(seed.brightness);
-  const auto outlined = [&](const Settled& grown) {
-    RefinedBorder refined = with_border_refined(finished(grown.region, image.grid, block, options), image,
-                                                grown.tissue.mean, grown.tissue.sd);
+  const auto told = [&](Mask outline, const Settled& grown) {
     GrowResult result;
     result.rounds = grown.rounds;
-    result.mask = without_crumbs(std::move(refined.outline));
-    result.unsure_border = refined.unsure_share;
+    result.mask = std::move(outline);
+    const UnsureBorder unsure = unsure_border(result.mask, image, grown.tissue.mean, grown.tissue.sd);
+    result.unsure_border = unsure.share;
+    result.unsure_places_mm = unsure.places_mm;
     result.volume_ml = volume_ml(result.mask);
     result.tissue_mean = grown.tissue.mean;
     result.tissue_sd = grown.tissue.sd;
     result.doubts = doubts_about(result, brightness, grown.region.holds_seed);
     return result;
   };
-  GrowResult result = outlined(*settled);
-  if (result.unsure_border > very_unsure_border) {
-    const auto wider = wider_plateau(*settled, working, *seeds, drift, smallest_sd, options, progress);
-    if (!wider) return failure(wider.error());
-    if (*wider) {
-      GrowResult other = outlined(**wider);
-      // The air around a body has a border of its own too.
-      if (other.unsure_border < result.unsure_border && !other.probably_leaked()) result = std::move(other);
+  GrowResult result = told(finished(settled->region, image.grid, block, options), *settled);
+  if (result.unsure_border > rather_unsure_border) {
+    const auto times =
+        stable_tolerance(image, seeds_mm, volume_ml(settled->region.whole), drift, smallest_sd, options, progress);
+    if (progress.cancelled()) return cancelled();
+    if (times) {
+      auto wider = settled_region(working, *seeds, drift, smallest_sd, at_tolerance(options, *times), progress);
+      if (progress.cancelled()) return cancelled();
+      if (wider) {
+        GrowResult other = told(finished(wider->region, image.grid, block, options), *wider);
+        // The air around a body has a border of its own too.
+        if (other.unsure_border < result.unsure_border && !other.probably_leaked()) {
+          result = std::move(other);
+          settled = std::move(wider);
+        }
+      }
     }
   }
+  if (progress.cancelled()) return cancelled();
+  const OrganLook look{drift, options.drift_length_mm, smallest_sd};
+  result = told(without_crumbs(with_border_refined(std::move(result.mask), image, look)), *settled);
   progress.report(1.0, GLISSON_TEXT("Smoothing the outline"));
   return result;
 }
@@ -177,25 +190,34 @@ Result<Settled> settled_region(const WorkingImage& working, const std::vector<Se
   return settled;
 }
 
-Result<std::optional<Settled>> wider_plateau(const Settled& narrow, const WorkingImage& working,
-                                             const std::vector<Seed>& seeds, TissueModel::Drift drift,
-                                             double smallest_sd, const GrowOptions& options, const Progress& progress) {
-  constexpr double wider = 2, still_wider = 2.5;       // times the tolerance
-  constexpr double much_more = 2, nearly_same = 1.05;  // times the volume
-  const auto grown_at = [&](double times) {
-    GrowOptions tolerant = options;
-    tolerant.tolerance_sd *= times;
-    tolerant.roughness_sd *= times;
-    return settled_region(working, seeds, drift, smallest_sd, tolerant, progress);
+std::optional<double> stable_tolerance(const imaging::Volume& image, const std::vector<Vector3d>& seeds_mm,
+                                       double narrow_ml, TissueModel::Drift drift, double smallest_sd,
+                                       const GrowOptions& options, const Progress& progress) {
+  constexpr double coarser = 1.6;                        // times the working spacing
+  constexpr double much_more = 1.2, nearly_same = 1.05;  // times the volume
+  const WorkingImage coarse =
+      block_means(image.grid, image.values, blocks_of(image.grid, coarser * options.working_spacing_mm));
+  const auto seeds = look_around_seeds(coarse, seeds_mm, options);
+  if (!seeds) return std::nullopt;
+  const auto ml_at = [&](double times) -> double {
+    const auto grown = settled_region(coarse, *seeds, drift, smallest_sd, at_tolerance(options, times), progress);
+    return grown ? volume_ml(grown->region.whole) : 0.0;
   };
-  const auto size_of = [](const Settled& settled) { return static_cast<double>(voxel_count(settled.region.whole)); };
-  auto more = grown_at(wider);
-  if (progress.cancelled()) return cancelled();
-  if (!more || size_of(*more) < much_more * size_of(narrow)) return std::nullopt;
-  const auto most = grown_at(still_wider);
-  if (progress.cancelled()) return cancelled();
-  if (!most || size_of(*most) > nearly_same * size_of(*more)) return std::nullopt;
-  return std::optional(std::move(*more));
+  double before = ml_at(2);
+  for (const double times : {2.0, 2.5}) {
+    if (progress.cancelled()) return std::nullopt;
+    const double after = ml_at(times + 0.5);
+    if (before >= much_more * narrow_ml && after <= nearly_same * before) return times;
+    if (after > largest_liver_ml) return std::nullopt;
+    before = after;
+  }
+  return std::nullopt;
+}
+
+GrowOptions at_tolerance(GrowOptions options, double times) {
+  options.tolerance_sd *= times;
+  options.roughness_sd *= times;
+  return options;
 }
 
 Region region_of(const Mask& tissue, const std::vector<Seed>& seeds, const GrowOptions& options) {

@@ -58,7 +58,9 @@ struct GrowResult {
   double tissue_mean = 0;    // brightness of the liver, in the image's unit
   double tissue_sd = 0;      // spread of single voxels about it, the drift taken off
   double unsure_border = 0;  // share of the border where what lies beyond looks much like the organ
-  int rounds = 0;            // until the region stayed the same
+  // The middles of the largest such places (patient LPS, mm), the largest first; at most three.
+  std::vector<Eigen::Vector3d> unsure_places_mm;
+  int rounds = 0;  // until the region stayed the same
   struct Doubt {
     GrowthDoubt kind;
     Sentence sentence;  // what was seen and what to do
@@ -70,9 +72,9 @@ struct GrowResult {
 // Grows from the seeds (patient LPS, mm) over connected tissue of the seeds' brightness. In rounds: a voxel is tissue
 // when its surroundings are bright as expected and even; narrow bridges to heart, stomach, kidney and muscle are cut by
 // an opening; what holds the seeds is kept, and from it the expected brightness and its drift are learnt anew. In the
-// end vessels and tumours are closed, the outline is smoothed, and its border put half-way between both sides'
-// brightness (outline_border.h). Where much of that border is unsure, twice the tolerances are tried, and taken if they
-// come to at least twice the volume, to nearly the same at still wider ones, to a surer border, and to no sign of a
+// end vessels and tumours are closed, the outline is smoothed, and its border put where both sides' brightness, learnt
+// near by, divides best (outline_border.h). Where some of that border is unsure, wider tolerances are tried, and taken
+// if they come to a fifth more volume, to nearly the same at still wider ones, to a surer border, and to no sign of a
 // leak: the liver of a CT that is darker between the arms. Deterministic, whatever the number of threads.
 //
 // Fails with grow-no-seeds, grow-bad-options, grow-bad-image (an axis shorter than three voxels), grow-seed-outside

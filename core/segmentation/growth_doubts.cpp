@@ -6,11 +6,6 @@
 namespace glisson::segmentation {
 namespace {
 
-// Adults' livers hold about -794 + 1267 BSA ml (Vauthey et al., Liver Transplantation 8:233, 2002): 0.7 l at 1.2 m2 of
-// body surface, 2.5 l at 2.6 m2. Wider on both sides for small remnants and large, fatty livers.
-constexpr double smallest_liver_ml = 500;
-constexpr double largest_liver_ml = 3500;
-
 constexpr double much_unsure_border = 0.3;
 
 }  // namespace
@@ -46,12 +41,18 @@ std::vector<GrowResult::Doubt> doubts_about(const GrowResult& result, const std:
       }
     }
   }
-  if (result.unsure_border > much_unsure_border) {
+  if (result.unsure_border > much_unsure_border && !result.unsure_places_mm.empty()) {
+    std::string places;
+    for (const Eigen::Vector3d& place_mm : result.unsure_places_mm) {
+      places += fmt::format("{}({:.0f}, {:.0f}, {:.0f})", places.empty() ? "" : ", ", place_mm.x(), place_mm.y(),
+                            place_mm.z());
+    }
     doubts.push_back(
         {GrowthDoubt::unsure_border,
-         {GLISSON_TEXT("On {0} % of its border the outline lies on tissue that hardly differs from it: look "
-                       "there before you trust it, and add a point where a part is missing."),
-          {fmt::format("{:.0f}", 100 * result.unsure_border)}}});
+         {GLISSON_TEXT("On {0} % of its border the outline lies on tissue that hardly differs from it, most "
+                       "of all at {1} (LPS, mm): look there before you trust it, and add a point where a "
+                       "part is missing."),
+          {fmt::format("{:.0f}", 100 * result.unsure_border), places}}});
   }
   const std::string volume_ml = fmt::format("{:.0f}", result.volume_ml);
   if (other_face) {

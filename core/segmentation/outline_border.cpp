@@ -1,87 +1,72 @@
+// The band about a border, cut where that costs least.
+
 #include "segmentation/outline_border.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "imaging/filters.h"
-#include "segmentation/edit.h"
 #include "segmentation/grid_part.h"
-#include "segmentation/tissue_model.h"
+#include "segmentation/relaxed_cut.h"
+#include "segmentation/signed_distance.h"
+#include "segmentation/working_grid.h"
 
 namespace glisson::segmentation {
 namespace {
 
 using imaging::Mask;
 
-// Signed, negative inside, in mm.
-std::vector<float> distances_mm(const Mask& mask) {
-  std::vector<float> distance = imaging::squared_distances_mm2(mask);
-  const std::vector<float> depth = imaging::squared_depths_mm2(mask);
-  for (std::size_t voxel = 0; voxel < distance.size(); ++voxel) {
-    distance[voxel] = mask.values[voxel] != 0 ? -std::sqrt(depth[voxel]) : std::sqrt(distance[voxel]);
+// Those deep enough that no mixture of both sides is among them; all of them where none is.
+Mask clearly_inside(const Mask& mask, const std::vector<float>& border_mm, double clear_mm) {
+  Mask inside = mask;
+  bool any = false;
+  for (std::size_t voxel = 0; voxel < border_mm.size(); ++voxel) {
+    inside.values[voxel] = border_mm[voxel] < static_cast<float>(-clear_mm) ? 1 : 0;
+    any = any || inside.values[voxel] != 0;
   }
-  return distance;
+  return any ? inside : mask;
 }
 
-// The mean of the values that count, in Gaussian surroundings; NaN where none is near.
-std::vector<float> local_mean(const imaging::Image<float>& image, const std::vector<float>& counts, double sd_mm) {
-  std::vector<float> sum(counts.size());
-  for (std::size_t voxel = 0; voxel < sum.size(); ++voxel) {
-    sum[voxel] = counts[voxel] > 0 ? counts[voxel] * image.values[voxel] : 0.0F;
+// 0 outside, 1 inside, and in the band between what the relaxed cut finds; empty where the band holds all of the mask.
+imaging::Image<float> inside_level(const Mask& mask, const imaging::Image<float>& seen, const OrganLook& look,
+                                   const BorderOptions::Round& round, const BorderOptions& options) {
+  const std::vector<float> border_mm = signed_distances_mm(mask);
+  const auto band_mm = static_cast<float>(round.band_mm);
+  if (*std::min_element(border_mm.begin(), border_mm.end()) > -band_mm) return {};
+  const TissueModel tissue = learn_tissue(seen, clearly_inside(mask, border_mm, options.likelihood.clear_mm),
+                                          look.drift, look.drift_length_mm, look.smallest_sd);
+  std::vector<float> cost = log_likelihood_ratio(seen, border_mm, tissue, round.band_mm, options.likelihood);
+  std::vector<VoxelSide> sides(cost.size());
+  for (std::size_t voxel = 0; voxel < cost.size(); ++voxel) {
+    cost[voxel] *= static_cast<float>(options.likelihood_per_mm);
+    sides[voxel] = std::abs(border_mm[voxel]) <= band_mm ? VoxelSide::either
+                   : border_mm[voxel] < 0                ? VoxelSide::inside
+                                                         : VoxelSide::outside;
   }
-  sum = imaging::gaussian_blur(std::move(sum), image.grid, sd_mm);
-  const std::vector<float> weight = imaging::gaussian_blur(counts, image.grid, sd_mm);
-  for (std::size_t voxel = 0; voxel < sum.size(); ++voxel) {
-    sum[voxel] = weight[voxel] > 1e-4F ? sum[voxel] / weight[voxel] : std::numeric_limits<float>::quiet_NaN();
-  }
-  return sum;
+  return {seen.grid, relaxed_cut(seen.grid, cost, sides)};
 }
 
 }  // namespace
 
-RefinedBorder with_border_refined(Mask outline, const imaging::Volume& image, double tissue_mean, double tissue_sd,
-                                  const BorderOptions& options) {
-  const int rim =
-      static_cast<int>(std::ceil((options.band_mm + 3 * options.local_mm) / image.grid.spacing_mm.minCoeff()));
-  const Part part = part_around(outline, rim);
+Mask with_border_refined(Mask outline, const imaging::Volume& image, const OrganLook& look,
+                         const BorderOptions& options) {
+  double rim_mm = 0;
+  for (const BorderOptions::Round& round : options.rounds) {
+    rim_mm = std::max(rim_mm, round.band_mm + options.likelihood.far_mm);
+  }
+  const Part part = part_around(outline, static_cast<int>(std::ceil(rim_mm / image.grid.spacing_mm.minCoeff())));
+  const imaging::Image<float> seen = cut_out<float>(image, part);
   Mask mask = cut_out(outline, part);
-  imaging::Image<float> sharp = cut_out<float>(image, part);
-  const std::vector<float> distance = distances_mm(mask);
-  const std::size_t voxels = distance.size();
-  std::vector<float> inner(voxels), outer(voxels);
-  const auto clear_mm = static_cast<float>(options.clear_mm), far_mm = static_cast<float>(4 * options.local_mm);
-  for (std::size_t voxel = 0; voxel < voxels; ++voxel) {
-    if (!std::isfinite(sharp.values[voxel])) continue;
-    if (distance[voxel] < -clear_mm && distance[voxel] > -far_mm) inner[voxel] = 1;
-    if (distance[voxel] > clear_mm && distance[voxel] < far_mm) outer[voxel] = 1;
+  for (const BorderOptions::Round& round : options.rounds) {
+    const std::array<int, 3> block = blocks_of(part.grid, round.spacing_mm);
+    const imaging::Image<float> level =
+        inside_level(block_majority(mask, block), block_means(part.grid, seen.values, block), look, round, options);
+    if (level.values.empty()) return outline;
+    const std::vector<float> fine = interpolated(level, part.grid, block);
+    for (std::size_t voxel = 0; voxel < fine.size(); ++voxel) mask.values[voxel] = fine[voxel] >= 0.5F ? 1 : 0;
   }
-  const auto furthest = static_cast<float>(options.clamp_sd * tissue_sd), middle = static_cast<float>(tissue_mean);
-  for (float& value : sharp.values) {
-    if (std::isfinite(value)) value = std::clamp(value, middle - furthest, middle + furthest);
-  }
-  const std::vector<float> own = local_mean(sharp, inner, options.local_mm);
-  const std::vector<float> other = local_mean(sharp, outer, options.local_mm);
-  const std::vector<float> value = smoothed(sharp, options.noise_mm);
-  const auto band_mm = static_cast<float>(options.band_mm);
-  const auto at_border_mm = static_cast<float>(1.01 * image.grid.spacing_mm.maxCoeff());
-  std::size_t border = 0, unsure = 0;
-  const double minimum_contrast = options.minimum_contrast_sd * tissue_sd;
-  for (std::size_t voxel = 0; voxel < voxels; ++voxel) {
-    if (std::abs(distance[voxel]) > band_mm || !std::isfinite(value[voxel])) continue;
-    const double contrast = static_cast<double>(own[voxel]) - static_cast<double>(other[voxel]);
-    const bool differs = std::abs(contrast) >= minimum_contrast;  // not where there is none: NaN
-    if (std::abs(distance[voxel]) <= at_border_mm) {
-      ++border;
-      unsure += differs ? 0U : 1U;
-    }
-    if (!differs) continue;
-    const double share = (static_cast<double>(value[voxel]) - static_cast<double>(other[voxel])) / contrast;
-    mask.values[voxel] = share >= 0.5 ? 1 : 0;
-  }
-  mask = smooth(std::move(mask), options.noise_mm);
   put_back(imaging::fill_holes(mask), part, outline);
-  return {std::move(outline), static_cast<double>(unsure) / static_cast<double>(std::max<std::size_t>(border, 1))};
+  return outline;
 }
 
 }  // namespace glisson::segmentation

@@ -1,32 +1,38 @@
 #pragma once
 // The border of an organ's outline put where the image has it. For use within the room.
 
+#include <vector>
+
 #include "imaging/image.h"
+#include "segmentation/likelihood_ratio.h"
+#include "segmentation/tissue_model.h"
 
 namespace glisson::segmentation {
 
 struct BorderOptions {
-  double band_mm = 5;     // the border moves at most so far
-  double clear_mm = 2;    // voxels farther than this from the border are wholly inside or outside
-  double local_mm = 5;    // standard deviation of the surroundings in which both sides' brightness is learnt
-  double noise_mm = 1.5;  // standard deviation of the Gaussian that averages noise
-  // Brighter and darker than the organ by more than this counts as so much: between lung or fat and the organ lies its
-  // wall, which is not the organ.
-  double clamp_sd = 5;
-  // With fewer standard deviations between both sides the border stays, and nobody can be sure of it.
-  double minimum_contrast_sd = 2;
+  // The border is sought on a grid of about this spacing, voxels larger than that staying, and moves at most so far.
+  // Both sides are learnt anew in each round; the first may be coarse, the second needs to look only near by.
+  struct Round {
+    double spacing_mm, band_mm;
+  };
+  std::vector<Round> rounds{{2.5, 5}, {1.25, 3}};
+  // How much a voxel's likelihood counts against the border's area, in 1/mm. Where both sides are 20 times as likely on
+  // their own as on the other, bays and bumps of less than about 3 mm are smoothed away.
+  double likelihood_per_mm = 0.2;
+  LikelihoodOptions likelihood;
 };
 
-struct RefinedBorder {
-  imaging::Mask outline;
-  double unsure_share = 0;  // of the border: where what lies beyond looks much like the organ
+struct OrganLook {
+  TissueModel::Drift drift = TissueModel::Drift::additive;
+  double drift_length_mm = 30;
+  double smallest_sd = 0;  // what a noise-free image is taken to have, as in learn_tissue()
 };
 
-// The outline with its border half-way between the brightness of its own side and of the other, both learnt near by
-// (local region-based energies: Lankton and Tannenbaum, IEEE Trans Image Process 17:2029, 2008, one step in a band).
-// Where both sides are alike the border stays. `tissue_mean` and `tissue_sd` are the organ's brightness and the scatter
-// of its single voxels. Deterministic.
-[[nodiscard]] RefinedBorder with_border_refined(imaging::Mask outline, const imaging::Volume& image, double tissue_mean,
-                                                double tissue_sd, const BorderOptions& options = {});
+// The outline with its border where it divides best what looks like the organ from what looks like its neighbours, both
+// learnt near by, and is no longer than that asks for: the relaxed cut (relaxed_cut.h) of the likelihood ratio
+// (likelihood_ratio.h) in a band about the border. An outline without a voxel deeper than a round's band is left as it
+// is: a mouse's liver is smaller than the bumps that are smoothed away. Deterministic.
+[[nodiscard]] imaging::Mask with_border_refined(imaging::Mask outline, const imaging::Volume& image,
+                                                const OrganLook& look, const BorderOptions& options = {});
 
 }  // namespace glisson::segmentation

@@ -91,9 +91,8 @@ imaging::Mask looks_like(const TissueModel& tissue, const imaging::Image<float>&
     off[voxel] = std::isfinite(residual) ? std::clamp(residual, -2 * limit, 2 * limit) : 2 * limit;
     absolute[voxel] = std::abs(off[voxel]);
   }
-  const std::vector<float> ones(voxels, 1.0F);
-  off = weighted_mean(std::move(off), ones, image.grid, options.smoothing_mm);
-  absolute = weighted_mean(std::move(absolute), ones, image.grid, options.smoothing_mm);
+  off = imaging::gaussian_blur(std::move(off), image.grid, options.smoothing_mm);
+  absolute = imaging::gaussian_blur(std::move(absolute), image.grid, options.smoothing_mm);
   imaging::Mask mask{image.grid, std::vector<std::uint8_t>(voxels)};
   for (std::size_t voxel = 0; voxel < voxels; ++voxel) {
     mask.values[voxel] = std::abs(off[voxel]) <= limit && absolute[voxel] <= roughness_limit ? 1 : 0;

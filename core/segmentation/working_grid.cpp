@@ -54,6 +54,15 @@ imaging::Image<float> block_means(const imaging::Grid& grid, const std::vector<f
   return coarse;
 }
 
+imaging::Mask block_majority(const imaging::Mask& mask, const std::array<int, 3>& block) {
+  if (block == std::array<int, 3>{1, 1, 1}) return mask;
+  const imaging::Image<float> share =
+      block_means(mask.grid, std::vector<float>(mask.values.begin(), mask.values.end()), block);
+  imaging::Mask coarse{share.grid, std::vector<std::uint8_t>(share.values.size())};
+  for (std::size_t n = 0; n < share.values.size(); ++n) coarse.values[n] = share.values[n] >= 0.5F ? 1 : 0;
+  return coarse;
+}
+
 namespace {
 
 // Between which two coarse voxels a fine one lies, and how far along.

@@ -16,6 +16,9 @@ namespace glisson::segmentation {
 [[nodiscard]] imaging::Image<float> block_means(const imaging::Grid& grid, const std::vector<float>& values,
                                                 const std::array<int, 3>& block);
 
+// The blocks of which the mask holds half or more.
+[[nodiscard]] imaging::Mask block_majority(const imaging::Mask& mask, const std::array<int, 3>& block);
+
 // The coarse values on the fine grid, by trilinear interpolation; beyond the outermost centres the nearest value.
 [[nodiscard]] std::vector<float> interpolated(const imaging::Image<float>& coarse, const imaging::Grid& fine,
                                               const std::array<int, 3>& block);

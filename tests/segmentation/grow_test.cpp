@@ -84,6 +84,14 @@ std::vector<double> dice_from_random_seeds(const Case& c, int growths, int seeds
   return found;
 }
 
+// A click on what the first growth left out most of: the deepest point of the largest piece that is missing.
+double dice_after_second_click(const Case& c, const Vector3d& first_mm, const Mask& grown) {
+  const Mask missing = keep_largest(subtracted(c.liver, grown));
+  if (voxel_count(missing) == 0) return dice(grown, c.liver).value();
+  const auto again = grow_from_seeds(c.image, {first_mm, deepest_point_mm(missing)});
+  return again ? dice(again->mask, c.liver).value() : 0.0;
+}
+
 double median(const std::vector<double>& sorted) {
   return 0.5 * (sorted[(sorted.size() - 1) / 2] + sorted[sorted.size() / 2]);
 }
@@ -95,8 +103,8 @@ void print_row(const std::string& name, const std::vector<double>& sorted) {
 
 class RealLiver : public testing::TestWithParam<std::pair<const char*, const char*>> {};
 
-// The table of Dice figures in docs/real-data.md comes from here. The limits lie a little below what was measured; the
-// labels they are measured against are a network's.
+// The table of Dice figures in docs/real-data.md comes from here, and says which images were for tuning and which were
+// judged. The limits lie a little below what was measured; the labels are a network's.
 TEST_P(RealLiver, IsFoundFromWhereverTheSeedsLie) {
   GLISSON_NEEDS_DATA("totalseg_abdomen_mr_ct");
   const Case c = read_case(GetParam().first, GetParam().second);
@@ -107,6 +115,7 @@ TEST_P(RealLiver, IsFoundFromWhereverTheSeedsLie) {
             << " ml of " << volume_ml(c.liver) << " ml, tissue " << grown->tissue_mean << " +- " << grown->tissue_sd
             << ", " << grown->rounds << " rounds\n";
   for (const auto& doubt : grown->doubts) std::cout << "    " << doubt.sentence.message() << "\n";
+  std::cout << "  two clicks: Dice " << dice_after_second_click(c, deepest_point_mm(c.main_piece), grown->mask) << "\n";
   const std::vector<double> one = dice_from_random_seeds(c, c.image.grid.size[2] > 50 ? 1 : 6, 1, 6);
   const std::vector<double> three = dice_from_random_seeds(c, c.image.grid.size[2] > 50 ? 1 : 3, 3, 6);
   print_row("one seed, 6 mm or deeper", one);
@@ -124,7 +133,7 @@ INSTANTIATE_TEST_SUITE_P(Grow, RealLiver,
                                          std::pair{"example_ct", "example_seg_fast_force_split"}),
                          [](const auto& tested) { return std::string(tested.param.first); });
 
-// Three slices of another scanner, with a hand-made outline; it was in view when the options were chosen.
+// Three slices of another scanner, with a hand-made outline that goes around the fat too. For tuning.
 TEST(Grow, TheBorderLiesWhereAHandDrewIt) {
   GLISSON_NEEDS_DATA("dcmqi_liver_seg_ct3");
   const auto folder = test::shared_data() / "dcmqi_liver_seg_ct3";
@@ -135,11 +144,11 @@ TEST(Grow, TheBorderLiesWhereAHandDrewIt) {
   ASSERT_TRUE(grown) << grown.error().message();
   const double overlap = dice(grown->mask, liver).value();
   std::cout << "dcmqi: Dice " << overlap << ", " << grown->volume_ml << " ml of " << volume_ml(liver) << "\n";
-  EXPECT_GT(overlap, 0.93);  // 0.914 before the border was put half-way
+  EXPECT_GT(overlap, 0.93);  // 0.914 before the border was sought in the image
   EXPECT_NEAR(grown->volume_ml, volume_ml(liver), 0.13 * volume_ml(liver));
 }
 
-// Between the arms this CT is 30 HU darker and noisier. The rule that tries wider tolerances was made with it in view.
+// Between the arms this CT is 30 HU darker and noisier. For tuning: the rule that tries wider tolerances was made here.
 TEST(Grow, CrossesTheDarkBandOfACt) {
   GLISSON_NEEDS_DATA("totalseg_abdomen_mr_ct");
   const auto folder = test::shared_data() / "totalseg_abdomen_mr_ct";
@@ -158,7 +167,7 @@ TEST(Grow, CrossesTheDarkBandOfACt) {
   const std::vector<double> one = dice_from_random_seeds(c, 3, 1, 6);
   print_row("one seed, 6 mm or deeper", one);
   EXPECT_GT(median(one), 0.95);
-  EXPECT_GT(one.front(), 0.75);  // in the bright part, whose growth stops at the band
+  EXPECT_GT(one.front(), 0.95);  // in the bright part: 0.785 where only twice the volume was enough
 }
 
 // Its coil's light falls off, so that much of the border is unsure, and wider tolerances end in the air around it.
@@ -181,6 +190,7 @@ TEST(Grow, SaysWhereItIsUnsure) {
   ASSERT_TRUE(grown) << grown.error().message();
   EXPECT_TRUE(std::any_of(grown->doubts.begin(), grown->doubts.end(),
                           [](const auto& doubt) { return doubt.kind == GrowthDoubt::unsure_border; }));
+  ASSERT_FALSE(grown->unsure_places_mm.empty());
 }
 
 // An ellipsoid of 100 in 60, with a spread of 10 and a drift of 0.2 % a mm: 36 % from one end to the other.

@@ -1,0 +1,104 @@
+// Both sides' brightness near by, compared.
+
+#include "segmentation/unsure_border.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "imaging/filters.h"
+#include "segmentation/grid_part.h"
+#include "segmentation/signed_distance.h"
+#include "segmentation/working_grid.h"
+
+namespace glisson::segmentation {
+namespace {
+
+// The mean of the values that count, in Gaussian surroundings; NaN where none is near.
+std::vector<float> local_mean(const imaging::Image<float>& image, const std::vector<float>& counts, double sd_mm) {
+  std::vector<float> sum(counts.size());
+  for (std::size_t voxel = 0; voxel < sum.size(); ++voxel) {
+    sum[voxel] = counts[voxel] > 0 ? counts[voxel] * image.values[voxel] : 0.0F;
+  }
+  sum = imaging::gaussian_blur(std::move(sum), image.grid, sd_mm);
+  const std::vector<float> weight = imaging::gaussian_blur(counts, image.grid, sd_mm);
+  for (std::size_t voxel = 0; voxel < sum.size(); ++voxel) {
+    sum[voxel] = weight[voxel] > 1e-4F ? sum[voxel] / weight[voxel] : std::numeric_limits<float>::quiet_NaN();
+  }
+  return sum;
+}
+
+// One after the other the voxel with the most unsure ones around it; what lies around it counts no more.
+std::vector<Eigen::Vector3d> densest_places(std::vector<float> alike, const imaging::Grid& grid, double border_voxels,
+                                            const UnsureBorderOptions& options) {
+  std::vector<Eigen::Vector3d> places_mm;
+  for (int place = 0; place < options.most_places; ++place) {
+    const std::vector<float> density = imaging::gaussian_blur(alike, grid, options.apart_mm / 4);
+    std::size_t densest = 0;
+    for (std::size_t voxel = 0; voxel < alike.size(); ++voxel) {
+      if (alike[voxel] > alike[densest] || (alike[voxel] == alike[densest] && density[voxel] > density[densest])) {
+        densest = voxel;
+      }
+    }
+    const auto row = static_cast<std::size_t>(grid.size[0]), layer = row * static_cast<std::size_t>(grid.size[1]);
+    const auto position_of = [&](std::size_t voxel) {
+      return grid.position_mm(static_cast<int>(voxel % row), static_cast<int>(voxel % layer / row),
+                              static_cast<int>(voxel / layer));
+    };
+    const Eigen::Vector3d middle_mm = position_of(densest);
+    double around = 0;
+    for (std::size_t voxel = 0; voxel < alike.size(); ++voxel) {
+      if (alike[voxel] == 0 || (position_of(voxel) - middle_mm).norm() > options.apart_mm) continue;
+      alike[voxel] = 0;
+      ++around;
+    }
+    if (around < options.least_share * border_voxels) break;
+    places_mm.push_back(middle_mm);
+  }
+  return places_mm;
+}
+
+}  // namespace
+
+UnsureBorder unsure_border(const imaging::Mask& outline, const imaging::Volume& image, double tissue_mean,
+                           double tissue_sd, const UnsureBorderOptions& options) {
+  const double far_mm = 4 * options.local_mm;
+  const Part part = part_around(outline, static_cast<int>(std::ceil(far_mm / image.grid.spacing_mm.minCoeff())));
+  const std::array<int, 3> block = blocks_of(part.grid, options.spacing_mm);
+  imaging::Image<float> seen = block_means(part.grid, cut_out<float>(image, part).values, block);
+  const std::vector<float> border_mm = signed_distances_mm(block_majority(cut_out(outline, part), block));
+  const std::size_t voxels = border_mm.size();
+  std::vector<float> inner(voxels), outer(voxels);
+  const auto clear = static_cast<float>(options.clear_mm), distant = static_cast<float>(far_mm);
+  for (std::size_t voxel = 0; voxel < voxels; ++voxel) {
+    if (!std::isfinite(seen.values[voxel])) continue;
+    if (border_mm[voxel] < -clear && border_mm[voxel] > -distant) inner[voxel] = 1;
+    if (border_mm[voxel] > clear && border_mm[voxel] < distant) outer[voxel] = 1;
+  }
+  const auto furthest = static_cast<float>(options.clamp_sd * tissue_sd), middle = static_cast<float>(tissue_mean);
+  for (float& value : seen.values) {
+    if (std::isfinite(value)) value = std::clamp(value, middle - furthest, middle + furthest);
+  }
+  const std::vector<float> own = local_mean(seen, inner, options.local_mm);
+  const std::vector<float> other = local_mean(seen, outer, options.local_mm);
+
+  std::vector<float> alike(voxels);
+  const auto at_border_mm = static_cast<float>(1.01 * seen.grid.spacing_mm.maxCoeff());
+  const auto minimum_contrast = static_cast<float>(options.minimum_contrast_sd * tissue_sd);
+  std::size_t border = 0, unsure = 0;
+  for (std::size_t voxel = 0; voxel < voxels; ++voxel) {
+    if (std::abs(border_mm[voxel]) > at_border_mm || !std::isfinite(seen.values[voxel])) continue;
+    const bool differs = std::abs(own[voxel] - other[voxel]) >= minimum_contrast;  // not where there is none: NaN
+    ++border;
+    if (differs) continue;
+    alike[voxel] = 1;
+    ++unsure;
+  }
+  UnsureBorder found;
+  const double all = static_cast<double>(std::max<std::size_t>(border, 1));
+  found.share = static_cast<double>(unsure) / all;
+  found.places_mm = densest_places(alike, seen.grid, all, options);
+  return found;
+}
+
+}  // namespace glisson::segmentation
