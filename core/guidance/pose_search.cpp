@@ -27,7 +27,9 @@ constexpr std::size_t scored_points = 80;
 // Where nothing but the cloud is known:
 constexpr int directions = 48, turns = 12;  // that the organ is looked at from, and about the line of sight
 constexpr int anchors = 6;                  // places of the seen side that may be the middle of the cloud
-constexpr int refined_turns = 80;
+constexpr std::size_t begun_turns = 240;    // are refined until their order can be told,
+constexpr std::size_t refined_turns = 40;   // and these of them to the end
+constexpr int begun_rounds = 12, rounds = 40;
 constexpr double alike_score = 1.15;  // of the best: a pose elsewhere that fits as well
 constexpr double elsewhere_mm = 30, elsewhere_deg = 25;
 
@@ -65,7 +67,7 @@ class Judge {
 
   [[nodiscard]] double score(const Isometry3d& pose) const {
     const Isometry3d back = pose.inverse();
-    double curves = 0, cloud = 0;
+    double curves = 0;
     std::size_t seen = 0;
     for (const Curve& curve : curves_) {
       for (const Vector3d& point : curve.seen_mm) {
@@ -73,9 +75,7 @@ class Judge {
       }
       seen += curve.seen_mm.size();
     }
-    for (const Vector3d& point : cloud_mm_) cloud += std::min(far_mm, surface_.closest(back * point).distance_mm);
-    return curves / static_cast<double>(std::max<std::size_t>(1, seen)) +
-           cloud / static_cast<double>(std::max<std::size_t>(1, cloud_mm_.size()));
+    return curves / static_cast<double>(std::max<std::size_t>(1, seen)) + score_of_cloud(pose);
   }
 
   // Of the cloud alone: points that would lie on a side turned away from the camera are not explained either.
@@ -122,8 +122,9 @@ class Judge {
   std::vector<Vector3d> cloud_mm_;
 };
 
-Isometry3d refine(const Judge& judge, Isometry3d pose) {
-  for (int round = 0; round < 40; ++round) {
+// Iterated closest points, round by round within a shorter reach.
+Isometry3d refine(const Judge& judge, Isometry3d pose, int from = 0, int to = rounds) {
+  for (int round = from; round < to; ++round) {
     std::vector<Vector3d> at_rest, seen;
     std::vector<double> weights;
     judge.pairs(pose, std::max(10.0, 40.0 - 2.0 * round), at_rest, seen, weights);
@@ -240,14 +241,18 @@ Result<Isometry3d> find_pose_of_cloud(const geometry::Surface& surface, const Se
   const Judge judge(surface, frame);
   std::vector<Scored> poses = poses_of_turns(judge, surface);
   const auto better = [](const Scored& a, const Scored& b) { return a.score < b.score; };
-  std::sort(poses.begin(), poses.end(), better);
-  poses.resize(std::min<std::size_t>(poses.size(), refined_turns));
-  parallel_for(poses.size(), 4, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t p = begin; p < end; ++p) {
-      poses[p].pose = refine(judge, poses[p].pose);
-      poses[p].score = judge.score_of_cloud(poses[p].pose);
-    }
-  });
+  const auto refine_best = [&](std::size_t count, int from, int to) {
+    std::sort(poses.begin(), poses.end(), better);
+    poses.resize(std::min(poses.size(), count));
+    parallel_for(poses.size(), 4, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t p = begin; p < end; ++p) {
+        poses[p].pose = refine(judge, poses[p].pose, from, to);
+        poses[p].score = judge.score_of_cloud(poses[p].pose);
+      }
+    });
+  };
+  refine_best(begun_turns, 0, begun_rounds);
+  refine_best(refined_turns, begun_rounds, rounds);
   const auto best = std::min_element(poses.begin(), poses.end(), better);
   if (best == poses.end() || best->score > 0.5 * far_mm) {
     return refuse(GLISSON_TEXT("Under no pose does what frame {0} saw lie near the organ."));

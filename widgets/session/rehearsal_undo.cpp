@@ -64,7 +64,7 @@ QJsonObject how_things_stand(QJsonObject state) {
 }
 
 // As commands of a session, which read back to the same bits.
-QString text_of(const std::vector<mechanics::CutStrip>& strips) {
+QString words_of(const std::vector<mechanics::CutStrip>& strips) {
   rehearsal::Recording advances;
   for (const mechanics::CutStrip& strip : strips) advances.emplace_back(rehearsal::AdvanceCut{strip}, "");
   return QString::fromStdString(rehearsal::recording_text(advances));
@@ -103,7 +103,7 @@ QJsonValue RehearsalUndo::state() const {
                     {deformations, rehearsal_.deformations() == Deformations::large ? large : "small"},
                     {"tools", tools}};
   const auto strips = rehearsal_.cut_along();
-  if (!strips.empty()) state[cut_key] = text_of(strips);
+  if (!strips.empty()) state[cut_key] = words_of(strips);
   return state;
 }
 
