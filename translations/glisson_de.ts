@@ -6539,6 +6539,10 @@
         <source>{0} is not the sequence that was asked for: its SHA-256 is another than {1}.</source>
         <translation>{0} ist nicht die verlangte Sequenz: Ihr SHA-256 ist ein anderer als {1}.</translation>
     </message>
+    <message>
+        <source>From one measurement to the next the values scatter {0} times as much as the stated noise, which cannot be right: state it anew and ask again.</source>
+        <translation>Von einer Messung zur nächsten streuen die Werte {0}-mal so stark wie das angegebene Rauschen, das also nicht stimmen kann: Geben Sie es neu an und fragen Sie noch einmal.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

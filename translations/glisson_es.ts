@@ -6539,6 +6539,10 @@
         <source>{0} is not the sequence that was asked for: its SHA-256 is another than {1}.</source>
         <translation>{0} no es la secuencia pedida: su SHA-256 es otro que {1}.</translation>
     </message>
+    <message>
+        <source>From one measurement to the next the values scatter {0} times as much as the stated noise, which cannot be right: state it anew and ask again.</source>
+        <translation>De una medición a la siguiente los valores se dispersan {0} veces lo que dice el ruido declarado, que no puede ser correcto: declárelo de nuevo y vuelva a preguntar.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

@@ -6539,6 +6539,10 @@
         <source>{0} is not the sequence that was asked for: its SHA-256 is another than {1}.</source>
         <translation>{0} n’est pas la séquence demandée : son SHA-256 est autre que {1}.</translation>
     </message>
+    <message>
+        <source>From one measurement to the next the values scatter {0} times as much as the stated noise, which cannot be right: state it anew and ask again.</source>
+        <translation>D&apos;une mesure à la suivante, les valeurs se dispersent {0} fois autant que le bruit déclaré, qui ne peut donc être juste : déclarez-le à nouveau et redemandez.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

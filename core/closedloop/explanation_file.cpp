@@ -150,7 +150,7 @@ Json next_trials_json(const Explanation& explanation, const Experiment& experime
     json["trials"].push_back({{"sentence", next.sentence.message()},
                               {"tells_apart", next.alternatives},
                               {"doubt_removed", next.doubt_removed},
-                              {"trial", next.conditions}});
+                              {"trial", Json::parse(next.conditions)}});
   return null_where_not_finite(std::move(json));
 }
 

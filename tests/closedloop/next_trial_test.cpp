@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/json.h"
 #include "closedloop/inference/diagnosis.h"
 #include "closedloop/material/model.h"
 #include "made_up_tests.h"
@@ -76,7 +77,7 @@ TEST(NextTrials, TakeTheDoubtAwayThatTheyPromiseTo) {
 
   // Made as its conditions say; the answer is the formula's above.
   const auto column = [&](const char* name) {
-    const auto values = next.conditions.at(name).get<std::vector<double>>();
+    const auto values = Json::parse(next.conditions).at(name).get<std::vector<double>>();
     return Eigen::VectorXd(Eigen::VectorXd::Map(values.data(), static_cast<Eigen::Index>(values.size())));
   };
   MaterialTrial made{"next", column("time_s"), column("stretch"), {}};

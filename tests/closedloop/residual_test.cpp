@@ -117,5 +117,36 @@ TEST(Whitening, IsASquareRootOfTheInverseCovariance) {
   EXPECT_NEAR(white.squaredNorm(), r.dot(covariance.inverse() * r), 1e-10);
 }
 
+// Two trials of one series.
+Observations recording(int samples) {
+  Observations all;
+  all.unit = "kPa";
+  all.directions = {"stress"};
+  for (int t = 0; t < 2; ++t) {
+    all.trials.push_back(std::to_string(t));
+    std::vector<Observation> rows;
+    for (int s = 0; s < samples; ++s) rows.push_back({0, 0.1, t, s, 0, t * samples + s, double(s), 1.0 + s, {}, {}});
+    all.add(rows);
+  }
+  return all;
+}
+
+TEST(ImpossibleNoise, IsToldWhereItIsLargerOrSmallerThanStatedAndNotElse) {
+  const Observations all = recording(200);
+  const Eigen::VectorXd noise = 0.1 * white_noise(all.rows(), 4);
+  EXPECT_FALSE(impossible_noise(all, noise));
+  EXPECT_NEAR(impossible_noise(all, 1.5 * noise).value(), 1.5, 0.15);
+  EXPECT_NEAR(impossible_noise(all, 0.7 * noise).value(), 0.7, 0.05);
+  // Something smooth that is missing, a few wild values, and noise that repeats itself say nothing of its size.
+  EXPECT_FALSE(impossible_noise(all, noise + 0.01 * all.time_s));
+  Eigen::VectorXd wild = noise, repeating = noise;
+  for (Eigen::Index i = 0; i < wild.size(); i += 50) wild[i] *= 10;
+  for (Eigen::Index i = 1; i < repeating.size(); ++i)
+    repeating[i] = 0.5 * repeating[i - 1] + std::sqrt(0.75) * repeating[i];
+  EXPECT_FALSE(impossible_noise(all, wild));
+  EXPECT_FALSE(impossible_noise(all, repeating));
+  EXPECT_FALSE(impossible_noise(recording(10), 3 * Eigen::VectorXd::Ones(20)));
+}
+
 }  // namespace
 }  // namespace glisson::closedloop

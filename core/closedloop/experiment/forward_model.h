@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "base/json.h"
 #include "base/progress.h"
 #include "base/result.h"
 #include "base/sentence.h"
@@ -29,8 +28,8 @@ struct Linearisation {
 // an experiment's file says it; nothing is measured yet.
 struct FurtherTrial {
   Sentence sentence;
-  Json conditions;
-  Eigen::Index rows = 0;  // that it would measure
+  std::string conditions;  // JSON
+  Eigen::Index rows = 0;   // that it would measure
 };
 
 // Where a search for an effect may begin.

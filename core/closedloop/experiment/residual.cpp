@@ -8,11 +8,26 @@
 #include <Eigen/QR>
 #include <map>
 #include <utility>
+#include <vector>
 
 #include "base/result.h"
+#include "base/upper_median.h"
 
 namespace glisson::closedloop {
 namespace {
+
+// Values of one trial, direction and place, by time: where there are places, each has its own history.
+using Histories = std::map<std::array<double, 5>, std::vector<double>>;
+Histories histories(const Observations& observations, const Eigen::VectorXd& values) {
+  Histories all;
+  for (Eigen::Index row = 0; row < values.size(); ++row) {
+    const auto i = static_cast<std::size_t>(row);
+    std::array<double, 5> key{double(observations.trial[i]), double(observations.direction[i]), 0, 0, 0};
+    if (observations.has_places()) Eigen::Vector3d::Map(key.data() + 2) = observations.place_mm.row(row);
+    all[key].push_back(values[row]);
+  }
+  return all;
+}
 
 constexpr double minimum_p = 1e-300;  // below, doubles end
 
@@ -125,14 +140,7 @@ std::vector<std::string> ResidualDiagnostics::shape() const {
 }
 
 double correlation_length(const Observations& observations, const Eigen::VectorXd& white) {
-  // Where there are places, each has its own history.
-  std::map<std::array<double, 5>, std::vector<double>> series;
-  for (Eigen::Index row = 0; row < white.size(); ++row) {
-    const auto i = static_cast<std::size_t>(row);
-    std::array<double, 5> key{double(observations.trial[i]), double(observations.direction[i]), 0, 0, 0};
-    if (observations.has_places()) Eigen::Vector3d::Map(key.data() + 2) = observations.place_mm.row(row);
-    series[key].push_back(white[row]);
-  }
+  const Histories series = histories(observations, white);
   double length = 1;
   for (std::size_t lag = 1;; ++lag) {
     double products = 0;
@@ -147,6 +155,21 @@ double correlation_length(const Observations& observations, const Eigen::VectorX
     if (squares <= 0 || products / squares < 0.05) return length;
     length += 2 * products / squares;
   }
+}
+
+std::optional<double> impossible_noise(const Observations& observations, const Eigen::VectorXd& residual) {
+  constexpr double too_small = 0.8, too_large = 1.2;  // nobody knows a noise better
+  constexpr std::size_t enough = 30;
+  std::vector<double> differences;
+  for (const auto& [key, values] : histories(observations, residual.cwiseQuotient(observations.noise)))
+    for (std::size_t i = 1; values.size() >= enough && i + 1 < values.size(); ++i)
+      differences.push_back(std::abs(values[i + 1] - 2 * values[i] + values[i - 1]));
+  if (differences.empty()) return std::nullopt;
+  constexpr double of_the_median = 1.4826;  // a normal's deviation over the median of its absolute values
+  const double scale = of_the_median * upper_median(std::move(differences)) / std::sqrt(6.0);
+  if (scale > too_large) return scale;
+  const double all = std::sqrt(residual.cwiseQuotient(observations.noise).squaredNorm() / double(residual.size()));
+  return std::max(scale, all) < too_small ? std::optional(all) : std::nullopt;
 }
 
 namespace {

@@ -60,4 +60,9 @@ struct ResidualDiagnostics {
 // trials and directions, at least 1. n rows are worth n over this.
 [[nodiscard]] double correlation_length(const Observations& observations, const Eigen::VectorXd& white);
 
+// How many times as large as stated the noise is, where it cannot be as stated: from second differences in time (of the
+// median, so that few wild values count for nothing), which what is smooth or repeats itself can only make smaller; so
+// a noise that seems smaller must be so in all of the residual too. Nothing where there is no history of 30 samples.
+[[nodiscard]] std::optional<double> impossible_noise(const Observations& observations, const Eigen::VectorXd& residual);
+
 }  // namespace glisson::closedloop

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/json.h"
 #include "closedloop/hardware/effects.h"
 
 namespace glisson::closedloop {
@@ -193,7 +194,7 @@ std::vector<FurtherTrial> PlatformModel::further_trials() const {
     column("current_A", trial.current_A);
     column("load", trial.load);
     const Eigen::Index rows = in_noises(readings(declared_behaviour(platform_), platform_, trial)).size();
-    trials.push_back({std::move(further.sentence), std::move(conditions), rows});
+    trials.push_back({std::move(further.sentence), conditions.dump(), rows});
   }
   return trials;
 }

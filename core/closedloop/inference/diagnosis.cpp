@@ -91,6 +91,10 @@ Result<Explanation> Diagnosis::run() {
   std::vector<RankedCandidate> alone = ranking(search_, declared, choice->singles);
 
   std::vector<Sentence> notes = search_.model().remarks();
+  if (const auto times = impossible_noise(all_, all_.measured - named.fit.predicted))
+    notes.push_back({GLISSON_TEXT("From one measurement to the next the values scatter {0} times as much as the stated "
+                                  "noise, which cannot be right: state it anew and ask again."),
+                     {fmt::format("{:.2g}", *times)}});
   append(notes, notes_on_ranking(alone));
   append(notes, notes_on_verdict(*choice, left));
   if (share != 0)

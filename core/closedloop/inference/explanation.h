@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "base/json.h"
 #include "base/sentence.h"
 #include "closedloop/experiment/effect.h"
 #include "closedloop/experiment/observations.h"
@@ -69,7 +68,7 @@ struct RankedCandidate {
 // A further trial (next_trial.h).
 struct NextMeasurement {
   Sentence sentence;
-  Json conditions;                        // what is done, as a trial of an experiment's file says it
+  std::string conditions;                 // what is done, as a trial of an experiment's file says it
   std::vector<std::string> alternatives;  // kinds that it would tell from what is likeliest
   // Of the doubt among the known explanations, the share that it and those before it are expected to take away.
   double doubt_removed = 0;
