@@ -30,6 +30,12 @@ bool shows_all(const LocalFit& fit);
 std::vector<LocalFit> best_of_each_set(std::vector<LocalFit> considered);
 void refine(const Weighing& weighing, std::vector<Weighed>& all, const PosteriorOptions& options,
             const Progress& progress);
+// Root mean square by which what is left exceeds the noise, in noises.
+double excess(const Observations& observations, const Eigen::VectorXd& predicted);
+// Natural logarithms, priors included.
+Result<std::vector<double>> weights_of_something_else(const Weighing& weighing, const Eigen::VectorXd& declared,
+                                                      const Weighed& leading, double of_nothing,
+                                                      const PosteriorOptions& options, const Progress& progress);
 LocalFit thinned(LocalFit fit, double share);
 double odds_of_look_alike(double evidence_over_nothing, const Kinds& leading, const PosteriorOptions& options);
 double root_mean_square(const Eigen::VectorXd& values);
@@ -83,17 +89,13 @@ Result<Posterior> posterior(const Weighing& weighing, std::vector<LocalFit> cons
 
   // What lies within the prediction's own error shows nothing.
   const double indistinct = weighing.systematic.indistinct;
-  const auto excess = [&](const Eigen::VectorXd& predicted) {
-    const double size = root_mean_square((observations.measured - predicted).cwiseQuotient(observations.noise));
-    return std::sqrt(std::max(0.0, size * size - 1));
-  };
   const auto nothing = std::find_if(all.begin(), all.end(), [](const Weighed& one) { return one.kinds.empty(); });
   const double of_nothing = nothing->log.evidence;
   if (indistinct > 0) {
     const double highest = std::max_element(all.begin(), all.end(), [](const auto& a, const auto& b) {
                              return a.log.evidence < b.log.evidence;
                            })->log.evidence;
-    const bool as_the_mesh = excess(declared->predicted) <= indistinct;
+    const bool as_the_mesh = excess(observations, declared->predicted) <= indistinct;
     for (Weighed& one : all) {
       if (one.log.evidence <= of_nothing || one.log.evidence < highest - options.worth_refining) continue;
       const auto predicted = model.predict(one.fit.settings);
@@ -107,40 +109,18 @@ Result<Posterior> posterior(const Weighing& weighing, std::vector<LocalFit> cons
   const auto weight = [](const Weighed& one) { return one.log.evidence + one.log_prior; };
   const auto leading =
       std::max_element(all.begin(), all.end(), [&](const auto& a, const auto& b) { return weight(a) < weight(b); });
-  const auto smooth = [&](const Eigen::VectorXd& predicted) {
-    return smooth_evidence(observations, weighing.systematic, observations.measured - predicted, options, progress);
-  };
-  // Over the rows that a smooth function rests on, beside the leading explanation's on the same rows.
-  std::vector<double> something_else;
-  const SmoothEvidence in_place = smooth(declared->predicted);
-  if (leading->kinds.empty()) {
-    const double beside = in_place.smooth - in_place.noise;
-    something_else.push_back(of_nothing + (excess(declared->predicted) <= indistinct ? std::min(0.0, beside) : beside));
-  } else {
-    const auto predicted = model.predict(leading->fit.settings);
-    if (!predicted) return failure(predicted.error());
-    const SmoothEvidence rest = smooth(*predicted);
-    const double beside = rest.smooth - rest.noise;
-    const double half = std::log(0.5);
-    // What the freedom of its parameters costs on these rows, as that of the smooth function is counted.
-    const LogEvidence seen =
-        log_evidence(model, thinned(leading->fit, rest.share_of_rows), weighing.correlation, options);
-    something_else.push_back(half + leading->log.evidence + (seen.best - seen.evidence) + in_place.smooth - rest.noise);
-    something_else.push_back(half + leading->log.evidence +
-                             (excess(*predicted) <= indistinct ? std::min(0.0, beside) : beside));
-  }
+  auto something_else =
+      weights_of_something_else(weighing, declared->predicted, *leading, of_nothing, options, progress);
+  if (!something_else) return failure(std::move(something_else.error()));
   if (progress.cancelled()) return cancelled();
 
   double highest = weight(*leading);
-  for (double& log : something_else) {
-    log += std::log(options.something_else);
-    highest = std::max(highest, log);
-  }
+  for (const double log : *something_else) highest = std::max(highest, log);
   std::map<Kinds, double> probabilities;
   double other = 0, sum = 0;
   for (const Weighed& one : all) probabilities[one.kinds] += std::exp(weight(one) - highest);
   for (const auto& [kinds, probability] : probabilities) sum += probability;
-  for (const double log : something_else) other += std::exp(log - highest);
+  for (const double log : *something_else) other += std::exp(log - highest);
   other +=
       probabilities[leading->kinds] * odds_of_look_alike(leading->log.evidence - of_nothing, leading->kinds, options);
   sum += other;
@@ -289,6 +269,40 @@ void refine(const Weighing& weighing, std::vector<Weighed>& all, const Posterior
       all[i].log = log_evidence(weighing.model, all[i].fit, weighing.correlation, options);
     }
   });
+}
+
+double excess(const Observations& observations, const Eigen::VectorXd& predicted) {
+  const double size = root_mean_square((observations.measured - predicted).cwiseQuotient(observations.noise));
+  return std::sqrt(std::max(0.0, size * size - 1));
+}
+
+// Over the rows that a smooth function rests on, with the leading explanation on the same rows: in place of all causes,
+// or at work beside the leading ones, which then have to be there too.
+Result<std::vector<double>> weights_of_something_else(const Weighing& weighing, const Eigen::VectorXd& declared,
+                                                      const Weighed& leading, double of_nothing,
+                                                      const PosteriorOptions& options, const Progress& progress) {
+  const ForwardModel& model = weighing.model;
+  const auto smooth = [&](const Eigen::VectorXd& predicted) {
+    return smooth_evidence(model.observations(), weighing.systematic, model.observations().measured - predicted,
+                           options, progress);
+  };
+  // What is no larger than the prediction's own error is no sign of anything.
+  const auto beside = [&](const SmoothEvidence& rest, const Eigen::VectorXd& predicted) {
+    const double better = rest.smooth - rest.noise;
+    return excess(model.observations(), predicted) <= weighing.systematic.indistinct ? std::min(0.0, better) : better;
+  };
+  const double log_prior = std::log(options.something_else), half = std::log(0.5);
+  const double log_odds = log_prior - std::log(1 - options.something_else);
+  const SmoothEvidence in_place = smooth(declared);
+  if (leading.kinds.empty()) return std::vector<double>{log_prior + of_nothing + beside(in_place, declared)};
+  const auto predicted = model.predict(leading.fit.settings);
+  if (!predicted) return failure(predicted.error());
+  const SmoothEvidence rest = smooth(*predicted);
+  // What the freedom of its parameters costs on these rows, as that of the smooth function is counted.
+  const LogEvidence seen = log_evidence(model, thinned(leading.fit, rest.share_of_rows), weighing.correlation, options);
+  return std::vector<double>{
+      half + log_prior + leading.log.evidence + (seen.best - seen.evidence) + in_place.smooth - rest.noise,
+      half + log_odds + leading.log_prior + leading.log.evidence + beside(rest, *predicted)};
 }
 
 // To a share of its rows, evenly from all.

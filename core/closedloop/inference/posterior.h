@@ -25,9 +25,10 @@ struct Weighing {
 
 // `considered`: sets of effects near where they fit best; a set may stand there several times and counts once, sets
 // that are not there count as impossible. Of "something else" half is a smooth function in place of all known causes,
-// half one beside the likeliest of them; half of nothing where nothing is likeliest. What lies within the prediction's
-// own error (SystematicUncertainty::indistinct) is no better evidence than the declared model. Fails where that cannot
-// be solved, and when cancelled.
+// half one beside the likeliest of them, which is then as probable as they are; half of nothing where nothing is
+// likeliest. And what looks like the likeliest may be something else (PosteriorOptions::look_alike). What lies within
+// the prediction's own error (SystematicUncertainty::indistinct) is no better evidence than the declared model. Fails
+// where that cannot be solved, and when cancelled.
 Result<Posterior> posterior(const Weighing& weighing, std::vector<LocalFit> considered, const PosteriorOptions& options,
                             const Progress& progress = {});
 
