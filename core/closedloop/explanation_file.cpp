@@ -116,14 +116,9 @@ Json report_json(const Explanation& explanation, const Observations& observation
                                              fmt::join(next.alternatives, ", "));
   }
   if (!explanation.posterior.empty()) {
-    json["posterior"] = {{"explanations", Json::array()},
+    json["posterior"] = {{"explanations", json_of(explanation.posterior)},
                          {"agrees_with_verdict", agrees(explanation)},
                          {"sentence", posterior_sentence(explanation).message()}};
-    for (const WeighedExplanation& weighed : explanation.posterior)
-      json["posterior"]["explanations"].push_back(
-          {{"name", name_of(weighed)},
-           {"kinds", weighed.something_else ? Json(nullptr) : Json(weighed.kinds)},
-           {"probability", weighed.probability}});
   }
   if (!history.empty()) json["history"] = json_of(history);
   if (explanation.verdict == Verdict::nothing_missing) {

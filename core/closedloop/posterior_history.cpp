@@ -26,15 +26,19 @@ PosteriorHistory history_after(const std::filesystem::path& earlier_report, cons
   return history;
 }
 
+Json json_of(const Posterior& posterior) {
+  Json json = Json::array();
+  for (const WeighedExplanation& one : posterior)
+    json.push_back({{"name", name_of(one)},
+                    {"kinds", one.something_else ? Json(nullptr) : Json(one.kinds)},
+                    {"probability", one.probability}});
+  return json;
+}
+
 Json json_of(const PosteriorHistory& history) {
   Json json = Json::array();
   for (const PosteriorStep& step : history) {
-    Json explanations = Json::array();
-    for (const WeighedExplanation& one : step.posterior)
-      explanations.push_back({{"name", name_of(one)},
-                              {"kinds", one.something_else ? Json(nullptr) : Json(one.kinds)},
-                              {"probability", one.probability}});
-    json.push_back({{"trials", step.trials}, {"explanations", std::move(explanations)}});
+    json.push_back({{"trials", step.trials}, {"explanations", json_of(step.posterior)}});
   }
   return json;
 }

@@ -23,6 +23,8 @@ using PosteriorHistory = std::vector<PosteriorStep>;  // each with more trials t
 [[nodiscard]] PosteriorHistory history_after(const std::filesystem::path& earlier_report,
                                              const Explanation& explanation, const Observations& observations);
 
+// "explanations" as files have them: name, kinds (null: something else) and probability of each.
+[[nodiscard]] Json json_of(const Posterior& posterior);
 [[nodiscard]] Json json_of(const PosteriorHistory& history);
 
 }  // namespace glisson::closedloop

@@ -1,5 +1,5 @@
 #pragma once
-// Of all regions the one whose voxels and border together cost least. For use within the room.
+// The region of minimum cost of its voxels and its border together. For use within the room.
 
 #include <cstdint>
 #include <vector>
@@ -19,7 +19,7 @@ struct RelaxedCutOptions {
 
 // Minimises the integral of |grad u| + cost u over 0 <= u <= 1, where u is 0 outside and 1 inside. `cost_per_mm`, one a
 // voxel, is what a voxel inside costs more than one outside, against 1 for each mm2 of border. What u is at least 0.5
-// in is one of the regions of least cost, whatever the start (Nikolova, Esedoglu and Chan, SIAM J Appl Math 66:1632,
+// in is one of the regions of minimum cost, whatever the start (Nikolova, Esedoglu and Chan, SIAM J Appl Math 66:1632,
 // 2006). By the primal-dual steps of Chambolle and Pock (J Math Imaging Vis 40:120, 2011). The image's border is free.
 // Gives u, one a voxel. Deterministic, whatever the number of threads.
 [[nodiscard]] std::vector<float> relaxed_cut(const imaging::Grid& grid, const std::vector<float>& cost_per_mm,

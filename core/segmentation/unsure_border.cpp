@@ -52,7 +52,7 @@ std::vector<Eigen::Vector3d> densest_places(std::vector<float> alike, const imag
       alike[voxel] = 0;
       ++around;
     }
-    if (around < options.least_share * border_voxels) break;
+    if (around < options.minimum_share * border_voxels) break;
     places_mm.push_back(middle_mm);
   }
   return places_mm;

@@ -18,7 +18,7 @@ struct UnsureBorderOptions {
   // Places that are told apart: the most, how far from each other, and how much of the border around each is unsure.
   int most_places = 3;
   double apart_mm = 40;
-  double least_share = 0.02;
+  double minimum_share = 0.02;
 };
 
 struct UnsureBorder {

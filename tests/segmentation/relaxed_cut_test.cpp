@@ -47,11 +47,11 @@ TEST(RelaxedCut, CostsNoMoreThanAnyRegionOfARow) {
     const std::vector<float> u = relaxed_cut(row, cost, sides, patient);
     unsigned found = 0;
     for (std::size_t voxel = 0; voxel < length; ++voxel) found |= (u[voxel] >= 0.5F ? 1U : 0U) << voxel;
-    double least = INFINITY;
+    double minimum = INFINITY;
     for (unsigned region = 1; region < 1U << (length - 1); region += 2) {  // the first voxel inside, the last outside
-      least = std::min(least, energy_of_row(region, cost, spacing_mm));
+      minimum = std::min(minimum, energy_of_row(region, cost, spacing_mm));
     }
-    EXPECT_NEAR(energy_of_row(found, cost, spacing_mm), least, 1e-3) << "trial " << trial;
+    EXPECT_NEAR(energy_of_row(found, cost, spacing_mm), minimum, 1e-3) << "trial " << trial;
   }
 }
 

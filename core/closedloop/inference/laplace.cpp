@@ -7,6 +7,8 @@
 #include <numbers>
 #include <utility>
 
+#include "closedloop/inference/internal/log_sum.h"
+
 namespace glisson::closedloop {
 namespace {
 
@@ -21,7 +23,6 @@ struct Quadratic {
 Quadratic quadratic(const LocalFit& fit, const ParameterPrior& prior, double variance);
 double log_integral(const Quadratic& likelihood, const ParameterPrior& prior);
 double log_normal_mass(double low, double high);
-double log_sum(const std::vector<double>& logs);
 
 }  // namespace
 
@@ -207,13 +208,6 @@ double log_normal_mass(double low, double high) {
   };
   const double upper = log_below(high);
   return upper + std::log(-std::expm1(std::min(-1e-12, log_below(low) - upper)));
-}
-
-double log_sum(const std::vector<double>& logs) {
-  const double highest = *std::max_element(logs.begin(), logs.end());
-  double sum = 0;
-  for (const double log : logs) sum += std::exp(log - highest);
-  return highest + std::log(sum);
 }
 
 }  // namespace

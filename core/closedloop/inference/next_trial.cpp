@@ -5,6 +5,8 @@
 #include <Eigen/Cholesky>
 #include <random>
 
+#include "closedloop/inference/internal/log_sum.h"
+
 namespace glisson::closedloop {
 namespace {
 
@@ -96,10 +98,7 @@ double expected_information(const std::vector<double>& probability, const std::v
       const Eigen::VectorXd open = drawn(expected[k].spread.cols());
       const Eigen::VectorXd y = expected[k].mean + expected[k].spread * open + drawn(expected[k].mean.size());
       for (std::size_t j = 0; j < expected.size(); ++j) logs[j] = std::log(probability[j]) + log_density(j, y);
-      const double highest = *std::max_element(logs.begin(), logs.end());
-      double all = 0;
-      for (const double log : logs) all += std::exp(log - highest);
-      sum += logs[k] - highest - std::log(all) - std::log(probability[k]);
+      sum += logs[k] - log_sum(logs) - std::log(probability[k]);
     }
     information += probability[k] * sum / draws;
   }

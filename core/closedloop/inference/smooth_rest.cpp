@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "closedloop/inference/internal/log_sum.h"
 #include "closedloop/inference/internal/stop_when_cancelled.h"
 #include "closedloop/inference/laplace.h"
 #include "closedloop/inference/smooth_baseline.h"
@@ -174,10 +175,7 @@ SmoothEvidence smooth_evidence(const Observations& observations, const Systemati
     logs.push_back(log_share +
                    evidence_of_noise(blocks_of(observations, systematic, residual, groups, kept), options, progress));
   }
-  const double highest = *std::max_element(logs.begin(), logs.end());
-  double sum = 0;
-  for (const double log : logs) sum += std::exp(log - highest);
-  evidence.noise = highest + std::log(sum);
+  evidence.noise = log_sum(logs);
   return evidence;
 }
 

@@ -95,11 +95,12 @@ std::vector<FurtherTrial> MaterialModel::further_trials() const {
 }
 
 Result<Eigen::VectorXd> MaterialModel::predict_further(const Settings& settings) const {
+  const MaterialBehaviour specimen = behaviour(settings);
   Eigen::VectorXd all;
   for (const FurtherRamp& ramp : further()) {
     const Eigen::Index before = all.size();
     all.conservativeResize(before + ramp.time_s.size());
-    all.tail(ramp.time_s.size()) = reading_kPa(behaviour(settings), ramp.time_s, ramp.stretch) / material_.noise_kPa;
+    all.tail(ramp.time_s.size()) = reading_kPa(specimen, ramp.time_s, ramp.stretch) / material_.noise_kPa;
   }
   return all;
 }
