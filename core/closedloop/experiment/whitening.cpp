@@ -1,7 +1,7 @@
 #include "closedloop/experiment/whitening.h"
 
 #include <algorithm>
-#include <Eigen/SVD>
+#include <Eigen/Eigenvalues>
 #include <utility>
 
 namespace glisson::closedloop {
@@ -24,22 +24,19 @@ Whitening::Whitening(const Eigen::VectorXd& noise, const SystematicUncertainty& 
     std::erase_if(groups_, [](const Group& group) { return group.shrinking == 0; });
   }
   if (systematic.directions.cols() == 0) return;
-  // U scaled by the rest is Q S P^T, so the scaled C is 1 + Q S^2 Q^T, whose inverse square root leaves everything
-  // outside Q as it is.
+  // With A for U scaled by the rest and A^T A = P S^2 P^T, the inverse square root of 1 + A A^T is 1 - B B^T where
+  // B = A P (r (r + 1))^-1/2 and r = (1 + S^2)^1/2. Nothing is divided by S, which may be zero.
   Eigen::MatrixXd scaled = inverse_noise_.asDiagonal() * systematic.directions(rows_, Eigen::all);
   leave_groups_out(scaled);
-  const Eigen::BDCSVD<Eigen::MatrixXd> svd(scaled, Eigen::ComputeThinU);
-  directions_ = svd.matrixU();
-  shrinking_ = 1 - (1 + svd.singularValues().array().square()).rsqrt();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> gram(scaled.transpose() * scaled);
+  const Eigen::ArrayXd root = (1 + gram.eigenvalues().array().max(0)).sqrt();
+  directions_ = scaled * gram.eigenvectors() * (root * (root + 1)).rsqrt().matrix().asDiagonal();
 }
 
 Eigen::MatrixXd Whitening::whiten(const Eigen::MatrixXd& columns) const {
   Eigen::MatrixXd white = inverse_noise_.asDiagonal() * columns(rows_, Eigen::all);
   leave_groups_out(white);
-  if (directions_.cols() > 0) {
-    const Eigen::MatrixXd along = shrinking_.asDiagonal() * (directions_.transpose() * white);
-    white -= directions_ * along;
-  }
+  if (directions_.cols() > 0) white -= directions_ * (directions_.transpose() * white).eval();
   return white;
 }
 

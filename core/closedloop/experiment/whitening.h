@@ -46,8 +46,7 @@ class Whitening {
 
   Eigen::VectorXd inverse_noise_;  // of the rows named
   std::vector<Group> groups_;
-  Eigen::MatrixXd directions_;  // orthonormal columns, scaled by the noise and without what groups share
-  Eigen::VectorXd shrinking_;   // 1 - 1 / sqrt(1 + s^2), s the size along each direction in units of the noise
+  Eigen::MatrixXd directions_;  // B, orthogonal columns: the inverse square root is 1 - B B^T
 };
 
 }  // namespace glisson::closedloop
