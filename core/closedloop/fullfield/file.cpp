@@ -156,9 +156,10 @@ void read_declared(const Json& json, FullField& field) {
     }
   };
   std::size_t given = 0;
-  for (const auto& [key, value] : numbers.items()) {
+  for (const auto& entry : numbers.items()) {
+    const std::string& key = entry.key();
     if (key == "law" || key == "parameters") continue;
-    const double number = number_in(value, "declared, " + key);
+    const double number = number_in(entry.value(), "declared, " + key);
     ++given;
     const auto own = std::find_if(form->parameters.begin(), form->parameters.end(),
                                   [&](const LawParameter& parameter) { return key == parameter.name; });
@@ -269,12 +270,13 @@ std::vector<ReactionRow> reactions_from(const fs::path& file) {
 std::vector<PrescribedRow> prescribed_from(const Json& json, const std::string& where) {
   if (!json.is_object()) refuse_at(where, GLISSON_TEXT("{0} must be an object in braces."));
   std::vector<PrescribedRow> rows;
-  for (const auto& [name, value] : json.items()) {
-    only_keys(value, {"ux", "uy"}, where + ", " + name);
+  for (const auto& entry : json.items()) {
+    const std::string boundary = where + ", " + entry.key();
+    only_keys(entry.value(), {"ux", "uy"}, boundary);
     const auto component = [&](const char* key) {
-      return value.contains(key) ? number_in(value[key], where + ", " + name + ", " + key) : no_value;
+      return entry.value().contains(key) ? number_in(entry.value()[key], boundary + ", " + key) : no_value;
     };
-    rows.push_back({name, {component("ux"), component("uy")}, where});
+    rows.push_back({entry.key(), {component("ux"), component("uy")}, where});
   }
   return rows;
 }

@@ -13,7 +13,7 @@ namespace glisson::closedloop {
 
 struct FoundEffects {
   std::vector<FoundEffect> effects;  // by what they remove, the largest first
-  std::vector<Sentence> notes;  // which parameters the data leave open
+  std::vector<Sentence> notes;       // which parameters the data leave open
 };
 
 // The settings of `chosen`. `in_place`: for each of them, what was fitted in its place. `held_out_rms` and `rms` are

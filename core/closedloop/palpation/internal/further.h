@@ -18,6 +18,6 @@ struct FurtherPalpation {
 // Variations of the trial that went furthest: at the place of the surface that is furthest from all tools and looks the
 // same way, twice as hard, held ten times as long, pulled instead of pressed.
 [[nodiscard]] std::vector<FurtherPalpation> further_palpations(const Palpation& experiment,
-                                                           const std::vector<mechanics::BoundaryFace>& boundary);
+                                                               const std::vector<mechanics::BoundaryFace>& boundary);
 
 }  // namespace glisson::closedloop
