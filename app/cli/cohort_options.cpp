@@ -1,11 +1,31 @@
 #include "cohort_options.h"
 
 #include <fmt/format.h>
+#include <charconv>
 #include <filesystem>
+#include <string_view>
 
 #include "studies/dissertation/cohort.h"
 
 namespace glisson::cli {
+namespace {
+
+// "3/20"
+studies::BatchPart chunk_of(std::string_view text) {
+  studies::BatchPart part;
+  const std::size_t slash = text.find('/');
+  const auto number = [](std::string_view digits, int& value) {
+    const auto [end, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    return problem == std::errc() && end == digits.data() + digits.size();
+  };
+  const bool read = slash != std::string_view::npos && number(text.substr(0, slash), part.chunk) &&
+                    number(text.substr(slash + 1), part.chunks);
+  if (!read || part.chunk < 1 || part.chunk > part.chunks || part.chunks > 100000)
+    throw CLI::ValidationError("--chunk", "K/N, as 3/20: K from 1 to N, N at most 100000");
+  return part;
+}
+
+}  // namespace
 
 void add_cohort_options(CLI::App& command, CohortChoice& choice) {
   CLI::Option* folder =
@@ -15,7 +35,14 @@ void add_cohort_options(CLI::App& command, CohortChoice& choice) {
       ->check(CLI::Range(1, 100000))
       ->excludes(folder);
   command.add_option("--seed", choice.seed, "Of what is simulated")->capture_default_str();
-  command.add_option("--patient", choice.only, "Compute this patient alone: one job of many");
+  CLI::Option* patient =
+      command.add_option("--patient", choice.part.patient, "Compute this patient alone: one job of many");
+  command
+      .add_option_function<std::string>(
+          "--chunk", [&choice](const std::string& text) { choice.part = chunk_of(text); },
+          "Compute the K-th of N equal runs of patients, into one file: one job of many")
+      ->type_name("K/N")
+      ->excludes(patient);
   command.add_flag("--list", choice.list, "Compute nothing: name the patients");
 }
 

@@ -17,7 +17,7 @@ struct CohortChoice {
   int simulated = 0;  // 0: the folder's patients
   unsigned seed = 1;
   bool list = false;
-  std::optional<std::string> only;
+  studies::BatchPart part;
 };
 
 void add_cohort_options(CLI::App& command, CohortChoice& choice);
@@ -28,14 +28,14 @@ Result<std::string> folder_of(const CohortChoice& choice);
 // The patients' names (--list).
 Result<Outcome> list_patients(const std::string& folder);
 
-// study(folder, options) over the patients chosen, or their names. `options` are a study's, told here which patient
-// alone is asked for and what to warn of.
+// study(folder, options) over the patients chosen, or their names. `options` are a study's, told here which part
+// is asked for and what to warn of.
 template <typename StudyOptions, typename Study>
 Result<Outcome> run_over_cohort(const CohortChoice& choice, StudyOptions options, const Study& study) {
   const auto folder = folder_of(choice);
   if (!folder) return failure(folder.error());
   if (choice.list) return list_patients(*folder);
-  options.only = choice.only;
+  options.part = choice.part;
   options.warning = studies::cohort_warning(*folder);
   return study(*folder, options);
 }

@@ -25,6 +25,7 @@ Outcome describe_cohort(const studies::CohortSummary& summary) {
       summary.low_kPa, summary.high_kPa, 100 * summary.like_atlas_fraction, 100 * summary.in_atlas_fraction,
       summary.upper_limit_ratio, summary.rank_correlation);
   Outcome outcome{studies::summary_json(summary), std::move(text)};
+  outcome.document["reused"] = summary.reused;
   add_rows(summary.rows, outcome);
   return outcome;
 }

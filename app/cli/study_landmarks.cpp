@@ -39,6 +39,8 @@ Outcome describe_landmarks(const studies::LandmarksSummary& summary) {
           described("What moves landmarks", summary.sensitivity) + described("Within a liver", summary.within) +
           fmt::format("In {:.0f} % of the patients one of the three regions at least is 5 mm off\n",
                       100 * summary.any_region_fraction)};
+  outcome.document["reused"] = summary.reused;
+  outcome.document["slowest_patient_s"] = summary.slowest_s;
   add_rows(summary.rows, outcome);
   return outcome;
 }
@@ -57,7 +59,7 @@ Result<Outcome> run_on_livers(const StudyLandmarksCommand& options, const Progre
   studies::LandmarksOptions chosen = options.landmarks;
   chosen.livers_seed = options.patients.seed;
   chosen.retraction.law = studies::RetractionLaw::by_strain;
-  chosen.only = options.patients.only;
+  chosen.part = options.patients.part;
   chosen.warning = studies::drawn_stiffness_warning;
   return studies::run_landmarks(options.livers, options.patients.out, chosen, progress).map(describe_landmarks);
 }

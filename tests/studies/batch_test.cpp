@@ -83,12 +83,75 @@ TEST(Batch, ARowFromOtherInputOrHalfWrittenIsMadeAgain) {
 TEST(Batch, OnePatientAloneIsOneJobOfMany) {
   const TemporaryFolder folder;
   Doubling doubling;
-  const auto one = run_batch(folder.path(), patients(4), doubling.compute, "p3");
+  const auto one = run_batch(folder.path(), patients(4), doubling.compute, {"p3"});
   ASSERT_TRUE(one.has_value());
   EXPECT_THAT(*one, SizeIs(1));
   EXPECT_EQ(doubling.asked, std::set<std::size_t>{3});
-  EXPECT_EQ(run_batch(folder.path(), patients(4), doubling.compute, "nobody").error().code, "batch-unknown-patient");
+  EXPECT_EQ(run_batch(folder.path(), patients(4), doubling.compute, {"nobody"}).error().code, "batch-unknown-patient");
   EXPECT_EQ(run_batch(folder.path(), {}, doubling.compute).error().code, "batch-no-patients");
+}
+
+// Chunks in any order, some of them run twice, make the table that one run makes, and each patient is computed once.
+TEST(Batch, ChunksMakeTheSameTable) {
+  const TemporaryFolder whole, shared;
+  Doubling doubling;
+  const auto rows = run_batch(whole.path(), patients(10), doubling.compute);
+  ASSERT_TRUE(write_batch_csv(whole.path() / "table.csv", rows.value()));
+  Doubling chunked;
+  std::size_t asked = 0;
+  for (const int chunk : {3, 1, 4, 2}) {
+    chunked.asked.clear();
+    const auto made = run_batch(shared.path(), patients(10), chunked.compute, {{}, chunk, 4});
+    ASSERT_TRUE(made);
+    EXPECT_EQ(made->size(), chunked.asked.size());
+    asked += chunked.asked.size();
+  }
+  EXPECT_EQ(asked, 10u);
+  EXPECT_THAT(rows_in(shared.path()), SizeIs(10));
+  chunked.asked.clear();
+  const auto summed = run_batch(shared.path(), patients(10), chunked.compute);
+  EXPECT_EQ(chunked.asked, std::set<std::size_t>{2});  // the one that failed
+  ASSERT_TRUE(write_batch_csv(shared.path() / "table.csv", summed.value()));
+  EXPECT_EQ(read_text_file(shared.path() / "table.csv").value(), read_text_file(whole.path() / "table.csv").value());
+}
+
+TEST(Batch, AChunkOfOtherInputOrDamagedIsMadeAgain) {
+  const TemporaryFolder folder;
+  Doubling doubling;
+  const auto chunk = [&](const std::string& fingerprint) {
+    doubling.asked.clear();
+    return run_batch(folder.path(), patients(9, fingerprint), doubling.compute, {{}, 3, 3});
+  };
+  ASSERT_TRUE(chunk("a"));
+  EXPECT_EQ(doubling.asked, (std::set<std::size_t>{6, 7, 8}));
+  const auto file = folder.path() / "chunks" / "3-of-3.json";
+  const std::string first = read_text_file(file).value();
+  ASSERT_TRUE(chunk("a"));
+  EXPECT_THAT(doubling.asked, IsEmpty());
+  std::ofstream(file) << first.substr(0, first.size() / 2);
+  ASSERT_TRUE(chunk("a"));
+  EXPECT_THAT(doubling.asked, SizeIs(3));
+  EXPECT_EQ(read_text_file(file).value(), first);
+  ASSERT_TRUE(chunk("b"));
+  EXPECT_THAT(doubling.asked, SizeIs(3));
+  for (const std::string_view broken : {R"({"format": "glisson-rows/1"})", R"({"format": "glisson-rows/1", "patients":
+       ["p6"], "fingerprints": [], "values": {}, "errors": [null]})",
+                                        R"({"format": "glisson-rows/1", "patients": ["p6"], "fingerprints": ["b"],
+       "values": {"twice": [1, 2]}, "errors": [null]})",
+                                        "[]", "7"}) {
+    std::ofstream(file) << broken;
+    EXPECT_THAT(rows_in(folder.path()), IsEmpty()) << broken;
+  }
+}
+
+// A chunk that is stopped leaves nothing behind that the next could take for whole.
+TEST(Batch, AChunkThatIsStoppedBeginsAgain) {
+  const TemporaryFolder folder;
+  Doubling doubling;
+  std::stop_source stop;
+  const Progress impatient([&](double, std::string_view) { stop.request_stop(); }, stop.get_token());
+  EXPECT_EQ(run_batch(folder.path(), patients(40), doubling.compute, {{}, 1, 1}, impatient).error().code, "cancelled");
+  EXPECT_THAT(rows_in(folder.path()), IsEmpty());
 }
 
 TEST(Batch, ATableHasAllColumnsAndEmptyCellsWhereAPatientLacksOne) {
@@ -98,6 +161,8 @@ TEST(Batch, ATableHasAllColumnsAndEmptyCellsWhereAPatientLacksOne) {
                                      {"p2", {{"a_mm", 2}, {"b_mm", 4}, {"seconds", 5}}, {}, false},
                                      {"p3", {}, "It failed.", false}}));
   EXPECT_EQ(read_text_file(file).value(), "patient,a_mm,seconds,b_mm,error\np1,1,3,,\np2,2,5,4,\np3,,,,It failed.\n");
+  ASSERT_TRUE(write_batch_csv(file, {{"p1", {{"a_mm", 1}, {"seconds", 3}}, {}, false}}, "seconds"));
+  EXPECT_EQ(read_text_file(file).value(), "patient,a_mm,error\np1,1,\n");
 }
 
 }  // namespace

@@ -79,7 +79,7 @@ TEST(Landmarks, AreMisplacedWhereALiverIsNotLikeTheAtlas) {
   ASSERT_TRUE(again.has_value());
   EXPECT_EQ(again->reused, 3u);
   options.retraction.force_N = 3;
-  options.only = "p2-stiffness";
+  options.part.patient = "p2-stiffness";
   const auto other = run_landmarks(maps, folder.path() / "out", options);
   ASSERT_TRUE(other.has_value());
   EXPECT_EQ(other->reused, 0u);  // rows of another force do not count

@@ -156,7 +156,7 @@ TEST(RealLiversLandmarks, RowsHoldForksWhereThereAreVesselsAndAreNotMadeTwice) {
   EXPECT_EQ(again->reused, 2u);
   options.pictures = 0;
   options.livers_seed = 2;
-  options.only = without_vessels;
+  options.part.patient = without_vessels;
   const auto other = run_landmarks(folder.path() / "livers", folder.path() / "out", options);
   ASSERT_TRUE(other);
   EXPECT_EQ(other->reused, 0u);  // another stiffness

@@ -1,12 +1,14 @@
 #pragma once
-// A computation over many patients that can be stopped and taken up again: each patient's row is a file of its own, and
-// one that fails does not stop the rest. Processes that share the folder may each take other patients.
+// A computation over many patients that can be stopped and taken up again: each patient's row is a file of its own, or
+// one of a chunk's, and one that fails does not stop the rest. Processes that share the folder may each take another
+// part.
 
 #include <filesystem>
 #include <functional>
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -29,21 +31,32 @@ struct BatchRow {
   bool reused = false;  // from an earlier run
 };
 
-// Rows in the order of the patients. Those that lie in out/patients/ID.json, whole and with the same fingerprint, are
-// reused; those that failed are tried again. With `only` no other patient is computed, and rows that are not there yet
-// are left out. Fails with "batch-unknown-patient", "batch-no-patients", with "cancelled" (rows that are done stay), or
-// where the folder cannot be written.
+// What one job of many computes: everybody, one patient, or the chunk-th of `chunks` runs of patients that follow each
+// other and are as long as each other, or longer by one.
+struct BatchPart {
+  std::optional<std::string> patient;
+  int chunk = 0, chunks = 0;  // 1 <= chunk <= chunks; 0: no chunk
+  [[nodiscard]] bool is_all() const { return !patient && chunks == 0; }
+};
+
+// Rows of the part in the order of the patients. Those that lie in `out`, whole and with the same fingerprint, are
+// reused; those that failed are tried again. A row is out/patients/ID.json as soon as it is made; those of a chunk are
+// columns of out/chunks/K-of-N.json as soon as all of them are, so that a chunk that is stopped begins again. Fails
+// with "batch-unknown-patient", "batch-no-patients", with "cancelled" (rows that are written stay), or where the folder
+// cannot be written.
 Result<std::vector<BatchRow>> run_batch(const std::filesystem::path& out, const std::vector<BatchPatient>& patients,
                                         const std::function<Result<NamedNumbers>(std::size_t patient)>& compute,
-                                        const std::optional<std::string>& only = {}, const Progress& progress = {});
+                                        const BatchPart& part = {}, const Progress& progress = {});
 
-// What lies in out/patients, whoever computes it, in the order of names: none of `but_not`, and none that is damaged or
-// under way. An empty or missing folder has none.
+// What lies in out/patients and out/chunks, whoever computes it, in the order of names: none of `but_not`, and none
+// that is damaged or under way. An empty or missing folder has none.
 [[nodiscard]] std::vector<BatchRow> rows_in(const std::filesystem::path& out,
                                             const std::set<std::string>& but_not = {});
 
-// A header and a line a row: patient, the values of all names that any row has, error.
-Result<void> write_batch_csv(const std::filesystem::path& file, const std::vector<BatchRow>& rows);
+// A header and a line a row: patient, the values of all names that any row has but `without`, error. What differs from
+// run to run, as a time, is left out, so that the same rows give the same bytes.
+Result<void> write_batch_csv(const std::filesystem::path& file, const std::vector<BatchRow>& rows,
+                             std::string_view without = {});
 
 // The column of that name over the rows that have it.
 [[nodiscard]] std::vector<double> column_of(const std::vector<BatchRow>& rows, const std::string& name);

@@ -33,11 +33,11 @@ Result<CohortSummary> run_cohort(const fs::path& folder, const fs::path& out, co
 
   CohortSummary summary;
   auto rows = run_batch(
-      out, patients, [&](std::size_t p) { return statistics_of_subject((*subjects)[p]); }, options.only, progress);
+      out, patients, [&](std::size_t p) { return statistics_of_subject((*subjects)[p]); }, options.part, progress);
   if (!rows) return failure(rows.error());
   summary.rows = std::move(*rows);
   summarise(summary, options);
-  if (options.only) return summary;
+  if (!options.part.is_all()) return summary;
   if (summary.patients == 0) {
     return failure(Error{"cohort-all-failed",
                          GLISSON_TEXT("None of the {0} patients could be used; the first one: {1}"),
@@ -63,7 +63,6 @@ Result<std::vector<std::string>> cohort_patients(const fs::path& folder) {
 Json summary_json(const CohortSummary& summary) {
   Json document{{"patients", summary.patients},
                 {"failed", summary.failed},
-                {"reused", summary.reused},
                 {"mean_kPa", summary.mean_kPa},
                 {"sd_kPa", summary.sd_kPa},
                 {"median_kPa", summary.median_kPa},

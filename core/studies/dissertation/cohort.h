@@ -22,8 +22,7 @@ struct CohortOptions {
   // % of that cohort lie. Bins of figs. 4.6 and 4.7 are as wide as that interval, about the atlas's mean.
   double atlas_kPa = 2.6;
   double atlas_half_width_kPa = 0.5;
-  // This patient alone, one job of many that share the folder: its row is made, and nothing that sums rows up.
-  std::optional<std::string> only;
+  BatchPart part;       // of a part, one job of many that share the folder, rows are made and nothing that sums them up
   std::string warning;  // shown on the report; "SIMULATED ..." for a simulated cohort
 };
 
@@ -47,7 +46,7 @@ struct CohortSummary {
 
 // Patients are the stiffness maps under a folder (files that imaging::scan gives that role; all positive voxels count)
 // and the cases in it (NAME.glisson: volumes/stiffness, inside labels/liver where there is one). Into `out`:
-// patients/ID.json, cohort.csv, summary.json, report.html.
+// patients/ID.json or chunks/K-of-N.json, cohort.csv, summary.json, report.html.
 //
 // Fails as run_batch does, and with "cohort-all-failed".
 Result<CohortSummary> run_cohort(const std::filesystem::path& folder, const std::filesystem::path& out,

@@ -58,12 +58,12 @@ Result<LandmarksSummary> run_landmarks(const fs::path& folder, const fs::path& o
   }
   LandmarksSummary summary;
   auto rows = run_batch(
-      out, patients, [&](std::size_t p) { return misplacements_in((*subjects)[p], options); }, options.only,
+      out, patients, [&](std::size_t p) { return misplacements_in((*subjects)[p], options); }, options.part,
       progress.part(0, 0.9));
   if (!rows) return failure(rows.error());
   summary.rows = std::move(*rows);
   summarise(summary);
-  if (options.only) return summary;
+  if (!options.part.is_all()) return summary;
   if (summary.patients == 0) {
     return failure(Error{"landmarks-all-failed",
                          GLISSON_TEXT("None of the {0} patients could be used; the first one: {1}"),
@@ -75,7 +75,7 @@ Result<LandmarksSummary> run_landmarks(const fs::path& folder, const fs::path& o
   const auto pictures = draw_landmarks_pictures(*subjects, out, summary, options);
   if (!pictures) return failure(pictures.error());
   return write_together([&] {
-           return write_batch_csv(out / "landmarks.csv", summary.rows)
+           return write_batch_csv(out / "landmarks.csv", summary.rows, "seconds")
                .and_then([&] { return write_text_file(out / "summary.json", summary_json(summary).dump(2) + "\n"); })
                .and_then([&] {
                  return report::write_html(out / "report.html", landmarks_page(summary, options, *pictures));
@@ -124,7 +124,6 @@ Json summary_json(const LandmarksSummary& summary) {
   };
   const Json document{{"patients", summary.patients},
                       {"failed", summary.failed},
-                      {"reused", summary.reused},
                       {"significant_mm", significant_mm},
                       {"inter_patient", json_of(summary.between)},
                       {"intra_organ", json_of(summary.within)},
@@ -132,8 +131,7 @@ Json summary_json(const LandmarksSummary& summary) {
                       {"landmark_groups", json_of(summary.groups)},
                       {"sensitivity", json_of(summary.sensitivity)},
                       {"at_large_strain", summary.at_large_strain},
-                      {"beyond_linear", summary.beyond_linear},
-                      {"slowest_patient_s", summary.slowest_s}};
+                      {"beyond_linear", summary.beyond_linear}};
   return null_where_not_finite(std::move(document));
 }
 

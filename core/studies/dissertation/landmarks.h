@@ -25,9 +25,9 @@ inline constexpr double imperceptible_mm = 1.65;
 struct LandmarksOptions {
   RetractionOptions retraction;
   BeamOptions beams{.engine = mechanics::Engine::fem};
-  std::optional<std::string> only;  // this patient alone, one job of many: its row is made, and nothing that sums up
-  std::string warning;              // shown on the report and in every picture; "SIMULATED ..." for a simulated cohort
-  int pictures = 4;                 // of typical and of extreme patients, in the report
+  BatchPart part;       // one job of many: of a part rows are made, and nothing that sums them up
+  std::string warning;  // shown on the report and in every picture; "SIMULATED ..." for a simulated cohort
+  int pictures = 4;     // of typical and of extreme patients, in the report
   // The folder holds label maps of real livers, whose stiffness is drawn with this seed (real_livers.h).
   std::optional<unsigned> livers_seed;
 };
