@@ -6543,6 +6543,14 @@
         <source>From one measurement to the next the values scatter {0} times as much as the stated noise, which cannot be right: state it anew and ask again.</source>
         <translation>Von einer Messung zur nächsten streuen die Werte {0}-mal so stark wie das angegebene Rauschen, das also nicht stimmen kann: Geben Sie es neu an und fragen Sie noch einmal.</translation>
     </message>
+    <message>
+        <source>Nothing narrower joins this place to the rest of the structure: cut it off with the scissors, or click farther out.</source>
+        <translation>Zwischen dieser Stelle und dem Rest der Struktur ist nichts schmaler: Schneiden Sie sie mit der Schere ab, oder klicken Sie weiter außen.</translation>
+    </message>
+    <message>
+        <source>Take a part off {0}</source>
+        <translation>Teil von {0} abgenommen</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>
@@ -10428,10 +10436,6 @@ sicher %</translation>
         <translation>Klicken Sie ins Gewebe, abseits großer Gefäße. Punkte bisher: %1</translation>
     </message>
     <message>
-        <source>Click on the piece that is to stay; all others go.</source>
-        <translation>Klicken Sie auf das Stück, das bleiben soll; alle anderen gehen.</translation>
-    </message>
-    <message>
         <source>Choose a tool to draw in the slices. Without one, clicks move the crosshair.</source>
         <translation>Wählen Sie ein Werkzeug, um in den Schichten zu zeichnen. Ohne Werkzeug bewegen Klicks das Fadenkreuz.</translation>
     </message>
@@ -10534,10 +10538,6 @@ sicher %</translation>
     <message>
         <source>Click points into the tissue, then let the structure grow over what looks alike</source>
         <translation>Setzen Sie Punkte ins Gewebe und lassen Sie die Struktur dann über Gleichartiges wachsen</translation>
-    </message>
-    <message>
-        <source>Click on the piece that is to stay; all others go</source>
-        <translation>Klicken Sie auf das Stück, das bleiben soll; alle anderen gehen</translation>
     </message>
     <message>
         <source>%1 (key %2)</source>
@@ -10724,6 +10724,14 @@ sicher %</translation>
     <message>
         <source>Outlining with another program</source>
         <translation>Ein anderes Programm umreißt</translation>
+    </message>
+    <message>
+        <source>Click on the piece that is to stay; all others go. Ctrl and click: the part under the pointer goes, from where it is narrowest.</source>
+        <translation>Klicken Sie auf das Stück, das bleiben soll; alle anderen verschwinden. Strg und Klick: Der Teil unter dem Zeiger verschwindet, von der schmalsten Stelle an.</translation>
+    </message>
+    <message>
+        <source>Click on the piece that is to stay; all others go. Ctrl: takes off the part under the pointer</source>
+        <translation>Klicken Sie auf das Stück, das bleiben soll; alle anderen verschwinden. Strg: nimmt den Teil unter dem Zeiger ab</translation>
     </message>
 </context>
 <context>
@@ -11849,6 +11857,33 @@ Elastizitätsmodul %2 kPa (angenommen)</translation>
     <message>
         <source>&amp;Redo</source>
         <translation>&amp;Wiederholen</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::UnsurePlaces</name>
+    <message>
+        <source>Next unsure place</source>
+        <translation>Nächste unsichere Stelle</translation>
+    </message>
+    <message>
+        <source>Where is it unsure?</source>
+        <translation>Wo ist es unsicher?</translation>
+    </message>
+    <message>
+        <source>Goes to where the chosen outline lies on tissue that looks alike on both sides, as towards the heart</source>
+        <translation>Geht dorthin, wo der gewählte Umriss auf Gewebe liegt, das zu beiden Seiten gleich aussieht, wie zum Herzen hin</translation>
+    </message>
+    <message>
+        <source>Looking along the border...</source>
+        <translation>Der Rand wird abgesucht ...</translation>
+    </message>
+    <message>
+        <source>%1 % of the border looks alike on both sides. Place %2 of %3 lies under the crosshair: draw it as you see it.</source>
+        <translation>%1 % des Randes sehen zu beiden Seiten gleich aus. Stelle %2 von %3 liegt unter dem Fadenkreuz: Zeichnen Sie dort, was Sie sehen.</translation>
+    </message>
+    <message>
+        <source>No larger part of the border is unsure (%1 % in all).</source>
+        <translation>Kein größeres Stück des Randes ist unsicher (%1 % insgesamt).</translation>
     </message>
 </context>
 <context>

@@ -6543,6 +6543,14 @@
         <source>From one measurement to the next the values scatter {0} times as much as the stated noise, which cannot be right: state it anew and ask again.</source>
         <translation>De una medición a la siguiente los valores se dispersan {0} veces lo que dice el ruido declarado, que no puede ser correcto: declárelo de nuevo y vuelva a preguntar.</translation>
     </message>
+    <message>
+        <source>Nothing narrower joins this place to the rest of the structure: cut it off with the scissors, or click farther out.</source>
+        <translation>Entre este lugar y el resto de la estructura nada es más estrecho: córtelo con las tijeras o haga clic más afuera.</translation>
+    </message>
+    <message>
+        <source>Take a part off {0}</source>
+        <translation>Parte quitada de {0}</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>
@@ -10431,10 +10439,6 @@ seguro %</translation>
         <translation>Haga clic en el tejido, lejos de los grandes vasos. Puntos hasta ahora: %1</translation>
     </message>
     <message>
-        <source>Click on the piece that is to stay; all others go.</source>
-        <translation>Haga clic en el trozo que debe quedar; los demás se quitan.</translation>
-    </message>
-    <message>
         <source>Choose a tool to draw in the slices. Without one, clicks move the crosshair.</source>
         <translation>Elija una herramienta para dibujar en los cortes. Sin ella, los clics mueven la cruz.</translation>
     </message>
@@ -10537,10 +10541,6 @@ seguro %</translation>
     <message>
         <source>Click points into the tissue, then let the structure grow over what looks alike</source>
         <translation>Marque puntos en el tejido y deje que la estructura crezca sobre lo que se le parece</translation>
-    </message>
-    <message>
-        <source>Click on the piece that is to stay; all others go</source>
-        <translation>Haga clic en el trozo que debe quedar; los demás se quitan</translation>
     </message>
     <message>
         <source>%1 (key %2)</source>
@@ -10727,6 +10727,14 @@ seguro %</translation>
     <message>
         <source>Outlining with another program</source>
         <translation>Contorneando con otro programa</translation>
+    </message>
+    <message>
+        <source>Click on the piece that is to stay; all others go. Ctrl and click: the part under the pointer goes, from where it is narrowest.</source>
+        <translation>Haga clic en el trozo que debe quedar; los demás desaparecen. Ctrl y clic: desaparece la parte bajo el puntero, desde donde es más estrecha.</translation>
+    </message>
+    <message>
+        <source>Click on the piece that is to stay; all others go. Ctrl: takes off the part under the pointer</source>
+        <translation>Haga clic en el trozo que debe quedar; los demás desaparecen. Ctrl: quita la parte bajo el puntero</translation>
     </message>
 </context>
 <context>
@@ -11852,6 +11860,33 @@ Módulo de Young %2 kPa (supuesto)</translation>
     <message>
         <source>&amp;Redo</source>
         <translation>&amp;Rehacer</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::UnsurePlaces</name>
+    <message>
+        <source>Next unsure place</source>
+        <translation>Siguiente lugar dudoso</translation>
+    </message>
+    <message>
+        <source>Where is it unsure?</source>
+        <translation>¿Dónde hay dudas?</translation>
+    </message>
+    <message>
+        <source>Goes to where the chosen outline lies on tissue that looks alike on both sides, as towards the heart</source>
+        <translation>Va adonde el contorno elegido cae sobre tejido que se ve igual a ambos lados, como hacia el corazón</translation>
+    </message>
+    <message>
+        <source>Looking along the border...</source>
+        <translation>Recorriendo el borde...</translation>
+    </message>
+    <message>
+        <source>%1 % of the border looks alike on both sides. Place %2 of %3 lies under the crosshair: draw it as you see it.</source>
+        <translation>El %1 % del borde se ve igual a ambos lados. El lugar %2 de %3 está bajo la cruz: dibuje lo que vea allí.</translation>
+    </message>
+    <message>
+        <source>No larger part of the border is unsure (%1 % in all).</source>
+        <translation>Ninguna parte mayor del borde es dudosa (%1 % en total).</translation>
     </message>
 </context>
 <context>

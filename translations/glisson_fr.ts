@@ -6543,6 +6543,14 @@
         <source>From one measurement to the next the values scatter {0} times as much as the stated noise, which cannot be right: state it anew and ask again.</source>
         <translation>D&apos;une mesure à la suivante, les valeurs se dispersent {0} fois autant que le bruit déclaré, qui ne peut donc être juste : déclarez-le à nouveau et redemandez.</translation>
     </message>
+    <message>
+        <source>Nothing narrower joins this place to the rest of the structure: cut it off with the scissors, or click farther out.</source>
+        <translation>Rien de plus étroit ne relie cet endroit au reste de la structure : coupez-le aux ciseaux, ou cliquez plus à l&apos;extérieur.</translation>
+    </message>
+    <message>
+        <source>Take a part off {0}</source>
+        <translation>Partie retirée de {0}</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>
@@ -10431,10 +10439,6 @@ sûr %</translation>
         <translation>Cliquez dans le tissu, loin des gros vaisseaux. Points jusqu’ici&#xa0;: %1</translation>
     </message>
     <message>
-        <source>Click on the piece that is to stay; all others go.</source>
-        <translation>Cliquez sur le morceau à garder&#xa0;; tous les autres disparaissent.</translation>
-    </message>
-    <message>
         <source>Choose a tool to draw in the slices. Without one, clicks move the crosshair.</source>
         <translation>Choisissez un outil pour dessiner dans les coupes. Sans outil, les clics déplacent le réticule.</translation>
     </message>
@@ -10537,10 +10541,6 @@ sûr %</translation>
     <message>
         <source>Click points into the tissue, then let the structure grow over what looks alike</source>
         <translation>Placez des points dans le tissu, puis laissez la structure s’étendre sur ce qui lui ressemble</translation>
-    </message>
-    <message>
-        <source>Click on the piece that is to stay; all others go</source>
-        <translation>Cliquez sur le morceau à garder&#xa0;; tous les autres disparaissent</translation>
     </message>
     <message>
         <source>%1 (key %2)</source>
@@ -10727,6 +10727,14 @@ sûr %</translation>
     <message>
         <source>Outlining with another program</source>
         <translation>Un autre programme trace les contours</translation>
+    </message>
+    <message>
+        <source>Click on the piece that is to stay; all others go. Ctrl and click: the part under the pointer goes, from where it is narrowest.</source>
+        <translation>Cliquez sur le morceau à garder ; les autres disparaissent. Ctrl et clic : la partie sous le pointeur disparaît, à partir de l&apos;endroit le plus étroit.</translation>
+    </message>
+    <message>
+        <source>Click on the piece that is to stay; all others go. Ctrl: takes off the part under the pointer</source>
+        <translation>Cliquez sur le morceau à garder ; les autres disparaissent. Ctrl : retire la partie sous le pointeur</translation>
     </message>
 </context>
 <context>
@@ -11852,6 +11860,33 @@ Module de Young %2 kPa (supposé)</translation>
     <message>
         <source>&amp;Redo</source>
         <translation>&amp;Rétablir</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::UnsurePlaces</name>
+    <message>
+        <source>Next unsure place</source>
+        <translation>Endroit incertain suivant</translation>
+    </message>
+    <message>
+        <source>Where is it unsure?</source>
+        <translation>Où est-ce incertain ?</translation>
+    </message>
+    <message>
+        <source>Goes to where the chosen outline lies on tissue that looks alike on both sides, as towards the heart</source>
+        <translation>Va là où le contour choisi passe dans un tissu d&apos;aspect semblable des deux côtés, comme vers le cœur</translation>
+    </message>
+    <message>
+        <source>Looking along the border...</source>
+        <translation>Parcours du bord...</translation>
+    </message>
+    <message>
+        <source>%1 % of the border looks alike on both sides. Place %2 of %3 lies under the crosshair: draw it as you see it.</source>
+        <translation>%1 % du bord ont le même aspect des deux côtés. L&apos;endroit %2 sur %3 est sous le réticule : dessinez-y ce que vous voyez.</translation>
+    </message>
+    <message>
+        <source>No larger part of the border is unsure (%1 % in all).</source>
+        <translation>Aucune grande partie du bord n&apos;est incertaine (%1 % en tout).</translation>
     </message>
 </context>
 <context>

@@ -77,12 +77,6 @@ constexpr double rather_unsure_border = 0.2;  // of its border, where it is aske
 Mask finished(const Region& region, const Grid& grid, const std::array<int, 3>& block, const GrowOptions& options);
 Mask without_crumbs(Mask mask);
 
-// The finite values but for the lowest and highest fiftieth: metal and noise do not stretch it.
-struct Range {
-  double low = 0, high = 0;
-  enum class Contrast { none, some } contrast = Contrast::none;
-};
-Range range_of(const std::vector<float>& values);
 double changed_fraction(const std::vector<std::uint8_t>& before, const std::vector<std::uint8_t>& after);
 
 }  // namespace
@@ -92,8 +86,8 @@ Result<GrowResult> grow_from_seeds(const imaging::Volume& image, const std::vect
   if (Result<void> checked = check(image, seeds_mm, options); !checked) return failure(checked.error());
   const std::array<int, 3> block = blocks_of(image.grid, options.working_spacing_mm);
   const WorkingImage working = block_means(image.grid, image.values, block);
-  const Range range = range_of(working.values);
-  if (range.contrast == Range::Contrast::none) {
+  const GreyContrast contrast = contrast_of_values(working.values);
+  if (!contrast.has_any) {
     return failure("grow-constant-image",
                    GLISSON_TEXT("Every voxel of the image has the same value: there is nothing to grow in."));
   }
@@ -103,14 +97,9 @@ Result<GrowResult> grow_from_seeds(const imaging::Volume& image, const std::vect
   const double darkest = std::min_element(seeds->begin(), seeds->end(), [](const Seed& a, const Seed& b) {
                            return a.brightness < b.brightness;
                          })->brightness;
-  // Values well below zero are Hounsfield units, in which a drift adds; elsewhere it scales.
-  const bool scales = image.unit != "HU" && darkest > 0 && range.low > -darkest;
-  const auto drift = scales ? TissueModel::Drift::proportional : TissueModel::Drift::additive;
-  // However little noise is left, liver itself varies by fat and perfusion: a spread below 8 % of the brightness, or
-  // 10 HU (a contrast range of 1,250 HU), is not believed.
-  const double smallest_sd = std::max(scales ? 0.08 * darkest : 0.008 * (range.high - range.low), 1e-6);
+  const TissueKind kind = tissue_kind(image.unit, contrast, darkest);
 
-  Result<Settled> settled = settled_region(working, *seeds, drift, smallest_sd, options, progress);
+  Result<Settled> settled = settled_region(working, *seeds, kind.drift, kind.smallest_sd, options, progress);
   if (!settled) return failure(settled.error());
 
   if (progress.cancelled()) return cancelled();
@@ -133,11 +122,12 @@ Result<GrowResult> grow_from_seeds(const imaging::Volume& image, const std::vect
   };
   GrowResult result = told(finished(settled->region, image.grid, block, options), *settled);
   if (result.unsure_border > rather_unsure_border) {
-    const auto times =
-        stable_tolerance(image, seeds_mm, volume_ml(settled->region.whole), drift, smallest_sd, options, progress);
+    const auto times = stable_tolerance(image, seeds_mm, volume_ml(settled->region.whole), kind.drift, kind.smallest_sd,
+                                        options, progress);
     if (progress.cancelled()) return cancelled();
     if (times) {
-      auto wider = settled_region(working, *seeds, drift, smallest_sd, at_tolerance(options, *times), progress);
+      auto wider =
+          settled_region(working, *seeds, kind.drift, kind.smallest_sd, at_tolerance(options, *times), progress);
       if (progress.cancelled()) return cancelled();
       if (wider) {
         GrowResult other = told(finished(wider->region, image.grid, block, options), *wider);
@@ -150,7 +140,7 @@ Result<GrowResult> grow_from_seeds(const imaging::Volume& image, const std::vect
     }
   }
   if (progress.cancelled()) return cancelled();
-  const OrganLook look{drift, options.drift_length_mm, smallest_sd};
+  const OrganLook look{kind.drift, options.drift_length_mm, kind.smallest_sd};
   result = told(without_crumbs(with_border_refined(std::move(result.mask), image, look)), *settled);
   progress.report(1.0, GLISSON_TEXT("Smoothing the outline"));
   return result;
@@ -330,17 +320,6 @@ Mask mask_of_seeds(const std::vector<Seed>& seeds, const Grid& grid) {
     for (const std::size_t voxel : seed.voxels) mask.values[voxel] = 1;
   }
   return mask;
-}
-
-Range range_of(const std::vector<float>& values) {
-  std::vector<float> sorted;
-  std::copy_if(values.begin(), values.end(), std::back_inserter(sorted),
-               [](float value) { return std::isfinite(value); });
-  if (sorted.empty()) return {};
-  std::sort(sorted.begin(), sorted.end());
-  const std::size_t tail = sorted.size() / 50;
-  return {static_cast<double>(sorted[tail]), static_cast<double>(sorted[sorted.size() - 1 - tail]),
-          sorted.front() < sorted.back() ? Range::Contrast::some : Range::Contrast::none};
 }
 
 // The voxels that differ, as a part of those after.

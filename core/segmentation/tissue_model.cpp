@@ -57,6 +57,26 @@ float TissueModel::residual(float value, std::size_t voxel) const {
   return drift == Drift::additive ? difference : difference * static_cast<float>(mean) / expected[voxel];
 }
 
+GreyContrast contrast_of_values(const std::vector<float>& values) {
+  std::vector<float> sorted;
+  std::copy_if(values.begin(), values.end(), std::back_inserter(sorted),
+               [](float value) { return std::isfinite(value); });
+  if (sorted.empty()) return {};
+  std::sort(sorted.begin(), sorted.end());
+  const std::size_t tail = sorted.size() / 50;
+  return {static_cast<double>(sorted[tail]), static_cast<double>(sorted[sorted.size() - 1 - tail]),
+          sorted.front() < sorted.back()};
+}
+
+TissueKind tissue_kind(const std::string& unit, const GreyContrast& contrast, double brightness) {
+  // Values well below zero are Hounsfield units, in which a drift adds; elsewhere it scales.
+  const bool scales = unit != "HU" && brightness > 0 && contrast.low > -brightness;
+  // However little noise is left, liver itself varies by fat and perfusion: a spread below 8 % of the brightness, or
+  // 10 HU (a contrast range of 1,250 HU), is not believed.
+  const double smallest_sd = scales ? 0.08 * brightness : 0.008 * (contrast.high - contrast.low);
+  return {scales ? TissueModel::Drift::proportional : TissueModel::Drift::additive, std::max(smallest_sd, 1e-6)};
+}
+
 TissueModel learn_tissue(const imaging::Image<float>& image, const imaging::Mask& known, TissueModel::Drift drift,
                          double drift_length_mm, double smallest_sd) {
   TissueModel tissue;

@@ -2,6 +2,7 @@
 // What the liver looks like in an image: how bright where, how much single voxels scatter, and which voxels look so.
 // For use within the room.
 
+#include <string>
 #include <vector>
 
 #include "imaging/image.h"
@@ -27,6 +28,20 @@ struct TissueModel {
   // How far a voxel is off, in the brightness of the tissue's mean.
   [[nodiscard]] float residual(float value, std::size_t voxel) const;
 };
+
+// Between the lowest and the highest fiftieth of the finite values: metal and noise do not stretch it.
+struct GreyContrast {
+  double low = 0, high = 0;
+  bool has_any = false;  // not all values are the same
+};
+[[nodiscard]] GreyContrast contrast_of_values(const std::vector<float>& values);
+
+// What is to be expected of a tissue of this brightness before it is looked at.
+struct TissueKind {
+  TissueModel::Drift drift;
+  double smallest_sd;  // of block means; less is not believed
+};
+[[nodiscard]] TissueKind tissue_kind(const std::string& unit, const GreyContrast& contrast, double brightness);
 
 // Learns from the voxels that are known to be tissue. `smallest_sd` is what a noise-free image is taken to have.
 [[nodiscard]] TissueModel learn_tissue(const imaging::Image<float>& image, const imaging::Mask& known,

@@ -9,6 +9,7 @@
 #include "imaging/filters.h"
 #include "segmentation/grid_part.h"
 #include "segmentation/signed_distance.h"
+#include "segmentation/tissue_model.h"
 #include "segmentation/working_grid.h"
 
 namespace glisson::segmentation {
@@ -99,6 +100,22 @@ UnsureBorder unsure_border(const imaging::Mask& outline, const imaging::Volume& 
   found.share = static_cast<double>(unsure) / all;
   found.places_mm = densest_places(alike, seen.grid, all, options);
   return found;
+}
+
+UnsureBorder unsure_border(const imaging::Mask& outline, const imaging::Volume& image,
+                           const UnsureBorderOptions& options) {
+  GLISSON_ASSERT(imaging::same_grid(outline.grid, image.grid));
+  const GrowOptions look;  // in the blocks that a growth looks at
+  const std::array<int, 3> block = blocks_of(image.grid, look.working_spacing_mm);
+  const imaging::Image<float> working = block_means(image.grid, image.values, block);
+  const imaging::Mask inside = block_majority(outline, block);
+  std::vector<float> held;
+  for (std::size_t voxel = 0; voxel < inside.values.size(); ++voxel)
+    if (inside.values[voxel] != 0 && std::isfinite(working.values[voxel])) held.push_back(working.values[voxel]);
+  if (held.empty()) return {};
+  const TissueKind kind = tissue_kind(image.unit, contrast_of_values(working.values), mode_of(std::move(held)));
+  const TissueModel tissue = learn_tissue(working, inside, kind.drift, look.drift_length_mm, kind.smallest_sd);
+  return unsure_border(outline, image, tissue.mean, tissue.sd, options);
 }
 
 }  // namespace glisson::segmentation

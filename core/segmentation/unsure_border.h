@@ -1,5 +1,5 @@
 #pragma once
-// Where an outline's border cannot be seen. For use within the room.
+// Where an outline's border cannot be seen: what lies on both sides of it looks alike.
 
 #include <Eigen/Core>
 #include <vector>
@@ -30,5 +30,10 @@ struct UnsureBorder {
 // `tissue_mean` and `tissue_sd` are the organ's brightness and the scatter of its single voxels, in the image's unit.
 [[nodiscard]] UnsureBorder unsure_border(const imaging::Mask& outline, const imaging::Volume& image, double tissue_mean,
                                          double tissue_sd, const UnsureBorderOptions& options = {});
+
+// The same of any outline, a hand's or another program's: the organ's look is learnt from what it holds. Nothing is
+// unsure of an outline that holds nothing (share 0). The image lies on the outline's grid (asserts).
+[[nodiscard]] UnsureBorder unsure_border(const imaging::Mask& outline, const imaging::Volume& image,
+                                         const UnsureBorderOptions& options = {});
 
 }  // namespace glisson::segmentation

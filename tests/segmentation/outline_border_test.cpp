@@ -7,7 +7,6 @@
 #include <random>
 
 #include "segmentation/structures.h"
-#include "segmentation/unsure_border.h"
 
 namespace glisson::segmentation {
 namespace {
@@ -52,30 +51,6 @@ TEST(OutlineBorder, LiesBetweenAnOrganAndNeighboursThatAverageToIt) {
     EXPECT_LT(before, 0.93);
     EXPECT_GT(after, 0.975) << "from " << before;  // a third of a voxel all around is 0.98
   }
-}
-
-// A ball of 100 in 40, which at its left touches a block of 95 through a tenth of its surface.
-TEST(UnsureBorder, LiesWhereTheNeighbourIsAlike) {
-  imaging::Volume image;
-  image.grid.size = {80, 60, 60};
-  image.grid.spacing_mm = {2, 2, 2};
-  image.values.resize(image.grid.voxels());
-  imaging::Mask outline{image.grid, std::vector<std::uint8_t>(image.grid.voxels())};
-  const Eigen::Vector3d center_mm(60, 60, 60);
-  for (int k = 0; k < 60; ++k)
-    for (int j = 0; j < 60; ++j)
-      for (int i = 0; i < 80; ++i) {
-        const Eigen::Vector3d off_mm = image.grid.position_mm(i, j, k) - center_mm;
-        const bool inside = off_mm.norm() < 40;
-        const bool alike = !inside && off_mm.x() > 32;
-        outline.at(i, j, k) = inside ? 1 : 0;
-        image.at(i, j, k) = inside ? 100.0F : alike ? 95.0F : 40.0F;
-      }
-  const UnsureBorder unsure = unsure_border(outline, image, 100, 10);
-  EXPECT_GT(unsure.share, 0.05);
-  EXPECT_LT(unsure.share, 0.25);
-  ASSERT_EQ(unsure.places_mm.size(), 1U);
-  EXPECT_LT((unsure.places_mm[0] - (center_mm + Eigen::Vector3d(40, 0, 0))).norm(), 6);
 }
 
 TEST(OutlineBorder, AnEmptyOutlineStaysEmpty) {

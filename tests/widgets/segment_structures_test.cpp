@@ -11,6 +11,7 @@
 
 #include "run_test.h"
 #include "segment_workspace.h"
+#include "widgets/segment/unsure_places.h"
 #include "widgets/settings/settings_window.h"
 
 namespace glisson::widgets {
@@ -106,6 +107,35 @@ class SegmentStructuresTest : public SegmentWorkspace {
     QCOMPARE(test::voxels_of(folder_, "tumour-1"), start_);
     within->setCurrentIndex(0);
     for (int n = 0; n < 5; ++n) undo();
+    QCOMPARE(panel_->editor().structures().size(), std::size_t(1));
+  }
+
+  // A tumour amid tissue that looks like it has a border that nobody can see; the liver's, at a step of brightness, has
+  // none such.
+  void goes_to_where_a_border_is_unsure() {
+    auto* ask = child<QPushButton>("unsure_places");
+    auto* told = panel_->findChild<UnsurePlaces*>()->findChild<QLabel*>();
+    QVERIFY(!told->isVisible());
+    ask->click();
+    QTRY_VERIFY_WITH_TIMEOUT(told->text().contains("No larger part"), patience_ms);
+    auto* add = child<QPushButton>("add_structure");
+    Q_EMIT add->menu()->aboutToShow();
+    add->menu()->findChild<QAction*>("tumour")->trigger();
+    settle();
+    QVERIFY(!told->isVisible());
+    key(Qt::Key_B);
+    child<QComboBox>("brush_shape")->setCurrentIndex(1);
+    stroke({0, 0}, {1, 0});
+    const Eigen::Vector3d middle_mm = transverse().crosshair_mm();
+    ask->click();
+    QTRY_VERIFY_WITH_TIMEOUT(told->text().contains("Place 1 of"), patience_ms);
+    const double off_mm = (transverse().crosshair_mm() - middle_mm).norm();
+    QVERIFY2(off_mm > 3 && off_mm < 10, qPrintable(QString::number(off_mm)));
+    window_->views().set_crosshair(middle_mm);
+    stroke({0, 0}, {1, 0});  // what was said is said of an outline of before
+    QVERIFY(!told->isVisible());
+    child<QComboBox>("brush_shape")->setCurrentIndex(0);
+    for (int n = 0; n < 3 && panel_->editor().structures().size() > 1; ++n) undo();
     QCOMPARE(panel_->editor().structures().size(), std::size_t(1));
   }
 

@@ -4,6 +4,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTreeWidget>
@@ -192,6 +193,34 @@ class SegmentTest : public SegmentWorkspace {
     undo();
     QCOMPARE(beside->topLevelItem(0)->text(1), child<QTreeWidget>("segment_structures")->topLevelItem(0)->text(1));
     window_->views().straighten();
+  }
+
+  // A leak: a ball that hangs on the liver by a bar.
+  void a_part_that_hangs_by_a_neck_goes_with_one_click() {
+    key(Qt::Key_B);
+    child<QComboBox>("brush_shape")->setCurrentIndex(1);
+    auto* radius = child<QWidget>("brush_radius")->findChild<QDoubleSpinBox*>();
+    const double before_mm = radius->value();
+    radius->setValue(2.5);
+    stroke({11, 0}, {24, 0});
+    radius->setValue(6);
+    stroke({24, 0}, {24.5, 0});
+    const std::size_t leaked = test::voxels_of(folder_, "liver");
+    key(Qt::Key_I);
+    QTest::mouseClick(&transverse(), Qt::LeftButton, Qt::ControlModifier, at({25, 1}).toPoint());
+    settle();
+    const std::size_t left = test::voxels_of(folder_, "liver");
+    QVERIFY2(left >= start_ && left < start_ + (leaked - start_) / 4, qPrintable(QString::number(left)));
+    QVERIFY(window_->undo().undo_action()->text().contains("Take a part off Liver"));
+    // Within the liver nothing hangs on it: that is said, and nothing is taken.
+    QTest::mouseClick(&transverse(), Qt::LeftButton, Qt::ControlModifier, at({0, 0}).toPoint());
+    settle();
+    QVERIFY(child<QLabel>("notice_text")->text().contains("Nothing narrower"));
+    QCOMPARE(test::voxels_of(folder_, "liver"), left);
+    for (int n = 0; n < 3; ++n) undo();
+    QCOMPARE(test::voxels_of(folder_, "liver"), start_);
+    radius->setValue(before_mm);
+    child<QComboBox>("brush_shape")->setCurrentIndex(0);
   }
 
   void what_was_drawn_is_what_others_show_afterwards() {

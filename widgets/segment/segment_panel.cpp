@@ -62,6 +62,7 @@ SegmentPanel::SegmentPanel(const WorkspaceContext& context, QWidget* parent)
   column->setContentsMargins(14, 14, 14, 14);
   column->setSpacing(8);
   column->addWidget(make_list(), 1);
+  column->addWidget(new UnsurePlaces(context.views, editor_, overlay_));
   column->addWidget(make_tools());
   column->addWidget(make_options());
   column->addWidget(make_filters());
@@ -345,9 +346,11 @@ void SegmentPanel::show_state() {
                             ? tr("Click into the vessel where it stands out best. Points so far: %1")
                             : tr("Click into the middle of it. Points so far: %1"))
                            .arg(seeds));
-  option_hint_->setText(tools_.tool() == Tool::piece
-                            ? tr("Click on the piece that is to stay; all others go.")
-                            : tr("Choose a tool to draw in the slices. Without one, clicks move the crosshair."));
+  option_hint_->setText(
+      tools_.tool() == Tool::piece
+          ? tr("Click on the piece that is to stay; all others go. Ctrl and click: the part under the "
+               "pointer goes, from where it is narrowest.")
+          : tr("Choose a tool to draw in the slices. Without one, clicks move the crosshair."));
 }
 
 void SegmentPanel::grow() {

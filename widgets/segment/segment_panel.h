@@ -14,6 +14,7 @@
 #include "widgets/panels/number_slider.h"
 #include "widgets/segment/slice_tools.h"
 #include "widgets/segment/structure_operations.h"
+#include "widgets/segment/unsure_places.h"
 #include "widgets/workspaces/workspace.h"
 
 namespace glisson::widgets {

@@ -211,7 +211,7 @@ void SegmentPanel::word() {
       tr("Adds only where the grey values are like those under the click"),
       tr("Draw around something, and cut away what is inside or outside"),
       tr("Click points into the tissue, then let the structure grow over what looks alike"),
-      tr("Click on the piece that is to stay; all others go")};
+      tr("Click on the piece that is to stay; all others go. Ctrl: takes off the part under the pointer")};
   for (int k = 0; k < static_cast<int>(names.size()); ++k) {
     QAbstractButton* button = tool_buttons_->button(k);
     const QString key = button->property("key").toString();

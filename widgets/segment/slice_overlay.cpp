@@ -1,14 +1,17 @@
 #include "widgets/segment/slice_overlay.h"
 
 #include <algorithm>
+#include <cmath>
 #include <Eigen/Geometry>
 #include <limits>
+#include <numbers>
 
 #include "scene/anatomy.h"
 
 namespace glisson::widgets {
 namespace {
 
+constexpr scene::Colour amber{1.0, 0.72, 0.2};
 constexpr std::uint8_t faint = 46, strong = 96;  // how much a fill covers, of 255: others, and the one being drawn
 
 segmentation::IndexBox whole(const imaging::Grid& grid) {
@@ -60,7 +63,34 @@ std::array<std::uint8_t, 4> cell_colour(const std::string& name, bool active) {
   return {byte(colour.red), byte(colour.green), byte(colour.blue), active ? strong : faint};
 }
 
+// Circles in which a slice cuts balls around places.
+scene::DrawnLines rings_in(const SliceView& view, const std::vector<Eigen::Vector3d>& places_mm) {
+  constexpr double radius_mm = 15;
+  scene::DrawnLines rings{{}, amber, 1.8};
+  for (const Eigen::Vector3d& place_mm : places_mm) {
+    const double off_mm = view.normal().dot(view.crosshair_mm() - place_mm);
+    if (std::abs(off_mm) >= radius_mm) continue;
+    add_circle(rings.ends_mm, place_mm + off_mm * view.normal(), view.normal(),
+               std::sqrt(radius_mm * radius_mm - off_mm * off_mm));
+  }
+  return rings;
+}
+
 }  // namespace
+
+void add_circle(std::vector<Eigen::Vector3d>& ends_mm, const Eigen::Vector3d& center_mm, const Eigen::Vector3d& normal,
+                double radius_mm) {
+  constexpr int pieces = 48;
+  const Eigen::Vector3d across = normal.unitOrthogonal(), along = normal.cross(across);
+  const auto on_circle = [&](int k) -> Eigen::Vector3d {
+    const double angle = 2 * std::numbers::pi * k / pieces;
+    return center_mm + radius_mm * (std::cos(angle) * across + std::sin(angle) * along);
+  };
+  for (int k = 0; k < pieces; ++k) {
+    ends_mm.push_back(on_circle(k));
+    ends_mm.push_back(on_circle(k + 1));
+  }
+}
 
 SliceOverlay::SliceOverlay(LinkedViews& views, const StructureEditor& editor, QObject* parent)
     : QObject(parent), views_(views), editor_(editor) {
@@ -94,6 +124,12 @@ void SliceOverlay::set_sketch(SliceView* view, std::vector<scene::DrawnLines> li
     hand_over(shown);
     return;
   }
+}
+
+void SliceOverlay::set_rings(std::vector<Eigen::Vector3d> places_mm) {
+  if (rings_mm_.empty() && places_mm.empty()) return;
+  rings_mm_ = std::move(places_mm);
+  for (const Shown& shown : shown_) hand_over(shown);
 }
 
 std::optional<SliceOverlay::Layer> SliceOverlay::layer_of(const SliceView& view, const imaging::Grid& grid) const {
@@ -248,6 +284,7 @@ void SliceOverlay::outline(Shown& shown, std::size_t structure) {
 void SliceOverlay::hand_over(const Shown& shown) {
   std::vector<scene::DrawnLines> lines = shown.outlines;
   lines.insert(lines.end(), shown.sketch.begin(), shown.sketch.end());
+  if (!rings_mm_.empty()) lines.push_back(rings_in(*shown.view, rings_mm_));
   shown.view->view().set_drawn_lines(on_ ? lines : std::vector<scene::DrawnLines>());
   shown.view->view().set_drawn_cells(on_ && !shown.cells.colours.empty() ? std::optional(shown.cells) : std::nullopt);
   shown.view->redraw();

@@ -10,6 +10,10 @@
 
 namespace glisson::widgets {
 
+// Pairs of ends of lines along a circle.
+void add_circle(std::vector<Eigen::Vector3d>& ends_mm, const Eigen::Vector3d& center_mm, const Eigen::Vector3d& normal,
+                double radius_mm);
+
 class SliceOverlay : public QObject {
   Q_OBJECT
 
@@ -20,6 +24,8 @@ class SliceOverlay : public QObject {
   void refresh();
   // Lines of a tool over one view, or none.
   void set_sketch(SliceView* view, std::vector<scene::DrawnLines> lines);
+  // Balls around places (patient LPS, mm), as rings where a slice goes through them.
+  void set_rings(std::vector<Eigen::Vector3d> places_mm);
   // The layer of the image that a view shows; absent where it is turned and shows none.
   struct Layer {
     int axis = 2;
@@ -50,6 +56,7 @@ class SliceOverlay : public QObject {
   LinkedViews& views_;
   const StructureEditor& editor_;
   std::array<Shown, 3> shown_;
+  std::vector<Eigen::Vector3d> rings_mm_;
   bool on_ = false;
 };
 

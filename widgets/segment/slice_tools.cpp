@@ -3,31 +3,17 @@
 #include <algorithm>
 #include <cmath>
 #include <Eigen/Geometry>
-#include <numbers>
 #include <QMouseEvent>
 #include <QWheelEvent>
 
 #include "scene/anatomy.h"
+#include "segmentation/part_at_neck.h"
 
 namespace glisson::widgets {
 namespace {
 
 constexpr scene::Colour pencil{1.0, 0.93, 0.35};
 constexpr std::size_t minimum_outline = 3;
-
-void add_circle(std::vector<Eigen::Vector3d>& ends_mm, const Eigen::Vector3d& center_mm, const Eigen::Vector3d& normal,
-                double radius_mm) {
-  constexpr int pieces = 48;
-  const Eigen::Vector3d across = normal.unitOrthogonal(), along = normal.cross(across);
-  const auto on_circle = [&](int k) -> Eigen::Vector3d {
-    const double angle = 2 * std::numbers::pi * k / pieces;
-    return center_mm + radius_mm * (std::cos(angle) * across + std::sin(angle) * along);
-  };
-  for (int k = 0; k < pieces; ++k) {
-    ends_mm.push_back(on_circle(k));
-    ends_mm.push_back(on_circle(k + 1));
-  }
-}
 
 }  // namespace
 
@@ -113,8 +99,11 @@ bool SliceTools::press(SliceView* view, const QPointF& at, bool opposite) {
     return true;
   }
   if (tool_ == Tool::piece) {
-    editor_.apply(GLISSON_TEXT("Keep one piece of {0}"),
-                  [place_mm](imaging::Mask mask) { return segmentation::keep_piece_at(std::move(mask), place_mm); });
+    editor_.apply(opposite ? GLISSON_TEXT("Take a part off {0}") : GLISSON_TEXT("Keep one piece of {0}"),
+                  [place_mm, opposite](imaging::Mask mask) {
+                    return opposite ? segmentation::without_part_at(std::move(mask), place_mm)
+                                    : segmentation::keep_piece_at(std::move(mask), place_mm);
+                  });
     return true;
   }
   drawing_in_ = view;
