@@ -297,8 +297,8 @@ Result<ShapesStudy> run_shapes(const fs::path& folder, const fs::path& out, cons
   for (const char* inner : {"livers", "outlines"}) fs::create_directories(out / inner, problem);
   ShapesStudy study;
   auto rows = run_batch(
-      out, patients, [&](std::size_t p) { return correspond_liver(livers[p], out, *reference, options); }, {options.only},
-      progress.part(0, 0.6));
+      out, patients, [&](std::size_t p) { return correspond_liver(livers[p], out, *reference, options); },
+      {options.only}, progress.part(0, 0.6));
   if (!rows) return failure(rows.error());
   study.livers = std::move(*rows);
   if (options.only) return study;
