@@ -71,6 +71,21 @@ TEST(Demo, GoesFromDicomToAReportWithoutADisplay) {
     EXPECT_EQ(workload.at("frame_bytes"), task.at("bytes"));
   }
 
+  // Predicted landmarks over the scan: by themselves, and a picture a group in the case's report.
+  const fs::path results = out / "demo.glisson" / "results";
+  const std::string picture = (folder.path() / "tumour.png").string();
+  const Finished drawn = glisson_cli({"render", (results / "mre").string(), "--scene", "landmarks", "--atlas",
+                                      (results / "atlas").string(), "--group", "tumour", "--size", "400x300", "--out",
+                                      picture, "--quiet"});
+  EXPECT_EQ(drawn.exit_code, 0) << drawn.err;
+  EXPECT_TRUE(fs::exists(picture));
+  const std::string page = (folder.path() / "report.html").string();
+  ASSERT_EQ(glisson_cli({"report", patient, "--out", page, "--quiet"}).exit_code, 0);
+  const auto text = read_text_file(page);
+  ASSERT_TRUE(text);
+  for (const char* group : {"tumour", "portal-vein", "hepatic-vein"})
+    EXPECT_NE(text->find(std::string("Where the retraction brings ") + group), std::string::npos) << group;
+
   const Json found = glisson_cli({"scan", (folder.path() / "seg.dcm").string(), "--json", "--quiet"}).json();
   EXPECT_EQ(found.at("series")[0].at("role"), "segmentation");
   ASSERT_TRUE(write_text_file(folder.path() / "taken" / "thesis.txt", "precious"));
