@@ -2116,10 +2116,6 @@
         <translation>Das Energiemessgerät {0} antwortet nicht mehr.</translation>
     </message>
     <message>
-        <source>The processor&apos;s energy counters (RAPL) at {0} may be read by root only.</source>
-        <translation>Die Energiezähler des Prozessors (RAPL) bei {0} darf nur root lesen.</translation>
-    </message>
-    <message>
         <source>No energy counters of the processor (RAPL) at {0}.</source>
         <translation>Keine Energiezähler des Prozessors (RAPL) bei {0}.</translation>
     </message>
@@ -2274,10 +2270,6 @@
     <message>
         <source>Run {0} drew nothing above idle, or nothing was run in it.</source>
         <translation>Lauf {0} nahm nichts über dem Leerlauf auf, oder es lief nichts darin.</translation>
-    </message>
-    <message>
-        <source>A trace needs a channel, and factors and a range that are positive.</source>
-        <translation>Eine Aufzeichnung braucht einen Kanal sowie positive Faktoren und einen positiven Bereich.</translation>
     </message>
     <message>
         <source>The power does not move between two levels, so no runs can be told from pauses.</source>
@@ -3022,10 +3014,6 @@
     <message>
         <source>glisson-cli platform list shows their ids.</source>
         <translation>glisson-cli platform list zeigt ihre Kennungen.</translation>
-    </message>
-    <message>
-        <source>A result has no scene named {0}; it has displacement.</source>
-        <translation>Ein Ergebnis hat keine Szene namens {0}; es hat displacement.</translation>
     </message>
     <message>
         <source>Reading</source>
@@ -6551,6 +6539,70 @@
         <source>Take a part off {0}</source>
         <translation>Teil von {0} abgenommen</translation>
     </message>
+    <message>
+        <source>The battery stopped discharging while it was measured.</source>
+        <translation>Der Akku wurde während der Messung nicht mehr entladen.</translation>
+    </message>
+    <message>
+        <source>Keep the machine unplugged until the measurement ends.</source>
+        <translation>Lassen Sie das Gerät bis zum Ende der Messung vom Netz getrennt.</translation>
+    </message>
+    <message>
+        <source>The counter of {0} did not move in {1} s.</source>
+        <translation>Der Zähler von {0} hat sich in {1} s nicht bewegt.</translation>
+    </message>
+    <message>
+        <source>Measure for longer.</source>
+        <translation>Messen Sie länger.</translation>
+    </message>
+    <message>
+        <source>{0} gave one reading in {1} s: how sure it is cannot be told. Each metered problem runs {2} s.</source>
+        <translation>{0} gab in {1} s einen einzigen Wert: Wie sicher er ist, lässt sich nicht sagen. Jedes gemessene Problem läuft {2} s.</translation>
+    </message>
+    <message>
+        <source>{0} is renewed every {1} s: each metered problem runs {2} s. What follows &quot;give or take&quot; is what that resolves; how true the readings are was not checked.</source>
+        <translation>{0} wird alle {1} s erneuert: Jedes gemessene Problem läuft {2} s. Was auf „give or take“ folgt, ist die Auflösung daraus; wie richtig die Werte sind, wurde nicht geprüft.</translation>
+    </message>
+    <message>
+        <source>The processor&apos;s energy counters (RAPL) at {0} may be read by root only, as they betray secrets (CVE-2020-8694): run this once as root, or let yourself read energy_uj.</source>
+        <translation>Die Energiezähler des Prozessors (RAPL) bei {0} darf nur root lesen, da sie Geheimnisse verraten (CVE-2020-8694): Führen Sie dies einmal als root aus, oder geben Sie sich Leserecht auf energy_uj.</translation>
+    </message>
+    <message>
+        <source>The processor&apos;s energy counters (RAPL) at {0} hold no number or no range.</source>
+        <translation>Die Energiezähler des Prozessors (RAPL) bei {0} enthalten keine Zahl oder keinen Bereich.</translation>
+    </message>
+    <message>
+        <source>The battery gauge at {0} tells neither power nor what is left.</source>
+        <translation>Die Akkuanzeige bei {0} nennt weder Leistung noch Restladung.</translation>
+    </message>
+    <message>
+        <source>A trace needs a channel, factors other than 0, and a range that is positive.</source>
+        <translation>Eine Aufzeichnung braucht einen Kanal, Faktoren ungleich 0 und einen positiven Messbereich.</translation>
+    </message>
+    <message>
+        <source>{0} begins as a power analyser&apos;s log, but its first line holds no time and no reading.</source>
+        <translation>{0} beginnt wie das Protokoll eines Leistungsmessers, doch die erste Zeile enthält weder Zeit noch Messwert.</translation>
+    </message>
+    <message>
+        <source>There is no meter {0} here.{1}</source>
+        <translation>Hier gibt es kein Messgerät {0}.{1}</translation>
+    </message>
+    <message>
+        <source>{0} lies in no case, so that there is no scan to draw over.</source>
+        <translation>{0} liegt in keinem Fall, sodass es keine Aufnahme gibt, über die gezeichnet werden könnte.</translation>
+    </message>
+    <message>
+        <source>Give a result in the folder results of a case.</source>
+        <translation>Geben Sie ein Ergebnis im Ordner results eines Falls an.</translation>
+    </message>
+    <message>
+        <source>The result has no landmarks &quot;{0}&quot;; it has: {1}.</source>
+        <translation>Das Ergebnis hat keine Landmarken „{0}“; es hat: {1}.</translation>
+    </message>
+    <message>
+        <source>A result has no scene named {0}; it has displacement, landmarks.</source>
+        <translation>Ein Ergebnis hat keine Szene namens {0}; es hat displacement, landmarks.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>
@@ -9677,6 +9729,26 @@ sicher %</translation>
         <source>Match: a registration of 128 points</source>
         <translation>Zuordnen: eine Registrierung von 128 Punkten</translation>
     </message>
+    <message>
+        <source>Read a power recording...</source>
+        <translation>Leistungsaufzeichnung lesen...</translation>
+    </message>
+    <message>
+        <source>What an oscilloscope, a power analyser or a battery tester wrote of a platform: idle power and power under load</source>
+        <translation>Was ein Oszilloskop, ein Leistungsmesser oder ein Akkutester von einer Plattform aufgezeichnet hat: Leistung im Leerlauf und unter Last</translation>
+    </message>
+    <message>
+        <source>Read a power recording</source>
+        <translation>Leistungsaufzeichnung lesen</translation>
+    </message>
+    <message>
+        <source>Recordings (*.csv *.txt *.log *.tsv)</source>
+        <translation>Aufzeichnungen (*.csv *.txt *.log *.tsv)</translation>
+    </message>
+    <message>
+        <source>%1, as recorded</source>
+        <translation>%1, wie aufgezeichnet</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::ProbabilityBars</name>
@@ -11610,6 +11682,76 @@ Elastizitätsmodul %2 kPa (angenommen)</translation>
     <message>
         <source>Done</source>
         <translation>Fertig</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::TracePlot</name>
+    <message>
+        <source>Time (s)</source>
+        <translation>Zeit (s)</translation>
+    </message>
+    <message>
+        <source>Power (W)</source>
+        <translation>Leistung (W)</translation>
+    </message>
+    <message>
+        <source>Power; shaded: a run</source>
+        <translation>Leistung; hinterlegt: ein Lauf</translation>
+    </message>
+    <message>
+        <source>Idle</source>
+        <translation>Leerlauf</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::TraceView</name>
+    <message>
+        <source>Close the recording</source>
+        <translation>Aufzeichnung schließen</translation>
+    </message>
+    <message>
+        <source>Power</source>
+        <translation>Leistung</translation>
+    </message>
+    <message>
+        <source>Watts per unit</source>
+        <translation>Watt je Einheit</translation>
+    </message>
+    <message>
+        <source>1 where the column holds watts, 0.001 for milliwatts; for a current clamp its amperes per volt times the supply&apos;s voltage. Negative turns the sign.</source>
+        <translation>1, wo die Spalte Watt enthält, 0.001 für Milliwatt; für eine Stromzange ihre Ampere je Volt mal Versorgungsspannung. Negativ kehrt das Vorzeichen um.</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>rows, one a second</source>
+        <translation>Zeilen, eine je Sekunde</translation>
+    </message>
+    <message>
+        <source>column %1</source>
+        <translation>Spalte %1</translation>
+    </message>
+    <message>
+        <source>Plan with it</source>
+        <translation>Damit planen</translation>
+    </message>
+    <message>
+        <source>Plan with it as %1</source>
+        <translation>Damit planen als %1</translation>
+    </message>
+    <message>
+        <source>Adds that platform once more, with the idle and active power of this recording</source>
+        <translation>Fügt diese Plattform noch einmal hinzu, mit Leerlauf- und Lastleistung dieser Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Idle %1 W, the median of the pauses. Under load %2 W more, the median of the runs (there are %3).</source>
+        <translation>Leerlauf %1 W, der Median der Pausen. Unter Last %2 W mehr, der Median der Läufe (es sind %3).</translation>
+    </message>
+    <message>
+        <source>%1 W on average, from %2 to %3 W.</source>
+        <translation>%1 W im Mittel, von %2 bis %3 W.</translation>
     </message>
 </context>
 <context>

@@ -2116,10 +2116,6 @@
         <translation>El medidor de energía {0} ha dejado de responder.</translation>
     </message>
     <message>
-        <source>The processor&apos;s energy counters (RAPL) at {0} may be read by root only.</source>
-        <translation>Solo root puede leer los contadores de energía del procesador (RAPL) en {0}.</translation>
-    </message>
-    <message>
         <source>No energy counters of the processor (RAPL) at {0}.</source>
         <translation>No hay contadores de energía del procesador (RAPL) en {0}.</translation>
     </message>
@@ -2274,10 +2270,6 @@
     <message>
         <source>Run {0} drew nothing above idle, or nothing was run in it.</source>
         <translation>La ejecución {0} no consumió nada por encima del reposo o no se ejecutó nada en ella.</translation>
-    </message>
-    <message>
-        <source>A trace needs a channel, and factors and a range that are positive.</source>
-        <translation>Un registro necesita un canal, y factores y un intervalo positivos.</translation>
     </message>
     <message>
         <source>The power does not move between two levels, so no runs can be told from pauses.</source>
@@ -3022,10 +3014,6 @@
     <message>
         <source>glisson-cli platform list shows their ids.</source>
         <translation>glisson-cli platform list muestra sus identificadores.</translation>
-    </message>
-    <message>
-        <source>A result has no scene named {0}; it has displacement.</source>
-        <translation>Un resultado no tiene ninguna escena llamada {0}; tiene displacement.</translation>
     </message>
     <message>
         <source>Reading</source>
@@ -6551,6 +6539,70 @@
         <source>Take a part off {0}</source>
         <translation>Parte quitada de {0}</translation>
     </message>
+    <message>
+        <source>The battery stopped discharging while it was measured.</source>
+        <translation>La batería dejó de descargarse durante la medición.</translation>
+    </message>
+    <message>
+        <source>Keep the machine unplugged until the measurement ends.</source>
+        <translation>Mantenga la máquina desenchufada hasta que termine la medición.</translation>
+    </message>
+    <message>
+        <source>The counter of {0} did not move in {1} s.</source>
+        <translation>El contador de {0} no se movió en {1} s.</translation>
+    </message>
+    <message>
+        <source>Measure for longer.</source>
+        <translation>Mida durante más tiempo.</translation>
+    </message>
+    <message>
+        <source>{0} gave one reading in {1} s: how sure it is cannot be told. Each metered problem runs {2} s.</source>
+        <translation>{0} dio una sola lectura en {1} s: no se puede decir cuán segura es. Cada problema medido se ejecuta {2} s.</translation>
+    </message>
+    <message>
+        <source>{0} is renewed every {1} s: each metered problem runs {2} s. What follows &quot;give or take&quot; is what that resolves; how true the readings are was not checked.</source>
+        <translation>{0} se renueva cada {1} s: cada problema medido se ejecuta {2} s. Lo que sigue a «give or take» es la resolución que eso permite; no se comprobó si las lecturas son exactas.</translation>
+    </message>
+    <message>
+        <source>The processor&apos;s energy counters (RAPL) at {0} may be read by root only, as they betray secrets (CVE-2020-8694): run this once as root, or let yourself read energy_uj.</source>
+        <translation>Los contadores de energía del procesador (RAPL) en {0} solo los puede leer root, porque delatan secretos (CVE-2020-8694): ejecute esto una vez como root o concédase permiso de lectura de energy_uj.</translation>
+    </message>
+    <message>
+        <source>The processor&apos;s energy counters (RAPL) at {0} hold no number or no range.</source>
+        <translation>Los contadores de energía del procesador (RAPL) en {0} no contienen ningún número o ningún intervalo.</translation>
+    </message>
+    <message>
+        <source>The battery gauge at {0} tells neither power nor what is left.</source>
+        <translation>El indicador de la batería en {0} no indica ni la potencia ni lo que queda.</translation>
+    </message>
+    <message>
+        <source>A trace needs a channel, factors other than 0, and a range that is positive.</source>
+        <translation>Un registro necesita un canal, factores distintos de 0 y un intervalo positivo.</translation>
+    </message>
+    <message>
+        <source>{0} begins as a power analyser&apos;s log, but its first line holds no time and no reading.</source>
+        <translation>{0} empieza como el registro de un analizador de potencia, pero su primera línea no contiene ni hora ni lectura.</translation>
+    </message>
+    <message>
+        <source>There is no meter {0} here.{1}</source>
+        <translation>Aquí no hay ningún medidor {0}.{1}</translation>
+    </message>
+    <message>
+        <source>{0} lies in no case, so that there is no scan to draw over.</source>
+        <translation>{0} no está en ningún caso, así que no hay imagen sobre la que dibujar.</translation>
+    </message>
+    <message>
+        <source>Give a result in the folder results of a case.</source>
+        <translation>Indique un resultado de la carpeta results de un caso.</translation>
+    </message>
+    <message>
+        <source>The result has no landmarks &quot;{0}&quot;; it has: {1}.</source>
+        <translation>El resultado no tiene referencias «{0}»; tiene: {1}.</translation>
+    </message>
+    <message>
+        <source>A result has no scene named {0}; it has displacement, landmarks.</source>
+        <translation>Un resultado no tiene ninguna escena llamada {0}; tiene displacement, landmarks.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>
@@ -9680,6 +9732,26 @@ seguro %</translation>
         <source>Match: a registration of 128 points</source>
         <translation>Emparejar: un registro de 128 puntos</translation>
     </message>
+    <message>
+        <source>Read a power recording...</source>
+        <translation>Leer un registro de potencia...</translation>
+    </message>
+    <message>
+        <source>What an oscilloscope, a power analyser or a battery tester wrote of a platform: idle power and power under load</source>
+        <translation>Lo que un osciloscopio, un analizador de potencia o un comprobador de baterías registró de una plataforma: potencia en reposo y bajo carga</translation>
+    </message>
+    <message>
+        <source>Read a power recording</source>
+        <translation>Leer un registro de potencia</translation>
+    </message>
+    <message>
+        <source>Recordings (*.csv *.txt *.log *.tsv)</source>
+        <translation>Registros (*.csv *.txt *.log *.tsv)</translation>
+    </message>
+    <message>
+        <source>%1, as recorded</source>
+        <translation>%1, según el registro</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::ProbabilityBars</name>
@@ -11613,6 +11685,76 @@ Módulo de Young %2 kPa (supuesto)</translation>
     <message>
         <source>Done</source>
         <translation>Listo</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::TracePlot</name>
+    <message>
+        <source>Time (s)</source>
+        <translation>Tiempo (s)</translation>
+    </message>
+    <message>
+        <source>Power (W)</source>
+        <translation>Potencia (W)</translation>
+    </message>
+    <message>
+        <source>Power; shaded: a run</source>
+        <translation>Potencia; sombreado: una ejecución</translation>
+    </message>
+    <message>
+        <source>Idle</source>
+        <translation>Reposo</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::TraceView</name>
+    <message>
+        <source>Close the recording</source>
+        <translation>Cerrar el registro</translation>
+    </message>
+    <message>
+        <source>Power</source>
+        <translation>Potencia</translation>
+    </message>
+    <message>
+        <source>Watts per unit</source>
+        <translation>Vatios por unidad</translation>
+    </message>
+    <message>
+        <source>1 where the column holds watts, 0.001 for milliwatts; for a current clamp its amperes per volt times the supply&apos;s voltage. Negative turns the sign.</source>
+        <translation>1 si la columna contiene vatios, 0.001 para milivatios; para una pinza amperimétrica, sus amperios por voltio por la tensión de alimentación. Negativo cambia el signo.</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tiempo</translation>
+    </message>
+    <message>
+        <source>rows, one a second</source>
+        <translation>filas, una por segundo</translation>
+    </message>
+    <message>
+        <source>column %1</source>
+        <translation>columna %1</translation>
+    </message>
+    <message>
+        <source>Plan with it</source>
+        <translation>Planificar con él</translation>
+    </message>
+    <message>
+        <source>Plan with it as %1</source>
+        <translation>Planificar con él como %1</translation>
+    </message>
+    <message>
+        <source>Adds that platform once more, with the idle and active power of this recording</source>
+        <translation>Añade esa plataforma otra vez, con la potencia en reposo y bajo carga de este registro</translation>
+    </message>
+    <message>
+        <source>Idle %1 W, the median of the pauses. Under load %2 W more, the median of the runs (there are %3).</source>
+        <translation>En reposo %1 W, la mediana de las pausas. Bajo carga %2 W más, la mediana de las ejecuciones (hay %3).</translation>
+    </message>
+    <message>
+        <source>%1 W on average, from %2 to %3 W.</source>
+        <translation>%1 W de media, de %2 a %3 W.</translation>
     </message>
 </context>
 <context>

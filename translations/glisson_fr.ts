@@ -2116,10 +2116,6 @@
         <translation>Le compteur d’énergie {0} ne répond plus.</translation>
     </message>
     <message>
-        <source>The processor&apos;s energy counters (RAPL) at {0} may be read by root only.</source>
-        <translation>Seul root peut lire les compteurs d’énergie du processeur (RAPL) à {0}.</translation>
-    </message>
-    <message>
         <source>No energy counters of the processor (RAPL) at {0}.</source>
         <translation>Pas de compteurs d’énergie du processeur (RAPL) à {0}.</translation>
     </message>
@@ -2274,10 +2270,6 @@
     <message>
         <source>Run {0} drew nothing above idle, or nothing was run in it.</source>
         <translation>L’exécution {0} n’a rien consommé au-delà du repos, ou rien n’y a été exécuté.</translation>
-    </message>
-    <message>
-        <source>A trace needs a channel, and factors and a range that are positive.</source>
-        <translation>Une trace exige un canal, et des facteurs et une plage positifs.</translation>
     </message>
     <message>
         <source>The power does not move between two levels, so no runs can be told from pauses.</source>
@@ -3022,10 +3014,6 @@
     <message>
         <source>glisson-cli platform list shows their ids.</source>
         <translation>glisson-cli platform list montre leurs identifiants.</translation>
-    </message>
-    <message>
-        <source>A result has no scene named {0}; it has displacement.</source>
-        <translation>Un résultat n’a pas de scène nommée {0}&#xa0;; il a displacement.</translation>
     </message>
     <message>
         <source>Reading</source>
@@ -6551,6 +6539,70 @@
         <source>Take a part off {0}</source>
         <translation>Partie retirée de {0}</translation>
     </message>
+    <message>
+        <source>The battery stopped discharging while it was measured.</source>
+        <translation>La batterie a cessé de se décharger pendant la mesure.</translation>
+    </message>
+    <message>
+        <source>Keep the machine unplugged until the measurement ends.</source>
+        <translation>Laissez la machine débranchée jusqu&apos;à la fin de la mesure.</translation>
+    </message>
+    <message>
+        <source>The counter of {0} did not move in {1} s.</source>
+        <translation>Le compteur de {0} n&apos;a pas bougé en {1} s.</translation>
+    </message>
+    <message>
+        <source>Measure for longer.</source>
+        <translation>Mesurez plus longtemps.</translation>
+    </message>
+    <message>
+        <source>{0} gave one reading in {1} s: how sure it is cannot be told. Each metered problem runs {2} s.</source>
+        <translation>{0} a donné une seule valeur en {1} s : on ne peut dire à quel point elle est sûre. Chaque problème mesuré tourne {2} s.</translation>
+    </message>
+    <message>
+        <source>{0} is renewed every {1} s: each metered problem runs {2} s. What follows &quot;give or take&quot; is what that resolves; how true the readings are was not checked.</source>
+        <translation>{0} se renouvelle toutes les {1} s : chaque problème mesuré tourne {2} s. Ce qui suit « give or take » est la résolution qui en résulte ; la justesse des valeurs n&apos;a pas été vérifiée.</translation>
+    </message>
+    <message>
+        <source>The processor&apos;s energy counters (RAPL) at {0} may be read by root only, as they betray secrets (CVE-2020-8694): run this once as root, or let yourself read energy_uj.</source>
+        <translation>Les compteurs d&apos;énergie du processeur (RAPL) sous {0} ne peuvent être lus que par root, car ils trahissent des secrets (CVE-2020-8694) : lancez ceci une fois en tant que root, ou donnez-vous le droit de lire energy_uj.</translation>
+    </message>
+    <message>
+        <source>The processor&apos;s energy counters (RAPL) at {0} hold no number or no range.</source>
+        <translation>Les compteurs d&apos;énergie du processeur (RAPL) sous {0} ne contiennent pas de nombre ou pas d&apos;étendue.</translation>
+    </message>
+    <message>
+        <source>The battery gauge at {0} tells neither power nor what is left.</source>
+        <translation>La jauge de la batterie sous {0} n&apos;indique ni la puissance ni ce qui reste.</translation>
+    </message>
+    <message>
+        <source>A trace needs a channel, factors other than 0, and a range that is positive.</source>
+        <translation>Un enregistrement demande un canal, des facteurs différents de 0 et une étendue positive.</translation>
+    </message>
+    <message>
+        <source>{0} begins as a power analyser&apos;s log, but its first line holds no time and no reading.</source>
+        <translation>{0} commence comme le journal d&apos;un analyseur de puissance, mais sa première ligne ne contient ni heure ni valeur.</translation>
+    </message>
+    <message>
+        <source>There is no meter {0} here.{1}</source>
+        <translation>Il n&apos;y a pas d&apos;appareil de mesure {0} ici.{1}</translation>
+    </message>
+    <message>
+        <source>{0} lies in no case, so that there is no scan to draw over.</source>
+        <translation>{0} ne se trouve dans aucun cas, il n&apos;y a donc pas d&apos;image sur laquelle dessiner.</translation>
+    </message>
+    <message>
+        <source>Give a result in the folder results of a case.</source>
+        <translation>Indiquez un résultat du dossier results d&apos;un cas.</translation>
+    </message>
+    <message>
+        <source>The result has no landmarks &quot;{0}&quot;; it has: {1}.</source>
+        <translation>Le résultat n&apos;a pas de repères « {0} » ; il a : {1}.</translation>
+    </message>
+    <message>
+        <source>A result has no scene named {0}; it has displacement, landmarks.</source>
+        <translation>Un résultat n&apos;a pas de scène nommée {0} ; il a displacement, landmarks.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>
@@ -9680,6 +9732,26 @@ sûr %</translation>
         <source>Match: a registration of 128 points</source>
         <translation>Apparier : un recalage de 128 points</translation>
     </message>
+    <message>
+        <source>Read a power recording...</source>
+        <translation>Lire un enregistrement de puissance...</translation>
+    </message>
+    <message>
+        <source>What an oscilloscope, a power analyser or a battery tester wrote of a platform: idle power and power under load</source>
+        <translation>Ce qu&apos;un oscilloscope, un analyseur de puissance ou un testeur de batterie a enregistré d&apos;une plateforme : puissance au repos et en charge</translation>
+    </message>
+    <message>
+        <source>Read a power recording</source>
+        <translation>Lire un enregistrement de puissance</translation>
+    </message>
+    <message>
+        <source>Recordings (*.csv *.txt *.log *.tsv)</source>
+        <translation>Enregistrements (*.csv *.txt *.log *.tsv)</translation>
+    </message>
+    <message>
+        <source>%1, as recorded</source>
+        <translation>%1, tel qu&apos;enregistré</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::ProbabilityBars</name>
@@ -11613,6 +11685,76 @@ Module de Young %2 kPa (supposé)</translation>
     <message>
         <source>Done</source>
         <translation>Terminé</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::TracePlot</name>
+    <message>
+        <source>Time (s)</source>
+        <translation>Temps (s)</translation>
+    </message>
+    <message>
+        <source>Power (W)</source>
+        <translation>Puissance (W)</translation>
+    </message>
+    <message>
+        <source>Power; shaded: a run</source>
+        <translation>Puissance ; grisé : un passage</translation>
+    </message>
+    <message>
+        <source>Idle</source>
+        <translation>Repos</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::TraceView</name>
+    <message>
+        <source>Close the recording</source>
+        <translation>Fermer l&apos;enregistrement</translation>
+    </message>
+    <message>
+        <source>Power</source>
+        <translation>Puissance</translation>
+    </message>
+    <message>
+        <source>Watts per unit</source>
+        <translation>Watts par unité</translation>
+    </message>
+    <message>
+        <source>1 where the column holds watts, 0.001 for milliwatts; for a current clamp its amperes per volt times the supply&apos;s voltage. Negative turns the sign.</source>
+        <translation>1 si la colonne contient des watts, 0.001 pour des milliwatts ; pour une pince ampèremétrique, ses ampères par volt fois la tension d&apos;alimentation. Négatif inverse le signe.</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>rows, one a second</source>
+        <translation>lignes, une par seconde</translation>
+    </message>
+    <message>
+        <source>column %1</source>
+        <translation>colonne %1</translation>
+    </message>
+    <message>
+        <source>Plan with it</source>
+        <translation>Planifier avec</translation>
+    </message>
+    <message>
+        <source>Plan with it as %1</source>
+        <translation>Planifier avec comme %1</translation>
+    </message>
+    <message>
+        <source>Adds that platform once more, with the idle and active power of this recording</source>
+        <translation>Ajoute cette plateforme une fois de plus, avec la puissance au repos et en charge de cet enregistrement</translation>
+    </message>
+    <message>
+        <source>Idle %1 W, the median of the pauses. Under load %2 W more, the median of the runs (there are %3).</source>
+        <translation>Au repos %1 W, la médiane des pauses. En charge %2 W de plus, la médiane des passages (il y en a %3).</translation>
+    </message>
+    <message>
+        <source>%1 W on average, from %2 to %3 W.</source>
+        <translation>%1 W en moyenne, de %2 à %3 W.</translation>
     </message>
 </context>
 <context>

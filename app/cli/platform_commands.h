@@ -9,6 +9,7 @@
 #include "hardware/convergence_curve.h"
 #include "hardware/device_file.h"
 #include "hardware/plan.h"
+#include "hardware/power_trace.h"
 
 namespace glisson::cli {
 
@@ -30,6 +31,20 @@ struct DeviceTables {
 };
 
 Result<hardware::Device> device_with_id(const std::vector<hardware::Device>& devices, const std::string& id);
+
+// A recording of power: which file, which of its columns, what counts as a run.
+struct TraceChoice {
+  std::string file;
+  std::vector<std::string> channels;  // COLUMN:AMPERES_PER_VOLT:SUPPLY_VOLTAGE[:CLIPS_AT]; none: as guessed
+  hardware::TraceFormat format;
+  std::string time_column;  // empty: as guessed where no channel is given, else the first
+  hardware::RunOptions runs_options;
+
+  CLI::Option* add_options(CLI::App& command);
+  [[nodiscard]] Result<hardware::TraceRuns> runs() const;
+};
+
+Json runs_json(const hardware::TraceRuns& runs);
 
 // Duration, frame rate, temperatures and the domain of influence.
 void add_request_options(CLI::App& command, hardware::PlanRequest& request);

@@ -1,8 +1,6 @@
 // glisson-cli platform measure: this machine, or a recording of another, as a device to plan with and to share.
 
 #include <fmt/format.h>
-#include <charconv>
-#include <cmath>
 
 #include "base/csv.h"
 #include "hardware/measure.h"
@@ -25,48 +23,13 @@ struct PlatformMeasureCommand {
   std::string worn = "back";
   std::optional<std::string> device;  // of OpenCL
   double largest_MB = 1024;
-  std::string trace;
+  TraceChoice trace;
   std::string run_log;
-  std::vector<std::string> channels;
-  TraceFormat format;
-  RunOptions runs;
+  std::string system_folder = "/sys";
+  std::string meter;  // empty: the best there is
 };
 
 constexpr std::size_t megabyte = std::size_t{1} << 20;
-
-// "CH1:10:12:0.4": column, amperes a volt, supply voltage and, where known, the end of the channel's range.
-Result<ClampChannel> parse_channel(const std::string& text) {
-  std::vector<std::string> parts(1);
-  for (const char c : text) {
-    if (c == ':') {
-      parts.emplace_back();
-    } else {
-      parts.back() += c;
-    }
-  }
-  std::vector<double> numbers;
-  bool sound = parts.size() <= 4 && !parts.front().empty();
-  for (std::size_t i = 1; i < parts.size(); ++i) {
-    double number = 0;
-    const char* const last = parts[i].data() + parts[i].size();
-    const auto [end, problem] = std::from_chars(parts[i].data(), last, number);
-    sound = sound && problem == std::errc() && end == last && std::isfinite(number);
-    numbers.push_back(number);
-  }
-  if (!sound) {
-    return failure(
-        Error{"channel-invalid",
-              GLISSON_TEXT("--channel wants COLUMN:AMPERES_PER_VOLT:SUPPLY_VOLTAGE[:CLIPS_AT], not \"{0}\"."),
-              {text},
-              GLISSON_TEXT("A column that holds watts is just COLUMN."),
-              {}});
-  }
-  ClampChannel channel{parts.front(), 1, 1, {}};
-  if (!numbers.empty()) channel.amperes_per_volt = numbers[0];
-  if (numbers.size() > 1) channel.supply_voltage_V = numbers[1];
-  if (numbers.size() > 2) channel.clips_at = numbers[2];
-  return channel;
-}
 
 Result<std::vector<RunLog>> read_run_log(const std::string& file) {
   const auto table = read_csv(file);
@@ -81,18 +44,6 @@ Result<std::vector<RunLog>> read_run_log(const std::string& file) {
   return log;
 }
 
-Result<TraceRuns> runs_in_trace(const PlatformMeasureCommand& options) {
-  TraceFormat format = options.format;
-  for (const std::string& text : options.channels) {
-    auto channel = parse_channel(text);
-    if (!channel) return failure(channel.error());
-    format.channels.push_back(std::move(*channel));
-  }
-  const auto trace = read_power_trace(options.trace, format);
-  if (!trace) return failure(trace.error());
-  return find_runs(*trace, options.runs);
-}
-
 Result<Measurement> measure_here(const PlatformMeasureCommand& options, const Progress& progress) {
   const MeasureOptions& measuring = options.measure;
   std::unique_ptr<ProductKernel> kernel = processor_product(measuring.nodes_in_domain, measuring.largest_bytes);
@@ -101,9 +52,17 @@ Result<Measurement> measure_here(const PlatformMeasureCommand& options, const Pr
     if (!elsewhere) return failure(elsewhere.error());
     kernel = std::move(*elsewhere);
   }
-  const MeterSurvey survey = survey_meters();
-  const EnergyMeter* meter = survey.meters.empty() ? nullptr : &survey.meters.front();
-  return measure(*kernel, meter, survey.missing, measuring, progress);
+  const MeterSurvey survey = survey_meters(options.system_folder);
+  if (options.meter.empty()) {
+    return measure(*kernel, survey.meters.empty() ? nullptr : &survey.meters.front(), survey.missing, measuring,
+                   progress);
+  }
+  for (const EnergyMeter& meter : survey.meters) {
+    if (to_string(meter.kind) == options.meter) return measure(*kernel, &meter, survey.missing, measuring, progress);
+  }
+  std::string why;
+  for (const Sentence& sentence : survey.missing) why += " " + sentence.message();
+  return failure("meter-missing", GLISSON_TEXT("There is no meter {0} here.{1}"), {options.meter, why});
 }
 
 Json as_json(const MeasuredPoint& point) {
@@ -114,21 +73,8 @@ Json as_json(const MeasuredPoint& point) {
     json["in_cache"] = point.in_cache;
   }
   if (point.joules) json["joules"] = *point.joules;
+  if (point.uncertain_J) json["uncertain_J"] = *point.uncertain_J;
   return json;
-}
-
-Json as_json(const TraceRuns& runs) {
-  Json list = Json::array();
-  for (const TraceRun& run : runs.runs) {
-    list.push_back({{"begin_s", run.begin_s},
-                    {"end_s", run.end_s},
-                    {"mean_W", run.mean_W},
-                    {"idle_W", run.idle_W},
-                    {"joules_above_idle", run.joules_above_idle},
-                    {"clipped_fraction", run.clipped_fraction},
-                    {"cut_by_gap", run.cut_by_gap}});
-  }
-  return {{"idle_W", runs.idle_W}, {"runs", list}, {"warnings", messages(runs.warnings)}};
 }
 
 // Of the memory's bandwidth; a problem that stays in the cache is not bound by it.
@@ -148,6 +94,15 @@ Outcome describe(const Measurement& measured, const std::optional<TraceRuns>& ru
                   {}};
   outcome.text =
       fmt::format("{}{}\n", measured.kernel, measured.meter.empty() ? std::string() : ", energy by " + measured.meter);
+  if (!measured.meter.empty()) {
+    const KernelModel& made = measured.device.kernel;
+    outcome.document["idle_W"] = measured.device.idle_W.value;
+    outcome.document["active_W"] = made.active_W.value;
+    if (measured.idle_uncertain_W) outcome.document["idle_uncertain_W"] = *measured.idle_uncertain_W;
+    if (measured.active_uncertain_W) outcome.document["active_uncertain_W"] = *measured.active_uncertain_W;
+    outcome.text += fmt::format("Idle {:.3g} W ({}); above idle {:.3g} W ({})\n", measured.device.idle_W.value,
+                                measured.device.idle_W.note, made.active_W.value, made.active_W.note);
+  }
   if (measured.bandwidth_GB_s > 0) {
     outcome.document["memory_bandwidth_GB_s"] = measured.bandwidth_GB_s;
     outcome.text += fmt::format("The memory gives {:.3g} GB/s.\n", measured.bandwidth_GB_s);
@@ -161,7 +116,7 @@ Outcome describe(const Measurement& measured, const std::optional<TraceRuns>& ru
         any.bytes / any.nodes, any.flops / any.nodes, flops_per_byte);
   }
   if (runs) {
-    outcome.document["trace"] = as_json(*runs);
+    outcome.document["trace"] = runs_json(*runs);
     outcome.text += fmt::format("{} runs in the recording, idle {:.3g} W\n", runs->runs.size(), runs->idle_W);
   }
   outcome.text += fmt::format("{:>9} {:>11} {:>8} {:>8} {:>7} {:>10}\n", "nodes", "product us", "GB/s", "GFLOP/s",
@@ -185,9 +140,17 @@ Result<Outcome> run(PlatformMeasureCommand options, const Progress& progress) {
   for (const Worn worn : {Worn::head, Worn::belt, Worn::back}) {
     if (options.worn == to_string(worn)) options.measure.device.worn = worn;
   }
+  std::optional<casefile::PatientModel> model;  // read first: what follows takes a while
+  if (!options.product_case.empty()) {
+    auto read = casefile::Case::open(options.product_case).and_then([](const casefile::Case& patient) {
+      return casefile::read_model(patient);
+    });
+    if (!read) return failure(read.error());
+    model = std::move(*read);
+  }
   std::optional<TraceRuns> runs;
-  if (!options.trace.empty()) {
-    auto found = runs_in_trace(options);
+  if (!options.trace.file.empty()) {
+    auto found = options.trace.runs();
     if (!found) return failure(found.error());
     runs = std::move(*found);
   }
@@ -204,11 +167,7 @@ Result<Outcome> run(PlatformMeasureCommand options, const Progress& progress) {
   if (const auto checked = check(measured->device); !checked) return failure(checked.error());
   if (const auto written = write_devices(options.out, {measured->device}); !written) return failure(written.error());
   Outcome outcome = describe(*measured, runs, options.out);
-  if (options.product_case.empty()) return outcome;
-  const auto model = casefile::Case::open(options.product_case).and_then([](const casefile::Case& patient) {
-    return casefile::read_model(patient);
-  });
-  if (!model) return failure(model.error());
+  if (!model) return outcome;
   const auto times = studies::time_product_tasks(*model, options.product, progress.part(0.5, 1));
   if (!times) return failure(times.error());
   if (auto written = write_tasks(options.tasks_out, times->tasks); !written) return failure(written.error());
@@ -221,6 +180,9 @@ Result<Outcome> run(PlatformMeasureCommand options, const Progress& progress) {
                                          {"operations", task.operations}});
     outcome.text += fmt::format("{:22} {:9.2f} ms  {}\n", task.id, 1e3 * task.seconds, task.what);
   }
+  outcome.text +=
+      fmt::format("Written to {}; plan with them: glisson-cli platform plan --for rehearse --tasks {} ...\n",
+                  options.tasks_out, options.tasks_out);
   for (const std::string& remark : times->remarks) {
     outcome.document["remarks"].push_back(remark);
     outcome.text += "Note: " + remark + "\n";
@@ -260,6 +222,13 @@ void add_platform_measure(CLI::App& platform, Action& chosen) {
   command->add_option("--seconds-per-point", options->measure.seconds_per_point, "How long each problem runs")
       ->check(CLI::Range(0.001, 600.0))
       ->capture_default_str();
+  command->add_option("--meter", options->meter, "Of those there are: rapl, ina, battery; the best where left out")
+      ->check(CLI::IsMember({"rapl", "ina", "battery"}));
+  command->add_option("--idle-s", options->measure.idle_s, "How long a meter is listened to before anything runs")
+      ->check(CLI::Range(0.01, 3600.0))
+      ->capture_default_str();
+  command->add_option("--system-folder", options->system_folder, "Where the kernel shows its meters")
+      ->capture_default_str();
   CLI::Option* product = command->add_option("--product", options->product_case,
                                              "A case with a model: what this program does in a frame is timed with it");
   command
@@ -271,25 +240,10 @@ void add_platform_measure(CLI::App& platform, Action& chosen) {
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   add_opencl(*command, options->device);
-  CLI::Option* trace = command->add_option("--trace", options->trace, "Recording of its power (CSV)");
-  command->add_option("--channel", options->channels, "COLUMN:AMPERES_PER_VOLT:SUPPLY_VOLTAGE[:CLIPS_AT], once a clamp")
-      ->needs(trace);
-  command->add_option("--time-column", options->format.time_column, "Name or number")
-      ->needs(trace)
-      ->capture_default_str();
-  command->add_option("--time-unit-s", options->format.seconds_per_unit, "0.001 where the recording counts ms")
-      ->needs(trace)
-      ->capture_default_str();
-  command->add_option("--missing", options->format.missing_marker, "A value that means no reading")->needs(trace);
+  CLI::Option* trace = options->trace.add_options(*command);
   command
       ->add_option("--run-log", options->run_log, "What was run, in order (CSV: nodes,products); nothing is run here")
       ->needs(trace);
-  command->add_option("--shortest-run-s", options->runs.shortest_run_s, "Shorter is a disturbance")
-      ->needs(trace)
-      ->capture_default_str();
-  command->add_option("--shortest-pause-s", options->runs.shortest_pause_s, "Shorter belongs to the run")
-      ->needs(trace)
-      ->capture_default_str();
   command->callback(
       [&chosen, options] { chosen = [options](const Progress& progress) { return run(*options, progress); }; });
 }

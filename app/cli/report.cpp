@@ -7,6 +7,7 @@
 #include "report/html.h"
 #include "report/patient_page.h"
 #include "scene/case_scenes.h"
+#include "scene/landmark_overlay.h"
 #include "scene/picture.h"
 
 namespace glisson::cli {
@@ -39,6 +40,27 @@ Result<std::vector<report::Figure>> pictures(const casefile::Case& patient, cons
   return figures;
 }
 
+// A picture for each group of landmarks: the retraction on the measured stiffness, with the atlas's beside it.
+Result<void> add_landmarks(const casefile::Case& patient, const std::filesystem::path& folder,
+                           std::vector<report::Figure>& figures) {
+  constexpr int width = 1200, height = 800;
+  const std::filesystem::path results = patient.folder() / "results";
+  if (!std::filesystem::exists(results / "mre" / "result.vtu")) return {};
+  std::optional<std::filesystem::path> atlas;
+  if (std::filesystem::exists(results / "atlas" / "result.vtu")) atlas = results / "atlas";
+  const auto overlays = scene::landmark_overlays(results / "mre", atlas);
+  if (!overlays) return failure(overlays.error());
+  for (const scene::LandmarkOverlay& overlay : *overlays) {
+    const std::filesystem::path file = folder / ("landmarks-" + overlay.group + ".png");
+    auto drawn = scene::draw(overlay.scene, width, height).and_then([&](const scene::Picture& picture) {
+      return scene::write_png(picture, file);
+    });
+    if (!drawn) return failure(std::move(drawn.error()));
+    figures.push_back({file, "Where the retraction brings " + overlay.group + ", over the scan."});
+  }
+  return {};
+}
+
 Result<Outcome> run(const ReportCommand& command, const Progress& progress) {
   const auto patient = casefile::Case::open(command.case_folder);
   if (!patient) return failure(patient.error());
@@ -48,6 +70,7 @@ Result<Outcome> run(const ReportCommand& command, const Progress& progress) {
   if (!scratch) return failure(scratch.error());
   auto figures = pictures(*patient, scratch->path());
   if (!figures) return failure(std::move(figures.error()));
+  if (auto added = add_landmarks(*patient, scratch->path(), *figures); !added) return failure(std::move(added.error()));
   content.figures = *std::move(figures);
   const auto page = report::patient_page(*patient, content, progress);
   if (!page) return failure(page.error());

@@ -2,113 +2,146 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <charconv>
 #include <chrono>
+#include <cmath>
 #include <condition_variable>
-#include <fstream>
 #include <mutex>
-#include <optional>
 #include <thread>
 
 #include "base/stopwatch.h"
+#include "hardware/internal/system_file.h"
 
 namespace glisson::hardware {
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr auto sampling_interval = std::chrono::milliseconds(20);
+constexpr double share_at_both_ends = 0.408;  // sqrt(1/12 + 1/12): two times within one renewal, each anywhere in it
 
-std::optional<EnergyMeter> find_rapl(const fs::path& system_folder, std::vector<Sentence>& missing);
-std::optional<EnergyMeter> find_ina(const fs::path& system_folder, std::vector<Sentence>& missing);
-std::optional<EnergyMeter> find_battery(const fs::path& system_folder, std::vector<Sentence>& missing);
+// One source while it is read.
+class SourceReader {
+ public:
+  explicit SourceReader(const EnergyMeter::Source& source) : source_(source) {}
 
-std::optional<std::string> first_line(const fs::path& file);
-std::optional<double> number_in(const fs::path& file);
-std::vector<fs::path> entries_of(const fs::path& folder);
-std::optional<double> power_W(const EnergyMeter::Source& source);
-std::optional<double> total_power_W(const EnergyMeter& meter);
-Failure lost(const EnergyMeter& meter);
-
-Result<EnergyUse> counted(const EnergyMeter& meter, const std::function<Result<void>()>& work);
-Result<EnergyUse> sampled(const EnergyMeter& meter, const std::function<Result<void>()>& work);
-
-}  // namespace
-
-double EnergyMeter::shortest_useful_s() const {
-  switch (kind) {
-    case MeterKind::rapl: return 0.1;    // renewed every millisecond
-    case MeterKind::ina: return 0.5;     // conversions of some tens of milliseconds
-    case MeterKind::battery: return 60;  // gauges average over seconds
+  // False where the source does not answer.
+  bool begin() {
+    last_ = counts() ? number_in(source_.counter) : power_W();
+    if (last_) distinct_.push_back(*last_);
+    return last_.has_value();
   }
-  return 60;
-}
-
-MeterSurvey survey_meters(const fs::path& system_folder) {
-  MeterSurvey survey;
-  for (const auto find : {find_rapl, find_ina, find_battery}) {
-    if (auto meter = find(system_folder, survey.missing)) survey.meters.push_back(std::move(*meter));
-  }
-  return survey;
-}
-
-Result<EnergyUse> energy_during(const EnergyMeter& meter, const std::function<Result<void>()>& work) {
-  return meter.kind == MeterKind::rapl ? counted(meter, work) : sampled(meter, work);
-}
-
-namespace {
-
-Result<EnergyUse> counted(const EnergyMeter& meter, const std::function<Result<void>()>& work) {
-  const auto read_all = [&meter]() -> std::optional<std::vector<double>> {
-    std::vector<double> counters;
-    for (const EnergyMeter::Source& source : meter.sources) {
-      const auto counter = number_in(source.energy_uJ);
-      if (!counter) return {};
-      counters.push_back(*counter);
+  bool read(double since_last_s) {
+    const auto now = counts() ? number_in(source_.counter) : power_W();
+    if (!now) return false;
+    if (counts()) {
+      double count = *now - *last_;
+      if (count < 0 && source_.wraps_at > 0) count += source_.wraps_at;
+      const auto volts = source_.voltage.empty() ? std::optional(1.0) : number_in(source_.voltage);
+      if (!volts) return false;
+      joules_ += count * source_.joules_per_count * *volts;
+    } else {
+      joules_ += since_last_s * (*last_ + *now) / 2;
     }
-    return counters;
-  };
-  const auto before = read_all();
-  if (!before) return lost(meter);
-  const Stopwatch watch;
-  if (const auto worked = work(); !worked) return failure(worked.error());
-  EnergyUse use;
-  use.seconds = watch.seconds();
-  const auto after = read_all();
-  if (!after) return lost(meter);
-  for (std::size_t i = 0; i < meter.sources.size(); ++i) {
-    double spent_uJ = (*after)[i] - (*before)[i];
-    if (spent_uJ < 0) spent_uJ += meter.sources[i].wraps_at_uJ;
-    use.joules += spent_uJ * 1e-6;
+    if (*now != *last_) distinct_.push_back(*now);
+    last_ = now;
+    return true;
   }
+
+  [[nodiscard]] bool counts() const { return !source_.counter.empty(); }
+  [[nodiscard]] bool discharges() const {
+    return source_.discharges.empty() || first_line(source_.discharges) == "Discharging";
+  }
+  [[nodiscard]] double joules() const { return joules_; }
+  [[nodiscard]] std::size_t renewals() const { return distinct_.size() - 1; }
+  [[nodiscard]] std::optional<double> uncertain_J(double seconds, const std::optional<double>& renewal_s) const {
+    if (counts()) {
+      const double renewed_every_s =
+          renewal_s.value_or(seconds / static_cast<double>(std::max<std::size_t>(1, renewals())));
+      return std::abs(joules_) / seconds * renewed_every_s * share_at_both_ends;
+    }
+    if (distinct_.size() < 2) return {};
+    const double count = static_cast<double>(distinct_.size());
+    double mean = 0, variance = 0;
+    for (const double value : distinct_) mean += value / count;
+    for (const double value : distinct_) variance += (value - mean) * (value - mean) / (count - 1);
+    return std::sqrt(variance / count) * seconds;
+  }
+
+ private:
+  [[nodiscard]] std::optional<double> power_W() const {
+    if (!source_.power_uW.empty()) {
+      const auto power_uW = number_in(source_.power_uW);
+      // Some gauges count what leaves the battery as negative.
+      return power_uW ? std::optional(std::abs(*power_uW) * 1e-6) : std::nullopt;
+    }
+    const auto voltage = number_in(source_.voltage);
+    const auto current = number_in(source_.current);
+    if (!voltage || !current) return {};
+    return std::abs(*voltage * *current) * source_.watts_per_product;
+  }
+
+  const EnergyMeter::Source& source_;
+  std::optional<double> last_;
+  double joules_ = 0;
+  std::vector<double> distinct_;  // readings that differ from the one before
+};
+
+Failure lost(const EnergyMeter& meter) {
+  return failure("meter-lost", GLISSON_TEXT("The energy meter {0} stopped answering."), {meter.name});
+}
+
+EnergyUse use_of(const EnergyMeter& meter, const std::vector<SourceReader>& readers, double seconds) {
+  EnergyUse use;
+  use.seconds = seconds;
+  std::size_t renewals = 0;
+  double variance = 0;
+  bool known = true;
+  for (const SourceReader& reader : readers) {
+    use.joules += reader.joules();
+    renewals = std::max(renewals, reader.renewals());
+    const auto uncertain_J = reader.uncertain_J(seconds, meter.renewal_s);
+    known = known && uncertain_J.has_value();
+    variance += uncertain_J.value_or(0) * uncertain_J.value_or(0);
+  }
+  if (known) use.uncertain_J = std::sqrt(variance);
+  if (renewals > 0) use.renewed_every_s = seconds / static_cast<double>(renewals);
   return use;
 }
 
-Result<EnergyUse> sampled(const EnergyMeter& meter, const std::function<Result<void>()>& work) {
+}  // namespace
+
+std::string to_string(MeterKind kind) {
+  switch (kind) {
+    case MeterKind::rapl: return "rapl";
+    case MeterKind::ina: return "ina";
+    case MeterKind::battery: return "battery";
+  }
+  return {};
+}
+
+Result<EnergyUse> energy_during(const EnergyMeter& meter, const std::function<Result<void>()>& work) {
+  std::vector<SourceReader> readers(meter.sources.begin(), meter.sources.end());
+  const Stopwatch watch;
+  bool answering = !readers.empty();
+  bool discharging = true;
+  for (SourceReader& reader : readers) answering = reader.begin() && answering;
+  if (!answering) return lost(meter);
+
   std::mutex mutex;
   std::condition_variable finished;
   bool done = false;
-  bool answering = true;
-  double joules = 0;
-  const Stopwatch watch;
   double last_s = 0;
-  auto last_W = total_power_W(meter);
-  if (!last_W) return lost(meter);
-
-  const auto add_sample = [&] {
-    const auto now_W = total_power_W(meter);
+  const auto read_all = [&] {
     const double now_s = watch.seconds();
-    if (now_W) {
-      joules += (now_s - last_s) * (*last_W + *now_W) / 2;
-      last_s = now_s;
-      last_W = now_W;
+    answering = true;
+    for (SourceReader& reader : readers) {
+      answering = reader.read(now_s - last_s) && answering;
+      discharging = discharging && reader.discharges();
     }
-    answering = now_W.has_value();
+    if (answering) last_s = now_s;
   };
   std::thread sampler([&] {
     std::unique_lock lock(mutex);
-    while (!finished.wait_for(lock, sampling_interval, [&] { return done; })) add_sample();
-    add_sample();
+    while (!finished.wait_for(lock, sampling_interval, [&] { return done; })) read_all();
+    read_all();
   });
   const auto worked = work();
   {
@@ -118,157 +151,25 @@ Result<EnergyUse> sampled(const EnergyMeter& meter, const std::function<Result<v
   finished.notify_one();
   sampler.join();
   if (!worked) return failure(worked.error());
+  if (!discharging) {
+    return failure(Error{"meter-charging",
+                         GLISSON_TEXT("The battery stopped discharging while it was measured."),
+                         {},
+                         GLISSON_TEXT("Keep the machine unplugged until the measurement ends."),
+                         {}});
+  }
   if (!answering) return lost(meter);
-  return EnergyUse{last_s, joules};
-}
-
-Failure lost(const EnergyMeter& meter) {
-  return failure("meter-lost", GLISSON_TEXT("The energy meter {0} stopped answering."), {meter.name});
-}
-
-std::optional<EnergyMeter> find_rapl(const fs::path& system_folder, std::vector<Sentence>& missing) {
-  const fs::path folder = system_folder / "class" / "powercap";
-  EnergyMeter meter{MeterKind::rapl, {}, {}};
-  bool forbidden = false;
-  for (const fs::path& zone : entries_of(folder)) {
-    // Whole packages only ("intel-rapl:0", also on AMD); their parts ("intel-rapl:0:1") are contained in them.
-    const std::string name = zone.filename().string();
-    if (!name.starts_with("intel-rapl:") || std::count(name.begin(), name.end(), ':') != 1) continue;
-    const auto domain = first_line(zone / "name");
-    if (!domain || !domain->starts_with("package")) continue;
-    const auto range = number_in(zone / "max_energy_range_uj");
-    const bool readable = number_in(zone / "energy_uj").has_value();
-    forbidden = forbidden || !readable;
-    if (!readable || !range) continue;
-    EnergyMeter::Source source;
-    source.energy_uJ = zone / "energy_uj";
-    source.wraps_at_uJ = *range;
-    meter.sources.push_back(source);
+  const bool all_still = std::all_of(readers.begin(), readers.end(), [](const SourceReader& reader) {
+    return reader.counts() && reader.renewals() == 0;
+  });
+  if (all_still) {
+    return failure(Error{"meter-too-coarse",
+                         GLISSON_TEXT("The counter of {0} did not move in {1} s."),
+                         {meter.name, fmt::format("{:.2g}", last_s)},
+                         GLISSON_TEXT("Measure for longer."),
+                         {}});
   }
-  if (!meter.sources.empty()) {
-    meter.name = fmt::format("RAPL, {} packages", meter.sources.size());
-    return meter;
-  }
-  missing.push_back({forbidden ? GLISSON_TEXT("The processor's energy counters (RAPL) at {0} may be read by root only.")
-                               : GLISSON_TEXT("No energy counters of the processor (RAPL) at {0}."),
-                     {folder.string()}});
-  return {};
+  return use_of(meter, readers, last_s);
 }
 
-// A Jetson labels its channels; the one that feeds the whole module makes the others parts of it.
-bool is_board_input(const std::string& label) {
-  return label == "VDD_IN" || label == "POM_5V_IN" || label == "VIN_SYS_5V0" || label.ends_with("_IN");
-}
-
-std::optional<EnergyMeter> find_ina(const fs::path& system_folder, std::vector<Sentence>& missing) {
-  const fs::path folder = system_folder / "class" / "hwmon";
-  EnergyMeter meter{MeterKind::ina, {}, {}};
-  std::optional<EnergyMeter::Source> input;
-  for (const fs::path& chip : entries_of(folder)) {
-    const auto name = first_line(chip / "name");
-    if (!name || !name->starts_with("ina")) continue;
-    if (number_in(chip / "power1_input")) {
-      EnergyMeter::Source source;
-      source.power_uW = chip / "power1_input";
-      meter.sources.push_back(source);
-      continue;
-    }
-    for (int channel = 1; channel <= 3; ++channel) {
-      EnergyMeter::Source source;
-      source.voltage = chip / fmt::format("in{}_input", channel);
-      source.current = chip / fmt::format("curr{}_input", channel);
-      source.watts_per_product = 1e-6;  // millivolts, milliamperes
-      if (!number_in(source.voltage) || !number_in(source.current)) continue;
-      if (is_board_input(first_line(chip / fmt::format("in{}_label", channel)).value_or(""))) input = source;
-      meter.sources.push_back(source);
-    }
-  }
-  if (input) meter.sources = {*input};
-  if (!meter.sources.empty()) {
-    meter.name = input ? std::string("INA sensor at the board's input")
-                       : fmt::format("INA sensors, {} supplies", meter.sources.size());
-    return meter;
-  }
-  missing.push_back({GLISSON_TEXT("No current sensors (INA) at {0}."), {folder.string()}});
-  return {};
-}
-
-std::optional<EnergyMeter> find_battery(const fs::path& system_folder, std::vector<Sentence>& missing) {
-  const fs::path folder = system_folder / "class" / "power_supply";
-  EnergyMeter meter{MeterKind::battery, "battery gauge", {}};
-  bool charging = false;
-  for (const fs::path& supply : entries_of(folder)) {
-    if (first_line(supply / "type") != "Battery") continue;
-    if (first_line(supply / "status") != "Discharging") {
-      charging = true;
-      continue;
-    }
-    EnergyMeter::Source source;
-    if (number_in(supply / "power_now")) {
-      source.power_uW = supply / "power_now";
-    } else if (number_in(supply / "voltage_now") && number_in(supply / "current_now")) {
-      source.voltage = supply / "voltage_now";
-      source.current = supply / "current_now";
-      source.watts_per_product = 1e-12;  // microvolts, microamperes
-    } else {
-      continue;
-    }
-    meter.sources.push_back(source);
-  }
-  if (!meter.sources.empty()) return meter;
-  missing.push_back({charging
-                         ? GLISSON_TEXT("The battery is not discharging: unplug the machine to measure by its gauge.")
-                         : GLISSON_TEXT("No battery gauge at {0}."),
-                     {folder.string()}});
-  return {};
-}
-
-std::optional<std::string> first_line(const fs::path& file) {
-  std::ifstream stream(file);
-  char line[256];
-  if (!stream.getline(line, sizeof line)) return {};
-  return std::string(line);
-}
-
-std::optional<double> number_in(const fs::path& file) {
-  const auto line = first_line(file);
-  if (!line) return {};
-  double number = 0;
-  const auto [end, problem] = std::from_chars(line->data(), line->data() + line->size(), number);
-  if (problem != std::errc() || number - number != 0) return {};
-  return number;
-}
-
-std::vector<fs::path> entries_of(const fs::path& folder) {
-  std::vector<fs::path> entries;
-  std::error_code problem;
-  for (fs::directory_iterator entry(folder, problem), end; !problem && entry != end; entry.increment(problem))
-    entries.push_back(entry->path());
-  std::sort(entries.begin(), entries.end());
-  return entries;
-}
-
-std::optional<double> power_W(const EnergyMeter::Source& source) {
-  if (!source.power_uW.empty()) {
-    const auto power_uW = number_in(source.power_uW);
-    return power_uW ? std::optional(*power_uW * 1e-6) : std::nullopt;
-  }
-  const auto voltage = number_in(source.voltage);
-  const auto current = number_in(source.current);
-  if (!voltage || !current) return {};
-  // Some gauges count the current out of the battery as negative.
-  return std::abs(*voltage * *current) * source.watts_per_product;
-}
-
-std::optional<double> total_power_W(const EnergyMeter& meter) {
-  double total = 0;
-  for (const EnergyMeter::Source& source : meter.sources) {
-    const auto part_W = power_W(source);
-    if (!part_W) return {};
-    total += *part_W;
-  }
-  return total;
-}
-
-}  // namespace
 }  // namespace glisson::hardware

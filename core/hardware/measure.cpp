@@ -14,23 +14,33 @@ namespace glisson::hardware {
 namespace {
 
 constexpr int batches_per_point = 5;
+constexpr double renewals_of_a_point = 5;
 constexpr double quiet_spread = 1.25;  // the median of the batches over the fastest; a quiet machine stays below
 
 struct Timing {
   double seconds = 0;  // one product
   double spread = 1;   // median of the batches over the fastest
   std::optional<double> joules;
+  std::optional<double> uncertain_J;
 };
+
+// As its maker says, or as it was seen while nothing ran; 0 where neither.
+double renewal_s(const EnergyMeter& meter, const EnergyUse& idle) {
+  return meter.renewal_s.value_or(idle.renewed_every_s.value_or(0));
+}
 
 std::vector<std::size_t> sizes_of(const ProblemGrid& grid);
 Result<std::size_t> prepare_largest(ProductKernel& kernel, std::vector<std::size_t>& sizes,
                                     std::vector<Sentence>& remarks);
-Result<double> idle_power_W(const EnergyMeter& meter, double listening_s);
-Result<Timing> time_product(ProductKernel& kernel, std::size_t nodes, const EnergyMeter* meter, double idle_W,
+Result<EnergyUse> use_when_idle(const EnergyMeter& meter, double listening_s);
+Result<Timing> time_product(ProductKernel& kernel, std::size_t nodes, const EnergyMeter* meter, const EnergyUse& idle,
                             double at_least_s);
+Sentence renewal_of(const EnergyMeter& meter, const EnergyUse& idle, double metered_s);
+std::optional<double> uncertain_W(const EnergyUse& use);
+std::string give_or_take(const std::optional<double>& uncertain_W);
 Result<MeasuredPoint> point_for(const MeasuredProduct& product, int nodes_in_domain, double bandwidth_GB_s);
 Device described(const DeviceDescription& description);
-void set_kernel(const Measurement& measurement, int nodes_in_domain, Device& device);
+void set_kernel(int nodes_in_domain, Measurement& measurement);
 
 }  // namespace
 
@@ -40,12 +50,19 @@ Result<Measurement> measure(ProductKernel& kernel, const EnergyMeter* meter, con
   measurement.kernel = kernel.name();
   measurement.device = described(options.device);
   measurement.remarks = missing;
+  EnergyUse idle;
+  double metered_s = options.seconds_per_point;
   if (meter != nullptr) {
     measurement.meter = meter->name;
     progress.report(0, GLISSON_TEXT("Idle power"));
-    const auto idle_W = idle_power_W(*meter, std::max(options.idle_s, meter->shortest_useful_s()));
-    if (!idle_W) return failure(idle_W.error());
-    measurement.device.idle_W = {*idle_W, Source::measured, meter->name + ", with nothing running"};
+    const auto listened = use_when_idle(*meter, std::max(options.idle_s, meter->shortest_useful_s));
+    if (!listened) return failure(listened.error());
+    idle = *listened;
+    metered_s = std::max({metered_s, meter->shortest_useful_s, renewals_of_a_point * renewal_s(*meter, idle)});
+    measurement.idle_uncertain_W = uncertain_W(idle);
+    measurement.device.idle_W = {idle.mean_W(), Source::measured,
+                                 meter->name + ", with nothing running" + give_or_take(measurement.idle_uncertain_W)};
+    measurement.remarks.push_back(renewal_of(*meter, idle, metered_s));
   } else {
     measurement.remarks.push_back(
         {GLISSON_TEXT(
@@ -60,7 +77,6 @@ Result<Measurement> measure(ProductKernel& kernel, const EnergyMeter* meter, con
   const auto prepared = prepare_largest(kernel, sizes, measurement.remarks);
   if (!prepared) return failure(prepared.error());
 
-  const double metered_s = std::max(options.seconds_per_point, meter != nullptr ? meter->shortest_useful_s() : 0);
   const double all_metered_s = metered_s * static_cast<double>(sizes.size());
   const auto meter_every =
       static_cast<std::size_t>(std::ceil(std::max(1.0, all_metered_s / options.longest_metering_s)));
@@ -70,13 +86,14 @@ Result<Measurement> measure(ProductKernel& kernel, const EnergyMeter* meter, con
     progress.report(0.1 + 0.9 * static_cast<double>(i) / static_cast<double>(sizes.size()),
                     GLISSON_TEXT("Block products"));
     const bool metered = meter != nullptr && i % meter_every == 0;
-    const auto timing = time_product(kernel, sizes[i], metered ? meter : nullptr, measurement.device.idle_W.value,
+    const auto timing = time_product(kernel, sizes[i], metered ? meter : nullptr, idle,
                                      metered ? metered_s : options.seconds_per_point);
     if (!timing) return failure(timing.error());
     const auto point = point_for({static_cast<double>(sizes[i]), timing->seconds, timing->joules},
                                  options.nodes_in_domain, measurement.bandwidth_GB_s);
     if (!point) return failure(point.error());
     measurement.points.push_back(*point);
+    measurement.points.back().uncertain_J = timing->uncertain_J;
     measurement.points.back().in_cache = point->bytes < static_cast<double>(largest_cache_bytes());
     spreads.push_back(timing->spread);
   }
@@ -86,17 +103,18 @@ Result<Measurement> measure(ProductKernel& kernel, const EnergyMeter* meter, con
                       "Measure again on a quiet machine."),
          {fmt::format("{:.1f}", spread)}});
   }
-  set_kernel(measurement, options.nodes_in_domain, measurement.device);
+  set_kernel(options.nodes_in_domain, measurement);
   return measurement;
 }
 
+void take_power_from(const TraceRuns& runs, Device& device) {
+  device.idle_W = {runs.idle_W, Source::measured, "recording, median of the pauses"};
+  if (!runs.runs.empty())
+    device.kernel.active_W = {runs.above_idle_W(), Source::measured, "recording, median of the runs above idle"};
+}
+
 void take_power_from(const TraceRuns& runs, Measurement& measurement) {
-  std::vector<double> above_idle_W;
-  for (const TraceRun& run : runs.runs) above_idle_W.push_back(run.mean_W - run.idle_W);
-  measurement.device.idle_W = {runs.idle_W, Source::measured, "recording, median of the pauses"};
-  if (!above_idle_W.empty())
-    measurement.device.kernel.active_W = {upper_median(above_idle_W), Source::measured,
-                                          "recording, median of the runs above idle"};
+  take_power_from(runs, measurement.device);
   measurement.remarks.insert(measurement.remarks.end(), runs.warnings.begin(), runs.warnings.end());
 }
 
@@ -113,7 +131,7 @@ Result<Measurement> measurement_from(const TraceRuns& runs, const std::vector<Ru
     if (!point) return failure(point.error());
     measurement.points.push_back(*point);
   }
-  set_kernel(measurement, options.nodes_in_domain, measurement.device);
+  set_kernel(options.nodes_in_domain, measurement);
   take_power_from(runs, measurement);
   return measurement;
 }
@@ -149,16 +167,36 @@ Result<std::size_t> prepare_largest(ProductKernel& kernel, std::vector<std::size
   return sizes.back();
 }
 
-Result<double> idle_power_W(const EnergyMeter& meter, double listening_s) {
-  return energy_during(meter,
-                       [listening_s]() -> Result<void> {
-                         std::this_thread::sleep_for(std::chrono::duration<double>(listening_s));
-                         return {};
-                       })
-      .map([](const EnergyUse& use) { return use.mean_W(); });
+Result<EnergyUse> use_when_idle(const EnergyMeter& meter, double listening_s) {
+  return energy_during(meter, [listening_s]() -> Result<void> {
+    std::this_thread::sleep_for(std::chrono::duration<double>(listening_s));
+    return {};
+  });
 }
 
-Result<Timing> time_product(ProductKernel& kernel, std::size_t nodes, const EnergyMeter* meter, double idle_W,
+// How often the meter says something new, and how long it is listened to therefore.
+Sentence renewal_of(const EnergyMeter& meter, const EnergyUse& idle, double metered_s) {
+  const std::string each = fmt::format("{:.2g}", metered_s);
+  if (!meter.renewal_s && !idle.renewed_every_s) {
+    return {
+        GLISSON_TEXT("{0} gave one reading in {1} s: how sure it is cannot be told. Each metered problem runs {2} s."),
+        {meter.name, fmt::format("{:.2g}", idle.seconds), each}};
+  }
+  return {
+      GLISSON_TEXT("{0} is renewed every {1} s: each metered problem runs {2} s. What follows \"give or take\" is what "
+                   "that resolves; how true the readings are was not checked."),
+      {meter.name, fmt::format("{:.2g}", renewal_s(meter, idle)), each}};
+}
+
+std::optional<double> uncertain_W(const EnergyUse& use) {
+  return use.uncertain_J ? std::optional(*use.uncertain_J / use.seconds) : std::nullopt;
+}
+
+std::string give_or_take(const std::optional<double>& uncertain_W) {
+  return uncertain_W ? fmt::format(", give or take {:.2g} W", *uncertain_W) : ", a single reading";
+}
+
+Result<Timing> time_product(ProductKernel& kernel, std::size_t nodes, const EnergyMeter* meter, const EnergyUse& idle,
                             double at_least_s) {
   // Twice as many until a batch takes a fifth of the time wanted: warms caches and clocks as well.
   int times = 1;
@@ -180,9 +218,13 @@ Result<Timing> time_product(ProductKernel& kernel, std::size_t nodes, const Ener
   if (meter != nullptr) {
     const auto use = energy_during(*meter, all_batches);
     if (!use) return failure(use.error());
-    const double above_idle_J = use->joules - idle_W * use->seconds;
+    const double above_idle_J = use->joules - idle.mean_W() * use->seconds;
+    const double products = static_cast<double>(times) * batches_per_point;
     // Noise may hide a small problem's share; such a point is left without energy.
-    if (above_idle_J > 0) timing.joules = above_idle_J / (static_cast<double>(times) * batches_per_point);
+    if (above_idle_J > 0) timing.joules = above_idle_J / products;
+    const auto idle_uncertain_W = uncertain_W(idle);
+    if (timing.joules && use->uncertain_J && idle_uncertain_W)
+      timing.uncertain_J = std::hypot(*use->uncertain_J, *idle_uncertain_W * use->seconds) / products;
   } else if (const auto run = all_batches(); !run) {
     return failure(run.error());
   }
@@ -233,15 +275,18 @@ Device described(const DeviceDescription& description) {
   return device;
 }
 
-void set_kernel(const Measurement& measurement, int nodes_in_domain, Device& device) {
-  KernelModel& kernel = device.kernel;
+void set_kernel(int nodes_in_domain, Measurement& measurement) {
+  KernelModel& kernel = measurement.device.kernel;
   const MeasuredPoint& largest = measurement.points.back();
   const std::string by = "block product, " + measurement.kernel;
   double peak = 0;
-  std::vector<double> active_W;
+  std::vector<std::pair<double, std::optional<double>>> active_W;  // with how uncertain it is
   for (const MeasuredPoint& point : measurement.points) {
     peak = std::max(peak, point.GFLOP_per_s);
-    if (point.joules) active_W.push_back(*point.joules / point.seconds);
+    if (point.joules) {
+      active_W.emplace_back(*point.joules / point.seconds,
+                            point.uncertain_J ? std::optional(*point.uncertain_J / point.seconds) : std::nullopt);
+    }
     kernel.measured.push_back({point.nodes, point.seconds, point.joules});
   }
   kernel.measured_nodes_in_domain = nodes_in_domain;
@@ -254,9 +299,13 @@ void set_kernel(const Measurement& measurement, int nodes_in_domain, Device& dev
   kernel.tile_nodes = {1, Source::assumed, "contained in the measured points"};
   kernel.energy_nJ_per_byte = {0, Source::assumed, "contained in the active power"};
   if (!active_W.empty()) {
-    std::nth_element(active_W.begin(), active_W.begin() + static_cast<std::ptrdiff_t>(active_W.size() / 2),
-                     active_W.end());
-    kernel.active_W = {active_W[active_W.size() / 2], Source::measured, measurement.meter + ", above idle, median"};
+    std::sort(active_W.begin(), active_W.end());
+    const auto& [median_W, uncertain_W] = active_W[active_W.size() / 2];
+    measurement.active_uncertain_W = uncertain_W;
+    // A recording's median says of itself how it was got.
+    kernel.active_W = {median_W, Source::measured,
+                       measurement.meter + ", above idle, median" +
+                           (measurement.idle_uncertain_W ? give_or_take(uncertain_W) : std::string())};
   }
 }
 

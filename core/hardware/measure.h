@@ -50,15 +50,17 @@ struct MeasuredPoint {
   double seconds = 0;  // one product; in the fastest of five batches, as STREAM counts
   double GB_per_s = 0;
   double GFLOP_per_s = 0;
-  double share_of_bandwidth = 0;  // above 1 where the problem stays in a cache; 0 where no bandwidth was measured
-  bool in_cache = false;          // smaller than the processors' last cache
-  std::optional<double> joules;   // above idle
+  double share_of_bandwidth = 0;      // above 1 where the problem stays in a cache; 0 where no bandwidth was measured
+  bool in_cache = false;              // smaller than the processors' last cache
+  std::optional<double> joules;       // above idle
+  std::optional<double> uncertain_J;  // one standard deviation of what the meter resolves (EnergyUse)
 };
 
 struct Measurement {
   Device device;
-  std::string kernel;  // what ran: "2 threads, AVX3"
-  std::string meter;   // empty where there was none
+  std::string kernel;                                          // what ran: "2 threads, AVX3"
+  std::string meter;                                           // empty where there was none
+  std::optional<double> idle_uncertain_W, active_uncertain_W;  // of a meter, as MeasuredPoint::uncertain_J
   double bandwidth_GB_s = 0;
   std::vector<MeasuredPoint> points;  // by increasing nodes
   std::vector<Sentence> remarks;      // what could not be measured, and why
@@ -73,6 +75,7 @@ Result<Measurement> measure(ProductKernel& kernel, const EnergyMeter* meter, con
 // The power that a recording from outside shows, in place of what was assumed or metered: idle from its pauses, active
 // from the median of its runs above idle. For a kernel that was timed on the recorded machine.
 void take_power_from(const TraceRuns& runs, Measurement& measurement);
+void take_power_from(const TraceRuns& runs, Device& device);
 
 // A device from a recording and the log of what was run, with nothing run here. Refused as products_from_runs does.
 Result<Measurement> measurement_from(const TraceRuns& runs, const std::vector<RunLog>& log,

@@ -5,14 +5,15 @@
 #include <cmath>
 #include <numeric>
 
-#include "base/csv.h"
 #include "base/upper_median.h"
+#include "hardware/recording.h"
 
 namespace glisson::hardware {
 namespace {
 
 constexpr std::size_t minimum_trace_samples = 10;
 constexpr double gap_in_intervals = 5;
+constexpr double shortest_in_intervals = 5;
 
 Result<void> check(const TraceFormat& format);
 std::vector<bool> clipped_samples(const std::vector<double>& values, const std::optional<double>& clips_at);
@@ -38,27 +39,34 @@ std::vector<Sentence> warnings_on(const PowerTrace& trace, const TraceRuns& runs
 
 Result<PowerTrace> read_power_trace(const std::filesystem::path& file, const TraceFormat& format) {
   if (const auto checked = check(format); !checked) return failure(checked.error());
-  const auto table = read_csv(file);
-  if (!table) return failure(table.error());
-  const auto time = table->column(format.time_column);
-  if (!time) return failure(Error(time.error()).in_file(file));
+  return read_recording(file).and_then([&](const CsvTable& table) { return power_trace(table, format, file); });
+}
+
+Result<PowerTrace> power_trace(const CsvTable& table, const TraceFormat& format, const std::filesystem::path& file) {
+  if (const auto checked = check(format); !checked) return failure(checked.error());
+  std::optional<std::size_t> time;
+  if (!format.time_column.empty()) {
+    const auto column = table.column(format.time_column);
+    if (!column) return failure(Error(column.error()).in_file(file));
+    time = *column;
+  }
   std::vector<std::size_t> columns;
   std::vector<std::vector<bool>> clipped;
   for (const ClampChannel& channel : format.channels) {
-    const auto column = table->column(channel.column);
+    const auto column = table.column(channel.column);
     if (!column) return failure(Error(column.error()).in_file(file));
     columns.push_back(*column);
-    clipped.push_back(clipped_samples(table->columns[*column], channel.clips_at));
+    clipped.push_back(clipped_samples(table.columns[*column], channel.clips_at));
   }
 
   PowerTrace trace;
-  for (std::size_t row = 0; row < table->rows(); ++row) {
-    const double time_s = table->columns[*time][row] * format.seconds_per_unit;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const double time_s = (time ? table.columns[*time][row] : static_cast<double>(row)) * format.seconds_per_unit;
     double power_W = 0;
     bool at_end = false;
     bool missing = false;
     for (std::size_t c = 0; c < columns.size(); ++c) {
-      const double value = table->columns[columns[c]][row];
+      const double value = table.columns[columns[c]][row];
       missing = missing || (format.missing_marker && value == *format.missing_marker);
       power_W += value * format.channels[c].amperes_per_volt * format.channels[c].supply_voltage_V;
       at_end = at_end || clipped[c][row];
@@ -78,7 +86,7 @@ Result<PowerTrace> read_power_trace(const std::filesystem::path& file, const Tra
     trace.power_W.push_back(power_W);
     trace.clipped.push_back(at_end);
   }
-  if (trace.time_s.size() < minimum_trace_samples || trace.dropped_rows > table->rows() / 10) {
+  if (trace.time_s.size() < minimum_trace_samples || trace.dropped_rows > table.rows() / 10) {
     return failure(Error{"trace-too-poor",
                          GLISSON_TEXT("{0}: samples {1}, rows without a reading {2}."),
                          {file.string(), std::to_string(trace.time_s.size()), std::to_string(trace.dropped_rows)},
@@ -91,13 +99,25 @@ Result<PowerTrace> read_power_trace(const std::filesystem::path& file, const Tra
   return trace;
 }
 
+double TraceRuns::above_idle_W() const {
+  std::vector<double> above_W;
+  for (const TraceRun& run : runs) above_W.push_back(run.mean_W - run.idle_W);
+  return upper_median(std::move(above_W));
+}
+
+double mean_power_W(const PowerTrace& trace) {
+  return trace.power_W.empty() ? 0 : mean_power_W(trace, 0, trace.power_W.size() - 1);
+}
+
 Result<TraceRuns> find_runs(const PowerTrace& trace, const RunOptions& options) {
-  const std::vector<double> smooth_W = smoothed(trace, options.shortest_run_s / 2);
+  const double shortest_s = shortest_in_intervals * trace.sample_interval_s;
+  const double shortest_run_s = std::max(options.shortest_run_s, shortest_s);
+  const std::vector<double> smooth_W = smoothed(trace, shortest_run_s / 2);
   const auto threshold_W = separating_power_W(smooth_W);
   if (!threshold_W) return failure(threshold_W.error());
   std::vector<Stretch> stretches = stretches_of(trace, smooth_W, *threshold_W);
-  absorb_short(trace, false, options.shortest_pause_s, stretches);
-  absorb_short(trace, true, options.shortest_run_s, stretches);
+  absorb_short(trace, false, std::max(options.shortest_pause_s, shortest_s), stretches);
+  absorb_short(trace, true, shortest_run_s, stretches);
 
   TraceRuns found;
   std::vector<double> idle_W;
@@ -163,13 +183,13 @@ namespace {
 Result<void> check(const TraceFormat& format) {
   bool sound = !format.channels.empty() && format.seconds_per_unit > 0 && std::isfinite(format.seconds_per_unit);
   for (const ClampChannel& channel : format.channels) {
-    sound = sound && channel.amperes_per_volt > 0 && channel.supply_voltage_V > 0 &&
+    sound = sound && channel.amperes_per_volt != 0 && channel.supply_voltage_V > 0 &&
             std::isfinite(channel.amperes_per_volt * channel.supply_voltage_V) &&
             (!channel.clips_at || *channel.clips_at > 0);
   }
   if (sound) return {};
   return failure("trace-format-invalid",
-                 GLISSON_TEXT("A trace needs a channel, and factors and a range that are positive."));
+                 GLISSON_TEXT("A trace needs a channel, factors other than 0, and a range that is positive."));
 }
 
 // At or within a thousandth of the stated end of the range; or, where none is stated, on a pile at the extreme: at

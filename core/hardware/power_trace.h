@@ -2,14 +2,15 @@
 // Power as an oscilloscope or a power analyser recorded it: reading the file, finding the runs in it, and what each run
 // drew above idle.
 //
-// The dissertation's set-up (section 6.4): contact-free current clamps on each supply of the device, an oscilloscope's
-// log, the mean static power subtracted, one hundred runs in a row.
+// The dissertation's set-up: contact-free current clamps on each supply of the device, an oscilloscope's
+// log, the mean static power subtracted; 100 traces a device, one for each problem (section 6.4, figure 6.4).
 
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "base/csv.h"
 #include "base/result.h"
 #include "hardware/device.h"
 #include "hardware/sentence.h"
@@ -28,22 +29,27 @@ struct PowerTrace {
 // One clamp on one supply.
 struct ClampChannel {
   std::string column;              // name in the header, or number from "1"
-  double amperes_per_volt = 1;     // 1 where the file holds amperes
+  double amperes_per_volt = 1;     // 1 where the file holds amperes; negative for a clamp put on the other way round
   double supply_voltage_V = 1;     // 1 where the file holds watts
   std::optional<double> clips_at;  // the end of the channel's range, in the column's unit; otherwise recognised by a
                                    // pile of equal samples at the extreme
 };
 
 struct TraceFormat {
-  std::string time_column = "1";
+  std::string time_column = "1";  // empty: rows follow each other every seconds_per_unit
   double seconds_per_unit = 1;
   std::vector<ClampChannel> channels;    // their powers add up; at least one
   std::optional<double> missing_marker;  // a value that means "no reading", such as an analyser's -2
 };
 
 // Refused: no such column ("csv-no-such-column"), time that goes back ("trace-time-goes-back"), fewer than ten samples
-// or every tenth row without numbers ("trace-too-poor"), factors that are not positive ("trace-format-invalid").
+// or every tenth row without numbers ("trace-too-poor"), factors of 0 or that are not finite ("trace-format-invalid").
 Result<PowerTrace> read_power_trace(const std::filesystem::path& file, const TraceFormat& format);
+// The same of a table that was read from there (recording.h).
+Result<PowerTrace> power_trace(const CsvTable& table, const TraceFormat& format, const std::filesystem::path& file);
+
+// Over the whole trace, by time.
+[[nodiscard]] double mean_power_W(const PowerTrace& trace);
 
 struct RunOptions {
   double shortest_run_s = 0.5;    // what is shorter is a disturbance
@@ -64,11 +70,13 @@ struct TraceRun {
 struct TraceRuns {
   double idle_W = 0;  // the median of all pauses
   std::vector<TraceRun> runs;
-  std::vector<Sentence> warnings;  // gaps, clipping, drift of idle power; a person should read them
+  std::vector<Sentence> warnings;             // gaps, clipping, drift of idle power; a person should read them
+  [[nodiscard]] double above_idle_W() const;  // the median of the runs; 0 without any
 };
 
 // Splits at the power that separates two levels best (Otsu's threshold on the trace smoothed over half of
-// shortest_run_s). A step in time of more than five sample intervals is a gap; a run ends there.
+// shortest_run_s). A step in time of more than five sample intervals is a gap; a run ends there. What is shorter than
+// five intervals is neither a run nor a pause, whatever the options say.
 // Refused: a trace whose two levels differ by less than three times their scatter ("trace-without-runs").
 Result<TraceRuns> find_runs(const PowerTrace& trace, const RunOptions& options = {});
 

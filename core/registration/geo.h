@@ -1,7 +1,7 @@
 #pragma once
 // GEO: non-rigid correspondence of two surfaces by geodesic distances alone, after Chen and Koltun 2015 ("Robust
-// nonrigid registration by convex optimization") as the dissertation uses it (section 3.2): points spread evenly over
-// both surfaces, matched so that distances along the surface are kept.
+// nonrigid registration by convex optimization") as the dissertation uses it (section 3.2): points of both surfaces are
+// matched so that distances along the surface are kept. Here they are spread evenly; how is not said there.
 //
 // Distances along a surface do not tell it from its mirror image. Orientation does: a matching that turns neighbours
 // the wrong way round, seen from outside, is a mirrored one, and the other is looked for.

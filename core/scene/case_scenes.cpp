@@ -13,6 +13,7 @@
 #include "geometry/mesh_file.h"
 #include "mechanics/elements/point_location.h"
 #include "scene/anatomy.h"
+#include "scene/slices.h"
 
 namespace glisson::scene {
 namespace fs = std::filesystem;
@@ -131,27 +132,8 @@ Eigen::Vector3d middle(const imaging::Volume& volume, const std::vector<Structur
   return volume.grid.position_mm(Eigen::Vector3d(size[0] - 1, size[1] - 1, size[2] - 1) / 2);
 }
 
-// The window in which a radiologist would look: from the 2nd to the 99.5th percentile of what is there.
-void set_window(SliceItem& slice) {
-  std::vector<float> sample;
-  const auto& values = slice.volume->values;
-  const std::size_t stride = std::max<std::size_t>(1, values.size() / 200000);
-  for (std::size_t i = 0; i < values.size(); i += stride) {
-    if (std::isfinite(values[i])) sample.push_back(values[i]);
-  }
-  if (sample.empty()) return;
-  std::sort(sample.begin(), sample.end());
-  const double low = sample[sample.size() / 50];
-  const double high = sample[sample.size() - 1 - sample.size() / 200];
-  slice.window_center = 0.5 * (low + high);
-  slice.window_width = std::max(high - low, 1e-6);
-}
-
 void add_outlines(SliceItem& slice, std::vector<Structure>& structures) {
-  for (Structure& structure : structures) {
-    slice.masks.push_back(
-        {std::make_shared<const imaging::Mask>(std::move(structure.mask)), appearance_of(structure.name).colour, 2.0});
-  }
+  for (Structure& structure : structures) slice.masks.push_back(outline_of(std::move(structure)));
 }
 
 // A transverse slice that fills the picture's height with the volume's depth from front to back.
@@ -181,7 +163,7 @@ Result<Scene> anatomy_scene(const casefile::Case& patient) {
   SliceItem slice;
   slice.center_mm = middle(*volume, *structures);
   slice.volume = std::make_shared<const imaging::Volume>(std::move(*volume));
-  set_window(slice);
+  set_grey_window(slice);
   add_outlines(slice, *structures);
   const imaging::Grid framed = slice.volume->grid;
   Scene scene = slice_scene(std::move(slice), framed);
@@ -221,7 +203,7 @@ Result<Scene> stiffness_scene(const casefile::Case& patient) {
 
 Result<Scene> waves_scene(const casefile::Case& patient) {
   return map_scene(patient, "volumes/shear-wave", "Shear waves", [](SliceItem& slice) {
-    set_window(slice);
+    set_grey_window(slice);
     // Rest is the middle grey.
     const double swing = std::max(std::abs(slice.window_center - 0.5 * slice.window_width),
                                   std::abs(slice.window_center + 0.5 * slice.window_width));

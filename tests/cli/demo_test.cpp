@@ -52,6 +52,40 @@ TEST(Demo, GoesFromDicomToAReportWithoutADisplay) {
   const Finished exported = glisson_cli(
       {"export", patient, "--format", "dicom-seg", "--out", (folder.path() / "seg.dcm").string(), "--json", "--quiet"});
   EXPECT_EQ(exported.exit_code, 0) << exported.err;
+
+  // What the program does in a frame, timed with that patient, is what a plan is then asked for.
+  const std::string tasks = (folder.path() / "tasks.json").string();
+  const Finished timed = glisson_cli({"platform", "measure", "--out", (folder.path() / "mine.json").string(),
+                                      "--largest-MB", "1", "--seconds-per-point", "0.001", "--product", patient,
+                                      "--tasks-out", tasks, "--product-frames", "1", "--json", "--quiet"});
+  ASSERT_EQ(timed.exit_code, 0) << timed.err;
+  const Json timed_tasks = timed.json().at("tasks");
+  ASSERT_EQ(timed_tasks.size(), 5u) << timed.out;
+  for (const Json& task : timed_tasks) {
+    const std::string id = task.at("id");
+    EXPECT_GT(task.at("seconds").get<double>(), 0) << id;
+    const Finished planned = glisson_cli({"platform", "plan", "--for", id, "--tasks", tasks, "--json", "--quiet"});
+    ASSERT_EQ(planned.exit_code, 0) << planned.err;
+    const Json workload = planned.json().at("workload");
+    EXPECT_EQ(workload.at("what"), task.at("what"));
+    EXPECT_EQ(workload.at("frame_bytes"), task.at("bytes"));
+  }
+
+  // Predicted landmarks over the scan: by themselves, and a picture a group in the case's report.
+  const fs::path results = out / "demo.glisson" / "results";
+  const std::string picture = (folder.path() / "tumour.png").string();
+  const Finished drawn = glisson_cli({"render", (results / "mre").string(), "--scene", "landmarks", "--atlas",
+                                      (results / "atlas").string(), "--group", "tumour", "--size", "400x300", "--out",
+                                      picture, "--quiet"});
+  EXPECT_EQ(drawn.exit_code, 0) << drawn.err;
+  EXPECT_TRUE(fs::exists(picture));
+  const std::string page = (folder.path() / "report.html").string();
+  ASSERT_EQ(glisson_cli({"report", patient, "--out", page, "--quiet"}).exit_code, 0);
+  const auto text = read_text_file(page);
+  ASSERT_TRUE(text);
+  for (const char* group : {"tumour", "portal-vein", "hepatic-vein"})
+    EXPECT_NE(text->find(std::string("Where the retraction brings ") + group), std::string::npos) << group;
+
   const Json found = glisson_cli({"scan", (folder.path() / "seg.dcm").string(), "--json", "--quiet"}).json();
   EXPECT_EQ(found.at("series")[0].at("role"), "segmentation");
   ASSERT_TRUE(write_text_file(folder.path() / "taken" / "thesis.txt", "precious"));

@@ -1,8 +1,11 @@
 // glisson-cli platform: the surgeon's question answered, a recording made into a device, and that device planned with.
 
 #include <gmock/gmock.h>
+#include <atomic>
+#include <chrono>
 #include <cmath>
 #include <fstream>
+#include <thread>
 
 #include "answer.h"
 #include "base/files.h"
@@ -169,6 +172,61 @@ TEST(PlatformMeasure, RecordingBecomesADeviceThatCanBePlannedWith) {
   EXPECT_NEAR(mine.at("fps_by_computing").get<double>(), 5, 0.2);  // 1 ms a product at 6000 nodes
 }
 
+// A processor's counter that grows by 20 W, shown as the kernel shows it.
+TEST(PlatformMeasure, NamesItsMeterAndHowSureItIs) {
+  const TemporaryFolder folder;
+  const auto zone = folder.path() / "sys" / "class" / "powercap" / "intel-rapl:0";
+  ASSERT_TRUE(write_text_file(zone / "name", "package-0\n"));
+  ASSERT_TRUE(write_text_file(zone / "max_energy_range_uj", "262143328850\n"));
+  const auto begin = std::chrono::steady_clock::now();
+  const auto show = [&] {
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
+    return write_text_file(zone / "energy_uj", std::to_string(static_cast<long long>(20e6 * passed.count())) + "\n");
+  };
+  ASSERT_TRUE(show());
+  std::atomic<bool> done = false;
+  std::thread counter([&] {
+    while (!done) {
+      EXPECT_TRUE(show());
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+  });
+  const std::vector<std::string> arguments{
+      "measure", "--out",           (folder.path() / "mine.json").string(), "--idle-s", "0.5", "--largest-MB",
+      "1",       "--system-folder", (folder.path() / "sys").string()};
+  const Json measured = platform_answer(arguments);
+  std::vector<std::string> by_battery{"platform", "--json"};
+  by_battery.insert(by_battery.end(), arguments.begin(), arguments.end());
+  by_battery.insert(by_battery.end(), {"--meter", "battery"});
+  const Finished refused = glisson_cli(by_battery);
+  done = true;
+  counter.join();
+  EXPECT_EQ(measured.at("meter"), "RAPL (packages: 1, no memory)");
+  EXPECT_NEAR(measured.at("idle_W").get<double>(), 20, 1);
+  // 20 W over the millisecond in which the counter is renewed, at two ends, over half a second.
+  EXPECT_NEAR(measured.at("idle_uncertain_W").get<double>(), 20 * 0.408e-3 / 0.5, 0.003);
+  EXPECT_THAT(measured.at("remarks").dump(), HasSubstr("is renewed every 0.001 s"));
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_THAT(refused.out, HasSubstr("No battery gauge"));
+}
+
+TEST(PlatformLearn, IdleAndActivePowerOfAnAnalysersLogArePlannedWith) {
+  GLISSON_NEEDS_DATA("mlperf_edge_power");
+  const TemporaryFolder folder;
+  const std::string out = (folder.path() / "learnt.json").string();
+  const Json learnt = platform_answer({"learn", "--device", "odroid-n2-cpu", "--out", out, "--trace",
+                                       (shared_data() / "mlperf_edge_power" / "v2.0" / "Krai" /
+                                        "odroid-armnn-v21.11-neon" / "resnet50" / "singlestream" / "spl.txt")
+                                           .string()});
+  // The device table has its quietest tenth, 2.3 W, and 2.9 W above it: 5.2 W under load either way.
+  const double idle_W = learnt.at("changed").at("idle_W").at("after");
+  const double active_W = learnt.at("changed").at("kernel.active_W").at("after");
+  EXPECT_NEAR(idle_W + active_W, 5.2, 0.15);
+  const Json list = platform_answer({"list", "--devices", out});
+  EXPECT_EQ(platform_named(list, "odroid-n2-cpu-learnt").at("figures").at("idle_W").at("source"), "measured");
+  EXPECT_EQ(glisson_cli({"platform", "learn", "--device", "odroid-n2-cpu", "--out", out}).exit_code, 2);
+}
+
 TEST(PlatformCell, PredictsADischargeThatItHasNotSeen) {
   GLISSON_NEEDS_DATA("battery_samsung_30q");
   const auto file = [](const std::string& rate) {
@@ -187,7 +245,7 @@ TEST(PlatformMeasure, BadRecordingsLeaveNothingBehind) {
   write_recording(folder.path());
   const std::string out = (folder.path() / "mine.json").string();
   const std::string trace = (folder.path() / "scope.csv").string();
-  for (const char* channel : {"clamp:x:5", "volts:10:5", "clamp:-1:5", ":::"}) {
+  for (const char* channel : {"clamp:x:5", "volts:10:5", "clamp:0:5", ":::"}) {
     const Finished finished =
         glisson_cli({"platform", "measure", "--out", out, "--trace", trace, "--channel", channel});
     EXPECT_EQ(finished.exit_code, 1) << channel;

@@ -62,9 +62,9 @@ TEST(Figure64, HundredProblems) {
   EXPECT_DOUBLE_EQ(grid.resolutions_mm3.back(), 165);
 }
 
-// Ours: 0.55 mm at 1.65 mm3 and 3.4 mm at 161; the dissertation's text: 1 and 8 mm at 165. It does not state its load,
-// and the error is in proportion to that; ours is the beam's own weight. That 5 mm lie within the curve is its finding
-// and not ours.
+// Ours: 0.55 mm at 1.65 mm3 and 3.4 mm at 161; the dissertation's text: 1 and 8 mm at 165. It names its load, a
+// pneumoperitoneum, but not how large it is, and the error is in proportion to that; ours is the beam's own weight.
+// That 5 mm lie within the curve is its finding and not ours.
 TEST(Figure65, ErrorGrowsSteadilyWithTheNodes) {
   const ConvergenceCurve curve = test::shipped_curve();
   EXPECT_LT(curve.points.front().error_mm, 1);

@@ -139,6 +139,9 @@ TEST(Measure, MeterGivesIdlePowerAndEnergyAboveIt) {
     ASSERT_TRUE(point.joules);
     EXPECT_GE(*point.joules / point.seconds, 3.99);  // 4 W; more where the fastest batch was faster than the mean
   }
+  // Idle power was one reading, so that nothing says how sure it is; nothing is made up.
+  EXPECT_FALSE(measured->idle_uncertain_W);
+  EXPECT_THAT(messages(*measured), testing::Contains(testing::HasSubstr("how sure it is cannot be told")));
 }
 
 TEST(Measure, SlowMeterIsAskedAboutSomeProblemsOnly) {

@@ -167,7 +167,7 @@ TEST(PowerTraceFile, BadOnesAreRefused) {
   EXPECT_EQ(code("t,w\n1,5\n2,5\n", plain), "trace-too-poor");
   EXPECT_EQ(code(rising + "20,\n21,\n22,\n", plain), "trace-too-poor");
   EXPECT_EQ(code(rising, {"t", 1, {{"volts", 1, 1, {}}}, {}}), "csv-no-such-column");
-  EXPECT_EQ(code(rising, {"t", 1, {{"w", -1, 1, {}}}, {}}), "trace-format-invalid");
+  EXPECT_EQ(code(rising, {"t", 1, {{"w", 0, 1, {}}}, {}}), "trace-format-invalid");
   EXPECT_EQ(code(rising, {"t", 1, {}, {}}), "trace-format-invalid");
   EXPECT_EQ(code("", plain), "csv-without-numbers");
 }

@@ -6,10 +6,12 @@
 #include <QDir>
 #include <QtTest>
 
+#include "base/files.h"
 #include "hardware/device_file.h"
 #include "kept_pictures.h"
 #include "run_test.h"
 #include "shown.h"
+#include "support/data.h"
 #include "support/folders.h"
 #include "widgets/hardware/platform_view.h"
 
@@ -170,6 +172,79 @@ class PlatformViewTest : public QObject {
     view_->add_devices({mine});
     QCOMPARE(child<PlatformTable>("platforms")->rowCount(), rows);
     QVERIFY(child<PlatformTable>("platforms")->item(row_of("mine"), PlatformTable::idle)->text().endsWith("1.5"));
+  }
+
+  void shows_what_a_recording_says_and_plans_with_it() {
+    const auto folder = glisson::test::shared_data() / "mlperf_edge_power" / "v2.0" / "Krai" /
+                        "odroid-armnn-v21.11-neon" / "resnet50" / "singlestream";
+    if (!std::filesystem::exists(folder)) QSKIP("no real data: set GLISSON_SHARED_DATA");
+    choose(row_of("odroid-n2-cpu"));
+    view_->open_trace(folder / "spl.txt");
+    auto* trace = child<TraceView>("trace_view");
+    QTRY_VERIFY(trace->runs());
+    QVERIFY(trace->isVisible() && !child<QWidget>("contours")->isVisible());
+    QCOMPARE(child<QComboBox>("trace_power")->currentText(), QString("Watts"));
+    QVERIFY(child<QLabel>("trace_answer")->text().startsWith("Idle "));
+    // The log's own marks: 4.9 to 5.4 W while it ran, 2.3 W in its quietest tenth.
+    const double idle_W = trace->runs()->idle_W, active_W = trace->runs()->above_idle_W();
+    QVERIFY(idle_W > 2.3 && idle_W < 3.0 && idle_W + active_W > 4.5 && idle_W + active_W < 5.8);
+    QVERIFY(view_->grab().save(glisson::test::kept_picture("platform_view_recording.png")));
+    const int rows = child<PlatformTable>("platforms")->rowCount();
+    QTest::mouseClick(child<QPushButton>("trace_use"), Qt::LeftButton);
+    QCOMPARE(child<PlatformTable>("platforms")->rowCount(), rows + 1);
+    QCOMPARE(child<PlatformTable>("platforms")->chosen(), QString("odroid-n2-cpu-recorded"));
+    // At the battery: what the recording shows, over the supply's efficiency.
+    for (const hardware::PlatformAnswer& answer : view_->plan()->platforms) {
+      if (answer.id == "odroid-n2-cpu-recorded")
+        QCOMPARE(answer.idle.idle_W, idle_W / device("odroid-n2-cpu").supply_efficiency.value);
+    }
+    // Once more: the copy is renewed, not doubled.
+    QTest::mouseClick(child<QPushButton>("trace_use"), Qt::LeftButton);
+    QCOMPARE(child<PlatformTable>("platforms")->rowCount(), rows + 1);
+    // Other columns, as a person chooses them: amperes of the mains instead, which are a hundredth of the watts.
+    auto* power = child<QComboBox>("trace_power");
+    power->setFocus();
+    power->setCurrentText("Amps");
+    Q_EMIT power->activated(power->currentIndex());
+    QTRY_VERIFY(trace->runs() && trace->runs()->idle_W < 0.1);
+    QTest::mouseClick(child<QPushButton>("trace_close"), Qt::LeftButton);
+    QVERIFY(!trace->isVisible() && child<QWidget>("contours")->isVisible());
+  }
+
+  void recording_without_times_or_runs_is_shown_all_the_same() {
+    const auto file = glisson::test::shared_data() / "jetson_tx2_rail_power" / "1080p" / "roller_cpu.txt";
+    if (!std::filesystem::exists(file)) QSKIP("no real data: set GLISSON_SHARED_DATA");
+    choose(row_of("tx2-gpu"));
+    view_->open_trace(file);
+    auto* trace = child<TraceView>("trace_view");
+    QTRY_VERIFY(trace->isVisible());
+    QCOMPARE(child<QComboBox>("trace_time")->currentText(), QString("rows, one a second"));
+    auto* factor = child<NumberBox>("trace_factor");
+    factor->setValue(0.001);  // SOURCE.txt: milliwatts
+    const auto* answer = child<QLabel>("trace_answer");
+    QTRY_VERIFY(answer->text().contains(" W") && !answer->text().contains("e+"));
+    QVERIFY(view_->grab().save(glisson::test::kept_picture("platform_view_rail.png")));
+  }
+
+  void bad_recording_is_refused_in_a_sentence_and_nothing_is_lost() {
+    const TemporaryFolder folder;
+    std::string text = "t,W\n";
+    for (int i = 0; i < 60; ++i) text += std::to_string(i) + (i % 20 < 10 ? ",3\n" : ",9\n");
+    QVERIFY(write_text_file(folder.path() / "good.csv", text));
+    QVERIFY(write_text_file(folder.path() / "bad.csv", "no numbers here\n"));
+    view_->open_trace(folder.path() / "good.csv");
+    auto* trace = child<TraceView>("trace_view");
+    QTRY_VERIFY(trace->runs());
+    view_->open_trace(folder.path() / "bad.csv");
+    auto* refusal = child<QLabel>("origin");
+    QTRY_VERIFY(refusal->isVisible());
+    QVERIFY(refusal->text().contains("bad.csv holds no rows of numbers"));
+    QVERIFY(trace->isVisible() && trace->runs()->runs.size() == 3);
+    QCOMPARE(trace->file_name(), QString("good.csv"));
+    view_->open_trace(folder.path() / "not-there.csv");
+    QTRY_VERIFY(refusal->text().contains("not-there.csv"));
+    view_->open_trace(folder.path() / "good.csv");
+    QTRY_VERIFY(!refusal->isVisible());
   }
 
   void leaves_pictures_to_look_at() {

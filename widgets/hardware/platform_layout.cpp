@@ -99,6 +99,10 @@ QWidget* PlatformView::make_question() {
   auto* add = new QPushButton;
   connect(add, &QPushButton::clicked, this, &PlatformView::choose_devices);
   column->addWidget(add);
+  auto* read = new QPushButton;
+  read->setObjectName("read_trace");
+  connect(read, &QPushButton::clicked, this, &PlatformView::choose_trace);
+  column->addWidget(read);
 
   keep_translated(panel, [=, this] {
     case_title->setText(tr("The case"));
@@ -130,6 +134,10 @@ QWidget* PlatformView::make_question() {
     }
     add->setText(tr("Add devices..."));
     add->setToolTip(tr("A table of your own, or what glisson-cli platform measure wrote"));
+    read->setText(tr("Read a power recording..."));
+    read->setToolTip(
+        tr("What an oscilloscope, a power analyser or a battery tester wrote of a platform: idle power and "
+           "power under load"));
   });
   return panel;
 }
@@ -172,11 +180,14 @@ QWidget* PlatformView::make_answer() {
   contours_ = new ContourPlot;
   plot_column->addWidget(contours_, 1);
   below->addWidget(plot_);
+  trace_ = new TraceView;
+  trace_->hide();
+  below->addWidget(trace_);
   details_ = new QTextBrowser;
   details_->setObjectName("details");
   details_->setMinimumWidth(260);
   below->addWidget(details_);
-  below->setSizes({620, 420});
+  below->setSizes({620, 620, 420});
   parts->addWidget(below);
   parts->setSizes({430, 420});
   column->addWidget(parts, 1);

@@ -8,6 +8,7 @@
 
 #include "base/files.h"
 #include "hardware/device_file.h"
+#include "hardware/measure.h"
 #include "widgets/hardware/platform_words.h"
 #include "widgets/panels/ask_path.h"
 #include "widgets/panels/parts.h"
@@ -89,6 +90,17 @@ PlatformView::PlatformView(std::vector<Device> devices, hardware::ConvergenceCur
   });
   connect(quantity_, &QComboBox::currentIndexChanged, this, &PlatformView::show_picture);
   connect(task_, &QComboBox::currentIndexChanged, this, &PlatformView::choose_task);
+  connect(trace_, &TraceView::refused, this, &PlatformView::refuse);
+  connect(trace_, &TraceView::plan_with_it, this, &PlatformView::plan_with_trace);
+  connect(trace_, &TraceView::opened, this, [this] {
+    refusal_->hide();
+    trace_open_ = true;
+    show_lower_left();
+  });
+  connect(trace_, &TraceView::closed, this, [this] {
+    trace_open_ = false;
+    show_lower_left();
+  });
   keep_translated(this, [this] {
     word_case();
     replan();
@@ -146,9 +158,47 @@ void PlatformView::choose_devices() {
   if (devices) {
     add_devices(*std::move(devices));
   } else {
-    refusal_->setText(translated(devices.error()));
-    refusal_->show();
+    refuse(devices.error());
   }
+}
+
+void PlatformView::refuse(const Error& error) {
+  refusal_->setText(translated(error));
+  refusal_->show();
+}
+
+void PlatformView::choose_trace() {
+  const QString file = ask_for_file(this, tr("Read a power recording"), tr("Recordings (*.csv *.txt *.log *.tsv)"));
+  if (!file.isEmpty()) open_trace(path_of(file));
+}
+
+void PlatformView::open_trace(const std::filesystem::path& file) { trace_->open(file); }
+
+// The chosen platform once more, beside itself; a further recording takes that copy's place.
+void PlatformView::plan_with_trace() {
+  const Device* declared = chosen_device();
+  if (declared == nullptr || !trace_->runs()) return;
+  const std::string recorded = "-recorded";
+  Device device = *declared;
+  if (!device.id.ends_with(recorded)) {
+    device.id += recorded;
+    device.name = tr("%1, as recorded").arg(QString::fromStdString(device.name)).toStdString();
+  }
+  hardware::take_power_from(*trace_->runs(), device);
+  device.idle_W.note += " (" + trace_->file_name().toStdString() + ")";
+  device.kernel.active_W.note += " (" + trace_->file_name().toStdString() + ")";
+  if (const auto checked = hardware::check(device); !checked) {
+    refuse(checked.error());
+    return;
+  }
+  const QString id = QString::fromStdString(device.id);
+  add_devices({std::move(device)});
+  table_->choose(id);
+}
+
+void PlatformView::show_lower_left() {
+  trace_->setVisible(trace_open_);
+  plot_->setVisible(!trace_open_ && task_->currentIndex() <= 0);
 }
 
 // What the convergence study reaches in this tissue; beyond its coarsest end it says nothing.
@@ -164,7 +214,7 @@ void PlatformView::choose_task() {
   const bool product = task_->currentIndex() <= 0;
   for (QWidget* only_then : std::initializer_list<QWidget*>{volume_, youngs_, accuracy_})
     only_then->setEnabled(product);
-  plot_->setVisible(product);
+  show_lower_left();
   replan();
 }
 
@@ -220,6 +270,7 @@ const Device* PlatformView::chosen_device() const {
 
 void PlatformView::show_platform() {
   const Device* device = chosen_device();
+  trace_->set_platform(device != nullptr ? QString::fromStdString(device->name) : QString());
   if (!plan_ || device == nullptr) return;
   const auto answer = std::find_if(plan_->platforms.begin(), plan_->platforms.end(),
                                    [&](const PlatformAnswer& known) { return known.id == device->id; });

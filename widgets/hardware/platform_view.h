@@ -2,7 +2,8 @@
 // What can be worn for this case, live: the liver's volume and stiffness, what is computed, the wanted accuracy,
 // duration and frame rate; a table of platforms that begins with what they draw when idle, the one that is least
 // obtrusive, one platform in full, and its contours over volume and resolution. A task of this program has a size of
-// its own: volume, accuracy and contours stand aside then.
+// its own: volume, accuracy and contours stand aside then. A recording of power that a person opens takes the place of
+// the contours until it is closed; what it shows can be planned with.
 
 #include <functional>
 #include <optional>
@@ -13,6 +14,7 @@
 
 #include "hardware/plan.h"
 #include "widgets/hardware/platform_table.h"
+#include "widgets/hardware/trace_view.h"
 #include "widgets/panels/number_slider.h"
 #include "widgets/plots/contour_plot.h"
 #include "widgets/workspaces/workspace.h"
@@ -34,6 +36,9 @@ class PlatformView : public QWidget {
   // Devices that a person measured or wrote; those with a known id take its place.
   void add_devices(std::vector<hardware::Device> devices);
 
+  // Shows a recording of power, or a sentence on why it cannot be read.
+  void open_trace(const std::filesystem::path& file);
+
   [[nodiscard]] const std::optional<hardware::Plan>& plan() const { return plan_; }
 
  private:
@@ -42,6 +47,10 @@ class PlatformView : public QWidget {
   QWidget* make_question();
   QWidget* make_answer();
   void choose_devices();
+  void choose_trace();
+  void plan_with_trace();
+  void refuse(const Error& error);
+  void show_lower_left();
   void word_case();
   void set_accuracy_range();
   void choose_task();
@@ -73,6 +82,8 @@ class PlatformView : public QWidget {
   QComboBox* quantity_;
   QLabel* quantity_told_;
   ContourPlot* contours_;
+  TraceView* trace_;
+  bool trace_open_ = false;
   QTextBrowser* details_;
   QLabel* notes_;
 };

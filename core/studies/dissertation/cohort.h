@@ -60,9 +60,10 @@ Json summary_json(const CohortSummary& summary);
 
 // Writes a SIMULATED cohort of liver maps as NRRD into the folder: a generated liver each (anatomy/patient.h; by seed 1
 // they are the generator's seeds from 1 on), slices 10 mm apart, stiffness drawn so that 64 % of the patients lie
-// within 0.5 kPa of 2.1 kPa and the upper 95 % limit is 4.8 times the atlas's, as section 4.3 reports, with the spread
-// within a liver growing from 0.95 kPa in proportion to the mean. (A mean of 2.1 kPa, which the section reports too,
-// cannot be had with both: it is taken for the typical patient's.) The same seed gives the same cohort.
+// within 0.5 kPa of 2.1 kPa and the upper 95 % limit is 4.8 times the atlas's, with the spread within a liver growing
+// from 0.95 kPa in proportion to the mean. The shares, the limit and the spread are section 4.3's; its 64 % however lie
+// about the atlas's mean, 2.6 kPa, and its cohort's mean is 2.1: here the typical patient has 2.1. The same seed gives
+// the same cohort.
 Result<void> write_simulated_cohort(const std::filesystem::path& folder, int patients, unsigned seed = 1);
 
 // One such SIMULATED map of shear stiffness within a liver of any shape: mean and spread drawn as above.

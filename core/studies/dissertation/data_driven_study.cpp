@@ -26,7 +26,8 @@ using mechanics::StaticResult;
 using mechanics::StressStrain;
 using Displacements = std::vector<Eigen::Vector3d>;
 
-constexpr double linear_region = 0.05;  // strain up to which chapter 5's traditional method takes tissue as linear
+constexpr double linear_region =
+    0.05;  // strain up to which the fitted line takes tissue as linear; chapter 5 gives no number
 constexpr double tissue_density_kg_mm3 = 1e-6;
 
 Result<void> check(const DataDrivenStudyOptions& options);

@@ -21,8 +21,8 @@ namespace glisson::studies {
 
 struct DataDrivenStudyOptions {
   std::vector<mechanics::StressStrain> measured = {};  // empty: SIMULATED
-  std::vector<int> counts{21, 100, 400};               // of simulated measurements; the dissertation has some twenty
-  std::vector<double> noises{0, 0.02, 0.05};           // standard deviation of a stress, of the largest measured stress
+  std::vector<int> counts{21, 100, 400};      // of simulated measurements; how many chapter 5 has is not in its text
+  std::vector<double> noises{0, 0.02, 0.05};  // standard deviation of a stress, of the largest measured stress
   int outliers_one_in = 40;  // where there is noise: one measurement in so many is half the largest stress off; 0: none
   double farthest_strain = 0.35;  // of a simulated test, either way
   double force_N = 1;             // half of the retractor's usual force: within the strains that are tested

@@ -1,11 +1,14 @@
 #include "studies/dissertation/product_tasks.h"
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <fstream>
 
 #include "base/noise.h"
+#include "base/parallel.h"
 #include "base/upper_median.h"
 #include "guidance/guidance_answer.h"
 #include "hardware/block_product.h"
@@ -20,6 +23,20 @@ namespace {
 
 using Eigen::Vector3d;
 
+// "AMD EPYC, 2 threads, 2026-11-26, glisson-cli platform measure --product": where and how a time was got.
+std::string provenance() {
+  std::string processor = "an unnamed processor";
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);) {
+    const std::size_t colon = line.find(": ");
+    if (!line.starts_with("model name") || colon == std::string::npos) continue;
+    processor = line.substr(colon + 2);
+    break;
+  }
+  return fmt::format("{}, {} threads, {:%F}, glisson-cli platform measure --product", processor, thread_count(),
+                     fmt::gmtime(std::time(nullptr)));
+}
+
 hardware::Task by_memory(const std::string& id, const std::string& what, double seconds, double memory_GB_per_s) {
   return {id,
           what,
@@ -27,7 +44,7 @@ hardware::Task by_memory(const std::string& id, const std::string& what, double 
           0,
           seconds,
           hardware::Source::measured,
-          fmt::format("{:.3g} s on a machine whose memory gives {:.3g} GB/s", seconds, memory_GB_per_s)};
+          fmt::format("{:.3g} s where memory gives {:.3g} GB/s: {}", seconds, memory_GB_per_s, provenance())};
 }
 
 // Jaws at segment VI, drawn a millimetre further each frame.
@@ -116,7 +133,7 @@ Result<hardware::Task> registration_task(const geometry::Surface& surface, const
                         operations_a_cost * costs,
                         upper_median(std::move(seconds)),
                         hardware::Source::computed,
-                        "seven operations of 16 bits a cost, counted; a device does as many as its peak says"};
+                        "seven operations of 16 bits a cost, counted; timed on " + provenance()};
 }
 
 }  // namespace

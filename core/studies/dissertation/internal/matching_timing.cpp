@@ -55,7 +55,7 @@ Result<MatchingTiming> timed(const Way& way, int points, double at_least_s, cons
   int runs = 0;
   double spent_s = 0;
   Result<void> solved;
-  const double wanted_s = meter != nullptr ? std::max(at_least_s, meter->shortest_useful_s()) : at_least_s;
+  const double wanted_s = meter != nullptr ? std::max(at_least_s, meter->shortest_useful_s) : at_least_s;
   const auto repeat = [&]() -> Result<void> {
     while (spent_s < wanted_s && solved) {
       const double seconds = seconds_of([&] { solved = way.solve(); });
