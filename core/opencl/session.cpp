@@ -152,7 +152,7 @@ void Session::run(const char* name, const Range& range, std::initializer_list<Ar
   for (const Argument& argument : arguments) {
     if (const auto* buffer = std::get_if<const Buffer*>(&argument)) {
       const cl_mem memory = (*buffer)->impl_->memory.get();
-      code = clSetKernelArg(kernel.get(), place, sizeof memory, &memory);
+      code = clSetKernelArg(kernel.get(), place, sizeof(cl_mem), &memory);
     } else if (const auto* local = std::get_if<LocalBytes>(&argument)) {
       code = clSetKernelArg(kernel.get(), place, local->bytes, nullptr);
     } else if (const auto* whole = std::get_if<std::int32_t>(&argument)) {

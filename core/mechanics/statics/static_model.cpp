@@ -23,13 +23,13 @@ struct StaticModel::Impl : Body {
 };
 
 Result<StaticModel> StaticModel::create(geometry::TetMesh mesh, std::vector<double> youngs_kPa,
-                                        std::vector<Support> supports, StaticOptions options, const Progress& progress,
-                                        const std::vector<int>& mutual_points) {
+                                        std::vector<Support> supports, const StaticOptions& options,
+                                        const Progress& progress, const std::vector<int>& mutual_points) {
   return create_in_order(std::move(mesh), std::move(youngs_kPa), std::move(supports), options, progress, mutual_points,
                          nullptr);
 }
 
-Result<StaticModel> StaticModel::with_moduli(std::vector<double> youngs_kPa, StaticOptions options,
+Result<StaticModel> StaticModel::with_moduli(std::vector<double> youngs_kPa, const StaticOptions& options,
                                              const Progress& progress) const {
   return create_in_order(impl_->mesh, std::move(youngs_kPa), impl_->supports, options, progress, impl_->mutual_points,
                          impl_->system->order());
@@ -200,7 +200,7 @@ std::vector<double> StaticModel::von_mises_kPa(const StaticResult& result) const
 }
 
 Result<StaticResult> solve_static(geometry::TetMesh mesh, std::vector<double> youngs_kPa, std::vector<Support> supports,
-                                  const Loads& loads, StaticOptions options, const Progress& progress) {
+                                  const Loads& loads, const StaticOptions& options, const Progress& progress) {
   return StaticModel::create(std::move(mesh), std::move(youngs_kPa), std::move(supports), options, progress)
       .and_then([&](const StaticModel& model) { return model.solve(loads); });
 }

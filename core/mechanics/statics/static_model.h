@@ -48,12 +48,12 @@ class StaticModel {
   // ligament, which only pulls: find_equilibrium knows it); "fibre direction-invalid". `mutual_points` are points of
   // the mesh whose answers to each other are wanted (mutual_compliance), each once.
   static Result<StaticModel> create(geometry::TetMesh mesh, std::vector<double> youngs_kPa,
-                                    std::vector<Support> supports, StaticOptions options = {},
+                                    std::vector<Support> supports, const StaticOptions& options = {},
                                     const Progress& progress = {}, const std::vector<int>& mutual_points = {});
 
   // This body of other moduli, at the cost of the numbers alone: the order of elimination is this one's. `options` may
   // differ in what a cell is made of. Failures: create's.
-  [[nodiscard]] Result<StaticModel> with_moduli(std::vector<double> youngs_kPa, StaticOptions options,
+  [[nodiscard]] Result<StaticModel> with_moduli(std::vector<double> youngs_kPa, const StaticOptions& options,
                                                 const Progress& progress = {}) const;
 
   // Equilibrium under all the loads together and the supports' prescribed displacements. Failures:
@@ -118,6 +118,6 @@ class StaticModel {
 
 // The one-shot: builds the model, solves once.
 Result<StaticResult> solve_static(geometry::TetMesh mesh, std::vector<double> youngs_kPa, std::vector<Support> supports,
-                                  const Loads& loads, StaticOptions options = {}, const Progress& progress = {});
+                                  const Loads& loads, const StaticOptions& options = {}, const Progress& progress = {});
 
 }  // namespace glisson::mechanics
