@@ -110,14 +110,21 @@ class SegmentStructuresTest : public SegmentWorkspace {
     QCOMPARE(panel_->editor().structures().size(), std::size_t(1));
   }
 
-  // A tumour amid tissue that looks like it has a border that nobody can see; the liver's, at a step of brightness, has
-  // none such.
+  // A tumour amid tissue that looks like it has a border that nobody can see; the liver's, where it lies at the step of
+  // brightness, has none such.
   void goes_to_where_a_border_is_unsure() {
     auto* ask = child<QPushButton>("unsure_places");
     auto* told = panel_->findChild<UnsurePlaces*>()->findChild<QLabel*>();
     QVERIFY(!told->isVisible());
+    auto* margin = child<QDoubleSpinBox>("margin_mm");
+    const double before_mm = margin->value();
+    margin->setValue(4);
+    key(Qt::Key_Plus);
+    settle();
     ask->click();
     QTRY_VERIFY_WITH_TIMEOUT(told->text().contains("No larger part"), patience_ms);
+    undo();
+    margin->setValue(before_mm);
     auto* add = child<QPushButton>("add_structure");
     Q_EMIT add->menu()->aboutToShow();
     add->menu()->findChild<QAction*>("tumour")->trigger();
