@@ -233,6 +233,7 @@ std::vector<WritingCommand> writing_commands() {
        true},
       {"study-stiffness", {"study", "validate-stiffness", "--out", "@validation"}},
       {"study-cohort", {"study", "cohort", "--simulated", "2", "--out", "@cohort"}, true},
+      {"study-chunk", {"study", "cohort", "--simulated", "2", "--out", "@cohort", "--chunk", "2/2"}, true},
       {"study-landmarks",
        {"study", "landmarks", "--simulated", "1", "--target-cells", "500", "--out", "@misplaced"},
        true},
