@@ -2,9 +2,9 @@
 # A cohort as jobs of a real Slurm (one node, on the loopback), killed on the way: the table is the same, to the byte,
 # as that of one run without a cluster.
 #
-#   cohort_on_slurm.sh GLISSON_CLI SOURCE_FOLDER
+#   cohort_on_slurm.sh GLISSON_CLI SOURCE_FOLDER [PATIENTS PER_JOB]
 set -euo pipefail
-cli=$1 source=$2
+cli=$1 source=$2 patients=${3:-40} per_job=${4:-5}
 
 for tool in snakemake sbatch slurmctld slurmd munged; do
   PATH=$PATH:/usr/sbin command -v $tool >/dev/null || { echo "$tool is not installed: skipped"; exit 77; }
@@ -59,11 +59,11 @@ for _ in $(seq 20); do
 done
 [ "$(sinfo --noheader --format %T 2>/dev/null)" = idle ] || { echo "Slurm does not start here: skipped"; exit 77; }
 
-"$cli" study cohort --simulated 40 --out "$folder/whole" --quiet
+"$cli" study cohort --simulated "$patients" --out "$folder/whole" --quiet
 cd "$folder"
 workflow=(snakemake --snakefile "$source/packaging/cohort/Snakefile" --profile "$source/packaging/cohort/slurm"
   --nolock --rerun-incomplete --latency-wait 10 --quiet
-  --config "folder=$folder/whole/simulated" "out=$folder/shared" per_job=5 "glisson_cli=$cli")
+  --config "folder=$folder/whole/simulated" "out=$folder/shared" "per_job=$per_job" "glisson_cli=$cli")
 # Whatever has begun is killed, the workflow and the jobs under it, as soon as there is a first result.
 "${workflow[@]}" >killed.log 2>&1 &
 killed=$!
@@ -80,5 +80,5 @@ wait $killed 2>/dev/null || true
 "${workflow[@]}" >again.log 2>&1 || { cat again.log; exit 1; }
 cmp whole/cohort.csv shared/cohort.csv
 cmp whole/summary.json shared/summary.json
-[ "$(ls shared/chunks | wc -l)" = 8 ] || { ls shared/chunks; exit 1; }
-echo "8 jobs of 5 patients by Slurm $(sinfo --version | cut -d' ' -f2), killed and taken up again: the same bytes"
+[ "$(ls shared/chunks | wc -l)" = $((patients / per_job)) ] || { ls shared/chunks; exit 1; }
+echo "$((patients / per_job)) jobs of $per_job patients by Slurm $(sinfo --version | cut -d' ' -f2), killed and taken up again: the same bytes"
