@@ -122,16 +122,16 @@ Json summary_json(const LandmarksSummary& summary) {
     }
     return list;
   };
-  const Json document{{"patients", summary.patients},
-                      {"failed", summary.failed},
-                      {"significant_mm", significant_mm},
-                      {"inter_patient", json_of(summary.between)},
-                      {"intra_organ", json_of(summary.within)},
-                      {"intra_organ_any_region_significant_fraction", summary.any_region_fraction},
-                      {"landmark_groups", json_of(summary.groups)},
-                      {"sensitivity", json_of(summary.sensitivity)},
-                      {"at_large_strain", summary.at_large_strain},
-                      {"beyond_linear", summary.beyond_linear}};
+  Json document{{"patients", summary.patients},
+                {"failed", summary.failed},
+                {"significant_mm", significant_mm},
+                {"inter_patient", json_of(summary.between)},
+                {"intra_organ", json_of(summary.within)},
+                {"intra_organ_any_region_significant_fraction", summary.any_region_fraction},
+                {"landmark_groups", json_of(summary.groups)},
+                {"sensitivity", json_of(summary.sensitivity)},
+                {"at_large_strain", summary.at_large_strain},
+                {"beyond_linear", summary.beyond_linear}};
   return null_where_not_finite(std::move(document));
 }
 
