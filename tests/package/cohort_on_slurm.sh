@@ -58,6 +58,7 @@ for _ in $(seq 20); do
   sleep 0.5
 done
 [ "$(sinfo --noheader --format %T 2>/dev/null)" = idle ] || { echo "Slurm does not start here: skipped"; exit 77; }
+timeout 60 sbatch --wait --output=/dev/null --wrap true >/dev/null || { echo "Slurm runs no jobs here: skipped"; exit 77; }
 
 "$cli" study cohort --simulated "$patients" --out "$folder/whole" --quiet
 cd "$folder"
@@ -67,7 +68,7 @@ workflow=(snakemake --snakefile "$source/packaging/cohort/Snakefile" --profile "
 # Whatever has begun is killed, the workflow and the jobs under it, as soon as there is a first result.
 "${workflow[@]}" >killed.log 2>&1 &
 killed=$!
-for _ in $(seq 300); do
+for _ in $(seq 900); do
   [ -z "$(ls shared/chunks 2>/dev/null)" ] || break
   sleep 0.1
 done
