@@ -103,13 +103,22 @@ Mask without_small_pieces(Mask mask, double minimum_ml) {
   return mask;
 }
 
-Result<Mask> keep_piece_at(Mask mask, const Vector3d& place_mm) {
-  const Eigen::Vector3i index = mask.grid.index_of(place_mm).array().round().cast<int>();
-  if (!mask.grid.contains(index[0], index[1], index[2]) || mask.at(index[0], index[1], index[2]) == 0) {
-    return failure("edit-no-piece-there", GLISSON_TEXT("There is nothing of this structure at that place."));
+Result<Eigen::Vector3i> voxel_held_at(const Mask& mask, const Vector3d& place_mm) {
+  const Vector3d index = mask.grid.index_of(place_mm).array().round();
+  // Before they are whole numbers, which do not hold any place.
+  const Eigen::Array3d size(mask.grid.size[0], mask.grid.size[1], mask.grid.size[2]);
+  if ((index.array() >= 0 && index.array() < size).all()) {
+    const Eigen::Vector3i voxel = index.cast<int>();
+    if (mask.at(voxel[0], voxel[1], voxel[2]) != 0) return voxel;
   }
+  return failure("edit-no-piece-there", GLISSON_TEXT("There is nothing of this structure at that place."));
+}
+
+Result<Mask> keep_piece_at(Mask mask, const Vector3d& place_mm) {
+  const auto at = voxel_held_at(mask, place_mm);
+  if (!at) return failure(at.error());
   const imaging::ConnectedVoxels connected = imaging::connected_voxels(mask, imaging::Neighbours::all);
-  const std::uint32_t picked = connected.piece[mask.grid.offset(index[0], index[1], index[2])];
+  const std::uint32_t picked = connected.piece[mask.grid.offset((*at)[0], (*at)[1], (*at)[2])];
   for (std::size_t voxel = 0; voxel < mask.values.size(); ++voxel) {
     if (connected.piece[voxel] != picked) mask.values[voxel] = 0;
   }

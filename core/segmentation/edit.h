@@ -52,6 +52,9 @@ using imaging::fill_holes;
 // Takes away the pieces (26 neighbours) of less than that volume.
 [[nodiscard]] imaging::Mask without_small_pieces(imaging::Mask mask, double minimum_ml);
 
+// The voxel of the mask that a place lies in. Fails with "edit-no-piece-there" where the mask does not hold it.
+[[nodiscard]] Result<Eigen::Vector3i> voxel_held_at(const imaging::Mask& mask, const Eigen::Vector3d& place_mm);
+
 // Keeps the piece (26 neighbours) that a place lies in. Fails with "edit-no-piece-there".
 [[nodiscard]] Result<imaging::Mask> keep_piece_at(imaging::Mask mask, const Eigen::Vector3d& place_mm);
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "imaging/filters.h"
+#include "segmentation/edit.h"
 #include "segmentation/grid_part.h"
 
 namespace glisson::segmentation {
@@ -108,21 +109,13 @@ std::vector<std::uint8_t> flooded_from(const Depths& depths, std::array<std::siz
 }  // namespace
 
 Result<Mask> without_part_at(Mask mask, const Eigen::Vector3d& place_mm, const NeckOptions& options) {
-  const Eigen::Vector3d index = mask.grid.index_of(place_mm).array().round();
-  const auto fits = [&](int axis) {
-    return index[axis] >= 0 && index[axis] < mask.grid.size[static_cast<std::size_t>(axis)];
-  };
-  const auto holds = [&] {
-    const Eigen::Vector3i voxel = index.cast<int>();
-    return mask.at(voxel[0], voxel[1], voxel[2]) != 0;
-  };
-  if (!fits(0) || !fits(1) || !fits(2) || !holds())
-    return failure("edit-no-piece-there", GLISSON_TEXT("There is nothing of this structure at that place."));
+  const auto voxel = voxel_held_at(mask, place_mm);
+  if (!voxel) return failure(voxel.error());
   const Part part = part_around(mask, 1);
   Mask piece = cut_out(mask, part);
   const Depths depths = depths_of(piece);
   const auto main = static_cast<std::size_t>(std::max_element(depths.mm.begin(), depths.mm.end()) - depths.mm.begin());
-  const Eigen::Vector3i here = index.cast<int>() - Eigen::Vector3i(part.first[0], part.first[1], part.first[2]);
+  const Eigen::Vector3i here = *voxel - Eigen::Vector3i(part.first[0], part.first[1], part.first[2]);
   const auto middle =
       middle_of_part_at(depths, piece.grid.offset(here[0], here[1], here[2]), main, options.maximum_share);
   if (!middle || std::isinf(depths.mm[main])) {  // the whole image has no border to be narrow between
@@ -131,8 +124,8 @@ Result<Mask> without_part_at(Mask mask, const Eigen::Vector3d& place_mm, const N
                                 "scissors, or click farther out."));
   }
   const std::vector<std::uint8_t> flood = flooded_from(depths, {*middle, main});
-  for (std::size_t voxel = 0; voxel < flood.size(); ++voxel)
-    if (flood[voxel] == 1) piece.values[voxel] = 0;
+  for (std::size_t n = 0; n < flood.size(); ++n)
+    if (flood[n] == 1) piece.values[n] = 0;
   put_back(piece, part, mask);
   return mask;
 }

@@ -42,17 +42,17 @@ Vector2d pixel_of(const Vector3d& position_mm, const Camera& camera, int width, 
 // The middle of the box around the pixels near the place that are of a colour; none: far off.
 Vector2d middle_of(const Picture& picture, const Vector2d& near, double reach_px,
                    const std::function<bool(int, int, int)>& is_colour) {
-  Vector2d least(1e9, 1e9), most(-1e9, -1e9);
+  Vector2d minimum(1e9, 1e9), maximum(-1e9, -1e9);
   for (int y = 0; y < picture.height; ++y) {
     for (int x = 0; x < picture.width; ++x) {
       if ((Vector2d(x, y) - near).cwiseAbs().maxCoeff() > reach_px) continue;
       const std::uint8_t* rgb = picture.at(x, y);
       if (!is_colour(rgb[0], rgb[1], rgb[2])) continue;
-      least = least.cwiseMin(Vector2d(x, y));
-      most = most.cwiseMax(Vector2d(x, y));
+      minimum = minimum.cwiseMin(Vector2d(x, y));
+      maximum = maximum.cwiseMax(Vector2d(x, y));
     }
   }
-  return (least + most) / 2;
+  return (minimum + maximum) / 2;
 }
 
 TEST(LandmarkOverlay, CirclesStandWhereTheLandmarksAre) {

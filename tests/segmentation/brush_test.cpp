@@ -18,8 +18,6 @@ using Eigen::Vector3d;
 using imaging::Grid;
 using imaging::Mask;
 
-Mask empty_mask(const Grid& grid = slanted_grid()) { return {grid, std::vector<std::uint8_t>(grid.voxels(), 0)}; }
-
 imaging::Volume two_tissues() {
   imaging::Volume image;
   image.grid = slanted_grid();

@@ -12,6 +12,7 @@
 #include <iostream>
 #include <random>
 
+#include "deepest.h"
 #include "geometry/mesh_file.h"
 #include "imaging/filters.h"
 #include "imaging/read_series.h"
@@ -32,14 +33,6 @@ using imaging::Mask;
 using imaging::Volume;
 
 fs::path totalsegmentator() { return test::shared_data() / "totalseg_abdomen_mr_ct"; }
-
-Vector3d deepest_mm(const Mask& mask) {
-  const std::vector<float> depths = imaging::squared_depths_mm2(mask);
-  const auto at = static_cast<std::size_t>(std::max_element(depths.begin(), depths.end()) - depths.begin());
-  const auto nx = static_cast<std::size_t>(mask.grid.size[0]), ny = static_cast<std::size_t>(mask.grid.size[1]);
-  return mask.grid.position_mm(static_cast<int>(at % nx), static_cast<int>(at / nx % ny),
-                               static_cast<int>(at / (nx * ny)));
-}
 
 Volume ct_slab() {
   const auto study = imaging::scan(totalsegmentator() / "example_ct_dicom");

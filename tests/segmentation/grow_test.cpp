@@ -11,6 +11,7 @@
 #include <random>
 
 #include "base/parallel.h"
+#include "deepest.h"
 #include "imaging/filters.h"
 #include "imaging/read_series.h"
 #include "imaging/study.h"
@@ -57,12 +58,6 @@ std::vector<float> depths_mm(const Mask& mask) {
   return depths;
 }
 
-Vector3d deepest_point_mm(const Mask& mask) {
-  const std::vector<float> depths = depths_mm(mask);
-  return position_mm(mask.grid,
-                     static_cast<std::size_t>(std::max_element(depths.begin(), depths.end()) - depths.begin()));
-}
-
 // Dice of several growths, each from `seeds_each` random voxels of the liver's main piece at least `depth_mm` deep.
 std::vector<double> dice_from_random_seeds(const Case& c, int growths, int seeds_each, float depth_mm) {
   const std::vector<float> depths = depths_mm(c.main_piece);
@@ -88,7 +83,7 @@ std::vector<double> dice_from_random_seeds(const Case& c, int growths, int seeds
 double dice_after_second_click(const Case& c, const Vector3d& first_mm, const Mask& grown) {
   const Mask missing = keep_largest(subtracted(c.liver, grown));
   if (voxel_count(missing) == 0) return dice(grown, c.liver).value();
-  const auto again = grow_from_seeds(c.image, {first_mm, deepest_point_mm(missing)});
+  const auto again = grow_from_seeds(c.image, {first_mm, deepest_mm(missing)});
   return again ? dice(again->mask, c.liver).value() : 0.0;
 }
 
@@ -108,14 +103,14 @@ class RealLiver : public testing::TestWithParam<std::pair<const char*, const cha
 TEST_P(RealLiver, IsFoundFromWhereverTheSeedsLie) {
   GLISSON_NEEDS_DATA("totalseg_abdomen_mr_ct");
   const Case c = read_case(GetParam().first, GetParam().second);
-  const auto grown = grow_from_seeds(c.image, {deepest_point_mm(c.main_piece)});
+  const auto grown = grow_from_seeds(c.image, {deepest_mm(c.main_piece)});
   ASSERT_TRUE(grown) << grown.error().message();
   const double from_centre = dice(grown->mask, c.liver).value();
   std::cout << GetParam().first << ": from the deepest point Dice " << from_centre << ", " << grown->volume_ml
             << " ml of " << volume_ml(c.liver) << " ml, tissue " << grown->tissue_mean << " +- " << grown->tissue_sd
             << ", " << grown->rounds << " rounds\n";
   for (const auto& doubt : grown->doubts) std::cout << "    " << doubt.sentence.message() << "\n";
-  std::cout << "  two clicks: Dice " << dice_after_second_click(c, deepest_point_mm(c.main_piece), grown->mask) << "\n";
+  std::cout << "  two clicks: Dice " << dice_after_second_click(c, deepest_mm(c.main_piece), grown->mask) << "\n";
   const std::vector<double> one = dice_from_random_seeds(c, c.image.grid.size[2] > 50 ? 1 : 6, 1, 6);
   const std::vector<double> three = dice_from_random_seeds(c, c.image.grid.size[2] > 50 ? 1 : 3, 3, 6);
   print_row("one seed, 6 mm or deeper", one);
@@ -140,7 +135,7 @@ TEST(Grow, TheBorderLiesWhereAHandDrewIt) {
   const Volume image = imaging::read_series(imaging::scan(folder / "ct-3slice").value().series.front()).value();
   const Mask liver =
       resample(mask_of_label(imaging::read_labels_file(folder / "liver_seg.nrrd").value(), 1), image.grid);
-  const auto grown = grow_from_seeds(image, {deepest_point_mm(liver)});
+  const auto grown = grow_from_seeds(image, {deepest_mm(liver)});
   ASSERT_TRUE(grown) << grown.error().message();
   const double overlap = dice(grown->mask, liver).value();
   std::cout << "dcmqi: Dice " << overlap << ", " << grown->volume_ml << " ml of " << volume_ml(liver) << "\n";
@@ -157,7 +152,7 @@ TEST(Grow, CrossesTheDarkBandOfACt) {
   Mask liver = resample(mask_of_label(labels.value(), liver_label), image.grid);
   Mask main_piece = keep_largest(liver);
   const Case c{std::move(image), std::move(liver), std::move(main_piece)};
-  const auto grown = grow_from_seeds(c.image, {deepest_point_mm(c.main_piece)});
+  const auto grown = grow_from_seeds(c.image, {deepest_mm(c.main_piece)});
   ASSERT_TRUE(grown) << grown.error().message();
   const double overlap = dice(grown->mask, c.liver).value();
   std::cout << "example_ct_dicom: Dice " << overlap << ", " << grown->volume_ml << " ml of " << volume_ml(c.liver)
@@ -186,7 +181,7 @@ TEST(Grow, StaysInTheBodyOfAMouse) {
 TEST(Grow, SaysWhereItIsUnsure) {
   GLISSON_NEEDS_DATA("totalseg_abdomen_mr_ct");
   const Case c = read_case("example_mr_sm", "example_seg_mr");
-  const auto grown = grow_from_seeds(c.image, {deepest_point_mm(c.main_piece)});
+  const auto grown = grow_from_seeds(c.image, {deepest_mm(c.main_piece)});
   ASSERT_TRUE(grown) << grown.error().message();
   EXPECT_TRUE(std::any_of(grown->doubts.begin(), grown->doubts.end(),
                           [](const auto& doubt) { return doubt.kind == GrowthDoubt::unsure_border; }));

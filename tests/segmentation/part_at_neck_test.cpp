@@ -5,10 +5,11 @@
 #include <gtest/gtest.h>
 #include <algorithm>
 
-#include "imaging/filters.h"
+#include "deepest.h"
 #include "imaging/volume_file.h"
 #include "segmentation/brush.h"
 #include "segmentation/edit.h"
+#include "segmentation/structures.h"
 #include "slanted_grid.h"
 #include "support/data.h"
 
@@ -17,19 +18,6 @@ namespace {
 
 using Eigen::Vector3d;
 using imaging::Mask;
-
-std::size_t voxels_of(const Mask& mask) {
-  return mask.values.size() - std::count(mask.values.begin(), mask.values.end(), 0);
-}
-
-Mask nothing_drawn() {
-  const imaging::Grid grid = slanted_grid();
-  return {grid, std::vector<std::uint8_t>(grid.voxels(), 0)};
-}
-
-double overlap_of(const Mask& a, const Mask& b) {
-  return 2.0 * static_cast<double>(voxels_of(intersected(a, b))) / static_cast<double>(voxels_of(a) + voxels_of(b));
-}
 
 std::string refusal(const Result<Mask>& answer) { return answer ? "" : answer.error().code; }
 
@@ -44,7 +32,7 @@ Dumbbell dumbbell(double bar_mm) {
   const imaging::Grid grid = slanted_grid();
   made.large_mm = grid.position_mm(Vector3d(9, 9, 8));
   made.small_mm = grid.position_mm(Vector3d(25, 16, 8));
-  made.large = nothing_drawn();
+  made.large = empty_mask();
   draw(made.large, {made.large_mm, made.large_mm, 9, {}, {}}, Paint::add);
   made.whole = made.large;
   draw(made.whole, {made.small_mm, made.small_mm, 5, {}, {}}, Paint::add);
@@ -58,8 +46,8 @@ TEST(PartAtNeck, TheSmallBallGoesAndTheLargeOneStays) {
     const auto left = without_part_at(one.whole, one.small_mm + off);
     ASSERT_TRUE(left);
     // The large ball whole, and no more than a stump of the bar.
-    EXPECT_EQ(voxels_of(intersected(*left, one.large)), voxels_of(one.large));
-    EXPECT_LT(voxels_of(*left), voxels_of(one.large) + (voxels_of(one.whole) - voxels_of(one.large)) / 4);
+    EXPECT_EQ(voxel_count(intersected(*left, one.large)), voxel_count(one.large));
+    EXPECT_LT(voxel_count(*left), voxel_count(one.large) + (voxel_count(one.whole) - voxel_count(one.large)) / 4);
   }
 }
 
@@ -76,7 +64,7 @@ TEST(PartAtNeck, WithoutANeckNothingIsTaken) {
   EXPECT_EQ(refusal(without_part_at(thick.whole, thick.small_mm)), "edit-no-neck");
   EXPECT_EQ(refusal(without_part_at(one.whole, slanted_grid().position_mm(Vector3d(0, 25, 0)))), "edit-no-piece-there");
   EXPECT_EQ(refusal(without_part_at(one.whole, {1e300, 0, 0})), "edit-no-piece-there");
-  Mask full = nothing_drawn();
+  Mask full = empty_mask();
   std::fill(full.values.begin(), full.values.end(), std::uint8_t{1});
   EXPECT_EQ(refusal(without_part_at(full, one.large_mm)), "edit-no-neck");
 }
@@ -86,34 +74,23 @@ TEST(PartAtNeckReal, ANeighbourOfARealLiverGoesWithOneClick) {
   GLISSON_NEEDS_DATA("totalseg_abdomen_mr_ct");
   const auto labels = imaging::read_labels_file(test::shared_data() / "totalseg_abdomen_mr_ct" / "example_seg.nii.gz");
   ASSERT_TRUE(labels);
-  const auto organ = [&](int label) {
-    Mask mask{labels->grid, std::vector<std::uint8_t>(labels->values.size())};
-    for (std::size_t v = 0; v < mask.values.size(); ++v) mask.values[v] = static_cast<int>(labels->values[v]) == label;
-    return mask;
-  };
-  const Mask liver = organ(5);
+  const Mask liver = mask_of_label(*labels, 5);
   int touching = 0, taken_off = 0;
   for (int label = 1; label < 120; ++label) {
-    const Mask neighbour = organ(label);
+    const Mask neighbour = mask_of_label(*labels, label);
     if (label == 5 || volume_ml(neighbour) < 15) continue;
-    if (voxels_of(intersected(with_margin(neighbour, 3.5), liver)) < 20) continue;
+    if (voxel_count(intersected(with_margin(neighbour, 3.5), liver)) < 20) continue;
     const Mask leaked = united(liver, neighbour);
     // The middle of the neighbour is where one sees that it is not the liver.
-    const auto deep = imaging::squared_depths_mm2(neighbour);
-    const auto deepest = static_cast<std::size_t>(std::max_element(deep.begin(), deep.end()) - deep.begin());
-    const auto& size = labels->grid.size;
-    const Vector3d click = labels->grid.position_mm(Vector3d(static_cast<double>(deepest % size[0]),
-                                                             static_cast<double>(deepest / size[0] % size[1]),
-                                                             static_cast<double>(deepest / size[0] / size[1])));
-    const auto left = without_part_at(leaked, click);
+    const auto left = without_part_at(leaked, deepest_mm(neighbour));
     ++touching;
     if (!left) {
       EXPECT_EQ(left.error().code, "edit-no-neck") << "label " << label;
       continue;
     }
     ++taken_off;
-    EXPECT_GT(overlap_of(*left, liver), 0.97) << "label " << label;
-    EXPECT_GT(overlap_of(*left, liver), overlap_of(leaked, liver)) << "label " << label;
+    EXPECT_GT(dice(*left, liver).value(), 0.97) << "label " << label;
+    EXPECT_GT(dice(*left, liver).value(), dice(leaked, liver).value()) << "label " << label;
   }
   // Gall bladder and vena cava lie in the liver's own hollows, and are no part that hangs on it.
   EXPECT_EQ(touching, 7);

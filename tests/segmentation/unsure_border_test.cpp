@@ -7,13 +7,14 @@
 #include <limits>
 #include <random>
 
-#include "imaging/filters.h"
+#include "deepest.h"
 #include "imaging/read_series.h"
 #include "imaging/study.h"
 #include "imaging/volume_file.h"
-#include "segmentation/brush.h"
+#include "segmentation/edit.h"
 #include "segmentation/grow.h"
 #include "segmentation/structures.h"
+#include "slanted_grid.h"
 #include "support/data.h"
 
 namespace glisson::segmentation {
@@ -44,9 +45,7 @@ imaging::Volume ball_with_a_neighbour(const Vector3d& middle_mm, double radius_m
 }
 
 imaging::Mask ball(const imaging::Grid& grid, const Vector3d& middle_mm, double radius_mm) {
-  imaging::Mask mask{grid, std::vector<std::uint8_t>(grid.voxels(), 0)};
-  draw(mask, {middle_mm, middle_mm, radius_mm, {}, {}}, Paint::add);
-  return mask;
+  return paint(empty_mask(grid), {middle_mm, radius_mm});
 }
 
 TEST(UnsureBorder, IsWhereTheNeighbourLooksAlike) {
@@ -70,7 +69,7 @@ TEST(UnsureBorder, IsWhereTheNeighbourLooksAlike) {
 
 TEST(UnsureBorder, OfNothingThereIsNone) {
   const auto image = ball_with_a_neighbour({50, 50, 50}, 20, 0);
-  const imaging::Mask nothing{image.grid, std::vector<std::uint8_t>(image.values.size(), 0)};
+  const imaging::Mask nothing = empty_mask(image.grid);
   EXPECT_EQ(unsure_border(nothing, image).share, 0);
   auto unseen = image;
   std::fill(unseen.values.begin(), unseen.values.end(), std::numeric_limits<float>::quiet_NaN());
@@ -86,12 +85,7 @@ TEST(UnsureBorderReal, IsSaidAlikeOfAnOutlineFromElsewhere) {
   ASSERT_TRUE(study && labels);
   const auto image = imaging::read_series(study->series.front());
   ASSERT_TRUE(image);
-  const imaging::Mask liver = mask_of_label(*labels, 5);
-  const auto depths = imaging::squared_depths_mm2(liver);
-  const auto deepest = std::max_element(depths.begin(), depths.end()) - depths.begin();
-  const auto row = liver.grid.size[0], layer = row * liver.grid.size[1];
-  const auto at = static_cast<int>(deepest);
-  const auto grown = grow_from_seeds(*image, {liver.grid.position_mm(at % row, at % layer / row, at / layer)});
+  const auto grown = grow_from_seeds(*image, {deepest_mm(mask_of_label(*labels, 5))});
   ASSERT_TRUE(grown);
   const UnsureBorder elsewhere = unsure_border(grown->mask, *image);
   EXPECT_NEAR(elsewhere.share, grown->unsure_border, 0.05);

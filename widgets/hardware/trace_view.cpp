@@ -181,9 +181,10 @@ void TraceView::word_answer() {
     for (const hardware::Sentence& warning : runs.warnings) told << translated(warning);
   } else if (reading_.trace) {
     const auto& power_W = reading_.trace->power_W;
-    const auto [least, largest] = std::minmax_element(power_W.begin(), power_W.end());
+    const auto [minimum, maximum] = std::minmax_element(power_W.begin(), power_W.end());
     told << tr("%1 W on average, from %2 to %3 W.")
-                .arg(significant(hardware::mean_power_W(*reading_.trace)), significant(*least), significant(*largest));
+                .arg(significant(hardware::mean_power_W(*reading_.trace)), significant(*minimum),
+                     significant(*maximum));
   }
   if (reading_.problem) told << translated(*reading_.problem);
   answer_->setText(told.join(" "));

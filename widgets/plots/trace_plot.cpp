@@ -40,11 +40,11 @@ Curve drawn_of(const hardware::PowerTrace& trace) {
   for (std::size_t begin = 0; begin < count; begin += stride) {
     const auto first = trace.power_W.begin() + static_cast<std::ptrdiff_t>(begin);
     const auto last = trace.power_W.begin() + static_cast<std::ptrdiff_t>(std::min(count, begin + stride));
-    const auto [least, largest] = std::minmax_element(first, last);
-    const auto least_at = static_cast<std::size_t>(least - trace.power_W.begin());
-    const auto largest_at = static_cast<std::size_t>(largest - trace.power_W.begin());
-    add(std::min(least_at, largest_at));
-    if (least_at != largest_at) add(std::max(least_at, largest_at));
+    const auto [minimum, maximum] = std::minmax_element(first, last);
+    const auto minimum_at = static_cast<std::size_t>(minimum - trace.power_W.begin());
+    const auto maximum_at = static_cast<std::size_t>(maximum - trace.power_W.begin());
+    add(std::min(minimum_at, maximum_at));
+    if (minimum_at != maximum_at) add(std::max(minimum_at, maximum_at));
   }
   return curve;
 }
@@ -96,9 +96,9 @@ void TracePlot::show_trace(const hardware::PowerTrace& trace, const std::optiona
     shade->setPen(Qt::NoPen);
     shade->setBrush(band);
   }
-  const auto [least_W, largest_W] = std::minmax_element(trace.power_W.begin(), trace.power_W.end());
+  const auto [minimum_W, maximum_W] = std::minmax_element(trace.power_W.begin(), trace.power_W.end());
   plot_->xAxis->setRange(begin_s, std::max(end_s, begin_s + trace.sample_interval_s));
-  plot_->yAxis->setRange(std::min(0.0, *least_W), 1.15 * std::max(*largest_W, 1e-6));
+  plot_->yAxis->setRange(std::min(0.0, *minimum_W), 1.15 * std::max(*maximum_W, 1e-6));
   plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 

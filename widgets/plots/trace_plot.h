@@ -17,8 +17,8 @@ class TracePlot : public QWidget {
  public:
   explicit TracePlot(QWidget* parent = nullptr);
 
-  // Of a long recording the least and the largest power in each of some thousand spans are drawn. Runs: none where no
-  // level could be told from another.
+  // Of a long recording the minimum and the maximum of the power in each of some thousand spans are drawn. Runs: none
+  // where no level could be told from another.
   void show_trace(const hardware::PowerTrace& trace, const std::optional<hardware::TraceRuns>& runs);
 
  private:

@@ -95,7 +95,7 @@ Result<std::vector<BatchRow>> run_batch(const fs::path& out, const std::vector<B
   if (patients.empty()) return failure("batch-no-patients", GLISSON_TEXT("There are no patients in this cohort."));
   const auto range = range_of(part, patients);
   if (!range) return failure("batch-unknown-patient", GLISSON_TEXT("The cohort has no patient {0}."), {*part.patient});
-  const auto [first, past] = *range;
+  const std::size_t first = range->first, past = range->second;
   const bool in_chunk = part.chunks > 0;
   std::error_code problem;
   fs::create_directories(out / (in_chunk ? "chunks" : "patients"), problem);
@@ -105,13 +105,12 @@ Result<std::vector<BatchRow>> run_batch(const fs::path& out, const std::vector<B
   std::optional<Error> not_saved;
   std::size_t done = 0;
   std::size_t made = 0;
-  const std::size_t offset = first;
   parallel_for(rows.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n) {
-      const BatchPatient& patient = patients[offset + n];
+      const BatchPatient& patient = patients[first + n];
       rows[n] = finished_row(out, chunks, patient);
       if ((!rows[n] || !rows[n]->error.empty()) && !progress.cancelled()) {
-        const Result<NamedNumbers> values = compute(offset + n);
+        const Result<NamedNumbers> values = compute(first + n);
         if (!values && values.error().code == "cancelled") continue;
         rows[n] = computed_row(patient, values);
         const auto saved = in_chunk ? Result<void>() : save_row(out, patient, *rows[n]);
