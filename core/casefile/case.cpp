@@ -8,8 +8,8 @@
 #include "base/files.h"
 #include "base/json.h"
 #include "base/write_file.h"
-#include "casefile/entry_record.h"
-#include "casefile/folder_lock.h"
+#include "casefile/internal/entry_record.h"
+#include "casefile/internal/folder_lock.h"
 #include "imaging/volume_file.h"
 
 namespace glisson::casefile {

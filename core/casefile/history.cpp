@@ -7,9 +7,9 @@
 
 #include "base/files.h"
 #include "base/json.h"
-#include "casefile/entry_record.h"
-#include "casefile/folder_lock.h"
-#include "casefile/history_journal.h"
+#include "casefile/internal/entry_record.h"
+#include "casefile/internal/folder_lock.h"
+#include "casefile/internal/history_journal.h"
 
 namespace glisson::casefile {
 namespace fs = std::filesystem;

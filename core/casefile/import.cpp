@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-#include "casefile/motion_options.h"
+#include "casefile/internal/motion_options.h"
 #include "casefile/new_case.h"
 #include "imaging/read_series.h"
 #include "imaging/stiffness_map.h"

@@ -10,8 +10,8 @@
 
 #include "base/files.h"
 #include "base/json.h"
-#include "casefile/history_journal.h"
-#include "casefile/macro_values.h"
+#include "casefile/internal/history_journal.h"
+#include "casefile/internal/macro_values.h"
 #include "casefile/model_upkeep.h"
 
 namespace glisson::casefile {

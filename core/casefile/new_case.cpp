@@ -2,7 +2,7 @@
 
 #include <system_error>
 
-#include "casefile/folder_lock.h"
+#include "casefile/internal/folder_lock.h"
 
 namespace glisson::casefile {
 namespace fs = std::filesystem;

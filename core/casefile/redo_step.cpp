@@ -5,7 +5,7 @@
 
 #include "base/files.h"
 #include "base/write_file.h"
-#include "casefile/history_journal.h"
+#include "casefile/internal/history_journal.h"
 
 namespace glisson::casefile {
 namespace fs = std::filesystem;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <map>
 
-#include "casefile/motion_options.h"
+#include "casefile/internal/motion_options.h"
 #include "imaging/volume_file.h"
 
 namespace glisson::casefile {

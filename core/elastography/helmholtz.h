@@ -12,7 +12,7 @@
 #include <complex>
 #include <vector>
 
-#include "elastography/local_fit.h"
+#include "elastography/internal/local_fit.h"
 #include "elastography/waves.h"
 
 namespace glisson::elastography {

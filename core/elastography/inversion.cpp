@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "elastography/helmholtz.h"
+#include "elastography/internal/wave_directions.h"
 #include "elastography/local_frequency.h"
-#include "elastography/wave_directions.h"
 #include "imaging/filters.h"
 
 namespace glisson::elastography {

@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "base/parallel.h"
-#include "elastography/fourier.h"
-#include "elastography/wave_directions.h"
+#include "elastography/internal/fourier.h"
+#include "elastography/internal/wave_directions.h"
 #include "imaging/filters.h"
 
 namespace glisson::elastography {

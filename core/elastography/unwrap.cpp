@@ -7,7 +7,7 @@
 
 #include "base/parallel.h"
 #include "base/result.h"
-#include "elastography/unwrap_in_space.h"
+#include "elastography/internal/unwrap_in_space.h"
 
 namespace glisson::elastography {
 namespace {

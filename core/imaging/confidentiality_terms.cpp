@@ -4,8 +4,8 @@
 #include <optional>
 #include <set>
 
-#include "imaging/confidentiality.h"
-#include "imaging/dicom_fields.h"
+#include "imaging/internal/confidentiality.h"
+#include "imaging/internal/dicom_fields.h"
 #include "imaging/segment_codes.h"
 
 namespace glisson::imaging {

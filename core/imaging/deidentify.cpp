@@ -6,11 +6,11 @@
 
 #include "base/files.h"
 #include "base/write_file.h"
-#include "imaging/data_set_cleaner.h"
-#include "imaging/dicom_fields.h"
-#include "imaging/dicom_image.h"
 #include "imaging/dicom_uid.h"
-#include "imaging/frame_reader.h"
+#include "imaging/internal/data_set_cleaner.h"
+#include "imaging/internal/dicom_fields.h"
+#include "imaging/internal/dicom_image.h"
+#include "imaging/internal/frame_reader.h"
 
 namespace glisson::imaging {
 namespace fs = std::filesystem;

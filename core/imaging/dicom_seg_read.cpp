@@ -9,9 +9,9 @@
 #include <Eigen/Geometry>
 #include <map>
 
-#include "imaging/cielab.h"
-#include "imaging/dicom_fields.h"
 #include "imaging/file_bytes.h"
+#include "imaging/internal/cielab.h"
+#include "imaging/internal/dicom_fields.h"
 
 namespace glisson::imaging {
 namespace fs = std::filesystem;

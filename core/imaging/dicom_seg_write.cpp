@@ -9,9 +9,9 @@
 #include <Eigen/Geometry>
 
 #include "base/files.h"
-#include "imaging/cielab.h"
-#include "imaging/dicom_text.h"
 #include "imaging/dicom_uid.h"
+#include "imaging/internal/cielab.h"
+#include "imaging/internal/dicom_text.h"
 #include "imaging/segment_codes.h"
 
 // DCMTK after ours: its headers define macros.

@@ -7,8 +7,8 @@
 #include <Eigen/Geometry>
 
 #include "base/files.h"
-#include "imaging/dicom_text.h"
 #include "imaging/dicom_uid.h"
+#include "imaging/internal/dicom_text.h"
 
 // DCMTK after ours: its headers define macros.
 #include <dcmtk/config/osconfig.h>

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "base/files.h"
-#include "imaging/volume_header.h"
+#include "imaging/internal/volume_header.h"
 
 namespace glisson::imaging {
 namespace fs = std::filesystem;

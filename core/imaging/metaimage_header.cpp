@@ -3,7 +3,7 @@
 #include <array>
 #include <utility>
 
-#include "imaging/volume_header.h"
+#include "imaging/internal/volume_header.h"
 
 namespace glisson::imaging {
 namespace fs = std::filesystem;

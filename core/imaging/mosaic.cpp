@@ -8,7 +8,7 @@
 #include <cstring>
 #include <Eigen/Geometry>
 
-#include "imaging/dicom_fields.h"
+#include "imaging/internal/dicom_fields.h"
 
 namespace glisson::imaging {
 namespace {

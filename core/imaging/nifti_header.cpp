@@ -6,8 +6,8 @@
 #include <cstring>
 #include <Eigen/Geometry>
 
-#include "imaging/volume_header.h"
-#include "imaging/voxel_stream.h"
+#include "imaging/internal/volume_header.h"
+#include "imaging/internal/voxel_stream.h"
 
 namespace glisson::imaging {
 namespace fs = std::filesystem;

@@ -11,9 +11,9 @@
 #include <fmt/format.h>
 
 #include "base/parallel.h"
-#include "imaging/frame_reader.h"
+#include "imaging/internal/frame_reader.h"
+#include "imaging/internal/voxel_layout.h"
 #include "imaging/volume_file.h"
-#include "imaging/voxel_layout.h"
 
 namespace glisson::imaging {
 namespace {

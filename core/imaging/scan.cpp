@@ -10,13 +10,13 @@
 #include <fmt/format.h>
 
 #include "base/parallel.h"
-#include "imaging/assemble_series.h"
-#include "imaging/dicom_fields.h"
-#include "imaging/dicom_image.h"
-#include "imaging/roles.h"
+#include "imaging/internal/assemble_series.h"
+#include "imaging/internal/dicom_fields.h"
+#include "imaging/internal/dicom_image.h"
+#include "imaging/internal/roles.h"
+#include "imaging/internal/voxel_layout.h"
 #include "imaging/study.h"
 #include "imaging/volume_file.h"
-#include "imaging/voxel_layout.h"
 
 namespace glisson::imaging {
 namespace fs = std::filesystem;

@@ -7,7 +7,7 @@
 #include <Eigen/Geometry>
 #include <map>
 
-#include "imaging/slice_spacing.h"
+#include "imaging/internal/slice_spacing.h"
 
 namespace glisson::imaging {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "imaging/dicom_image.h"
+#include "imaging/internal/dicom_image.h"
 
 namespace glisson::imaging {
 

@@ -15,10 +15,10 @@
 #include <sstream>
 
 #include "base/files.h"
+#include "imaging/internal/volume_header.h"
+#include "imaging/internal/voxel_stream.h"
 #include "imaging/segment_codes.h"
 #include "imaging/segments_file.h"
-#include "imaging/volume_header.h"
-#include "imaging/voxel_stream.h"
 
 namespace glisson::imaging {
 namespace fs = std::filesystem;

@@ -13,7 +13,7 @@
 #include "geometry/mesh_file.h"
 #include "mechanics/elements/point_location.h"
 #include "scene/anatomy.h"
-#include "scene/slices.h"
+#include "scene/internal/slices.h"
 
 namespace glisson::scene {
 namespace fs = std::filesystem;

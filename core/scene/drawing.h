@@ -1,6 +1,6 @@
 #pragma once
-// What is drawn over the slices while a person works on them: lines and coloured cells. Inside the room but for the
-// two values, which view.h takes.
+// What is drawn over the slices while a person works on them: lines and coloured cells as values, which a
+// view takes (view_changes.h), and Drawing, which shows them in VTK's renderer.
 
 #include <array>
 #include <cstdint>

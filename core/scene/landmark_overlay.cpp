@@ -9,7 +9,7 @@
 #include "casefile/structures.h"
 #include "scene/anatomy.h"
 #include "scene/case_scenes.h"
-#include "scene/slices.h"
+#include "scene/internal/slices.h"
 
 namespace glisson::scene {
 namespace {

@@ -15,13 +15,13 @@
 #include <cstring>
 #include <string_view>
 
-#include "scene/annotations.h"
-#include "scene/backdrop_actor.h"
-#include "scene/markers.h"
-#include "scene/offscreen.h"
-#include "scene/overlay.h"
-#include "scene/slice_actor.h"
-#include "scene/surface_actor.h"
+#include "scene/internal/annotations.h"
+#include "scene/internal/backdrop_actor.h"
+#include "scene/internal/markers.h"
+#include "scene/internal/offscreen.h"
+#include "scene/internal/overlay.h"
+#include "scene/internal/slice_actor.h"
+#include "scene/internal/surface_actor.h"
 
 namespace glisson::scene {
 namespace {

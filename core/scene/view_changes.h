@@ -11,8 +11,8 @@
 
 #include "scene/backdrop.h"
 #include "scene/drawing.h"
+#include "scene/internal/viewport.h"
 #include "scene/scene.h"
-#include "scene/viewport.h"
 
 namespace glisson::scene {
 

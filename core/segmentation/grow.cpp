@@ -13,13 +13,13 @@
 #include "imaging/filters.h"
 #include "segmentation/edit.h"
 #include "segmentation/growth_doubts.h"
-#include "segmentation/outline_border.h"
-#include "segmentation/seeds.h"
-#include "segmentation/slice_holes.h"
+#include "segmentation/internal/outline_border.h"
+#include "segmentation/internal/seeds.h"
+#include "segmentation/internal/slice_holes.h"
+#include "segmentation/internal/tissue_model.h"
+#include "segmentation/internal/working_grid.h"
 #include "segmentation/structures.h"
-#include "segmentation/tissue_model.h"
 #include "segmentation/unsure_border.h"
-#include "segmentation/working_grid.h"
 
 namespace glisson::segmentation {
 namespace {

@@ -12,9 +12,9 @@
 #include "imaging/filters.h"
 #include "segmentation/edit.h"
 #include "segmentation/grid_part.h"
-#include "segmentation/seeds.h"
+#include "segmentation/internal/seeds.h"
+#include "segmentation/internal/tissue_model.h"
 #include "segmentation/structures.h"
-#include "segmentation/tissue_model.h"
 
 namespace glisson::segmentation {
 namespace {

@@ -8,9 +8,9 @@
 
 #include "imaging/filters.h"
 #include "segmentation/grid_part.h"
-#include "segmentation/signed_distance.h"
-#include "segmentation/tissue_model.h"
-#include "segmentation/working_grid.h"
+#include "segmentation/internal/signed_distance.h"
+#include "segmentation/internal/tissue_model.h"
+#include "segmentation/internal/working_grid.h"
 
 namespace glisson::segmentation {
 namespace {

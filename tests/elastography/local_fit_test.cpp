@@ -1,6 +1,6 @@
 // The separable local fit against the slow obvious one, and what it makes of plane waves and of noise.
 
-#include "elastography/local_fit.h"
+#include "elastography/internal/local_fit.h"
 
 #include <gtest/gtest.h>
 #include <Eigen/QR>

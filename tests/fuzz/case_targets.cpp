@@ -5,7 +5,7 @@
 #include "base/json.h"
 #include "casefile/case.h"
 #include "casefile/history.h"
-#include "casefile/history_journal.h"
+#include "casefile/internal/history_journal.h"
 #include "casefile/resection_folder.h"
 #include "fuzz/reader_target.h"
 #include "planning/plan_file.h"

@@ -11,7 +11,7 @@
 #include <set>
 
 #include "base/files.h"
-#include "imaging/cielab.h"
+#include "imaging/internal/cielab.h"
 #include "imaging/segment_codes.h"
 #include "imaging/volume_file.h"
 #include "support/data.h"

@@ -9,8 +9,8 @@
 #include <limits>
 
 #include "base/files.h"
-#include "imaging/dicom_text.h"
 #include "imaging/dicom_uid.h"
+#include "imaging/internal/dicom_text.h"
 #include "imaging/read_series.h"
 
 namespace glisson::imaging {

@@ -1,6 +1,6 @@
 // The frequency, direction and instant that an elastography image was made for, from what its header says.
 
-#include "imaging/motion_encoding.h"
+#include "imaging/internal/motion_encoding.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // What vendors write, and what we make of it.
 
-#include "imaging/roles.h"
+#include "imaging/internal/roles.h"
 
 #include <gmock/gmock.h>
 

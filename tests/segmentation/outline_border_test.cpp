@@ -1,6 +1,6 @@
 // The border is put between an organ and neighbours of which one is brighter and one darker.
 
-#include "segmentation/outline_border.h"
+#include "segmentation/internal/outline_border.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // The relaxed cut against every region that a row can be cut into, and against noise.
 
-#include "segmentation/relaxed_cut.h"
+#include "segmentation/internal/relaxed_cut.h"
 
 #include <gtest/gtest.h>
 

@@ -15,9 +15,9 @@
 #include <random>
 
 #include "base/files.h"
-#include "imaging/dicom_text.h"
 #include "imaging/dicom_uid.h"
 #include "imaging/dicom_write.h"
+#include "imaging/internal/dicom_text.h"
 #include "run_test.h"
 #include "shown.h"
 #include "widgets/main_window.h"

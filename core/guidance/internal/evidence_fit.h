@@ -5,7 +5,7 @@
 //
 // The variance is that of the largest evidence (type-II maximum likelihood; Bishop, Pattern Recognition and Machine
 // Learning, 3.5), searched over a grid up to a largest one. Rows repeat each other: as many count as are independent,
-// each as much as any other, or each by the weight that it brings. Inside of this room.
+// each as much as any other, or each by the weight that it brings.
 
 #include <Eigen/Core>
 

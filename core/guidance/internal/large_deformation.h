@@ -5,7 +5,7 @@
 //   u(f) = u0 + K(u0)^-1 (f - r(u0))
 //
 // r is what the organ resists with, K the slope of it (its positive part where the slope itself is not positive
-// definite): a step of Newton's method, which repeated ends in equilibrium. Inside of this room.
+// definite): a step of Newton's method, which repeated ends in equilibrium.
 
 #include <Eigen/Core>
 #include <memory>

@@ -2,7 +2,6 @@
 // The state of one fit of an organ to a frame, and what every fit does: the pose alone, by points to planes with
 // weights of Student's t (iteratively reweighted), and the answer with its standard deviations. What is searched for
 // between them differs: elastic_registration.cpp for an organ that nothing is known to hold, supported_fit.h otherwise.
-// Inside of this room.
 
 #include <string>
 #include <vector>

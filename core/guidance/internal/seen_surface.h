@@ -1,5 +1,5 @@
 #pragma once
-// Where seen points lie on a surface that moves, and what each says of its displacement. Inside of this room.
+// Where seen points lie on a surface that moves, and what each says of its displacement.
 
 #include <array>
 #include <Eigen/Core>

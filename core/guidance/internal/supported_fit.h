@@ -10,7 +10,7 @@
 //
 // Where linear elasticity would err by more than 1 mm in turning the organ, it is fitted by corotational elasticity too
 // (large_deformation.h): forces act about where the organ lies, anew every second round, and at last they are in
-// equilibrium with it. Linear elasticity is kept only where the evidence says so very strongly. Inside of this room.
+// equilibrium with it. Linear elasticity is kept only where the evidence says so very strongly.
 
 #include "guidance/elastic_registration.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// What the engines answer a scenario with, whichever it was. Inside of this room.
+// What the engines answer a scenario with, whichever it was.
 
 #include <optional>
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
 // One of a session's two bodies, at small strain (mechanics/contact/contact.h) or at large (mechanics/contact/
-// live_body.h): a state and tools give the next state. Inside of this room.
+// live_body.h): a state and tools give the next state.
 
 #include <memory>
 #include <variant>

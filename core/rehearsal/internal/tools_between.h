@@ -1,5 +1,5 @@
 #pragma once
-// Tools on their way from where they were to where they are wanted, in steps that a body follows. Inside of this room.
+// Tools on their way from where they were to where they are wanted, in steps that a body follows.
 
 #include <vector>
 

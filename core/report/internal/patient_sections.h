@@ -1,5 +1,5 @@
 #pragma once
-// Sections of the patient's page that read more of the case than its list of files. Inside the room.
+// Sections of the patient's page that read more of the case than its list of files.
 
 #include "base/result.h"
 #include "casefile/case.h"

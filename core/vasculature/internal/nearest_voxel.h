@@ -1,5 +1,5 @@
 #pragma once
-// The voxel whose centre is nearest to a place. Inside of this room.
+// The voxel whose centre is nearest to a place.
 
 #include <cmath>
 #include <cstddef>

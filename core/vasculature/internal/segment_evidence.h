@@ -1,6 +1,5 @@
 #pragma once
-// What is known of one liver and its vessels, and how probable a model of what parts its segments is under it. Inside
-// of this room.
+// What is known of one liver and its vessels, and how probable a model of what parts its segments is under it.
 
 #include <Eigen/Core>
 #include <vector>

@@ -1,5 +1,5 @@
 #pragma once
-// The surface of a body of quadratic tetrahedra, and the places on it that are nearest to points. Inside of this room.
+// The surface of a body of quadratic tetrahedra, and the places on it that are nearest to points.
 
 #include <array>
 #include <Eigen/Core>

@@ -1,5 +1,5 @@
 #pragma once
-// Adding up what is known by its natural logarithm, however small or large. For use within the room.
+// Adding up what is known by its natural logarithm, however small or large.
 
 #include <algorithm>
 #include <cmath>

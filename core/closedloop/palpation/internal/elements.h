@@ -1,6 +1,6 @@
 #pragma once
 // Quadratic tetrahedra seen from their quadrature points: what is needed to multiply with a stiffness, or with its
-// derivative by some parameter, without assembling it. Inside of this room.
+// derivative by some parameter, without assembling it.
 
 #include <Eigen/Core>
 #include <vector>

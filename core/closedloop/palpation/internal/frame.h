@@ -1,6 +1,6 @@
 #pragma once
 // How a camera's frame may be turned against the specimen's: rotations by a vector in degrees, its direction the axis
-// and its length the angle. Inside of this room.
+// and its length the angle.
 
 #include <array>
 #include <Eigen/Core>

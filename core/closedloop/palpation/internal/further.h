@@ -1,6 +1,6 @@
 #pragma once
 // Trials that could still be made on a specimen: where, how hard and for how long, as sentences and as what the model
-// is asked to predict. Inside of this room.
+// is asked to predict.
 
 #include <vector>
 

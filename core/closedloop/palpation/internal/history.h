@@ -4,7 +4,7 @@
 //   F(t) + sum a y(t),   T y' + y = F,   y = 0 before the first sample
 // as elastic ones follow F (the correspondence principle; e.g. R. M. Christensen, Theory of Viscoelasticity, 2.1).
 // F is piecewise linear between samples, for which y is exact; it starts with the first sample, with a step where that
-// is not zero. Inside of this room.
+// is not zero.
 
 #include <Eigen/Core>
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
 // How displacements change with each parameter of the effects, where no tissue stiffens: one factorisation gives them
-// all. Inside of this room.
+// all.
 
 #include <Eigen/Core>
 #include <vector>

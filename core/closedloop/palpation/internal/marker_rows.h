@@ -1,5 +1,5 @@
 #pragma once
-// What is seen of a palpation's markers, as rows of observations: three a marker and moment. Inside of this room.
+// What is seen of a palpation's markers, as rows of observations: three a marker and moment.
 
 #include <Eigen/Core>
 #include <vector>

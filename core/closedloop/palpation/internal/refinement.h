@@ -1,7 +1,7 @@
 #pragma once
 // How far the declared model's finite elements are from the exact solution of its equations, as a finer solve shows it:
 // every cell is divided into eight, the loads and supports stay on the same faces, and what that changes at the markers
-// is taken for the error. Inside of this room.
+// is taken for the error.
 //
 // The finer equations are solved roughly, by conjugate gradients whose preconditioner is the coarse factor and the
 // diagonal: what the coarse mesh cannot represent is short-ranged, so few steps show it to about a tenth of itself.

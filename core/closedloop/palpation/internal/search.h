@@ -2,7 +2,7 @@
 // Where to begin the search for an effect of a specimen's structure: by what small amounts of it would do to the
 // markers, which the factor at hand gives cheaply, held against what is left unexplained. A hidden inclusion is looked
 // for everywhere at once: adjoint solves (one a marker and direction) give each cell's influence on every marker, sums
-// over spheres of cells give the influence of a lump (Born's approximation). Inside of this room.
+// over spheres of cells give the influence of a lump (Born's approximation).
 
 #include <array>
 #include <Eigen/Core>

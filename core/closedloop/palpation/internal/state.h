@@ -1,6 +1,6 @@
 #pragma once
 // Everything that effects may change about a palpation, in one value: each effect writes its own part, so that effects
-// compose. Default: the declared model. Inside of this room.
+// compose. Default: the declared model.
 
 #include <Eigen/Core>
 #include <optional>

@@ -1,6 +1,6 @@
 #pragma once
 // What a specimen that stiffens with strain does to its markers, for any settings of effects: equilibria and how they
-// change with every parameter. Remembered, and each search begun from the last one's end. Inside of this room.
+// change with every parameter. Remembered, and each search begun from the last one's end.
 
 #include <Eigen/Core>
 #include <functional>

@@ -5,7 +5,7 @@
 //   Yeoh    w = mu/2 ((I - 3) + b/2 (I - 3)^2),  I = sum exp(2 e_i)                O. H. Yeoh 1993, cut after two terms
 //   Ogden   w = 2 mu / a^2 (sum exp(a e_i) - 3)                                     R. W. Ogden 1972, one term
 // Neo-Hookean for b = 0 and for a = 2. Stress and tangent follow in the frame of the stretches, F = U diag(lambda) V^T
-// (e.g. A. Stomakhin et al. 2012, Energetically Consistent Invertible Elasticity, section 4). Inside of this room.
+// (e.g. A. Stomakhin et al. 2012, Energetically Consistent Invertible Elasticity, section 4).
 
 #include <Eigen/Core>
 

@@ -9,7 +9,7 @@
 // - A capsule is a membrane on the whole surface, without bending stiffness: Young's modulus times thickness (mN/mm),
 //   in plane stress with the specimen's Poisson's ratio.
 //
-// Everything at small strain, like the declared model. Inside of this room.
+// Everything at small strain, like the declared model.
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>

@@ -1,5 +1,5 @@
 #pragma once
-// Where rigid tools are near a surface of triangles, found anew as either moves. Inside of this room.
+// Where rigid tools are near a surface of triangles, found anew as either moves.
 //
 // `moved_mm` begins with the displacement of each point of the surface, 3 a point; `advance_mm` has one a tool, how far
 // it slid from its pose.

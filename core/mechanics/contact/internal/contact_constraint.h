@@ -1,6 +1,6 @@
 #pragma once
 // A place of the surface that a rod of a tool presses on, and Coulomb's friction there: large_contact.h says how both
-// join the body's energy. `u_mm` has 3 values a node; `k_mN_mm` is the penalty stiffness. Inside of this room.
+// join the body's energy. `u_mm` has 3 values a node; `k_mN_mm` is the penalty stiffness.
 
 #include <array>
 #include <Eigen/Core>

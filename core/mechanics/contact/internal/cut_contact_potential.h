@@ -1,6 +1,6 @@
 #pragma once
 // Self-contact of the faces of cuts: (max(0, p - k g)^2 - p^2) / (2 k) for each point and the triangle across from it
-// (cut_self_contact.h). Inside of this room.
+// (cut_self_contact.h).
 
 #include <vector>
 

@@ -6,7 +6,7 @@
 // move apart in few steps. H = 1/2 + theta / 2 pi, theta the angle around the front from straight ahead (as the first
 // branch function of a crack's tip in linear elasticity behaves: Moes, Dolbow and Belytschko 1999, Int. J. Numer. Meth.
 // Eng. 46:131), is 1 above and 0 below far behind the front and continuous ahead of it. Y^T A Y is that at rest, with a
-// point for each side of a cell: it need not be exact to precondition. Inside of this room.
+// point for each side of a cell: it need not be exact to precondition.
 
 #include <Eigen/Core>
 #include <utility>

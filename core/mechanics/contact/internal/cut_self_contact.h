@@ -1,6 +1,6 @@
 #pragma once
 // Self-contact of the faces of cuts, which may touch and slide and not pass through each other. Pairs of a point of one
-// face and a triangle of another are found anew as they move. Inside of this room.
+// face and a triangle of another are found anew as they move.
 
 #include <array>
 #include <Eigen/Core>

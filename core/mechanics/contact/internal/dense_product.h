@@ -1,6 +1,6 @@
 #pragma once
 // A square matrix in single precision times a vector, as fast as the cache hands the matrix over: Eigen's product is
-// compiled for the smallest vectors that any machine has. Inside of this room.
+// compiled for the smallest vectors that any machine has.
 
 #include <Eigen/Core>
 

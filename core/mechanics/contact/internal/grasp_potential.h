@@ -1,6 +1,5 @@
 #pragma once
 // Jaws that hold the mean of some nodes at a displacement: (|p - k d|^2 - |p|^2) / (2 k), d being how far it is off.
-// Inside of this room.
 
 #include <vector>
 

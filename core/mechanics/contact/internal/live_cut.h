@@ -1,7 +1,7 @@
 #pragma once
 // What a live body has more of where a cut has opened: its jumps' cells, a level for conjugate gradients, and the
 // judged places' answers to unit forces at small strain, by which the bound is weighted. Made anew with each advance;
-// the body's other parts stay. Inside of this room.
+// the body's other parts stay.
 
 #include <cstdint>
 #include <Eigen/Core>

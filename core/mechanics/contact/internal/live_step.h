@@ -1,6 +1,6 @@
 #pragma once
 // The parts of a live body, and one step of it: places that touch, conjugate gradients, the estimate of what is left
-// (live_body.h says how they go together). Inside of this room.
+// (live_body.h says how they go together).
 
 #include <algorithm>
 #include <limits>

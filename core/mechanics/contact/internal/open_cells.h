@@ -2,8 +2,7 @@
 // Cells that a live cut has opened, at large deformation. On the side s of the cut (1 above, 0 below) the displacement
 // is u + sum over corners of (s - H_i) L_i a_i with the jump a_i of the corner i and H_i 1 where the corner lies above
 // (cutting/internal/jump_functions.h), so that F is the nodes' and a constant of each side. The cells' two sides are
-// divided into tetrahedra and integrated there, at four points each, in double precision and on one thread. Inside of
-// this room.
+// divided into tetrahedra and integrated there, at four points each, in double precision and on one thread.
 //
 // Jumps follow the nodes among the unknowns: 3 values a node, then 3 a jump (mm, mN).
 

@@ -5,7 +5,7 @@
 // blocks of A's diagonal. P takes the nodes' displacements from quadratic B-splines over a narrow regular lattice laid
 // through the body, and Q those from splines twice as wide, which narrow ones add up to exactly. B is the diagonal
 // blocks of P^T A P; the wide lattice's inverse is kept, dense. Splines of the second degree bend and turn without
-// locking, which trilinear ones do not near incompressibility. Inside of this room.
+// locking, which trilinear ones do not near incompressibility.
 //
 // Some rows c of stiffness k (contacts, jaws) may stand beside A. They are answered exactly, by what the levels answer
 // to them (Sherman, Morrison and Woodbury; e.g. Golub and Van Loan, Matrix Computations, 2.1.4). A live cut joins as

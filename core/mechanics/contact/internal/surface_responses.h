@@ -2,7 +2,7 @@
 // What a linear body answers to forces on its surface. A unit force on a point is solved for once by the kept factor
 // and remembered, in fixed groups of neighbours, so that what is remembered does not depend on who asked first; what
 // the model's mutual points (of the walls of cuts) answer to each other is known from the start, and forces on them are
-// solved for anew each time that all is seen under them. Inside of this room.
+// solved for anew each time that all is seen under them.
 //
 // Where a cut has opened, what the opening adds is apart from what is remembered of the whole body (opening.h): the
 // loads that forces put on its jumps, and what follows from those.

@@ -1,6 +1,6 @@
 #pragma once
 // Places of the surface that rods of tools press on: (max(0, p - k g)^2 - p^2) / (2 k) and friction, as
-// large_contact.h says. Inside of this room.
+// large_contact.h says.
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 #pragma once
 // What a jump of the displacement across a cut adds to a body's equations: its coupling to the nodes, its own
-// stiffness, and the work of standing loads on it. Inside of this room.
+// stiffness, and the work of standing loads on it.
 //
 // A point i of a crossed cell carries a jump a_i by the function L_i (H - H_i): L_i is the point's linear shape
 // function, H is 1 above the surface and 0 below, H_i its value at the point (Moes, Dolbow and Belytschko 1999,

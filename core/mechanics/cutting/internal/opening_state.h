@@ -1,5 +1,5 @@
 #pragma once
-// What an opening is made of. Inside of this room.
+// What an opening is made of.
 
 #include <Eigen/Cholesky>
 #include <memory>

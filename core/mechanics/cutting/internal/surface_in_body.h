@@ -1,5 +1,5 @@
 #pragma once
-// One surface along which a body may open, with what was solved for on it. Inside of this room.
+// One surface along which a body may open, with what was solved for on it.
 
 #include <Eigen/SparseCore>
 #include <memory>

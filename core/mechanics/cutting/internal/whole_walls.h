@@ -1,5 +1,5 @@
 #pragma once
-// What of a cut's walls still holds: the bridges before the front, and their share. Inside of this room.
+// What of a cut's walls still holds: the bridges before the front, and their share.
 
 #include <Eigen/Core>
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
 // The linear tetrahedra of a moving body, each with the rotation it has turned by: forces in double precision without
-// any matrix, and the same stiffness as blocks of one. Inside of this room.
+// any matrix, and the same stiffness as blocks of one.
 //
 // The force is that of warped stiffness (corotational.h): R C : sym(R^T grad w - I), with R held. Nodes are numbered
 // anew, along the body's longest side, and cells go through in slabs along it, every other one at a time: two slabs

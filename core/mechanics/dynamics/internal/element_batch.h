@@ -1,7 +1,7 @@
 #pragma once
 // Linear tetrahedra eight at a time, one a lane of the vectors that the machine has (Google Highway: compiled for every
 // instruction set that the compiler knows, chosen when the program runs): what CorotationalElements does with them at
-// every step. Another instruction set rounds otherwise, in the last digit. Inside of this room.
+// every step. Another instruction set rounds otherwise, in the last digit.
 
 #include <array>
 #include <cstdint>

@@ -1,6 +1,5 @@
 #pragma once
-// One step of implicit Euler as the potential energy whose minimum it is: newton_implicit_euler.h says which. Inside of
-// this room.
+// One step of implicit Euler as the potential energy whose minimum it is: newton_implicit_euler.h says which.
 
 #include <Eigen/SparseCore>
 #include <vector>

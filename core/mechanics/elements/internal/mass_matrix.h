@@ -1,5 +1,5 @@
 #pragma once
-// The consistent mass of a body of quadratic tetrahedra with straight edges. Inside of this room.
+// The consistent mass of a body of quadratic tetrahedra with straight edges.
 
 #include <Eigen/SparseCore>
 

@@ -1,5 +1,5 @@
 // 3x3 matrices in vectors, one cell a lane: what the batches of cells share. Included once a target, after
-// Highway, whose own headers are guarded in the same way. Inside of this room.
+// Highway, whose own headers are guarded in the same way.
 
 #if defined(GLISSON_MATRIX_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLISSON_MATRIX_LANES_INL_H_

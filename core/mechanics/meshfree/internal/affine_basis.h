@@ -12,7 +12,7 @@
 //
 // At a point p of the mesh the handles blend to one affine field of its own, A_p = sum of w_i times handle i, and u is
 // A_p at the point and the mean of two such fields in the middle of an edge. So handles speak to points, of which there
-// are few, and points to the places of a quadratic layout. Inside of this room.
+// are few, and points to the places of a quadratic layout.
 
 #include <Eigen/Core>
 #include <functional>

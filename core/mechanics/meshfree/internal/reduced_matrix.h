@@ -1,6 +1,6 @@
 #pragma once
 // Matrices over handles (affine_basis.h), assembled: P^T K P in blocks of 12x12, P being how places follow handles. For
-// a few thousand handles at most: a handle meets a hundred others, and each block is 1.2 kB. Inside of this room.
+// a few thousand handles at most: a handle meets a hundred others, and each block is 1.2 kB.
 
 #include <Eigen/SparseCore>
 #include <vector>

@@ -1,6 +1,5 @@
 #pragma once
-// A potential energy over places as one over the handles that they follow, with the springs of what is fixed. Inside of
-// this room.
+// A potential energy over places as one over the handles that they follow, with the springs of what is fixed.
 
 #include "mechanics/meshfree/internal/meshfree_body.h"
 #include "mechanics/meshfree/internal/reduced_solver.h"

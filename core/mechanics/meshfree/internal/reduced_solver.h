@@ -10,7 +10,7 @@
 // Widlund 2005, 2.5 and 3). Handles may describe one motion in two ways, so that A is semi-definite; conjugate
 // gradients never enter what A does not see, and factorisations are of A with its diagonal raised by as little as makes
 // it definite: each digit less saves iterations by the factor (500 handles, to 1e-6: 193 of them with 1e-9, 3 with
-// 1e-13). Inside of this room.
+// 1e-13).
 
 #include <Eigen/Core>
 #include <memory>

@@ -1,5 +1,5 @@
 #pragma once
-// Faces of a body's boundary, displaced, and the points that integrals over them are sampled at. Inside of this room.
+// Faces of a body's boundary, displaced, and the points that integrals over them are sampled at.
 
 #include <Eigen/Core>
 #include <vector>

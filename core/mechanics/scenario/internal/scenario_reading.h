@@ -1,5 +1,5 @@
 #pragma once
-// What the two files that read a scenario share. Inside of this room.
+// What the two files that read a scenario share.
 
 #include <string>
 

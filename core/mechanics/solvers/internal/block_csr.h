@@ -1,6 +1,6 @@
 #pragma once
 // A square sparse matrix of 3x3 blocks stored by rows: what conjugate gradients multiply with, in single precision
-// (BlockCsr) or double. Both triangles are stored, so that threads share nothing when multiplying. Inside of this room.
+// (BlockCsr) or double. Both triangles are stored, so that threads share nothing when multiplying.
 
 #include <cstdint>
 #include <Eigen/Core>

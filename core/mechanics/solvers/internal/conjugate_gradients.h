@@ -1,7 +1,7 @@
 #pragma once
 // Preconditioned conjugate gradients on a matrix in single precision (eqs. 4.7-4.10 of the dissertation with the
 // preconditioner of e.g. Saad, Iterative Methods for Sparse Linear Systems, 9.2). Sums are kept in double precision and
-// made in the same order with any number of threads. Inside of this room.
+// made in the same order with any number of threads.
 
 #include "mechanics/solvers/internal/lattice_preconditioner.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// What a Cholesky factor would cost, known from the pattern alone. Inside of this room.
+// What a Cholesky factor would cost, known from the pattern alone.
 
 #include <Eigen/SparseCore>
 

@@ -6,7 +6,7 @@
 // them, which D alone leaves to hundreds of iterations, and are solved for exactly; the lattice between passes on what
 // is too wide for D and too narrow for them (Bramble, Pasciak and Xu 1990, Math. Comp. 55:1; Toselli and Widlund
 // 2005, Domain Decomposition Methods, 2.5 and 3). The lattices may lag behind A: that costs iterations, never
-// exactness. Inside of this room.
+// exactness.
 
 #include <array>
 #include <Eigen/Core>

@@ -1,5 +1,5 @@
 #pragma once
-// Some rows of a symmetric matrix, and the same columns. Inside of this room.
+// Some rows of a symmetric matrix, and the same columns.
 
 #include <Eigen/SparseCore>
 #include <vector>

@@ -1,5 +1,5 @@
 #pragma once
-// Inside of this room. A supernodal Cholesky factor with its numbers rounded to single precision: half the memory, and
+// A supernodal Cholesky factor with its numbers rounded to single precision: half the memory, and
 // half the time of a solve, which waits for memory; the upper triangles, which CHOLMOD stores as zeros, are left out
 // but for narrow ones. A solution carries about four digits, and is refined by residuals in double precision
 // (constrained_system.h; Higham, Accuracy and Stability of Numerical Algorithms, chapter 12).

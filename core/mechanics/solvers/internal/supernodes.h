@@ -1,5 +1,5 @@
 #pragma once
-// Inside of this room. CHOLMOD stores a supernode's columns as one rectangle, and the upper triangle of its square in
+// CHOLMOD stores a supernode's columns as one rectangle, and the upper triangle of its square in
 // zeros: of the last separators of a body in three dimensions that is a quarter of the whole factor.
 
 #include <cholmod.h>

@@ -1,6 +1,6 @@
 #pragma once
 // What is solved for, and how the nodes of a body follow it: the nodes themselves, or the handles of a meshfree basis
-// (reduced_potential.h). Equilibria, contact and steps in time are written once over it. Inside of this room.
+// (reduced_potential.h). Equilibria, contact and steps in time are written once over it.
 
 #include "mechanics/potentials/total_potential.h"
 #include "mechanics/solvers/internal/newton.h"
