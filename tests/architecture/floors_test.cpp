@@ -1,6 +1,6 @@
 // The folders are the architecture: a room includes only rooms on lower floors, third-party types stay inside the
-// rooms that own them, and Qt stays above the core. Read from the includes themselves. Tests stay apart from each other
-// too: each in a temporary folder of its own.
+// rooms that own them, as the table of ARCHITECTURE.md says, and Qt stays above the core. Read from the includes
+// themselves. Tests stay apart from each other too: each in a temporary folder of its own.
 
 #include <gmock/gmock.h>
 #include <algorithm>
@@ -19,37 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// ARCHITECTURE.md shows the same table.
-const std::map<std::string, int> floor_of = {
-    {"base", 0},
-    {"imaging", 1},
-    {"geometry", 1},
-    {"vision", 1},
-    {"opencl", 1},
-    {"segmentation", 2},
-    {"elastography", 2},
-    {"mechanics", 2},
-    {"hardware", 2},
-    {"meshing", 3},
-    {"anatomy", 3},
-    {"registration", 3},
-    {"registration_quality", 4},
-    {"rehearsal", 4},
-    {"guidance", 4},
-    {"closedloop", 4},
-    {"vasculature", 3},
-    {"planning", 4},
-    {"shapes", 4},
-    {"casefile", 5},
-    {"scene", 6},
-    {"report", 6},
-    {"studies", 7},
-    {"cli", 8},
-    {"widgets", 8},
-    {"desktop", 9},
-    {"python", 9},
-};
-
 // Rooms with folders inside: a folder includes only those that stand before it. What lies in no folder is "", last.
 const std::map<std::string, std::vector<std::string>> folders_of = {
     {"mechanics",
@@ -59,33 +28,60 @@ const std::map<std::string, std::vector<std::string>> folders_of = {
     {"studies", {"demo", "dissertation", "gate", "review"}},
 };
 
-// Third party, by how its headers are named, and the rooms whose .cpp files may use it.
-struct ThirdParty {
-  std::string name;
-  std::regex header;
-  std::set<std::string> rooms;
+// How the headers of each third party are named.
+const std::map<std::string, std::regex> headers_of = {
+    {"Qt", std::regex("Q[A-Z].*|Qt[A-Z].*")},
+    {"QCustomPlot", std::regex("qcustomplot\\.h")},
+    {"VTK", std::regex("vtk.*")},
+    {"ITK", std::regex("itk.*")},
+    {"DCMTK", std::regex("dcmtk/.*")},
+    {"GDCM", std::regex("gdcm.*")},
+    {"CGAL", std::regex("CGAL/.*")},
+    {"OpenCV", std::regex("opencv.*")},
+    {"CHOLMOD", std::regex("cholmod.*|suitesparse/.*|Eigen/CholmodSupport")},
+    {"FFTW", std::regex("fftw3\\.h")},
+    {"spdlog", std::regex("spdlog/.*")},
+    {"Ceres", std::regex("ceres/.*|glog/.*")},
+    {"Boost", std::regex("boost/.*")},
+    {"CLI11", std::regex("CLI/.*")},
+    {"pybind11", std::regex("pybind11/.*|Python\\.h")},
+    {"Highway", std::regex("hwy/.*")},
+    {"TBB", std::regex("(oneapi/)?tbb/.*")},
+    {"OpenSSL", std::regex("openssl/.*")},
+    {"OpenGL", std::regex("GL/.*|EGL/.*")},
+    {"libpng", std::regex("png\\.h")},
+    {"nanoflann", std::regex("nanoflann\\.hpp")},
+    {"nlohmann::json", std::regex("nlohmann/.*")},
+    {"zlib", std::regex("zlib\\.h")},
+    {"OpenCL", std::regex("CL/.*")},
 };
-const std::vector<ThirdParty> third_parties = {
-    {"Qt", std::regex("Q[A-Z].*|Qt[A-Z].*"), {"widgets", "desktop"}},
-    {"QCustomPlot", std::regex("qcustomplot\\.h"), {"widgets"}},
-    {"VTK", std::regex("vtk.*"), {"geometry", "meshing", "scene"}},
-    {"ITK", std::regex("itk.*"), {"imaging"}},
-    {"DCMTK", std::regex("dcmtk/.*"), {"imaging"}},
-    {"CGAL", std::regex("CGAL/.*"), {"geometry", "meshing"}},
-    {"OpenCV", std::regex("opencv.*"), {"vision"}},
-    {"CHOLMOD", std::regex("cholmod.*|suitesparse/.*|Eigen/CholmodSupport"), {"mechanics"}},
-    {"FFTW", std::regex("fftw3\\.h"), {"elastography"}},
-    {"spdlog", std::regex("spdlog/.*"), {"base"}},
-    {"Ceres", std::regex("ceres/.*"), {"closedloop"}},
-    {"CLI11", std::regex("CLI/.*"), {"cli"}},
-    {"pybind11", std::regex("pybind11/.*|Python\\.h"), {"python"}},
-    {"Highway", std::regex("hwy/.*"), {"mechanics", "hardware", "registration"}},
-    {"TBB", std::regex("(oneapi/)?tbb/.*"), {"base"}},
-    {"OpenSSL", std::regex("openssl/.*"), {"base", "report"}},
-    {"nanoflann", std::regex("nanoflann\\.hpp"), {"geometry"}},
-    {"zlib", std::regex("zlib\\.h"), {"imaging"}},
-    {"OpenCL", std::regex("CL/.*"), {"opencl"}},
+const std::set<std::string> without_headers = {"LAPACK"};  // called by its symbols
+
+// A room as ARCHITECTURE.md's table has it: its floor, and the third parties that its .cpp files may use.
+struct Room {
+  int floor = 0;
+  std::set<std::string> third_parties;
 };
+
+// "| 3 | meshing | what it is for | CGAL (one file), VTK (one file) |"
+std::map<std::string, Room> rooms_of_the_table() {
+  const std::regex row(R"(\| (\d+) \| (?:app/)?(\w+) \| .* \|\s*(.*)\|)");
+  const std::regex party(R"(([\w:]+)( \([^)]*\))?,? *)");
+  std::map<std::string, Room> rooms;
+  std::ifstream page(glisson::test::source_folder() / "ARCHITECTURE.md");
+  for (std::string line; std::getline(page, line);) {
+    std::smatch match;
+    if (!std::regex_match(line, match, row)) continue;
+    Room& room = rooms[match[2]];
+    room.floor = std::stoi(match[1]);
+    const std::string parties = match[3];
+    for (std::sregex_iterator at(parties.begin(), parties.end(), party), end; at != end; ++at)
+      room.third_parties.insert((*at)[1]);
+  }
+  return rooms;
+}
+const std::map<std::string, Room> rooms = rooms_of_the_table();
+
 const std::set<std::string> json_headers = {"base/json.h", "base/json_reading.h", "base/json_value.h",
                                             "base/json_forward.h"};
 const std::regex allowed_in_any_public_header("Eigen/.*|tl/expected\\.hpp|[a-z_]+|[a-z_]+\\.h");
@@ -124,7 +120,10 @@ std::vector<Include> all_includes() {
   return includes;
 }
 
-TEST(Floors, TheSourcesAreFound) { EXPECT_GT(all_includes().size(), 20u); }
+TEST(Floors, TheSourcesAndTheTableAreFound) {
+  EXPECT_GT(all_includes().size(), 20u);
+  EXPECT_GT(rooms.size(), 20u);
+}
 
 TEST(Floors, ARoomIncludesOnlyRoomsBelowIt) {
   for (const Include& include : all_includes()) {
@@ -132,10 +131,9 @@ TEST(Floors, ARoomIncludesOnlyRoomsBelowIt) {
     if (include.form == Include::Form::angled || include.header.find('/') == std::string::npos ||
         target == include.room)
       continue;
-    ASSERT_TRUE(floor_of.contains(include.room)) << include.file << " is in a room that has no floor";
-    ASSERT_TRUE(floor_of.contains(target))
-        << include.file << " includes \"" << include.header << "\", which is no room";
-    EXPECT_LT(floor_of.at(target), floor_of.at(include.room))
+    ASSERT_TRUE(rooms.contains(include.room)) << include.file << " is in a room that has no floor";
+    ASSERT_TRUE(rooms.contains(target)) << include.file << " includes \"" << include.header << "\", which is no room";
+    EXPECT_LT(rooms.at(target).floor, rooms.at(include.room).floor)
         << include.file << " includes \"" << include.header << "\"";
   }
 }
@@ -188,12 +186,27 @@ TEST(Floors, WhatIsInsideOfARoomLiesInAnInternalFolder) {
   }
 }
 
-TEST(Floors, ThirdPartyStaysInItsRooms) {
+TEST(Floors, EachRoomUsesTheThirdPartiesThatTheTableGivesIt) {
+  std::map<std::string, std::set<std::string>> used;
+  for (const Include& include : all_includes())
+    for (const auto& [name, header] : headers_of)
+      if (include.form == Include::Form::angled && std::regex_match(include.header, header)) {
+        EXPECT_TRUE(rooms.at(include.room).third_parties.contains(name)) << include.file << " uses " << name;
+        used[include.room].insert(name);
+      }
+  for (const auto& [name, room] : rooms)
+    for (const std::string& party : room.third_parties)
+      EXPECT_TRUE(used[name].contains(party) || without_headers.contains(party))
+          << "ARCHITECTURE.md gives " << party << " to " << name << ", which includes nothing of it.";
+}
+
+TEST(Floors, EveryLibraryIsKnown) {
+  const std::regex anywhere("[a-z_]+|[a-z_]+\\.h|sys/.*|Eigen/.*|tl/expected\\.hpp|fmt/.*|sanitizer/.*");
   for (const Include& include : all_includes()) {
-    for (const ThirdParty& party : third_parties) {
-      if (include.form == Include::Form::quoted || !std::regex_match(include.header, party.header)) continue;
-      EXPECT_TRUE(party.rooms.contains(include.room)) << include.file << " uses " << party.name;
-    }
+    const bool known = include.form == Include::Form::quoted || std::regex_match(include.header, anywhere) ||
+                       std::any_of(headers_of.begin(), headers_of.end(),
+                                   [&](const auto& party) { return std::regex_match(include.header, party.second); });
+    EXPECT_TRUE(known) << include.file << " uses <" << include.header << ">, a library that no room has.";
   }
 }
 
