@@ -145,7 +145,7 @@ Json next_trials_json(const Explanation& explanation, const Experiment& experime
     json["trials"].push_back({{"sentence", next.sentence.message()},
                               {"tells_apart", next.alternatives},
                               {"doubt_removed", next.doubt_removed},
-                              {"trial", Json::parse(next.conditions)}});
+                              {"trial", *next.conditions}});
   return null_where_not_finite(std::move(json));
 }
 

@@ -186,7 +186,7 @@ GuidanceCase guidance_from(const Json& json, const fs::path& folder) {
     guidance.gravity_mm_s2 = units::mm_s2_from_m_s2(1.0) * vector_in(*gravity, "gravity_m_s2");
   }
   if (const Json* supports = value_in(json, "supports"); supports != nullptr && !supports->empty()) {
-    guidance.supports = taken(mechanics::parse_supports(supports->dump(), "guidance-invalid"));
+    guidance.supports = taken(mechanics::parse_supports(*supports, "guidance-invalid"));
     const auto ligaments = std::erase_if(guidance.supports, [](const mechanics::Support& support) {
       return std::holds_alternative<mechanics::Ligament>(support.how);
     });

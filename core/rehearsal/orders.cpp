@@ -74,9 +74,10 @@ Result<OrderOfSteps> run_order(RehearsalSetup setup, const std::vector<std::size
 double wall_strain(const geometry::Surface& rest, const std::vector<Eigen::Vector3d>& displaced_mm) {
   std::vector<std::pair<double, double>> strains_and_areas;
   double area_mm2 = 0;
-  for (const auto& [a, b, c] : rest.triangles) {
+  for (const auto& corners : rest.triangles) {
     const auto edges = [&](const std::vector<Eigen::Vector3d>& points_mm) {
-      return (Eigen::Matrix<double, 3, 2>() << points_mm[b] - points_mm[a], points_mm[c] - points_mm[a]).finished();
+      const Eigen::Vector3d &a = points_mm[corners[0]], &b = points_mm[corners[1]], &c = points_mm[corners[2]];
+      return (Eigen::Matrix<double, 3, 2>() << b - a, c - a).finished();
     };
     const Eigen::Matrix<double, 3, 2> before = edges(rest.points_mm), after = edges(displaced_mm);
     const double own_mm2 = 0.5 * before.col(0).cross(before.col(1)).norm();

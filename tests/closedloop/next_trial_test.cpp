@@ -77,7 +77,7 @@ TEST(NextTrials, TakeTheDoubtAwayThatTheyPromiseTo) {
 
   // Made as its conditions say; the answer is the formula's above.
   const auto column = [&](const char* name) {
-    const auto values = Json::parse(next.conditions).at(name).get<std::vector<double>>();
+    const auto values = next.conditions->at(name).get<std::vector<double>>();
     return Eigen::VectorXd(Eigen::VectorXd::Map(values.data(), static_cast<Eigen::Index>(values.size())));
   };
   MaterialTrial made{"next", column("time_s"), column("stretch"), {}};

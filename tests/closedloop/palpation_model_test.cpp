@@ -227,7 +227,7 @@ TEST(PalpationModel, FurtherTrialsArePredictedAsTheExperimentsOwnWouldBe) {
   ASSERT_EQ(trials.size(), 4u);
   std::vector<std::string> further;
   for (const FurtherTrial& trial : trials) further.push_back(trial.sentence.message());
-  EXPECT_NEAR(Json::parse(trials[1].conditions)["samples"][1]["force_N"].get<double>(), 3, 1e-9);
+  EXPECT_NEAR(trials[1].conditions->at("samples").at(1).at("force_N").get<double>(), 3, 1e-9);
   EXPECT_THAT(further[0], HasSubstr("Press at ("));
   EXPECT_THAT(further[1], HasSubstr("trial p03, but with 3 N"));
   EXPECT_THAT(further[2], HasSubstr("hold the force for"));

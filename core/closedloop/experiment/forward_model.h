@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "base/json_forward.h"
 #include "base/progress.h"
 #include "base/result.h"
 #include "base/sentence.h"
@@ -28,8 +29,8 @@ struct Linearisation {
 // an experiment's file says it; nothing is measured yet.
 struct FurtherTrial {
   Sentence sentence;
-  std::string conditions;  // JSON
-  Eigen::Index rows = 0;   // that it would measure
+  std::shared_ptr<const Json> conditions;
+  Eigen::Index rows = 0;  // that it would measure
 };
 
 // Where a search for an effect may begin.

@@ -194,7 +194,7 @@ std::vector<FurtherTrial> PlatformModel::further_trials() const {
     column("current_A", trial.current_A);
     column("load", trial.load);
     const Eigen::Index rows = in_noises(readings(declared_behaviour(platform_), platform_, trial)).size();
-    trials.push_back({std::move(further.sentence), conditions.dump(), rows});
+    trials.push_back({std::move(further.sentence), std::make_shared<const Json>(std::move(conditions)), rows});
   }
   return trials;
 }

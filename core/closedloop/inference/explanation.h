@@ -3,10 +3,12 @@
 // next. Errors are in the experiment's unit.
 
 #include <Eigen/Core>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "base/json_forward.h"
 #include "base/sentence.h"
 #include "closedloop/experiment/effect.h"
 #include "closedloop/experiment/observations.h"
@@ -68,8 +70,8 @@ struct RankedCandidate {
 // A further trial (next_trial.h).
 struct NextMeasurement {
   Sentence sentence;
-  std::string conditions;                 // what is done, as a trial of an experiment's file says it
-  std::vector<std::string> alternatives;  // kinds that it would tell from what is likeliest
+  std::shared_ptr<const Json> conditions;  // what is done, as a trial of an experiment's file says it
+  std::vector<std::string> alternatives;   // kinds that it would tell from what is likeliest
   // Of the doubt among the known explanations, the share that it and those before it are expected to take away.
   double doubt_removed = 0;
 };

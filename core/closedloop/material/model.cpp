@@ -89,7 +89,7 @@ std::vector<FurtherTrial> MaterialModel::further_trials() const {
     Json conditions{{"id", fmt::format("next-{}", trials.size() + 1)},
                     {"time_s", std::vector<double>(ramp.time_s.begin(), ramp.time_s.end())},
                     {"stretch", std::vector<double>(ramp.stretch.begin(), ramp.stretch.end())}};
-    trials.push_back({ramp.sentence, conditions.dump(), ramp.time_s.size()});
+    trials.push_back({ramp.sentence, std::make_shared<const Json>(std::move(conditions)), ramp.time_s.size()});
   }
   return trials;
 }

@@ -97,7 +97,7 @@ void read_specimen(const Json& json, const Source& source, Palpation& palpation)
 
 // Supports are written as in a scenario, and read by its reader.
 std::vector<mechanics::Support> supports_from(const Json& json) {
-  return taken(mechanics::parse_supports(json.dump(), "experiment-invalid"));
+  return taken(mechanics::parse_supports(json, "experiment-invalid"));
 }
 
 namespace {

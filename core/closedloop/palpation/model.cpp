@@ -276,13 +276,13 @@ std::vector<FurtherTrial> PalpationModel::further_trials() const {
       samples.push_back({{"time_s", sample.time_s}, {"force_N", units::N_from_mN(sample.force_mN)}});
       rows += 3 * static_cast<Eigen::Index>(sample.markers.size());
     }
-    const Json conditions{{"id", trial.id},
-                          {"tool",
-                           {{"center_mm", vector(trial.tool.center_mm)},
-                            {"radius_mm", trial.tool.radius_mm},
-                            {"direction", vector(trial.tool.direction)}}},
-                          {"samples", std::move(samples)}};
-    trials.push_back({further.sentence, conditions.dump(), rows});
+    Json conditions{{"id", trial.id},
+                    {"tool",
+                     {{"center_mm", vector(trial.tool.center_mm)},
+                      {"radius_mm", trial.tool.radius_mm},
+                      {"direction", vector(trial.tool.direction)}}},
+                    {"samples", std::move(samples)}};
+    trials.push_back({further.sentence, std::make_shared<const Json>(std::move(conditions)), rows});
   }
   return trials;
 }

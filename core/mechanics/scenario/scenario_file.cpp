@@ -41,10 +41,8 @@ Result<Scenario> parse_scenario(std::string_view json, const std::filesystem::pa
   return reading("scenario-invalid", file, [&] { return scenario_from(*document); });
 }
 
-Result<std::vector<Support>> parse_supports(std::string_view json, const std::string& code) {
-  const auto document = parse_json(json, {});
-  if (!document) return failure(document.error());
-  auto scenario = reading("scenario-invalid", {}, [&] { return scenario_from(Json{{"supports", *document}}); });
+Result<std::vector<Support>> parse_supports(const Json& json, const std::string& code) {
+  auto scenario = reading("scenario-invalid", {}, [&] { return scenario_from(Json{{"supports", json}}); });
   if (!scenario) {
     scenario.error().code = code;
     return failure(std::move(scenario.error()));

@@ -17,6 +17,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/json_forward.h"
 #include "base/result.h"
 #include "mechanics/scenario/scenario.h"
 
@@ -28,7 +29,7 @@ Result<Scenario> read_scenario(const std::filesystem::path& file);
 Result<Scenario> parse_scenario(std::string_view json, const std::filesystem::path& file = {});
 
 // A list of supports as a scenario has it, of another format: what is wrong in it is refused by that format's `code`.
-Result<std::vector<Support>> parse_supports(std::string_view json, const std::string& code);
+Result<std::vector<Support>> parse_supports(const Json& json, const std::string& code);
 
 // The same scenario as JSON text, which parse_scenario reads back.
 std::string scenario_text(const Scenario& scenario);

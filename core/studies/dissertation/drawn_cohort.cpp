@@ -8,6 +8,7 @@
 #include "base/noise.h"
 #include "elastography/cell_stiffness.h"
 #include "geometry/mesh_file.h"
+#include "mechanics/scenario/mesh_moduli.h"
 #include "shapes/drawn_liver.h"
 #include "shapes/model_file.h"
 #include "studies/dissertation/cohort.h"
@@ -51,7 +52,7 @@ Result<NamedNumbers> make_liver(const shapes::ShapeModel& model, int number, con
                          {"mean_kPa", stiffness->mean_kPa},
                          {"sd_kPa", stiffness->sd_kPa},
                          {"attempts", drawn->attempts}};
-  geometry::set_field(body.cell_fields, {"youngs_modulus_kPa", 1, std::move(stiffness->youngs_kPa)});
+  mechanics::set_moduli(body, std::move(stiffness->youngs_kPa), reading.poisson_ratio);
   if (auto written = geometry::write_tetrahedra(file, body); !written) return failure(written.error());
   NamedNumbers timed = row;
   timed.emplace_back("cpu_s", thread_seconds() - start_s);
