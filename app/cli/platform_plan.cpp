@@ -128,7 +128,7 @@ std::vector<Remedy> listed(const Remedies& remedies) {
           {"thermal_resistance_C_per_W", remedies.thermal_resistance_C_per_W, "a heat sink of {:.3g} C/W"}};
 }
 
-Json as_json(const PlatformAnswer& answer) {
+Json as_json(const DevicePlan& answer) {
   Json reasons = Json::array();
   Json limits = Json::array();
   for (const Reason& reason : answer.reasons) {
@@ -165,7 +165,7 @@ Json as_json(const PlatformAnswer& answer) {
           {"assumed", answer.assumed}};
 }
 
-std::string sentences_on(const PlatformAnswer& answer) {
+std::string sentences_on(const DevicePlan& answer) {
   std::string text;
   for (const Reason& reason : answer.reasons) text += "    " + reason.sentence.message() + "\n";
   std::string alternatives;
@@ -204,7 +204,7 @@ Outcome describe(const Plan& planned) {
       "{}; a frame moves {:.3g} MB and takes {:.3g} million operations.\n\n"
       "Idle first: what the battery allows over {:g} h, and what the device draws when it does nothing.\n",
       asked, work.frame_bytes * 1e-6, work.frame_flops * 1e-6, planned.request.duration_h);
-  for (const PlatformAnswer& answer : planned.platforms) {
+  for (const DevicePlan& answer : planned.platforms) {
     outcome.text +=
         fmt::format("  {:20} {:5} {:7.3g} W allowed, {:5.3g} W idle: {:+.2g} W\n", answer.id, to_string(answer.worn),
                     answer.idle.allowed_W, answer.idle.idle_W, answer.idle.headroom_W);
@@ -212,7 +212,7 @@ Outcome describe(const Plan& planned) {
   outcome.text +=
       fmt::format("\nAt {:g} frames a second (or the fastest it computes):\n", planned.request.frames_per_s);
   outcome.document["platforms"] = Json::array();
-  for (const PlatformAnswer& answer : planned.platforms) {
+  for (const DevicePlan& answer : planned.platforms) {
     outcome.document["platforms"].push_back(as_json(answer));
     outcome.text += fmt::format(
         "  {:20} {:6} {:6.3g} W  {:6.3g} h  {:5.3g} C  up to {:.3g} frames/s ({:.3g} to {:.3g}); holds with {:.0f} %\n",

@@ -55,7 +55,7 @@ Result<Tables> tables(const std::vector<std::filesystem::path>& more_devices) {
   return Tables{*std::move(devices), *std::move(curve)};
 }
 
-py::dict dict_of(const PlatformAnswer& answer) {
+py::dict dict_of(const DevicePlan& answer) {
   py::dict dict;
   dict["id"] = answer.id;
   dict["name"] = answer.name;
@@ -88,7 +88,7 @@ py::dict planned(double liver_volume_cm3, double accuracy_mm, const std::optiona
     return tables(devices).and_then([&](const Tables& all) { return plan(request, all.devices, all.curve); });
   });
   py::list platforms;
-  for (const PlatformAnswer& answer : found.platforms) platforms.append(dict_of(answer));
+  for (const DevicePlan& answer : found.platforms) platforms.append(dict_of(answer));
   return py::dict("platforms"_a = platforms, "recommended"_a = found.recommended, "nodes"_a = found.workload.nodes,
                   "frame_flops"_a = found.workload.frame_flops, "frame_bytes"_a = found.workload.frame_bytes,
                   "notes"_a = messages(found.notes));

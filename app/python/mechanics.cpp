@@ -47,7 +47,7 @@ py::dict reactions_N(const Answer& self) {
 
 py::list steps_of(const Answer& self) {
   py::list steps;
-  for (const MotionStep& step : self.rest.steps) {
+  for (const TimeStep& step : self.rest.steps) {
     steps.append(py::dict("time_s"_a = step.time_s, "landmarks_mm"_a = handed_over(step.landmarks_mm),
                           "largest_strain"_a = step.largest_strain));
   }

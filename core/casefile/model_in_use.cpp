@@ -47,7 +47,7 @@ LiveSetup live_rehearsal_setup(PatientModel model) {
 
 std::vector<Sentence> put_into(mechanics::Scenario& scenario, const PatientModel& model) {
   const bool own_supports = !scenario.supports.empty(), own_modulus = scenario.youngs_modulus.has_value(),
-             own_capsule = scenario.capsule.has_value(), no_grain = !mechanics::may_have_grain(scenario);
+             own_capsule = scenario.capsule.has_value(), stays_isotropic = !mechanics::may_be_anisotropic(scenario);
   const auto why_not = [&](const std::string& kind) -> std::string {
     if (own_supports && kind == "support-compliance") {
       return GLISSON_TEXT("The scenario says itself what holds the organ: the effect {0} is left out.");
@@ -58,7 +58,7 @@ std::vector<Sentence> put_into(mechanics::Scenario& scenario, const PatientModel
     if (own_capsule && kind == "capsule") {
       return GLISSON_TEXT("The scenario says itself what skin the organ has: the effect {0} is left out.");
     }
-    if (no_grain && kind == "anisotropy") {
+    if (stays_isotropic && kind == "anisotropy") {
       return GLISSON_TEXT("Only a linear equilibrium by finite elements can have a grain: the effect {0} is left out.");
     }
     return {};
@@ -73,7 +73,7 @@ std::vector<Sentence> put_into(mechanics::Scenario& scenario, const PatientModel
   if (!own_supports) scenario.supports = model.supports;
   if (scenario.landmarks.empty()) scenario.landmarks = model.landmarks;
   if (!own_capsule) scenario.capsule = model.capsule;
-  if (!no_grain && !scenario.anisotropy) scenario.anisotropy = model.anisotropy;
+  if (!stays_isotropic && !scenario.anisotropy) scenario.anisotropy = model.anisotropy;
   scenario.loads.insert(scenario.loads.end(), model.standing_loads.begin(), model.standing_loads.end());
   return said;
 }

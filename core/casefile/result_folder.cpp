@@ -95,7 +95,7 @@ namespace {
 
 Json steps_of(const mechanics::Simulation& simulation) {
   Json steps = Json::array();
-  for (const mechanics::MotionStep& step : simulation.steps) {
+  for (const mechanics::TimeStep& step : simulation.steps) {
     Json landmarks = Json::array();
     const bool usable = step.report.converged && step.report.inverted_cells == 0;
     for (std::size_t l = 0; usable && l < step.landmarks_mm.size(); ++l) {

@@ -81,7 +81,7 @@ Result<DeviceSurfaces> surfaces_over(const ProblemGrid& grid, const Device& devi
     for (const double resolution_mm3 : grid.resolutions_mm3) {
       const auto workload = workload_at_resolution(volume_cm3, resolution_mm3, request.workload);
       if (!workload) return failure(workload.error());
-      const PlatformAnswer answer = answer_for(device, *workload, request);
+      const DevicePlan answer = answer_for(device, *workload, request);
       surfaces.nodes.values.push_back(workload->nodes);
       surfaces.frame_joules.values.push_back(answer.frame_joules);
       surfaces.power_W.values.push_back(answer.power_W);

@@ -11,11 +11,11 @@ namespace {
 constexpr double hour_s = 3600;
 
 Headroom headroom_of(const Device& device, const PlanRequest& request);
-std::vector<Reason> reasons_against(const PlatformAnswer& answer, const Device& device, const Workload& workload,
+std::vector<Reason> reasons_against(const DevicePlan& answer, const Device& device, const Workload& workload,
                                     const PlanRequest& request);
-Remedies remedies_for(const Device& device, const PlatformAnswer& answer, const Workload& workload,
+Remedies remedies_for(const Device& device, const DevicePlan& answer, const Workload& workload,
                       const PlanRequest& request, const ConvergenceCurve& curve);
-std::optional<std::string> least_obtrusive(const std::vector<PlatformAnswer>& platforms);
+std::optional<std::string> least_obtrusive(const std::vector<DevicePlan>& platforms);
 std::vector<Sentence> notes_on(const Plan& plan, const ConvergenceCurve& curve);
 std::vector<Sentence> notes_on_headroom(const Plan& plan, std::vector<Sentence> notes);
 double hours_on_battery(const Device& device, double device_W, double ambient_C);
@@ -35,7 +35,7 @@ Result<Plan> plan(const PlanRequest& request, const std::vector<Device>& devices
   planned.request = request;
   planned.workload = *workload;
   for (const Device& device : devices) {
-    PlatformAnswer answer = answer_for(device, *workload, request);
+    DevicePlan answer = answer_for(device, *workload, request);
     if (!answer.feasible) answer.remedies = remedies_for(device, answer, *workload, request, here);
     answer.assumed = assumed_figures(device);
     answer.certainty = certainty_of(device, *workload, request);
@@ -46,8 +46,8 @@ Result<Plan> plan(const PlanRequest& request, const std::vector<Device>& devices
   return planned;
 }
 
-PlatformAnswer answer_for(const Device& device, const Workload& workload, const PlanRequest& request) {
-  PlatformAnswer answer;
+DevicePlan answer_for(const Device& device, const Workload& workload, const PlanRequest& request) {
+  DevicePlan answer;
   answer.id = device.id;
   answer.name = device.name;
   answer.worn = device.worn;
@@ -85,7 +85,7 @@ Certainty certainty_of(const Device& device, const Workload& workload, const Pla
   std::vector<double> fps;
   double holding = 0;
   for (std::uint64_t draw = 0; draw < draws; ++draw) {
-    const PlatformAnswer answer = answer_for(drawn(device, draw), workload, request);
+    const DevicePlan answer = answer_for(drawn(device, draw), workload, request);
     holding += answer.feasible ? 1 : 0;
     fps.push_back(answer.fps);
   }
@@ -157,7 +157,7 @@ Headroom headroom_of(const Device& device, const PlanRequest& request) {
   return idle;
 }
 
-std::vector<Reason> reasons_against(const PlatformAnswer& answer, const Device& device, const Workload& workload,
+std::vector<Reason> reasons_against(const DevicePlan& answer, const Device& device, const Workload& workload,
                                     const PlanRequest& request) {
   const auto short_number = [](double value) { return fmt::format("{:.3g}", value); };
   std::vector<Reason> reasons;
@@ -197,7 +197,7 @@ std::vector<Reason> reasons_against(const PlatformAnswer& answer, const Device& 
   return reasons;
 }
 
-bool fails_by(const PlatformAnswer& answer, std::initializer_list<Constraint> constraints) {
+bool fails_by(const DevicePlan& answer, std::initializer_list<Constraint> constraints) {
   return std::any_of(answer.reasons.begin(), answer.reasons.end(), [&](const Reason& reason) {
     return std::find(constraints.begin(), constraints.end(), reason.constraint) != constraints.end();
   });
@@ -224,8 +224,7 @@ std::optional<double> coarser_accuracy_mm(const Device& device, const PlanReques
   return last_that_holds(coarsest_mm, request.accuracy_mm, holds);
 }
 
-std::optional<double> larger_battery_Wh(const Device& device, const PlatformAnswer& answer,
-                                        const PlanRequest& request) {
+std::optional<double> larger_battery_Wh(const Device& device, const DevicePlan& answer, const PlanRequest& request) {
   const double load_W = answer.power_W / device.supply_efficiency.value;
   const Battery given = battery_of(device);
   const auto holds = [&](double energy_Wh) {
@@ -252,7 +251,7 @@ std::optional<double> better_heat_sink_C_per_W(const Device& device, const Workl
   return found;
 }
 
-Remedies remedies_for(const Device& device, const PlatformAnswer& answer, const Workload& workload,
+Remedies remedies_for(const Device& device, const DevicePlan& answer, const Workload& workload,
                       const PlanRequest& request, const ConvergenceCurve& curve) {
   Remedies remedies;
   const bool throttled = fails_by(answer, {Constraint::throttling});
@@ -275,9 +274,9 @@ Remedies remedies_for(const Device& device, const PlatformAnswer& answer, const 
   return remedies;
 }
 
-std::optional<std::string> least_obtrusive(const std::vector<PlatformAnswer>& platforms) {
-  const PlatformAnswer* best = nullptr;
-  for (const PlatformAnswer& answer : platforms) {
+std::optional<std::string> least_obtrusive(const std::vector<DevicePlan>& platforms) {
+  const DevicePlan* best = nullptr;
+  for (const DevicePlan& answer : platforms) {
     if (!answer.feasible) continue;
     const bool better = best == nullptr || answer.worn < best->worn ||
                         (answer.worn == best->worn && answer.temperature_C < best->temperature_C);
@@ -320,7 +319,7 @@ std::vector<Sentence> notes_on(const Plan& planned, const ConvergenceCurve& curv
 
 std::vector<Sentence> notes_on_headroom(const Plan& planned, std::vector<Sentence> notes) {
   const PlanRequest& request = planned.request;
-  for (const PlatformAnswer& answer : planned.platforms) {
+  for (const DevicePlan& answer : planned.platforms) {
     if (!answer.feasible || answer.idle.headroom_W > 0.1 * answer.idle.allowed_W) continue;
     notes.push_back({GLISSON_TEXT("{0} holds with next to no headroom: its battery allows {1} W over {2} h, and idling "
                                   "takes {3} W of them."),

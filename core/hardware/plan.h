@@ -59,7 +59,7 @@ struct Remedies {
   std::optional<double> thermal_resistance_C_per_W;  // at most
 };
 
-struct PlatformAnswer {
+struct DevicePlan {
   std::string id;
   std::string name;
   Worn worn = Worn::head;
@@ -84,7 +84,7 @@ struct PlatformAnswer {
 struct Plan {
   PlanRequest request;
   Workload workload;
-  std::vector<PlatformAnswer> platforms;   // in the order of the devices
+  std::vector<DevicePlan> platforms;       // in the order of the devices
   std::optional<std::string> recommended;  // least obtrusive that holds; among equals the coolest
   std::vector<Sentence> notes;             // what limits the plan itself
 };
@@ -99,6 +99,6 @@ Result<void> check(const PlanRequest& request);
 Result<Plan> plan(const PlanRequest& request, const std::vector<Device>& devices, const ConvergenceCurve& curve);
 
 // One platform at a given workload, without remedies: what grids are made of.
-[[nodiscard]] PlatformAnswer answer_for(const Device& device, const Workload& workload, const PlanRequest& request);
+[[nodiscard]] DevicePlan answer_for(const Device& device, const Workload& workload, const PlanRequest& request);
 
 }  // namespace glisson::hardware

@@ -91,7 +91,7 @@ Result<Simulation> simulate(const geometry::TetMesh& whole, const Scenario& scen
 
 Validity validity_of(const Simulation& simulation) {
   Validity worst = validity_of(simulation.result, simulation.scenario.material);
-  for (const MotionStep& step : simulation.steps) {
+  for (const TimeStep& step : simulation.steps) {
     worst.largest_strain = std::max(worst.largest_strain, step.largest_strain);
     worst.inverted_cells = std::max(worst.inverted_cells, step.report.inverted_cells);
   }
@@ -141,7 +141,7 @@ bool has_ligaments(const Scenario& scenario) {
                      [](const Support& support) { return std::holds_alternative<Ligament>(support.how); });
 }
 
-bool may_have_grain(const Scenario& scenario) {
+bool may_be_anisotropic(const Scenario& scenario) {
   return scenario.engine == Engine::fem && !scenario.motion && is_linear(scenario);
 }
 
@@ -201,7 +201,7 @@ Result<void> check_tools(const Scenario& scenario) {
 }
 
 Result<void> check_anisotropy(const Scenario& scenario, const SimulationOptions& options) {
-  if (!scenario.anisotropy || (may_have_grain(scenario) && !options.data)) return {};
+  if (!scenario.anisotropy || (may_be_anisotropic(scenario) && !options.data)) return {};
   return failure(
       "not-available",
       GLISSON_TEXT("A grain is there for equilibrium by finite elements, with the material \"linear\" and without "
@@ -240,8 +240,8 @@ Result<Answer> answer_to(const Question& question, const OpenedBody& body, const
   const Scenario& scenario = question.scenario;
   const bool meshfree = scenario.engine == Engine::meshfree;
   if (options.data) return equilibrium_from_data(question, *options.data, progress);
-  if (scenario.motion && meshfree) return end_of_meshfree_motion(question, progress);
-  if (scenario.motion) return end_of_motion(question, progress);
+  if (scenario.motion && meshfree) return meshfree_dynamics(question, progress);
+  if (scenario.motion) return fem_dynamics(question, progress);
   if (meshfree) return meshfree_equilibrium(question, progress);
 
   const Question with_walls{question.mesh, question.youngs_kPa, scenario, question.places, body.walls};

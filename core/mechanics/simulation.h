@@ -31,7 +31,7 @@ struct DisplacedLandmark {
 };
 
 // A step of a motion, at its end.
-struct MotionStep {
+struct TimeStep {
   double time_s = 0;
   std::vector<Eigen::Vector3d> landmarks_mm;   // in the scenario's order
   Eigen::Vector3d fixed_reaction_mN{0, 0, 0};  // as in StaticResult, with what the damping takes
@@ -61,7 +61,7 @@ struct Simulation {
   std::vector<ToolContact> tools;        // in contact, as the scenario lists them
   std::optional<ContactReport> contact;  // where there are any
   std::optional<CutOpening> cut;         // where the body was cut
-  std::vector<MotionStep> steps;         // of a motion; empty for an equilibrium
+  std::vector<TimeStep> steps;           // of a motion; empty for an equilibrium
   geometry::TetMesh mesh;                // the rest mesh with point field "displacement_mm" (3) and cell fields
                                          // "youngs_modulus_kPa" and "von_mises_kPa", as written to result.vtu
 };
@@ -76,7 +76,7 @@ Result<Simulation> simulate(const geometry::TetMesh& mesh, const Scenario& scena
                             const SimulationOptions& options = {}, const Progress& progress = {});
 
 // Can this question be asked of a body with a fibre direction?
-[[nodiscard]] bool may_have_grain(const Scenario& scenario);
+[[nodiscard]] bool may_be_anisotropic(const Scenario& scenario);
 
 // Where the landmarks lie in the body. Failures: "landmark-outside" (the first beyond the tolerance),
 // "landmark-invalid" (not a finite point).

@@ -175,7 +175,7 @@ void add_plan(Page& page, const std::optional<hardware::Plan>& plan, const Words
       {words.say(GLISSON_TEXT("Platform")), words.say(GLISSON_TEXT("Frames/s")), words.say(GLISSON_TEXT("Battery (h)")),
        words.say(GLISSON_TEXT("Surface (deg C)")), words.say(GLISSON_TEXT("Holds"))},
       {}};
-  for (const hardware::PlatformAnswer& answer : plan->platforms) {
+  for (const hardware::DevicePlan& answer : plan->platforms) {
     table.rows.push_back({{answer.name},
                           {fmt::format("{:.1f}", answer.fps)},
                           {fmt::format("{:.1f}", answer.battery_h)},

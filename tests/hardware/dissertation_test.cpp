@@ -31,11 +31,11 @@ DeviceSurfaces surfaces_of(const char* id, double frames_per_s) {
   return *surfaces_over(dissertation_grid(), test::device_named(devices, id), three_hours(frames_per_s));
 }
 
-PlatformAnswer answer_of(const char* id, double frames_per_s) {
+DevicePlan answer_of(const char* id, double frames_per_s) {
   const auto devices = test::shipped_devices();
   const auto planned = plan(three_hours(frames_per_s), devices, test::dissertation_curve());
   return *std::find_if(planned->platforms.begin(), planned->platforms.end(),
-                       [&](const PlatformAnswer& answer) { return answer.id == id; });
+                       [&](const DevicePlan& answer) { return answer.id == id; });
 }
 
 double highest(const GridSurface& surface) { return *std::max_element(surface.values.begin(), surface.values.end()); }

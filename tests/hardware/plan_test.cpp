@@ -21,12 +21,12 @@ PlanRequest question(double accuracy_mm, double duration_h, double frames_per_s)
   return request;
 }
 
-const PlatformAnswer& answer_for(const Plan& planned, const std::string& id) {
+const DevicePlan& answer_for(const Plan& planned, const std::string& id) {
   return *std::find_if(planned.platforms.begin(), planned.platforms.end(),
-                       [&](const PlatformAnswer& answer) { return answer.id == id; });
+                       [&](const DevicePlan& answer) { return answer.id == id; });
 }
 
-bool fails_by(const PlatformAnswer& answer, Constraint constraint) {
+bool fails_by(const DevicePlan& answer, Constraint constraint) {
   return std::any_of(answer.reasons.begin(), answer.reasons.end(),
                      [&](const Reason& reason) { return reason.constraint == constraint; });
 }
@@ -36,7 +36,7 @@ TEST(Plan, TheDissertationsQuestionOfFiveHours) {
   const auto planned = plan(question(5, 5, 10), test::shipped_devices(), test::dissertation_curve());
   ASSERT_TRUE(planned);
   for (const char* id : {"de5-fpga", "k40-gpu", "de10-fpga", "tx2-gpu"}) {
-    const PlatformAnswer& answer = answer_for(*planned, id);
+    const DevicePlan& answer = answer_for(*planned, id);
     EXPECT_FALSE(answer.feasible) << id;
     EXPECT_TRUE(fails_by(answer, Constraint::idle_energy)) << id;  // 18.5 W against 30; 1.8 against 2.8; 1 against 5.5
     EXPECT_EQ(answer.fps, 0) << id;
@@ -53,9 +53,9 @@ TEST(Plan, RecommendsTheLeastObtrusiveThatHolds) {
   const auto devices = test::shipped_devices();
   const auto planned = plan(question(5, 5, 10), devices, test::dissertation_curve());
   ASSERT_TRUE(planned->recommended);
-  const PlatformAnswer& chosen = answer_for(*planned, *planned->recommended);
+  const DevicePlan& chosen = answer_for(*planned, *planned->recommended);
   EXPECT_TRUE(chosen.feasible);
-  for (const PlatformAnswer& answer : planned->platforms) {
+  for (const DevicePlan& answer : planned->platforms) {
     if (!answer.feasible) continue;
     EXPECT_GE(static_cast<int>(answer.worn), static_cast<int>(chosen.worn));
   }
@@ -69,7 +69,7 @@ TEST(Plan, FeasibleIsWhatEveryConstraintSays) {
             plan(question(accuracy_mm, duration_h, fps), test::shipped_devices(), test::dissertation_curve());
         ASSERT_TRUE(planned);
         bool some = false;
-        for (const PlatformAnswer& answer : planned->platforms) {
+        for (const DevicePlan& answer : planned->platforms) {
           // The two ways to decide meet at equality, where rounding may turn either.
           if (std::abs(answer.fps / fps - 1) < 1e-9) continue;
           EXPECT_EQ(answer.feasible, answer.fps > fps) << answer.id;
@@ -91,7 +91,7 @@ TEST(Plan, EachRemedyAloneMakesThePlatformHold) {
        {question(2, 5, 25), question(3, 2, 15), question(1, 3, 10), question(7, 3.05, 10)}) {
     const auto planned = plan(request, test::shipped_devices(), curve);
     for (const Device& device : test::shipped_devices()) {
-      const PlatformAnswer& answer = answer_for(*planned, device.id);
+      const DevicePlan& answer = answer_for(*planned, device.id);
       if (answer.feasible) continue;
       const auto holds = [&](const PlanRequest& changed_request, const Device& changed_device) {
         ++tried;
@@ -155,7 +155,7 @@ TEST(Plan, ThrottlingCostsFramesAndStaysCool) {
   device.throttle_C.value = 30;
   ASSERT_GT(unbridled_C, device.throttle_C.value);
   const auto planned = plan(request, {device}, test::dissertation_curve());
-  const PlatformAnswer& answer = planned->platforms.front();
+  const DevicePlan& answer = planned->platforms.front();
   EXPECT_FALSE(answer.feasible);
   EXPECT_TRUE(fails_by(answer, Constraint::throttling));
   EXPECT_FALSE(fails_by(answer, Constraint::computing));

@@ -70,7 +70,7 @@ TEST(Task, ShippedOnesAreReadWrittenAndPlannedWith) {
     ASSERT_TRUE(planned) << planned.error().message();
     EXPECT_EQ(planned->platforms.size(), test::shipped_devices().size());
     EXPECT_THAT(planned->notes.front().message(), testing::HasSubstr(tasks[i].what));
-    for (const PlatformAnswer& answer : planned->platforms) EXPECT_FALSE(answer.remedies.accuracy_mm) << answer.id;
+    for (const DevicePlan& answer : planned->platforms) EXPECT_FALSE(answer.remedies.accuracy_mm) << answer.id;
   }
 }
 
@@ -121,7 +121,7 @@ TEST(Certainty, IsNearOneOrNoughtFarFromTheLimitAndBetweenAtIt) {
   request.duration_h = 48;
   EXPECT_LT(certainty_of(device, work, request).holds, 0.05);
   request.duration_h = 1;
-  const PlatformAnswer answer = answer_for(device, work, request);
+  const DevicePlan answer = answer_for(device, work, request);
   request.frames_per_s = answer.fps;  // what it can just do
   const Certainty at_the_limit = certainty_of(device, work, request);
   EXPECT_GT(at_the_limit.holds, 0.2);

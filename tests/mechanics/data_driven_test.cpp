@@ -179,7 +179,7 @@ TEST(DataDriven, AUniaxialTestGivesTheMeasuredCurveBack) {
   }
 }
 
-TEST(DataDriven, SiliconeIsForetoldBetterThanByAFittedLinearLaw) {
+TEST(DataDriven, SiliconeIsPredictedBetterThanByAFittedLinearLaw) {
   // Half of the repeated tests (A) are the data, the others (B) are predicted: the height lost by a cylinder of 30 mm
   // under given stresses up to 40 % strain. Tests of one phantom repeat to 1 to 5 %: within 1 % of the data is near
   // enough. Both models know the same measurements.

@@ -73,10 +73,10 @@ TEST_F(SoftBlock, HalvesOfACutRestAlikeByTheKeptFactorAndByNewtonsSteps) {
     const Body halves = prepare_body(opened.mesh, youngs_kPa, whole.supports, options, Holding::required).value();
     const Loads loads = {ToolLoad{{30, 15, 10}, 9, {-150, 0, 0}}};
     const std::vector<Material> materials = materials_of(halves, MaterialLaw::linear);
-    const auto slow =
-        find_equilibrium_in_contact(halves, materials, applied_loads(halves, loads, gas_on(materials)).value(),
-                                    {{}, {}}, {}, {}, opened.walls)
-            .value();
+    const auto slow = find_equilibrium_in_contact(halves, materials,
+                                                  applied_loads(halves, loads, pressure_kind_of(materials)).value(),
+                                                  {{}, {}}, {}, {}, opened.walls)
+                          .value();
     ASSERT_TRUE(slow.result.may_be_used()) << slow.result.why_stopped;
     auto model =
         StaticModel::create(opened.mesh, youngs_kPa, whole.supports, options, {}, points_on(opened.walls)).value();

@@ -88,7 +88,7 @@ TEST_F(LiveBlock, MeshedWithACutItRestsUnderADeadLoadWhereNewtonsStepsSay) {
   const ToolLoad pull{{42, 30, 30}, 10, {400, 0, 100}};
   const Body body = prepare_body(opened.mesh, youngs_kPa, supports_, options_, Holding::required).value();
   const auto slow = find_equilibrium(body, materials_of(body, MaterialLaw::neo_hookean),
-                                     applied_loads(body, {pull}, Gas::follows_the_surface).value())
+                                     applied_loads(body, {pull}, PressureKind::follower).value())
                         .value();
   ASSERT_TRUE(slow.may_be_used()) << slow.why_stopped;
 
@@ -121,7 +121,7 @@ TEST_F(LiveBlock, RestsWhereTheSlowWayDoes) {
   as_tight.penetration_tolerance_mm = LiveOptions().penetration_tolerance_mm;
   for (const ChosenLaw& law : {neo_hookean, stiffening}) {
     const auto materials = materials_of(body, law.law, law.strain_stiffening);
-    const auto loads = applied_loads(body, loads_, Gas::follows_the_surface).value();
+    const auto loads = applied_loads(body, loads_, PressureKind::follower).value();
     std::vector<std::vector<ContactTool>> stations;
     const LiveBody block = live(law);
     LiveState state = block.untouched();

@@ -56,7 +56,7 @@ TEST(LiveOpening, HalfThroughByItsOwnWeightItRestsAsTheBarMeshedWithTheCut) {
     const auto youngs_kPa = test::uniform(mesh, test::youngs_kPa);
     const Body body = prepare_body(mesh, youngs_kPa, test::supports_of_bar(), {}, Holding::required).value();
     const auto slow = find_equilibrium(body, materials_of(body, law.law, law.strain_stiffening),
-                                       applied_loads(body, weight, Gas::follows_the_surface).value())
+                                       applied_loads(body, weight, PressureKind::follower).value())
                           .value();
     ASSERT_TRUE(slow.may_be_used()) << slow.why_stopped;
     const Vector3d expected_mm = test::at_corner(mesh, slow.displacement_mm);

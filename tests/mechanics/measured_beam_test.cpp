@@ -93,7 +93,7 @@ struct MeasuredBeam {
   }
 };
 
-TEST(MeasuredBeam, ItsSagUnderATipLoadIsForetoldFromItsSagUnderItsWeight) {
+TEST(MeasuredBeam, ItsSagUnderATipLoadIsPredictedFromItsSagUnderItsWeight) {
   GLISSON_NEEDS_DATA("softbeam_mocap_eth");
   const MeasuredBeam beam;
   const double known_mm = measured_sag_mm("beam_gravity_V2_a");

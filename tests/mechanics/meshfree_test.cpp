@@ -223,13 +223,13 @@ TEST(MeshfreeRotation, ABentCantileverKeepsItsLength) {
   EXPECT_NEAR(tip_mm(mesh, result), tip_mm(mesh, by_cells), 0.06 * tip_mm(mesh, by_cells));
 }
 
-TEST(MeshfreeMotion, ABodyFallsAndItsMomentumIsItsWeightTimesTheTime) {
+TEST(MeshfreeImplicitEuler, ABodyFallsAndItsMomentumIsItsWeightTimesTheTime) {
   const MottledBody body;
   for (const MaterialLaw law : {MaterialLaw::linear, MaterialLaw::corotational}) {
-    auto moving = MeshfreeMotion::create(prepared(body.mesh, body.youngs_kPa, law, 20, meshfree_options(0.45)),
-                                         {.step_s = 0.01, .relative_tolerance = 1e-8})
+    auto moving = MeshfreeImplicitEuler::create(prepared(body.mesh, body.youngs_kPa, law, 20, meshfree_options(0.45)),
+                                                {.step_s = 0.01, .relative_tolerance = 1e-8})
                       .value();
-    const auto weight = applied_loads(moving.body(), {GravityLoad{{0, 0, -fall_mm_s2}}}, Gas::stays_as_at_rest).value();
+    const auto weight = applied_loads(moving.body(), {GravityLoad{{0, 0, -fall_mm_s2}}}, PressureKind::dead).value();
     for (int step = 0; step < 10; ++step) ASSERT_TRUE(moving.step(weight).converged);
     const double mass_kg = 1000e-9 * geometry::volume_mm3(body.mesh);
     EXPECT_LT((moving.momentum_kg_mm_s() - Vector3d(0, 0, -mass_kg * fall_mm_s2 * 0.1)).norm(),
@@ -240,12 +240,12 @@ TEST(MeshfreeMotion, ABodyFallsAndItsMomentumIsItsWeightTimesTheTime) {
   }
 }
 
-TEST(MeshfreeMotion, ASpinningBodyTurnsWithoutGrowing) {
+TEST(MeshfreeImplicitEuler, ASpinningBodyTurnsWithoutGrowing) {
   const MottledBody body;
-  auto moving =
-      MeshfreeMotion::create(prepared(body.mesh, body.youngs_kPa, MaterialLaw::corotational, 12, meshfree_options(0.3)),
-                             {.step_s = 0.01, .relative_tolerance = 1e-6})
-          .value();
+  auto moving = MeshfreeImplicitEuler::create(
+                    prepared(body.mesh, body.youngs_kPa, MaterialLaw::corotational, 12, meshfree_options(0.3)),
+                    {.step_s = 0.01, .relative_tolerance = 1e-6})
+                    .value();
   moving.set_rigid_velocity(Vector3d(0, 0, 6).cross(-Vector3d(15, 12.5, 12.5)), {0, 0, 6});
   const Vector3d momentum = moving.momentum_kg_mm_s();
   const AppliedLoads nothing{Eigen::VectorXd::Zero(3 * moving.body().layout.nodes())};
@@ -268,7 +268,7 @@ TEST(MeshfreeMotion, ASpinningBodyTurnsWithoutGrowing) {
   EXPECT_LT((moving.momentum_kg_mm_s() - momentum).norm(), 1e-6);
 }
 
-TEST(MeshfreeMotion, SettlesWhereTheEquilibriumIs) {
+TEST(MeshfreeImplicitEuler, SettlesWhereTheEquilibriumIs) {
   const auto mesh = cantilever_mesh(3);
   const Loads loads{GravityLoad{{0, 0, -500}}};
   const auto still = MeshfreeModel::create(mesh, uniform(mesh, 12), {fixed("wall")}, MaterialLaw::linear,
@@ -276,11 +276,11 @@ TEST(MeshfreeMotion, SettlesWhereTheEquilibriumIs) {
                          .value()
                          .solve(loads)
                          .value();
-  auto moving = MeshfreeMotion::create(
+  auto moving = MeshfreeImplicitEuler::create(
                     prepared(mesh, uniform(mesh, 12), MaterialLaw::linear, 30, meshfree_options(0.3), {fixed("wall")}),
                     {.step_s = 0.05, .mass_damping_per_s = 5})
                     .value();
-  const auto applied = applied_loads(moving.body(), loads, Gas::stays_as_at_rest).value();
+  const auto applied = applied_loads(moving.body(), loads, PressureKind::dead).value();
   for (int step = 0; step < 100; ++step) {
     const StepReport report = moving.step(applied);
     ASSERT_TRUE(report.converged);

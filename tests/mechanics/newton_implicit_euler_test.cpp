@@ -30,7 +30,7 @@ Body beam(const std::vector<Support>& more = {}, Holding holding = Holding::requ
 
 NewtonImplicitEuler moving(const Body& body, MaterialLaw law, const Loads& loads, const DynamicsOptions& options) {
   auto materials = materials_of(body, law, 2.0);
-  auto applied = applied_loads(body, loads, gas_on(materials)).value();
+  auto applied = applied_loads(body, loads, pressure_kind_of(materials)).value();
   return NewtonImplicitEuler::create(body, std::move(materials), std::move(applied), options).value();
 }
 

@@ -42,7 +42,7 @@ ContactTool probe(const Vector3d& center_mm, std::optional<double> push_mN = {})
 }
 ContactTool jaws(const Vector3d& drawn_mm) { return {"grasper", Grasp{{66, 40, 40}, 15, drawn_mm, {0, 0, 1}}}; }
 
-TEST(Session, FollowsLandmarksAndStructuresAndComparesWithTheTwin) {
+TEST(Session, FollowsLandmarksAndStructuresAndComparesWithTheReferenceBody) {
   auto engine = SessionEngine::create(whole_block()).value();
   EXPECT_EQ(engine.state().patient.max_displacement_mm, 0);
   const SessionState& state = engine.step(HoldTool{probe({35, 40, 40})});

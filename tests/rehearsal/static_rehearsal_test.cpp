@@ -108,7 +108,7 @@ TEST(StaticRehearsal, KnowsTheForceAtWhichTheModelEnds) {
   EXPECT_EQ(tool.force_within_the_model_N(direction, 0.5 * within_N), 0.5 * within_N);
 }
 
-TEST(StaticRehearsal, ComparesEachLandmarkWithTheAtlasTwin) {
+TEST(StaticRehearsal, ComparesEachLandmarkWithTheReferenceBody) {
   const auto rehearsal = StaticRehearsal::create(slab()).value();
   const auto state = rehearsal.place_tool(tool_center_mm, tool_radius_mm)->answer({0, -1, 0});
   ASSERT_EQ(state.differences.size(), 2u);

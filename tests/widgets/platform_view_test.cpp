@@ -154,7 +154,7 @@ class PlatformViewTest : public QObject {
   void says_how_sure_its_answer_is() {
     choose(row_of("tx2-gpu"));
     const auto* table = child<PlatformTable>("platforms");
-    for (const hardware::PlatformAnswer& answer : view_->plan()->platforms) {
+    for (const hardware::DevicePlan& answer : view_->plan()->platforms) {
       const QString sure = table->item(row_of(QString::fromStdString(answer.id)), PlatformTable::sure)->text();
       QCOMPARE(sure, QString::number(std::lround(100 * answer.certainty.holds)));
     }
@@ -194,7 +194,7 @@ class PlatformViewTest : public QObject {
     QCOMPARE(child<PlatformTable>("platforms")->rowCount(), rows + 1);
     QCOMPARE(child<PlatformTable>("platforms")->chosen(), QString("odroid-n2-cpu-recorded"));
     // At the battery: what the recording shows, over the supply's efficiency.
-    for (const hardware::PlatformAnswer& answer : view_->plan()->platforms) {
+    for (const hardware::DevicePlan& answer : view_->plan()->platforms) {
       if (answer.id == "odroid-n2-cpu-recorded")
         QCOMPARE(answer.idle.idle_W, idle_W / device("odroid-n2-cpu").supply_efficiency.value);
     }

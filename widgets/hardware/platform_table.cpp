@@ -14,7 +14,7 @@ namespace glisson::widgets {
 
 using hardware::Constraint;
 using hardware::Device;
-using hardware::PlatformAnswer;
+using hardware::DevicePlan;
 
 namespace {
 
@@ -64,7 +64,7 @@ QString words_for(Constraint constraint) {
 
 }  // namespace
 
-QString limit_of(const PlatformAnswer& answer) {
+QString limit_of(const DevicePlan& answer) {
   if (!answer.feasible) {
     QStringList words;
     for (const hardware::Reason& reason : answer.reasons) words << words_for(reason.constraint);
@@ -151,7 +151,7 @@ void PlatformTable::show_plan(const hardware::Plan& plan, const std::vector<Devi
   setRowCount(static_cast<int>(order.size()));
   for (int row = 0; row < rowCount(); ++row) {
     const std::size_t index = order[static_cast<std::size_t>(row)];
-    const PlatformAnswer& answer = plan.platforms[index];
+    const DevicePlan& answer = plan.platforms[index];
     const Device& device = devices[index];
     const bool recommended = plan.recommended == answer.id;
     const auto put = [&](int column, const QString& text, const QString& tip = {}) {

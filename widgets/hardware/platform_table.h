@@ -32,6 +32,6 @@ class PlatformTable : public QTableWidget {
 };
 
 // "fails: battery, too hot", or what would bound its frame rate next.
-[[nodiscard]] QString limit_of(const hardware::PlatformAnswer& answer);
+[[nodiscard]] QString limit_of(const hardware::DevicePlan& answer);
 
 }  // namespace glisson::widgets

@@ -20,7 +20,7 @@
 namespace glisson::widgets {
 
 using hardware::Device;
-using hardware::PlatformAnswer;
+using hardware::DevicePlan;
 
 namespace {
 
@@ -248,7 +248,7 @@ void PlatformView::replan() {
                                .arg(work.products_per_frame)
                                .arg(significant(work.frame_bytes * 1e-6), significant(work.frame_flops * 1e-6)));
   const auto best = std::find_if(plan_->platforms.begin(), plan_->platforms.end(),
-                                 [&](const PlatformAnswer& answer) { return plan_->recommended == answer.id; });
+                                 [&](const DevicePlan& answer) { return plan_->recommended == answer.id; });
   const QString name = best != plan_->platforms.end() ? QString::fromStdString(best->name) : QString();
   answer_->setText(best == plan_->platforms.end()       ? tr("None of these platforms holds.")
                    : best->worn == hardware::Worn::head ? tr("Least obtrusive that holds, on the head: %1").arg(name)
@@ -273,7 +273,7 @@ void PlatformView::show_platform() {
   trace_->set_platform(device != nullptr ? QString::fromStdString(device->name) : QString());
   if (!plan_ || device == nullptr) return;
   const auto answer = std::find_if(plan_->platforms.begin(), plan_->platforms.end(),
-                                   [&](const PlatformAnswer& known) { return known.id == device->id; });
+                                   [&](const DevicePlan& known) { return known.id == device->id; });
   if (answer != plan_->platforms.end()) details_->setHtml(platform_in_full(*answer, *device, plan_->request));
 }
 
@@ -311,7 +311,7 @@ void PlatformView::show_picture() {
     case power:
       picture.surface = surfaces->power_W;
       quantity_told = tr("Mean power at %1 frames/s (W)").arg(significant(wanted));
-      for (const PlatformAnswer& answer : plan_->platforms) {
+      for (const DevicePlan& answer : plan_->platforms) {
         if (answer.id != device->id) continue;
         const double allowed_W = answer.idle.allowed_W * device->supply_efficiency.value;
         picture.contours = {{allowed_W, tr("%1 W: the battery").arg(significant(allowed_W)), true}};

@@ -11,7 +11,7 @@
 namespace glisson::widgets {
 
 using hardware::Device;
-using hardware::PlatformAnswer;
+using hardware::DevicePlan;
 
 namespace {
 
@@ -21,7 +21,7 @@ QString source_in_words(hardware::Source source);
 
 }  // namespace
 
-QString platform_in_full(const PlatformAnswer& answer, const Device& device, const hardware::PlanRequest& request) {
+QString platform_in_full(const DevicePlan& answer, const Device& device, const hardware::PlanRequest& request) {
   const auto escaped = [](const std::string& text) { return QString::fromStdString(text).toHtmlEscaped(); };
   QString html = "<h3>" + escaped(device.name) + "</h3><p>" + escaped(device.worn_how) + "</p>";
   html += "<p><b>" +

@@ -8,7 +8,7 @@
 
 namespace glisson::widgets {
 
-[[nodiscard]] QString platform_in_full(const hardware::PlatformAnswer& answer, const hardware::Device& device,
+[[nodiscard]] QString platform_in_full(const hardware::DevicePlan& answer, const hardware::Device& device,
                                        const hardware::PlanRequest& request);
 
 // A task that ships by its workspace; any other as its table has it.

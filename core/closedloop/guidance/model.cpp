@@ -55,7 +55,7 @@ class GuidanceModel : public ForwardModel {
 
  private:
   [[nodiscard]] PalpationState state(const Settings& settings) const {
-    return state_of(settings, held_from_kPa_per_mm_);
+    return state_of(settings, fixed_from_kPa_per_mm_);
   }
   [[nodiscard]] Loading loading(const PalpationState& state) const {
     return loading_of(shots_, histories_, columns_, experiment_.organ.gravity_mm_s2, state);
@@ -75,7 +75,7 @@ class GuidanceModel : public ForwardModel {
   LoadColumns columns_;
   std::vector<History> histories_;
   std::vector<Shot> shots_;  // one a frame
-  double held_from_kPa_per_mm_;
+  double fixed_from_kPa_per_mm_;
   std::vector<Effect> catalogue_;
   Observations observations_;
   std::vector<SeenRow> rows_;
@@ -169,7 +169,7 @@ GuidanceModel::GuidanceModel(Guidance experiment, PalpationSolver solver, Quadra
       surface_(std::move(surface)),
       columns_(columns),
       histories_(std::move(histories)),
-      held_from_kPa_per_mm_(held_from_kPa_per_mm(solver_.specimen())),
+      fixed_from_kPa_per_mm_(fixed_from_kPa_per_mm(solver_.specimen())),
       catalogue_(catalogue_of(experiment_, solver_.specimen())) {
   Places places = places_of(surface_, experiment_);
   places_mm_ = std::move(places.rest_mm);

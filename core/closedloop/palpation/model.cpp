@@ -34,7 +34,7 @@ class PalpationModel : public ForwardModel {
         histories_(std::move(histories)),
         markers_(std::move(markers)),
         catalogue_(palpation_catalogue(experiment_, solver_.specimen())),
-        held_from_kPa_per_mm_(held_from_kPa_per_mm(solver_.specimen())),
+        fixed_from_kPa_per_mm_(fixed_from_kPa_per_mm(solver_.specimen())),
         stiffened_(solver_, [this](const Settings& settings) {
           const PalpationState at = state(settings);
           return Acting{at, loading(at).amounts / at.stiffness_factor};
@@ -55,7 +55,7 @@ class PalpationModel : public ForwardModel {
 
  private:
   [[nodiscard]] PalpationState state(const Settings& settings) const {
-    return state_of(settings, held_from_kPa_per_mm_);
+    return state_of(settings, fixed_from_kPa_per_mm_);
   }
   [[nodiscard]] Loading loading(const PalpationState& state) const {
     return loading_of(markers_.shots, histories_, columns_, experiment_.gravity_mm_s2, state);
@@ -72,7 +72,7 @@ class PalpationModel : public ForwardModel {
   std::vector<History> histories_;
   MarkerRows markers_;
   std::vector<Effect> catalogue_;
-  double held_from_kPa_per_mm_;
+  double fixed_from_kPa_per_mm_;
 
   StiffenedResponse stiffened_;
   [[nodiscard]] const ForwardModel* further() const;

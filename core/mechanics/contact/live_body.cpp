@@ -44,7 +44,7 @@ Result<LiveBody> LiveBody::create(StaticModel model, const ChosenLaw& law, const
   if (!prepared) return failure(std::move(prepared.error()));
   auto made = std::make_shared<LiveParts>(std::move(model), std::move(*prepared), law);
   LiveParts& parts = *made;
-  auto loads = applied_loads(parts.body, standing_loads, Gas::follows_the_surface);
+  auto loads = applied_loads(parts.body, standing_loads, PressureKind::follower);
   if (!loads) return failure(std::move(loads.error()));
   parts.standing_loads = standing_loads;
   parts.standing = std::move(*loads);

@@ -54,12 +54,12 @@ Result<Eigen::VectorXd> load_vector(const geometry::TetMesh& mesh, const NodeLay
   return force_mN;
 }
 
-Result<AppliedLoads> applied_loads(const Body& body, const Loads& loads, Gas gas) {
+Result<AppliedLoads> applied_loads(const Body& body, const Loads& loads, PressureKind kind) {
   AppliedLoads applied;
   Loads dead;
   for (const Load& load : loads) {
     const auto* pressure = std::get_if<PressureLoad>(&load);
-    if (pressure != nullptr && gas == Gas::follows_the_surface && std::isfinite(pressure->pressure_kPa)) {
+    if (pressure != nullptr && kind == PressureKind::follower && std::isfinite(pressure->pressure_kPa)) {
       applied.follower_pressure_kPa += pressure->pressure_kPa;
     } else {
       dead.push_back(load);

@@ -23,7 +23,7 @@ struct AppliedLoads {
   Eigen::VectorXd dead_mN;
   double follower_pressure_kPa = 0;
 };
-enum class Gas { follows_the_surface, stays_as_at_rest };
-Result<AppliedLoads> applied_loads(const Body& body, const Loads& loads, Gas gas);
+enum class PressureKind { follower, dead };
+Result<AppliedLoads> applied_loads(const Body& body, const Loads& loads, PressureKind kind);
 
 }  // namespace glisson::mechanics

@@ -16,7 +16,7 @@ struct Answer {
   StaticResult result;
   std::vector<Eigen::Vector3d> landmark_displacements_mm;
   std::vector<double> von_mises_kPa;  // one a cell
-  std::vector<MotionStep> steps;
+  std::vector<TimeStep> steps;
   std::vector<ToolContact> tools;  // in contact
   std::optional<ContactReport> contact;
 };
@@ -59,7 +59,7 @@ Result<Answer> meshfree_equilibrium(const Question& question, const Progress& pr
 // From rest, under loads that are there from the first moment.
 // Of a motion by finite elements: one linear system a step, and not Newton's method.
 [[nodiscard]] bool moves_by_one_solve(const Scenario& scenario);
-Result<Answer> end_of_motion(const Question& question, const Progress& progress);
-Result<Answer> end_of_meshfree_motion(const Question& question, const Progress& progress);
+Result<Answer> fem_dynamics(const Question& question, const Progress& progress);
+Result<Answer> meshfree_dynamics(const Question& question, const Progress& progress);
 
 }  // namespace glisson::mechanics

@@ -64,7 +64,7 @@ Result<Answer> nonlinear_equilibrium(const Question& question, const Progress& p
   if (!prepared) return failure(prepared.error());
   const Body& body = prepared->body;
   const std::vector<Material>& materials = prepared->materials;
-  const auto loads = applied_loads(body, scenario.loads, gas_on(materials));
+  const auto loads = applied_loads(body, scenario.loads, pressure_kind_of(materials));
   if (!loads) return failure(loads.error());
   if (scenario.tools.empty() && question.walls.empty()) {
     auto result = find_equilibrium(body, materials, *loads, {}, progress);
@@ -94,7 +94,7 @@ Result<Answer> meshfree_equilibrium(const Question& question, const Progress& pr
     answer.result = std::move(*result);
   } else {
     const MeshfreeBody& handles = model->body();
-    const auto loads = applied_loads(handles.body, scenario.loads, gas_on(handles.materials));
+    const auto loads = applied_loads(handles.body, scenario.loads, pressure_kind_of(handles.materials));
     if (!loads) return failure(loads.error());
     auto contact =
         find_equilibrium_in_contact(*model, *loads, stations_of(scenario.tools), {}, progress.part(0.7, 1.0));

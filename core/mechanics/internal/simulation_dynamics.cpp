@@ -51,7 +51,7 @@ bool moves_by_one_solve(const Scenario& scenario) {
          (scenario.material == MaterialLaw::linear || (scenario.material == MaterialLaw::corotational && !gas));
 }
 
-Result<Answer> end_of_motion(const Question& question, const Progress& progress) {
+Result<Answer> fem_dynamics(const Question& question, const Progress& progress) {
   const Scenario& scenario = question.scenario;
   const Stopwatch setting_up;
   StaticOptions options = options_of(scenario);
@@ -59,7 +59,7 @@ Result<Answer> end_of_motion(const Question& question, const Progress& progress)
   const auto body = prepare_body(question.mesh, question.youngs_kPa, scenario.supports, options, Holding::optional);
   if (!body) return failure(body.error());
   const std::vector<Material> materials = materials_of(*body, scenario.material, scenario.strain_stiffening);
-  const auto loads = applied_loads(*body, scenario.loads, gas_on(materials));
+  const auto loads = applied_loads(*body, scenario.loads, pressure_kind_of(materials));
   if (!loads) return failure(loads.error());
   DynamicsOptions motion_options = options_of(*scenario.motion);
   std::optional<ImplicitEuler> moving;
@@ -117,7 +117,7 @@ Result<Answer> end_of_motion(const Question& question, const Progress& progress)
   return follow(mover, *body, materials, *loads, scenario, setting_up.seconds(), question.places, progress);
 }
 
-Result<Answer> end_of_meshfree_motion(const Question& question, const Progress& progress) {
+Result<Answer> meshfree_dynamics(const Question& question, const Progress& progress) {
   const Scenario& scenario = question.scenario;
   const Stopwatch setting_up;
   auto handles = prepare_meshfree_body(question.mesh, question.youngs_kPa, scenario.supports,
@@ -125,11 +125,11 @@ Result<Answer> end_of_meshfree_motion(const Question& question, const Progress& 
                                        scenario.meshfree, scenario.cuts, Holding::optional, progress);
   if (!handles) return failure(std::move(handles.error()));
   const std::vector<Material> materials = handles->materials;
-  const auto loads = applied_loads(handles->body, scenario.loads, gas_on(materials));
+  const auto loads = applied_loads(handles->body, scenario.loads, pressure_kind_of(materials));
   if (!loads) return failure(loads.error());
   DynamicsOptions motion_options = options_of(*scenario.motion);
   motion_options.max_iterations = 5000;
-  auto moving = MeshfreeMotion::create(std::move(*handles), motion_options);
+  auto moving = MeshfreeImplicitEuler::create(std::move(*handles), motion_options);
   if (!moving) return failure(std::move(moving.error()));
   Mover mover{[&]() -> Result<StepReport> { return moving->step(*loads); },
               [&] { return moving->displacement_mm(); },
@@ -219,9 +219,9 @@ Result<Answer> follow(const Mover& mover, const Body& body, const std::vector<Ma
     if (mover.tools_force_mN) besides_mN += mover.tools_force_mN();
     state = state_of(body, materials, u_mm, loads, besides_mN);
     if (mover.fixed_reaction_mN) state.fixed_reaction_mN = mover.fixed_reaction_mN();
-    MotionStep step{(done + 1) * motion.step_s,   displacement_at(body, state, places), state.fixed_reaction_mN,
-                    state.foundation_reaction_mN, state.ligament_reaction_mN,           *report,
-                    state.largest_strain};
+    TimeStep step{(done + 1) * motion.step_s,   displacement_at(body, state, places), state.fixed_reaction_mN,
+                  state.foundation_reaction_mN, state.ligament_reaction_mN,           *report,
+                  state.largest_strain};
     for (std::size_t l = 0; l < places.size(); ++l) step.landmarks_mm[l] += scenario.landmarks[l].position_mm;
     answer.steps.push_back(std::move(step));
   }

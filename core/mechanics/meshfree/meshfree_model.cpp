@@ -46,9 +46,8 @@ Result<MeshfreeModel> MeshfreeModel::create(const geometry::TetMesh& mesh, const
 Result<StaticResult> MeshfreeModel::solve(const Loads& loads, const NewtonOptions& options,
                                           const Progress& progress) const {
   const MeshfreeBody& handles = impl_->handles;
-  return applied_loads(handles.body, loads, gas_on(handles.materials)).and_then([&](const AppliedLoads& applied) {
-    return solve(applied, options, progress);
-  });
+  return applied_loads(handles.body, loads, pressure_kind_of(handles.materials))
+      .and_then([&](const AppliedLoads& applied) { return solve(applied, options, progress); });
 }
 
 Result<StaticResult> MeshfreeModel::solve(const AppliedLoads& loads, const NewtonOptions& options,

@@ -27,7 +27,7 @@ double moving_force_mN(const Body& body, const TotalPotential& potential, const 
 
 Result<StaticResult> find_equilibrium(const Body& body, const std::vector<Material>& materials, const Loads& loads,
                                       const NewtonOptions& options, const Progress& progress) {
-  return applied_loads(body, loads, gas_on(materials)).and_then([&](const AppliedLoads& applied) {
+  return applied_loads(body, loads, pressure_kind_of(materials)).and_then([&](const AppliedLoads& applied) {
     return find_equilibrium(body, materials, applied, options, progress);
   });
 }
@@ -113,8 +113,8 @@ AppliedLoads share_of(const AppliedLoads& loads, double share) {
   return {share * loads.dead_mN, share * loads.follower_pressure_kPa};
 }
 
-Gas gas_on(const std::vector<Material>& materials) {
-  return std::holds_alternative<SmallStrain>(materials.front()) ? Gas::stays_as_at_rest : Gas::follows_the_surface;
+PressureKind pressure_kind_of(const std::vector<Material>& materials) {
+  return std::holds_alternative<SmallStrain>(materials.front()) ? PressureKind::dead : PressureKind::follower;
 }
 
 StaticResult state_of(const Body& body, const std::vector<Material>& materials, const Eigen::VectorXd& u_mm,

@@ -43,6 +43,6 @@ Result<StaticResult> find_equilibrium(const Body& body, const std::vector<Materi
                                     const Eigen::VectorXd& damping_mN);
 
 // The gas follows the surface unless the body is linear elastic.
-[[nodiscard]] Gas gas_on(const std::vector<Material>& materials);
+[[nodiscard]] PressureKind pressure_kind_of(const std::vector<Material>& materials);
 
 }  // namespace glisson::mechanics

@@ -58,7 +58,7 @@ std::vector<Effect> palpation_catalogue(const Palpation& experiment, const Speci
   return catalogue;
 }
 
-double held_from_kPa_per_mm(const SpecimenBody& specimen) {
+double fixed_from_kPa_per_mm(const SpecimenBody& specimen) {
   const auto& moduli = specimen.body.youngs_kPa;
   Eigen::AlignedBox3d box;
   for (const auto& position : specimen.body.layout.positions_mm) box.extend(position);
@@ -133,7 +133,7 @@ std::vector<Effect> strain_stiffening() {
 }
 
 Effect support_compliance(const Sizes& sizes, const SpecimenBody& specimen) {
-  const double usual = sizes.youngs_kPa / sizes.extent_mm, held = held_from_kPa_per_mm(specimen);
+  const double usual = sizes.youngs_kPa / sizes.extent_mm, held = fixed_from_kPa_per_mm(specimen);
   return {palpation::support_compliance,
           "",
           {{"foundation_kPa_per_mm", held, 1e-3 * usual, held, 0.1 * usual, 10 * usual, Scale::logarithmic}},

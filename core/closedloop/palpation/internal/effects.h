@@ -47,7 +47,7 @@ inline const std::string form_gravity = "gravity", form_pressure = "pressure";
 [[nodiscard]] std::vector<Effect> palpation_catalogue(const Palpation& experiment, const SpecimenBody& specimen);
 
 // Springs as stiff as this are no springs: the upper bound of foundation_kPa_per_mm.
-[[nodiscard]] double held_from_kPa_per_mm(const SpecimenBody& specimen);
+[[nodiscard]] double fixed_from_kPa_per_mm(const SpecimenBody& specimen);
 
 // What the untouched load cells read (mN), averaged over the trials that say so: a first sample that was not watched,
 // or that shows less than a quarter of its trial's load.

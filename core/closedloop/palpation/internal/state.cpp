@@ -22,7 +22,7 @@ Structure PalpationState::scaled_structure() const {
   return scaled;
 }
 
-PalpationState state_of(const Settings& settings, double held_from_kPa_per_mm) {
+PalpationState state_of(const Settings& settings, double fixed_from_kPa_per_mm) {
   PalpationState state;
   for (const Setting& setting : settings) {
     const Eigen::VectorXd& p = setting.parameters;
@@ -31,7 +31,7 @@ PalpationState state_of(const Settings& settings, double held_from_kPa_per_mm) {
     } else if (setting.kind == palpation::strain_stiffening) {
       state.stiffening = Stiffening{stiffening_law(setting.form), p[0]};
     } else if (setting.kind == palpation::support_compliance) {
-      state.structure.compliance_mm_per_kPa = p[0] >= held_from_kPa_per_mm ? 0.0 : 1.0 / p[0];
+      state.structure.compliance_mm_per_kPa = p[0] >= fixed_from_kPa_per_mm ? 0.0 : 1.0 / p[0];
     } else if (setting.kind == palpation::stiff_inclusion) {
       state.structure.inclusion = Inclusion{p.head<3>(), p[3], p[4]};
     } else if (setting.kind == palpation::viscoelastic_creep) {

@@ -51,7 +51,7 @@ struct PalpationState {
   [[nodiscard]] Structure scaled_structure() const;
 };
 
-// Settings of effects.h. `held_from_kPa_per_mm`: springs as stiff as this are no springs.
-[[nodiscard]] PalpationState state_of(const Settings& settings, double held_from_kPa_per_mm);
+// Settings of effects.h. `fixed_from_kPa_per_mm`: springs as stiff as this are no springs.
+[[nodiscard]] PalpationState state_of(const Settings& settings, double fixed_from_kPa_per_mm);
 
 }  // namespace glisson::closedloop

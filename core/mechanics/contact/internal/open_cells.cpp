@@ -19,10 +19,11 @@ using Eigen::Vector3d;
 using Eigen::Vector4d;
 using Eigen::VectorXd;
 
-OpenCells::OpenCells(const Body& body, const std::vector<Material>& materials, const Opening& opening, double gas_kPa)
+OpenCells::OpenCells(const Body& body, const std::vector<Material>& materials, const Opening& opening,
+                     double pressure_kPa)
     : body_(body),
       materials_(materials),
-      gas_kPa_(gas_kPa),
+      pressure_kPa_(pressure_kPa),
       springs_(opening.springs()),
       rest_normals_(opening.normals()) {
   GLISSON_ASSERT(body.options.order == ElementOrder::quadratic);
@@ -74,10 +75,10 @@ int OpenCells::add_force(const VectorXd& x_mm, VectorXd& force_mN) const {
         const Matrix3d f = jumped + of_nodes;
         if (side.counts && f.determinant() <= 0) ++inverted_points;
         Matrix3d stress = stress_kPa(cell.cell, f), on_jumps = stress;
-        if (gas_kPa_ != 0) {
-          const Matrix3d gas = gas_kPa_ * determinant_gradient(f);
-          stress += gas - gas_kPa_ * determinant_gradient(Matrix3d::Identity() + of_nodes);
-          on_jumps += gas;
+        if (pressure_kPa_ != 0) {
+          const Matrix3d of_pressure = pressure_kPa_ * determinant_gradient(f);
+          stress += of_pressure - pressure_kPa_ * determinant_gradient(Matrix3d::Identity() + of_nodes);
+          on_jumps += of_pressure;
         }
         on_nodes.noalias() += point.weight_mm3 * stress * point.gradients.transpose();
         sum += point.weight_mm3 * on_jumps;

@@ -18,10 +18,10 @@ namespace glisson::mechanics {
 
 class OpenCells {
  public:
-  // What bridges the walls, and foundations under them, are springs beside the cells. Gas at `gas_kPa` presses on the
-  // walls too: over a closed surface its energy is p times the volume inside, so that it joins the cells' stress by
+  // What bridges the walls, and foundations under them, are springs beside the cells. Gas at `pressure_kPa` presses on
+  // the walls too: over a closed surface its energy is p times the volume inside, so that it joins the cells' stress by
   // p cof F less what the boundary's part of it counts of these cells. The body and its materials must outlive it.
-  OpenCells(const Body& body, const std::vector<Material>& materials, const Opening& opening, double gas_kPa);
+  OpenCells(const Body& body, const std::vector<Material>& materials, const Opening& opening, double pressure_kPa);
 
   // Takes what they resist with off the forces. Back come the points that are inside out, of sides that are more than a
   // twentieth of their cell: what is thinner has no energy to speak of.
@@ -72,7 +72,7 @@ class OpenCells {
 
   const Body& body_;
   const std::vector<Material>& materials_;
-  double gas_kPa_;
+  double pressure_kPa_;
   std::vector<Cell> cells_;
   std::vector<Point> points_;
   JumpSprings springs_;

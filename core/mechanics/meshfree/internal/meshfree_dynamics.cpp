@@ -13,7 +13,7 @@
 
 namespace glisson::mechanics {
 
-struct MeshfreeMotion::Impl {
+struct MeshfreeImplicitEuler::Impl {
   MeshfreeBody handles;
   DynamicsOptions options;
   ReducedOperator mass;       // kg
@@ -64,12 +64,12 @@ int cells_turned_inside_out(const Body& body, const Eigen::VectorXd& u_mm);
 
 }  // namespace
 
-Result<MeshfreeMotion> MeshfreeMotion::create(MeshfreeBody handles, const DynamicsOptions& options) {
+Result<MeshfreeImplicitEuler> MeshfreeImplicitEuler::create(MeshfreeBody handles, const DynamicsOptions& options) {
   if (auto checked = check(options); !checked) return failure(std::move(checked.error()));
-  return MeshfreeMotion(std::make_unique<Impl>(std::move(handles), options));
+  return MeshfreeImplicitEuler(std::make_unique<Impl>(std::move(handles), options));
 }
 
-StepReport MeshfreeMotion::step(const AppliedLoads& loads) {
+StepReport MeshfreeImplicitEuler::step(const AppliedLoads& loads) {
   const Stopwatch watch;
   Impl& parts = *impl_;
   const DynamicsOptions& options = parts.options;
@@ -97,8 +97,8 @@ StepReport MeshfreeMotion::step(const AppliedLoads& loads) {
   return parts.described(report, watch);
 }
 
-Result<StepReport> MeshfreeMotion::step(const AppliedLoads& loads, const MinimiseWithTools& minimise_with_tools,
-                                        const Progress& progress) {
+Result<StepReport> MeshfreeImplicitEuler::step(const AppliedLoads& loads, const MinimiseWithTools& minimise_with_tools,
+                                               const Progress& progress) {
   const Stopwatch watch;
   Impl& parts = *impl_;
   const Body& body = parts.handles.body;
@@ -125,7 +125,7 @@ Result<StepReport> MeshfreeMotion::step(const AppliedLoads& loads, const Minimis
   return parts.described(report, watch);
 }
 
-StepReport MeshfreeMotion::Impl::described(StepReport report, const Stopwatch& watch) const {
+StepReport MeshfreeImplicitEuler::Impl::described(StepReport report, const Stopwatch& watch) const {
   const Eigen::VectorXd u_mm = handles.basis->displacement(q_mm);
   report.inverted_cells = cells_turned_inside_out(handles.body, u_mm);
   report.strain_energy_uJ = strain_energy_uJ(handles.body, handles.materials, u_mm);
@@ -135,7 +135,7 @@ StepReport MeshfreeMotion::Impl::described(StepReport report, const Stopwatch& w
 }
 
 // With the factor there is; where that has aged, with a fresh one.
-ReducedSolution MeshfreeMotion::Impl::solve(const Eigen::VectorXd& b) {
+ReducedSolution MeshfreeImplicitEuler::Impl::solve(const Eigen::VectorXd& b) {
   const auto attempt = [&](int maximum) {
     return conjugate_gradients(system, preconditioner, b, last_dv_mm_s, options.relative_tolerance, maximum);
   };
@@ -149,27 +149,32 @@ ReducedSolution MeshfreeMotion::Impl::solve(const Eigen::VectorXd& b) {
   return solution;
 }
 
-MeshfreeMotion::MeshfreeMotion(std::unique_ptr<Impl> parts) : impl_(std::move(parts)) {}
-MeshfreeMotion::MeshfreeMotion(MeshfreeMotion&&) noexcept = default;
-MeshfreeMotion& MeshfreeMotion::operator=(MeshfreeMotion&&) noexcept = default;
-MeshfreeMotion::~MeshfreeMotion() = default;
+MeshfreeImplicitEuler::MeshfreeImplicitEuler(std::unique_ptr<Impl> parts) : impl_(std::move(parts)) {}
+MeshfreeImplicitEuler::MeshfreeImplicitEuler(MeshfreeImplicitEuler&&) noexcept = default;
+MeshfreeImplicitEuler& MeshfreeImplicitEuler::operator=(MeshfreeImplicitEuler&&) noexcept = default;
+MeshfreeImplicitEuler::~MeshfreeImplicitEuler() = default;
 
-Eigen::VectorXd MeshfreeMotion::displacement_mm() const { return impl_->handles.basis->displacement(impl_->q_mm); }
-Eigen::VectorXd MeshfreeMotion::velocity_mm_s() const { return impl_->handles.basis->displacement(impl_->v_mm_s); }
-const Body& MeshfreeMotion::body() const { return impl_->handles.body; }
+Eigen::VectorXd MeshfreeImplicitEuler::displacement_mm() const {
+  return impl_->handles.basis->displacement(impl_->q_mm);
+}
+Eigen::VectorXd MeshfreeImplicitEuler::velocity_mm_s() const {
+  return impl_->handles.basis->displacement(impl_->v_mm_s);
+}
+const Body& MeshfreeImplicitEuler::body() const { return impl_->handles.body; }
 
-void MeshfreeMotion::set_rigid_velocity(const Eigen::Vector3d& velocity_mm_s, const Eigen::Vector3d& spin_per_s) {
+void MeshfreeImplicitEuler::set_rigid_velocity(const Eigen::Vector3d& velocity_mm_s,
+                                               const Eigen::Vector3d& spin_per_s) {
   const auto field = [&](const Eigen::Vector3d& place_mm) {
     return (velocity_mm_s + spin_per_s.cross(place_mm)).eval();
   };
   impl_->v_mm_s = affine_handles(impl_->handles.shape, field);
 }
 
-Eigen::Vector3d MeshfreeMotion::fixed_reaction_mN() const {
+Eigen::Vector3d MeshfreeImplicitEuler::fixed_reaction_mN() const {
   return sum_of(impl_->handles.penalty_force_mN(displacement_mm()));
 }
 
-Eigen::Vector3d MeshfreeMotion::momentum_kg_mm_s() const {
+Eigen::Vector3d MeshfreeImplicitEuler::momentum_kg_mm_s() const {
   const Eigen::VectorXd momenta = impl_->mass * impl_->v_mm_s;
   // A uniform unit velocity is 1 in every handle's translation.
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();

@@ -16,13 +16,13 @@ namespace glisson::mechanics {
 
 struct BodyProblem;
 
-class MeshfreeMotion {
+class MeshfreeImplicitEuler {
  public:
   // At rest and still. Failures: "step-invalid" (a number of the options is out of range).
-  static Result<MeshfreeMotion> create(MeshfreeBody handles, const DynamicsOptions& options);
-  MeshfreeMotion(MeshfreeMotion&&) noexcept;
-  MeshfreeMotion& operator=(MeshfreeMotion&&) noexcept;
-  ~MeshfreeMotion();
+  static Result<MeshfreeImplicitEuler> create(MeshfreeBody handles, const DynamicsOptions& options);
+  MeshfreeImplicitEuler(MeshfreeImplicitEuler&&) noexcept;
+  MeshfreeImplicitEuler& operator=(MeshfreeImplicitEuler&&) noexcept;
+  ~MeshfreeImplicitEuler();
 
   // One step under loads on the places of the quadratic layout. A step that does not converge moves nothing. The
   // report's residual is that of the handles' equations.
@@ -51,7 +51,7 @@ class MeshfreeMotion {
 
  private:
   struct Impl;
-  explicit MeshfreeMotion(std::unique_ptr<Impl> parts);
+  explicit MeshfreeImplicitEuler(std::unique_ptr<Impl> parts);
   std::unique_ptr<Impl> impl_;
 };
 
