@@ -49,7 +49,7 @@ Result<Outcome> run(const StudyMatchingCommand& options, const Progress& progres
                                 1e3 * timing.seconds,
                                 timing.joules ? fmt::format(", {:.2f} J", *timing.joules) : std::string(), timing.name);
   }
-  for (const studies::MatchingPlatform& of : study->platforms) {
+  for (const studies::MatchingDevice& of : study->platforms) {
     outcome.text += fmt::format(
         "{}: {:g} scans a second of {} points by arithmetic, {} by messages in memory, {} with the field in memory\n",
         of.name, asked.scans_per_s, of.points_by_costs, of.points_by_messages, of.points_by_field);

@@ -52,7 +52,7 @@ Result<std::unique_ptr<ForwardModel>> forward_model(Experiment experiment, const
     });
   }
   if (auto* material = std::get_if<Material>(&experiment.setup)) return material_model(std::move(*material));
-  return platform_model(std::move(std::get<Platform>(experiment.setup))).map_error([&](Error error) {
+  return hardware_model(std::move(std::get<Hardware>(experiment.setup))).map_error([&](Error error) {
     return std::move(error).in_file(experiment.file);
   });
 }

@@ -259,8 +259,8 @@ std::vector<Effect> known_effects(const ForwardModel& model, const Experiment& e
   std::vector<Effect> known;
   if (const auto* material = std::get_if<Material>(&experiment.setup)) {
     for (MaterialEffect& effect : known_material_effects(*material)) known.push_back(std::move(effect.effect));
-  } else if (const auto* platform = std::get_if<Platform>(&experiment.setup)) {
-    for (PlatformEffect& effect : known_platform_effects(*platform)) known.push_back(std::move(effect.effect));
+  } else if (const auto* hardware = std::get_if<Hardware>(&experiment.setup)) {
+    for (HardwareEffect& effect : known_hardware_effects(*hardware)) known.push_back(std::move(effect.effect));
   } else {
     known = model.catalogue();
   }

@@ -38,7 +38,7 @@ class ExperimentFile : public testing::Test {
       "trials": [{"id": "a1", "file": "a.csv",
                   "columns": {"time_s": "t", "stretch": "stretch", "stress_kPa": "stress"}}]})");
   }
-  Json platform() const {
+  Json hardware() const {
     write("1c.csv", "t,I,U,T\n0,3,3.6,23\n10,3,3.5,24\n20,3,3.4,25\n");
     return Json::parse(R"({"format": "glisson-experiment/1", "kind": "platform",
       "declared": {"law": "constant", "energy_Wh": 10.8, "nominal_voltage_V": 3.6, "idle_W": 0},
@@ -85,9 +85,9 @@ TEST_F(ExperimentFile, AMaterialTestIsReadInNominalStressAndStretch) {
 }
 
 TEST_F(ExperimentFile, APlatformsEnergyVoltageAndCapacityCompleteEachOther) {
-  const auto experiment = read(platform());
+  const auto experiment = read(hardware());
   ASSERT_TRUE(experiment) << experiment.error().message();
-  EXPECT_DOUBLE_EQ(std::get<Platform>(experiment->setup).capacity_Ah.value(), 3.0);
+  EXPECT_DOUBLE_EQ(std::get<Hardware>(experiment->setup).capacity_Ah.value(), 3.0);
 }
 
 TEST_F(ExperimentFile, APalpationIsReadInTheUnitsInside) {
@@ -153,11 +153,11 @@ TEST_F(ExperimentFile, BrokenTablesAreRefusedWithTheLine) {
 }
 
 TEST_F(ExperimentFile, MisspeltKeysAndForeignFilesAreRefused) {
-  Json json = platform();
+  Json json = hardware();
   json["declared"]["enery_Wh"] = 10;
   EXPECT_THAT(refusal(json), AllOf(HasSubstr("enery_Wh"), HasSubstr("energy_Wh")));
   EXPECT_THAT(refusal(Json::object()), HasSubstr("glisson-experiment/1"));
-  json = platform();
+  json = hardware();
   json["kind"] = "telepathy";
   EXPECT_THAT(refusal(json), HasSubstr("telepathy"));
 }

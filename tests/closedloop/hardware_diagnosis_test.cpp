@@ -21,13 +21,13 @@ std::mt19937& random_numbers() {
 double noise(double deviation) { return std::normal_distribution<double>(0, deviation)(random_numbers()); }
 
 // A cell of 3.6 V and 3 Ah, emptied at three currents and in pulses; `drop` is what its voltage lacks.
-Platform cell(const std::function<double(double current_A)>& drop_V, double peukert) {
-  Platform platform;
-  platform.nominal_voltage_V = 3.6;
-  platform.capacity_Ah = 3;
-  platform.noise_V = 0.01;
+Hardware cell(const std::function<double(double current_A)>& drop_V, double peukert) {
+  Hardware hardware;
+  hardware.nominal_voltage_V = 3.6;
+  hardware.capacity_Ah = 3;
+  hardware.noise_V = 0.01;
   for (const double current_A : {1.0, 2.0, 4.0, -3.0}) {  // -3: pulses of 3 A
-    PlatformTrial trial;
+    HardwareTrial trial;
     trial.id = std::to_string(current_A);
     constexpr int samples = 240;
     const double mean_A = current_A > 0 ? current_A : 1.5;
@@ -45,9 +45,9 @@ Platform cell(const std::function<double(double current_A)>& drop_V, double peuk
       }
       trial.voltage_V[i] = (spent_Ah <= 3 ? 3.6 - drop_V(trial.current_A[i]) : 0) + noise(0.01);
     }
-    platform.trials.push_back(trial);
+    hardware.trials.push_back(trial);
   }
-  return platform;
+  return hardware;
 }
 
 struct Board {
@@ -65,14 +65,14 @@ TEST(HardwareModel, TakesALearntModelWhereTemperatureWasNotRecorded) {
                                   "effects": [{"kind": "internal-resistance", "law": "heating",
                                                "parameters": {"resistance_ohm": 0.05}}]})"));
   for (const bool with_temperature : {true, false}) {
-    Platform platform = cell([](double) { return 0.0; }, 1);
-    platform.thermal_resistance_C_per_W = 5;
-    platform.noise_C = 0.2;
+    Hardware hardware = cell([](double) { return 0.0; }, 1);
+    hardware.thermal_resistance_C_per_W = 5;
+    hardware.noise_C = 0.2;
     if (with_temperature)
-      for (PlatformTrial& trial : platform.trials)
+      for (HardwareTrial& trial : hardware.trials)
         trial.temperature_C = Eigen::VectorXd::Constant(trial.time_s.size(), trial.ambient_C);
-    const auto model = platform_model(platform).value();
-    const auto better = read_model(folder.path() / "m.json", *model, {"e.json", "", platform});
+    const auto model = hardware_model(hardware).value();
+    const auto better = read_model(folder.path() / "m.json", *model, {"e.json", "", hardware});
     ASSERT_TRUE(better) << better.error().message();
     const Eigen::VectorXd drop = model->predict({}).value() - predict_with(*model, *better).value();
     EXPECT_NEAR(drop[0], 0.05, 1e-9) << with_temperature;  // 1 A
@@ -80,16 +80,16 @@ TEST(HardwareModel, TakesALearntModelWhereTemperatureWasNotRecorded) {
 }
 
 // A board that idles at 2 W and takes 8 W more at full load, 5 C/W and 120 s to the room's air.
-Platform board(const Board& board) {
-  Platform platform;
-  platform.idle_W = 2;
-  platform.full_load_W = 8;
-  platform.thermal_resistance_C_per_W = 5;
-  platform.time_constant_s = 120;
-  platform.noise_W = 0.1;
-  platform.noise_C = 0.3;
+Hardware board(const Board& board) {
+  Hardware hardware;
+  hardware.idle_W = 2;
+  hardware.full_load_W = 8;
+  hardware.thermal_resistance_C_per_W = 5;
+  hardware.time_constant_s = 120;
+  hardware.noise_W = 0.1;
+  hardware.noise_C = 0.3;
   for (const double top : {0.4, 0.7, 1.0, 0.9}) {
-    PlatformTrial trial;
+    HardwareTrial trial;
     trial.id = std::to_string(top);
     trial.ambient_C = 23;
     constexpr int samples = 180;
@@ -115,13 +115,13 @@ Platform board(const Board& board) {
       trial.power_W[i] = power + noise(0.1);
       trial.temperature_C[i] = temperature + noise(0.3);
     }
-    platform.trials.push_back(trial);
+    hardware.trials.push_back(trial);
   }
-  return platform;
+  return hardware;
 }
 
-Explanation explained(const Platform& platform) {
-  const auto model = platform_model(platform);
+Explanation explained(const Hardware& hardware) {
+  const auto model = hardware_model(hardware);
   EXPECT_TRUE(model);
   return diagnose(**model).value();
 }
@@ -179,10 +179,10 @@ TEST(PlatformTracing, AGovernorThatSlowsAndRecoversInStepsIsFound) {
 }
 
 TEST(PlatformTracing, RecordingsOfWhichNothingIsPredictedAreRefused) {
-  Platform platform = board({});
-  platform.thermal_resistance_C_per_W.reset();
-  for (PlatformTrial& trial : platform.trials) trial.power_W.resize(0);
-  const auto model = platform_model(platform);
+  Hardware hardware = board({});
+  hardware.thermal_resistance_C_per_W.reset();
+  for (HardwareTrial& trial : hardware.trials) trial.power_W.resize(0);
+  const auto model = hardware_model(hardware);
   ASSERT_FALSE(model);
   EXPECT_EQ(model.error().code, "experiment-invalid");
 }

@@ -85,7 +85,7 @@ TEST(MatchingStudy, TimesEveryWayAndSaysWhatThePlatformsCanDo) {
     EXPECT_EQ(timing.watts.has_value(), timing.joules.has_value());
   }
   ASSERT_EQ(study->platforms.size(), 2u);
-  const MatchingPlatform& dissertation = study->platforms[0];
+  const MatchingDevice& dissertation = study->platforms[0];
   EXPECT_LT(dissertation.points_by_field, 60);
   EXPECT_NEAR(dissertation.points_by_costs, 126, 2);     // 128 points at 20 scans a second
   EXPECT_NEAR(dissertation.points_by_messages, 247, 3);  // "around n = 256"

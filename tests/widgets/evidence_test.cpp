@@ -377,7 +377,7 @@ class EvidenceTest : public QObject {
       proposals.push_back(trial.sentence);
     const auto palpation = closedloop::palpation_model(closedloop::test::pad({.bricks = {4, 4, 2}, .markers = 24}));
     for (const auto& trial : (*palpation)->further_trials()) proposals.push_back(trial.sentence);
-    const auto hardware = closedloop::platform_model(cell_at_2_A());
+    const auto hardware = closedloop::hardware_model(cell_at_2_A());
     for (const auto& trial : (*hardware)->further_trials()) proposals.push_back(trial.sentence);
     QCOMPARE(proposals.size(), std::size_t{13});
 
@@ -427,12 +427,12 @@ class EvidenceTest : public QObject {
 
  private:
   // A cell of 3.6 V and 3 Ah, emptied for a minute.
-  static closedloop::Platform cell_at_2_A() {
-    closedloop::Platform platform;
+  static closedloop::Hardware cell_at_2_A() {
+    closedloop::Hardware platform;
     platform.nominal_voltage_V = 3.6;
     platform.capacity_Ah = 3;
     platform.noise_V = 0.01;
-    closedloop::PlatformTrial trial;
+    closedloop::HardwareTrial trial;
     trial.id = "2 A";
     trial.time_s = Eigen::VectorXd::LinSpaced(61, 0, 60);
     trial.current_A = Eigen::VectorXd::Constant(61, 2);

@@ -43,7 +43,7 @@ Experiment experiment_from(const Json& json, const Source& source, Needs needs) 
   } else if (kind == "material") {
     experiment.setup = material_from(json, source, needs);
   } else if (kind == "platform") {
-    experiment.setup = platform_from(json, source, needs);
+    experiment.setup = hardware_from(json, source, needs);
   } else if (kind == "guidance") {
     experiment.setup = guidance_from(json, source);
   } else if (kind == "full-field") {

@@ -84,7 +84,7 @@ struct Material {
 
 // --- platform: battery, power and temperature against time
 
-struct PlatformTrial {
+struct HardwareTrial {
   std::string id;
   double ambient_C = 25;
   Eigen::VectorXd time_s;  // never goes back
@@ -96,7 +96,7 @@ struct PlatformTrial {
   Eigen::VectorXd load;  // 0 to 1, or work a second
 };
 
-struct Platform {
+struct Hardware {
   std::optional<double> energy_Wh;
   std::optional<double> nominal_voltage_V;
   std::optional<double> capacity_Ah;
@@ -106,7 +106,7 @@ struct Platform {
   std::optional<double> time_constant_s;  // of the temperature; absent: it follows power at once
   // Standard deviations; a quantity without one is not judged.
   std::optional<double> noise_V, noise_C, noise_W;
-  std::vector<PlatformTrial> trials;
+  std::vector<HardwareTrial> trials;
 };
 
 // --- guidance: an organ seen by a camera, frame after frame
@@ -166,7 +166,7 @@ struct FullField {
 struct Experiment {
   std::filesystem::path file;
   std::string title;
-  std::variant<Palpation, Material, Platform, Guidance, FullField> setup;
+  std::variant<Palpation, Material, Hardware, Guidance, FullField> setup;
 };
 
 // Paths in the experiment are relative to its file. Refused, each with the file, where possible the line, and the

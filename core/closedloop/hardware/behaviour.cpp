@@ -9,7 +9,7 @@ namespace {
 constexpr double seconds_in_hour = 3600;
 constexpr double reference_C = 25;
 
-double curve_V(const PlatformBehaviour& behaviour, double depth) {
+double curve_V(const HardwareBehaviour& behaviour, double depth) {
   double sum = 0;
   for (Eigen::Index i = behaviour.discharge_curve_V.size(); i-- > 0;)
     sum = sum * depth + behaviour.discharge_curve_V[i];
@@ -17,7 +17,7 @@ double curve_V(const PlatformBehaviour& behaviour, double depth) {
 }
 
 // Depth of discharge at each time, 1 when nothing more can be had: charge counts more the faster it is drawn.
-Eigen::VectorXd depth_of_discharge(const PlatformBehaviour& behaviour, const PlatformTrial& trial) {
+Eigen::VectorXd depth_of_discharge(const HardwareBehaviour& behaviour, const HardwareTrial& trial) {
   Eigen::VectorXd depth = Eigen::VectorXd::Zero(trial.time_s.size());
   if (behaviour.capacity_Ah <= 0 || trial.current_A.size() == 0) return depth;
   const double rated_A = behaviour.capacity_Ah / behaviour.rated_hours;
@@ -41,7 +41,7 @@ double share_left(const Eigen::VectorXd& depth, Eigen::Index i) {
   return (1 - depth[i - 1]) / (depth[i] - depth[i - 1]);
 }
 
-Eigen::VectorXd voltage_V(const PlatformBehaviour& behaviour, const PlatformTrial& trial) {
+Eigen::VectorXd voltage_V(const HardwareBehaviour& behaviour, const HardwareTrial& trial) {
   if (behaviour.nominal_voltage_V <= 0) return {};
   const Eigen::VectorXd depth = depth_of_discharge(behaviour, trial);
   Eigen::VectorXd voltage(depth.size());
@@ -54,7 +54,7 @@ Eigen::VectorXd voltage_V(const PlatformBehaviour& behaviour, const PlatformTria
 }
 
 // What the work asks for before anything is lost or saved.
-Eigen::VectorXd demand_W(const PlatformBehaviour& behaviour, const PlatformTrial& trial,
+Eigen::VectorXd demand_W(const HardwareBehaviour& behaviour, const HardwareTrial& trial,
                          const Eigen::VectorXd& voltage) {
   const Eigen::Index size = trial.time_s.size();
   if (trial.load.size() > 0) return behaviour.idle_W + behaviour.full_load_W * trial.load.array();
@@ -66,25 +66,25 @@ Eigen::VectorXd demand_W(const PlatformBehaviour& behaviour, const PlatformTrial
 
 }  // namespace
 
-PlatformBehaviour declared_behaviour(const Platform& platform) {
-  PlatformBehaviour behaviour;
-  behaviour.idle_W = platform.idle_W;
-  behaviour.full_load_W = platform.full_load_W.value_or(0);
-  behaviour.nominal_voltage_V = platform.nominal_voltage_V.value_or(0);
-  behaviour.capacity_Ah = platform.capacity_Ah.value_or(0);
-  behaviour.thermal_resistance_C_per_W = platform.thermal_resistance_C_per_W.value_or(0);
-  behaviour.time_constant_s = platform.time_constant_s.value_or(0);
+HardwareBehaviour declared_behaviour(const Hardware& hardware) {
+  HardwareBehaviour behaviour;
+  behaviour.idle_W = hardware.idle_W;
+  behaviour.full_load_W = hardware.full_load_W.value_or(0);
+  behaviour.nominal_voltage_V = hardware.nominal_voltage_V.value_or(0);
+  behaviour.capacity_Ah = hardware.capacity_Ah.value_or(0);
+  behaviour.thermal_resistance_C_per_W = hardware.thermal_resistance_C_per_W.value_or(0);
+  behaviour.time_constant_s = hardware.time_constant_s.value_or(0);
   return behaviour;
 }
 
 namespace {
 
 // A recording that begins in a room's temperature begins there, whatever the first reading's noise.
-double first_temperature_C(const Platform& platform, const PlatformTrial& trial) {
+double first_temperature_C(const Hardware& hardware, const HardwareTrial& trial) {
   constexpr double clearly = 4;
   if (trial.temperature_C.size() == 0) return trial.ambient_C;
   const double first = trial.temperature_C[0];
-  return std::abs(first - trial.ambient_C) < clearly * platform.noise_C.value_or(0) ? trial.ambient_C : first;
+  return std::abs(first - trial.ambient_C) < clearly * hardware.noise_C.value_or(0) ? trial.ambient_C : first;
 }
 
 double between_samples(const Eigen::VectorXd& heating, Eigen::Index i, double now, Hold hold) {
@@ -98,7 +98,7 @@ double between_samples(const Eigen::VectorXd& heating, Eigen::Index i, double no
 // The computer slowed down in steps: its speed and the temperature that drives it, from sample to sample.
 class Governor {
  public:
-  Governor(const PlatformBehaviour& behaviour, const PlatformTrial& trial, double temperature_C, Hold hold)
+  Governor(const HardwareBehaviour& behaviour, const HardwareTrial& trial, double temperature_C, Hold hold)
       : behaviour_(behaviour), trial_(trial), hold_(hold), temperature_C_(temperature_C) {}
 
   [[nodiscard]] double speed() const { return speed_; }
@@ -127,8 +127,8 @@ class Governor {
   }
 
  private:
-  const PlatformBehaviour& behaviour_;
-  const PlatformTrial& trial_;
+  const HardwareBehaviour& behaviour_;
+  const HardwareTrial& trial_;
   Hold hold_;
   double temperature_C_;
   double speed_ = 1;
@@ -136,18 +136,18 @@ class Governor {
 
 }  // namespace
 
-PlatformReadings readings(const PlatformBehaviour& behaviour, const Platform& platform, const PlatformTrial& trial,
+HardwareReadings readings(const HardwareBehaviour& behaviour, const Hardware& hardware, const HardwareTrial& trial,
                           Hold hold) {
-  PlatformReadings all;
+  HardwareReadings all;
   all.voltage_V = voltage_V(behaviour, trial);
   const Eigen::VectorXd demand = demand_W(behaviour, trial, all.voltage_V);
-  const bool heats = platform.thermal_resistance_C_per_W.has_value();
+  const bool heats = hardware.thermal_resistance_C_per_W.has_value();
   const double to_air = behaviour.thermal_resistance_C_per_W;
   const Eigen::Index size = trial.time_s.size();
   if (demand.size() > 0) all.power_W.resize(size);
   const bool power_known = demand.size() > 0 || trial.power_W.size() > 0;
   if (heats && power_known) all.temperature_C.resize(size);
-  double temperature = first_temperature_C(platform, trial);
+  double temperature = first_temperature_C(hardware, trial);
   Eigen::VectorXd heating(size);
   const bool in_steps = behaviour.limit_C && behaviour.slower_per_s > 0 && trial.load.size() > 0;
   Governor governor(behaviour, trial, temperature, hold);
@@ -184,7 +184,7 @@ PlatformReadings readings(const PlatformBehaviour& behaviour, const Platform& pl
   return all;
 }
 
-Eigen::VectorXd charge_drawn_Ah(const PlatformTrial& trial) {
+Eigen::VectorXd charge_drawn_Ah(const HardwareTrial& trial) {
   Eigen::VectorXd charge = Eigen::VectorXd::Zero(trial.time_s.size());
   if (trial.current_A.size() == 0) return charge;
   for (Eigen::Index i = 1; i < charge.size(); ++i)

@@ -22,7 +22,7 @@
 
 namespace glisson::closedloop {
 
-struct PlatformBehaviour {
+struct HardwareBehaviour {
   double idle_W = 0;
   double full_load_W = 0;
   double nominal_voltage_V = 0;
@@ -44,19 +44,19 @@ struct PlatformBehaviour {
   Eigen::VectorXd discharge_curve_V;  // curve(d) = sum of c_i d^i, i from 0; empty: none
 };
 
-[[nodiscard]] PlatformBehaviour declared_behaviour(const Platform& platform);
+[[nodiscard]] HardwareBehaviour declared_behaviour(const Hardware& hardware);
 
 // At each time of the trial; empty where the declared model says nothing about the quantity.
-struct PlatformReadings {
+struct HardwareReadings {
   Eigen::VectorXd voltage_V;
   Eigen::VectorXd temperature_C;
   Eigen::VectorXd power_W;
 };
 enum class Hold { mean_of_both, sample_before, sample_after };
-[[nodiscard]] PlatformReadings readings(const PlatformBehaviour& behaviour, const Platform& platform,
-                                        const PlatformTrial& trial, Hold hold = Hold::mean_of_both);
+[[nodiscard]] HardwareReadings readings(const HardwareBehaviour& behaviour, const Hardware& hardware,
+                                        const HardwareTrial& trial, Hold hold = Hold::mean_of_both);
 
 // Charge drawn since the trial began (Ah); zero where no current is recorded.
-[[nodiscard]] Eigen::VectorXd charge_drawn_Ah(const PlatformTrial& trial);
+[[nodiscard]] Eigen::VectorXd charge_drawn_Ah(const HardwareTrial& trial);
 
 }  // namespace glisson::closedloop

@@ -8,7 +8,7 @@ namespace glisson::closedloop {
 namespace {
 
 // What was recorded, and how far it went.
-struct PlatformReach {
+struct HardwareReach {
   bool current = false;
   bool load = false;
   bool power = false;  // judged
@@ -19,34 +19,34 @@ struct PlatformReach {
   double longest_s = 1;
 };
 
-PlatformReach reach_of(const Platform& platform);
+HardwareReach reach_of(const Hardware& hardware);
 Eigen::VectorXd numbers(std::initializer_list<double> values);
 
-using PlatformEffects = std::vector<PlatformEffect>;
-PlatformEffects effects_within(const Platform& platform, const PlatformReach& reach);
-void add_battery(const Platform& platform, const PlatformReach& reach, PlatformEffects& effects);
-void add_power(const Platform& platform, const PlatformReach& reach, PlatformEffects& effects);
-void add_heat(const Platform& platform, const PlatformReach& reach, PlatformEffects& effects);
+using HardwareEffects = std::vector<HardwareEffect>;
+HardwareEffects effects_within(const Hardware& hardware, const HardwareReach& reach);
+void add_battery(const Hardware& hardware, const HardwareReach& reach, HardwareEffects& effects);
+void add_power(const Hardware& hardware, const HardwareReach& reach, HardwareEffects& effects);
+void add_heat(const Hardware& hardware, const HardwareReach& reach, HardwareEffects& effects);
 
 }  // namespace
 
-std::vector<PlatformEffect> platform_effects(const Platform& platform) {
-  return effects_within(platform, reach_of(platform));
+std::vector<HardwareEffect> hardware_effects(const Hardware& hardware) {
+  return effects_within(hardware, reach_of(hardware));
 }
 
-std::vector<PlatformEffect> known_platform_effects(const Platform& platform) {
-  PlatformReach reach = reach_of(platform);
+std::vector<HardwareEffect> known_hardware_effects(const Hardware& hardware) {
+  HardwareReach reach = reach_of(hardware);
   reach.current = reach.load = reach.power = reach.temperature = true;
-  return effects_within(platform, reach);
+  return effects_within(hardware, reach);
 }
 
 namespace {
 
-PlatformEffects effects_within(const Platform& platform, const PlatformReach& reach) {
-  PlatformEffects effects;
-  if (platform.nominal_voltage_V && reach.current) add_battery(platform, reach, effects);
-  if (reach.current || reach.load || reach.power) add_power(platform, reach, effects);
-  if (platform.thermal_resistance_C_per_W) add_heat(platform, reach, effects);
+HardwareEffects effects_within(const Hardware& hardware, const HardwareReach& reach) {
+  HardwareEffects effects;
+  if (hardware.nominal_voltage_V && reach.current) add_battery(hardware, reach, effects);
+  if (reach.current || reach.load || reach.power) add_power(hardware, reach, effects);
+  if (hardware.thermal_resistance_C_per_W) add_heat(hardware, reach, effects);
   return effects;
 }
 
@@ -54,31 +54,31 @@ Eigen::VectorXd numbers(std::initializer_list<double> values) {
   return Eigen::VectorXd::Map(values.begin(), static_cast<Eigen::Index>(values.size()));
 }
 
-PlatformReach reach_of(const Platform& platform) {
-  PlatformReach reach;
+HardwareReach reach_of(const Hardware& hardware) {
+  HardwareReach reach;
   const auto largest = [](const Eigen::VectorXd& values, double so_far) {
     return values.size() > 0 ? std::max(so_far, values.maxCoeff()) : so_far;
   };
-  for (const PlatformTrial& trial : platform.trials) {
+  for (const HardwareTrial& trial : hardware.trials) {
     reach.current = reach.current || trial.current_A.size() > 0;
     reach.load = reach.load || trial.load.size() > 0;
-    reach.power = reach.power || (platform.noise_W && trial.power_W.size() > 0);
+    reach.power = reach.power || (hardware.noise_W && trial.power_W.size() > 0);
     reach.temperature = reach.temperature || trial.temperature_C.size() > 0;
     reach.largest_A = largest(trial.current_A, reach.largest_A);
     reach.largest_W = largest(trial.power_W, reach.largest_W);
-    if (trial.current_A.size() > 0 && platform.nominal_voltage_V)
-      reach.largest_W = std::max(reach.largest_W, *platform.nominal_voltage_V * reach.largest_A);
+    if (trial.current_A.size() > 0 && hardware.nominal_voltage_V)
+      reach.largest_W = std::max(reach.largest_W, *hardware.nominal_voltage_V * reach.largest_A);
     reach.hottest_C = largest(trial.temperature_C, std::max(reach.hottest_C, trial.ambient_C));
     if (trial.time_s.size() > 1)
       reach.longest_s = std::max(reach.longest_s, trial.time_s[trial.time_s.size() - 1] - trial.time_s[0]);
   }
   reach.largest_A = std::max(reach.largest_A, 1e-3);
-  reach.largest_W = std::max({reach.largest_W, platform.idle_W + platform.full_load_W.value_or(0), 1e-3});
+  reach.largest_W = std::max({reach.largest_W, hardware.idle_W + hardware.full_load_W.value_or(0), 1e-3});
   return reach;
 }
 
-void add_battery(const Platform& platform, const PlatformReach& reach, PlatformEffects& effects) {
-  const double nominal_V = *platform.nominal_voltage_V;
+void add_battery(const Hardware& hardware, const HardwareReach& reach, HardwareEffects& effects) {
+  const double nominal_V = *hardware.nominal_voltage_V;
   const double half_ohm = 0.5 * nominal_V / reach.largest_A;  // where half of the voltage would be lost
   effects.push_back(
       {{"internal-resistance",
@@ -87,7 +87,7 @@ void add_battery(const Platform& platform, const PlatformReach& reach, PlatformE
         GLISSON_TEXT("The battery's voltage falls under load: its own resistance turns energy into heat."),
         {numbers({0.02 * half_ohm})}},
        [](const auto& p, auto& behaviour) { behaviour.resistance_ohm = p[0]; }});
-  if (platform.thermal_resistance_C_per_W && reach.temperature)
+  if (hardware.thermal_resistance_C_per_W && reach.temperature)
     effects.push_back(
         {{"internal-resistance",
           "heating",
@@ -98,7 +98,7 @@ void add_battery(const Platform& platform, const PlatformReach& reach, PlatformE
            behaviour.resistance_ohm = p[0];
            behaviour.heats_by_loss = true;
          }});
-  if (platform.capacity_Ah) {
+  if (hardware.capacity_Ah) {
     // The end of a discharge jumps with the exponent, so the search begins from many.
     std::vector<Eigen::VectorXd> starts;
     for (double exponent = 1.005; exponent < 1.5; exponent += 0.001) starts.push_back(numbers({exponent}));
@@ -133,7 +133,7 @@ void add_battery(const Platform& platform, const PlatformReach& reach, PlatformE
   }
 }
 
-void add_power(const Platform& platform, const PlatformReach& reach, PlatformEffects& effects) {
+void add_power(const Hardware& hardware, const HardwareReach& reach, HardwareEffects& effects) {
   effects.push_back({{"static-power",
                       "",
                       {{"static_W", 0, -reach.largest_W, 5 * reach.largest_W, 0, reach.largest_W}},
@@ -146,14 +146,14 @@ void add_power(const Platform& platform, const PlatformReach& reach, PlatformEff
                       GLISSON_TEXT("A part of the power is lost in the supply before it reaches the computer."),
                       {numbers({0.98})}},
                      [](const auto& p, auto& behaviour) { behaviour.efficiency = p[0]; }});
-  if (reach.temperature || platform.thermal_resistance_C_per_W)
+  if (reach.temperature || hardware.thermal_resistance_C_per_W)
     effects.push_back({{"self-heating",
                         "",
                         {{"coefficient_per_C", 0, -0.02, 0.1, 0, 0.03}},
                         GLISSON_TEXT("The warmer the computer gets, the more power it draws."),
                         {numbers({0.001})}},
                        [](const auto& p, auto& behaviour) { behaviour.power_per_C = p[0]; }});
-  if (reach.load && !platform.full_load_W)
+  if (reach.load && !hardware.full_load_W)
     effects.push_back({{"dynamic-power",
                         "",
                         {{"full_load_W", 0, 0, 1e3, 0, reach.largest_W}},
@@ -162,7 +162,7 @@ void add_power(const Platform& platform, const PlatformReach& reach, PlatformEff
                        [](const auto& p, auto& behaviour) { behaviour.full_load_W = p[0]; }});
 }
 
-void add_heat(const Platform& platform, const PlatformReach& reach, PlatformEffects& effects) {
+void add_heat(const Hardware& hardware, const HardwareReach& reach, HardwareEffects& effects) {
   // Where it begins to act there is no gradient below, so that the search begins from many limits.
   std::vector<Eigen::VectorXd> starts;
   const double hottest = std::max(reach.hottest_C, 30.0);
@@ -194,7 +194,7 @@ void add_heat(const Platform& platform, const PlatformReach& reach, PlatformEffe
                          behaviour.faster_per_s = p[2];
                        }});
   }
-  const double declared = *platform.thermal_resistance_C_per_W;
+  const double declared = *hardware.thermal_resistance_C_per_W;
   effects.push_back({{"thermal-resistance",
                       "",
                       {{"resistance_C_per_W", declared, declared / 50, declared * 20, declared / 2, declared * 2,

@@ -9,15 +9,15 @@
 
 namespace glisson::closedloop {
 
-struct PlatformEffect {
+struct HardwareEffect {
   Effect effect;
-  std::function<void(const Eigen::VectorXd& parameters, PlatformBehaviour& behaviour)> apply;
+  std::function<void(const Eigen::VectorXd& parameters, HardwareBehaviour& behaviour)> apply;
 };
 
 // Those that the recorded quantities could show at all.
-[[nodiscard]] std::vector<PlatformEffect> platform_effects(const Platform& platform);
+[[nodiscard]] std::vector<HardwareEffect> hardware_effects(const Hardware& hardware);
 
 // Those, and the ones that trials with more columns would show: a model learnt from such trials is applied to these.
-[[nodiscard]] std::vector<PlatformEffect> known_platform_effects(const Platform& platform);
+[[nodiscard]] std::vector<HardwareEffect> known_hardware_effects(const Hardware& hardware);
 
 }  // namespace glisson::closedloop

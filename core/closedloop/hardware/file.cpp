@@ -8,33 +8,33 @@
 namespace glisson::closedloop {
 namespace {
 
-void read_declared(const Json& json, Platform& platform);
-PlatformTrial trial_from(const Json& json, const std::string& id, const Source& source, const Platform& platform,
+void read_declared(const Json& json, Hardware& hardware);
+HardwareTrial trial_from(const Json& json, const std::string& id, const Source& source, const Hardware& hardware,
                          Needs needs);
 
 }  // namespace
 
-Platform platform_from(const Json& json, const Source& source, Needs needs) {
+Hardware hardware_from(const Json& json, const Source& source, Needs needs) {
   only_keys(json, {"format", "kind", "title", "specimen", "declared", "noise", "trials"}, "The experiment");
-  Platform platform;
-  read_declared(required(json, "declared", "The experiment"), platform);
+  Hardware hardware;
+  read_declared(required(json, "declared", "The experiment"), hardware);
   const Json& noise = required(json, "noise", "The experiment");
   only_keys(noise, {"voltage_V", "temperature_C", "power_W"}, "noise");
-  platform.noise_V = optional_positive(noise, "voltage_V", "noise");
-  platform.noise_C = optional_positive(noise, "temperature_C", "noise");
-  platform.noise_W = optional_positive(noise, "power_W", "noise");
-  if (!platform.noise_V && !platform.noise_C && !platform.noise_W)
+  hardware.noise_V = optional_positive(noise, "voltage_V", "noise");
+  hardware.noise_C = optional_positive(noise, "temperature_C", "noise");
+  hardware.noise_W = optional_positive(noise, "power_W", "noise");
+  if (!hardware.noise_V && !hardware.noise_C && !hardware.noise_W)
     refuse("experiment-invalid", GLISSON_TEXT("\"noise\" names no quantity, so that nothing can be judged."), {},
            GLISSON_TEXT("Give voltage_V, temperature_C or power_W: the standard deviation of that reading."));
   const std::vector<std::string> ids = trial_ids(json);
   for (std::size_t t = 0; t < ids.size(); ++t)
-    platform.trials.push_back(trial_from(json["trials"][t], ids[t], source, platform, needs));
-  return platform;
+    hardware.trials.push_back(trial_from(json["trials"][t], ids[t], source, hardware, needs));
+  return hardware;
 }
 
 namespace {
 
-void read_declared(const Json& json, Platform& platform) {
+void read_declared(const Json& json, Hardware& hardware) {
   only_keys(json,
             {"law", "energy_Wh", "idle_W", "full_load_W", "thermal_resistance_C_per_W", "time_constant_s",
              "nominal_voltage_V", "capacity_Ah"},
@@ -42,16 +42,16 @@ void read_declared(const Json& json, Platform& platform) {
   if (const std::string law = text_in(required(json, "law", "declared"), "declared, law"); law != "constant")
     refuse("experiment-invalid", GLISSON_TEXT("The declared law \"{0}\" is not known."), {law},
            GLISSON_TEXT("The law of platforms is constant: a battery that gives all of its energy at any load."));
-  platform.energy_Wh = optional_positive(json, "energy_Wh", "declared");
-  platform.nominal_voltage_V = optional_positive(json, "nominal_voltage_V", "declared");
-  platform.capacity_Ah = optional_positive(json, "capacity_Ah", "declared");
-  platform.full_load_W = optional_positive(json, "full_load_W", "declared");
-  platform.thermal_resistance_C_per_W = optional_positive(json, "thermal_resistance_C_per_W", "declared");
-  platform.time_constant_s = optional_positive(json, "time_constant_s", "declared");
-  if (json.contains("idle_W")) platform.idle_W = number_in(json["idle_W"], "declared, idle_W");
-  if (platform.idle_W < 0) refuse("experiment-invalid", GLISSON_TEXT("{0} must not be below zero."), {"idle_W"});
+  hardware.energy_Wh = optional_positive(json, "energy_Wh", "declared");
+  hardware.nominal_voltage_V = optional_positive(json, "nominal_voltage_V", "declared");
+  hardware.capacity_Ah = optional_positive(json, "capacity_Ah", "declared");
+  hardware.full_load_W = optional_positive(json, "full_load_W", "declared");
+  hardware.thermal_resistance_C_per_W = optional_positive(json, "thermal_resistance_C_per_W", "declared");
+  hardware.time_constant_s = optional_positive(json, "time_constant_s", "declared");
+  if (json.contains("idle_W")) hardware.idle_W = number_in(json["idle_W"], "declared, idle_W");
+  if (hardware.idle_W < 0) refuse("experiment-invalid", GLISSON_TEXT("{0} must not be below zero."), {"idle_W"});
   // Two of energy, voltage and capacity give the third.
-  auto [energy, voltage, capacity] = std::tie(platform.energy_Wh, platform.nominal_voltage_V, platform.capacity_Ah);
+  auto [energy, voltage, capacity] = std::tie(hardware.energy_Wh, hardware.nominal_voltage_V, hardware.capacity_Ah);
   if (!energy && voltage && capacity) energy = *voltage * *capacity;
   if (energy && !voltage && capacity) voltage = *energy / *capacity;
   if (energy && voltage && !capacity) capacity = *energy / *voltage;
@@ -68,7 +68,7 @@ void refuse_unlikely(const Eigen::VectorXd& readings, double lowest, double high
   }
 }
 
-PlatformTrial trial_from(const Json& json, const std::string& id, const Source& source, const Platform& platform,
+HardwareTrial trial_from(const Json& json, const std::string& id, const Source& source, const Hardware& hardware,
                          Needs needs) {
   const std::string where = "trial " + id;
   only_keys(json, {"id", "file", "columns", "ambient_C"}, where);
@@ -81,7 +81,7 @@ PlatformTrial trial_from(const Json& json, const std::string& id, const Source& 
     return column_of(table, text_in(columns[key], where + ", " + key), file, key);
   };
 
-  PlatformTrial trial;
+  HardwareTrial trial;
   trial.id = id;
   if (json.contains("ambient_C")) trial.ambient_C = number_in(json["ambient_C"], where + ", ambient_C");
   trial.time_s = times_of(table, text_in(required(columns, "time_s", where + ", columns"), where + ", time_s"), file);
@@ -93,9 +93,9 @@ PlatformTrial trial_from(const Json& json, const std::string& id, const Source& 
   refuse_unlikely(trial.voltage_V, -100, 1000, "voltage", "Was it given in mV?", table, file);
   refuse_unlikely(trial.power_W, -1e4, 1e4, "power", "Was it given in mW?", table, file);
   refuse_unlikely(trial.temperature_C, -60, 150, "temperature", "Was it given in kelvin?", table, file);
-  const bool judged = (platform.noise_V && trial.voltage_V.size() > 0) ||
-                      (platform.noise_C && trial.temperature_C.size() > 0) ||
-                      (platform.noise_W && trial.power_W.size() > 0);
+  const bool judged = (hardware.noise_V && trial.voltage_V.size() > 0) ||
+                      (hardware.noise_C && trial.temperature_C.size() > 0) ||
+                      (hardware.noise_W && trial.power_W.size() > 0);
   if (needs == Needs::measurements && !judged)
     refuse("experiment-invalid", GLISSON_TEXT("{0} has no column for a quantity whose noise is given."), {where});
   return trial;

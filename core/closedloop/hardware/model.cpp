@@ -15,9 +15,9 @@ namespace {
 constexpr std::size_t quantities = 3;
 const std::vector<std::string> names{"voltage_V", "temperature_C", "power_W"};
 
-class PlatformModel : public ForwardModel {
+class HardwareModel : public ForwardModel {
  public:
-  explicit PlatformModel(Platform platform);
+  explicit HardwareModel(Hardware hardware);
 
   [[nodiscard]] const Observations& observations() const override { return observations_; }
   [[nodiscard]] const std::vector<Effect>& catalogue() const override { return catalogue_; }
@@ -29,34 +29,34 @@ class PlatformModel : public ForwardModel {
  private:
   struct FurtherRecording {
     Sentence sentence;
-    PlatformTrial trial;
+    HardwareTrial trial;
   };
   [[nodiscard]] std::vector<FurtherRecording> further() const;
-  [[nodiscard]] Eigen::VectorXd in_noises(PlatformReadings predicted) const;
-  [[nodiscard]] Eigen::VectorXd predicted_by(const PlatformBehaviour& behaviour, Hold hold) const;
-  [[nodiscard]] Result<PlatformBehaviour> behaviour(const Settings& settings) const;
-  [[nodiscard]] bool is_compared(const PlatformTrial& trial, std::size_t quantity) const;
-  void observe(const PlatformTrial& trial);
-  void blur_the_end(const PlatformTrial& trial, const std::vector<std::size_t>& seen, Eigen::Index first);
+  [[nodiscard]] Eigen::VectorXd in_noises(HardwareReadings predicted) const;
+  [[nodiscard]] Eigen::VectorXd predicted_by(const HardwareBehaviour& behaviour, Hold hold) const;
+  [[nodiscard]] Result<HardwareBehaviour> behaviour(const Settings& settings) const;
+  [[nodiscard]] bool is_compared(const HardwareTrial& trial, std::size_t quantity) const;
+  void observe(const HardwareTrial& trial);
+  void blur_the_end(const HardwareTrial& trial, const std::vector<std::size_t>& seen, Eigen::Index first);
 
-  Platform platform_;
-  std::vector<PlatformEffect> effects_;  // also those that these trials could not show
+  Hardware hardware_;
+  std::vector<HardwareEffect> effects_;  // also those that these trials could not show
   std::vector<Effect> catalogue_;
   Observations observations_;
 };
 
-std::array<Eigen::VectorXd, quantities> in_order(PlatformReadings readings) {
+std::array<Eigen::VectorXd, quantities> in_order(HardwareReadings readings) {
   return {std::move(readings.voltage_V), std::move(readings.temperature_C), std::move(readings.power_W)};
 }
 
-const Eigen::VectorXd& measured(const PlatformTrial& trial, std::size_t quantity) {
+const Eigen::VectorXd& measured(const HardwareTrial& trial, std::size_t quantity) {
   return quantity == 0 ? trial.voltage_V : quantity == 1 ? trial.temperature_C : trial.power_W;
 }
 
 }  // namespace
 
-Result<std::unique_ptr<ForwardModel>> platform_model(Platform platform) {
-  auto model = std::make_unique<PlatformModel>(std::move(platform));
+Result<std::unique_ptr<ForwardModel>> hardware_model(Hardware hardware) {
+  auto model = std::make_unique<HardwareModel>(std::move(hardware));
   if (model->observations().rows() == 0)
     return failure(
         Error{"experiment-invalid",
@@ -70,24 +70,24 @@ Result<std::unique_ptr<ForwardModel>> platform_model(Platform platform) {
 
 namespace {
 
-PlatformModel::PlatformModel(Platform platform)
-    : platform_(std::move(platform)), effects_(known_platform_effects(platform_)) {
-  for (PlatformEffect& effect : platform_effects(platform_)) catalogue_.push_back(std::move(effect.effect));
+HardwareModel::HardwareModel(Hardware hardware)
+    : hardware_(std::move(hardware)), effects_(known_hardware_effects(hardware_)) {
+  for (HardwareEffect& effect : hardware_effects(hardware_)) catalogue_.push_back(std::move(effect.effect));
   observations_.unit = "noise";
   observations_.directions = names;
-  for (const PlatformTrial& trial : platform_.trials) observe(trial);
+  for (const HardwareTrial& trial : hardware_.trials) observe(trial);
 }
 
 // A quantity is compared where it was recorded, its noise is known and the declared model predicts it.
-bool PlatformModel::is_compared(const PlatformTrial& trial, std::size_t quantity) const {
-  const std::array noises{platform_.noise_V, platform_.noise_C, platform_.noise_W};
+bool HardwareModel::is_compared(const HardwareTrial& trial, std::size_t quantity) const {
+  const std::array noises{hardware_.noise_V, hardware_.noise_C, hardware_.noise_W};
   if (!noises[quantity] || measured(trial, quantity).size() == 0) return false;
-  return in_order(readings(declared_behaviour(platform_), platform_, trial))[quantity].size() > 0;
+  return in_order(readings(declared_behaviour(hardware_), hardware_, trial))[quantity].size() > 0;
 }
 
-void PlatformModel::observe(const PlatformTrial& trial) {
+void HardwareModel::observe(const HardwareTrial& trial) {
   Observations& all = observations_;
-  const std::array noises{platform_.noise_V, platform_.noise_C, platform_.noise_W};
+  const std::array noises{hardware_.noise_V, hardware_.noise_C, hardware_.noise_W};
   std::vector<std::size_t> seen;
   for (std::size_t quantity = 0; quantity < quantities; ++quantity) {
     if (is_compared(trial, quantity)) seen.push_back(quantity);
@@ -118,12 +118,12 @@ void PlatformModel::observe(const PlatformTrial& trial) {
 }
 
 // When a battery gives up is known to a sample: the readings beside the jump are as uncertain as the jump is high.
-void PlatformModel::blur_the_end(const PlatformTrial& trial, const std::vector<std::size_t>& seen, Eigen::Index first) {
-  if (!platform_.nominal_voltage_V || trial.voltage_V.size() == 0) return;
+void HardwareModel::blur_the_end(const HardwareTrial& trial, const std::vector<std::size_t>& seen, Eigen::Index first) {
+  if (!hardware_.nominal_voltage_V || trial.voltage_V.size() == 0) return;
   const auto columns = static_cast<Eigen::Index>(seen.size());
   const Eigen::Index last = trial.time_s.size() - 1;
   for (Eigen::Index i = 1; i <= last; ++i) {
-    if (std::abs(trial.voltage_V[i] - trial.voltage_V[i - 1]) < 0.25 * *platform_.nominal_voltage_V) continue;
+    if (std::abs(trial.voltage_V[i] - trial.voltage_V[i - 1]) < 0.25 * *hardware_.nominal_voltage_V) continue;
     for (Eigen::Index beside = i - 1; beside <= std::min(i + 1, last); ++beside) {
       for (Eigen::Index column = 0; column < columns; ++column) {
         const Eigen::VectorXd& readings_of = measured(trial, seen[static_cast<std::size_t>(column)]);
@@ -135,10 +135,10 @@ void PlatformModel::blur_the_end(const PlatformTrial& trial, const std::vector<s
   }
 }
 
-Result<PlatformBehaviour> PlatformModel::behaviour(const Settings& settings) const {
-  PlatformBehaviour behaviour = declared_behaviour(platform_);
+Result<HardwareBehaviour> HardwareModel::behaviour(const Settings& settings) const {
+  HardwareBehaviour behaviour = declared_behaviour(hardware_);
   for (const Setting& setting : settings) {
-    const auto found = std::find_if(effects_.begin(), effects_.end(), [&](const PlatformEffect& effect) {
+    const auto found = std::find_if(effects_.begin(), effects_.end(), [&](const HardwareEffect& effect) {
       return effect.effect.kind == setting.kind && effect.effect.form == setting.form;
     });
     GLISSON_ASSERT(found != effects_.end());
@@ -147,7 +147,7 @@ Result<PlatformBehaviour> PlatformModel::behaviour(const Settings& settings) con
   return behaviour;
 }
 
-Result<Eigen::VectorXd> PlatformModel::predict(const Settings& settings) const {
+Result<Eigen::VectorXd> HardwareModel::predict(const Settings& settings) const {
   const auto changed = behaviour(settings);
   if (!changed) return failure(changed.error());
   Eigen::VectorXd predicted = predicted_by(*changed, Hold::mean_of_both);
@@ -156,11 +156,11 @@ Result<Eigen::VectorXd> PlatformModel::predict(const Settings& settings) const {
   return predicted;
 }
 
-Eigen::VectorXd PlatformModel::predicted_by(const PlatformBehaviour& behaviour, Hold hold) const {
+Eigen::VectorXd HardwareModel::predicted_by(const HardwareBehaviour& behaviour, Hold hold) const {
   Eigen::VectorXd predicted(observations_.rows());
   Eigen::Index row = 0;
-  for (std::size_t t = 0; t < platform_.trials.size(); ++t) {
-    const auto values = in_order(readings(behaviour, platform_, platform_.trials[t], hold));
+  for (std::size_t t = 0; t < hardware_.trials.size(); ++t) {
+    const auto values = in_order(readings(behaviour, hardware_, hardware_.trials[t], hold));
     for (; row < predicted.size() && observations_.trial[static_cast<std::size_t>(row)] == static_cast<int>(t); ++row) {
       const auto i = static_cast<std::size_t>(row);
       predicted[row] = values[static_cast<std::size_t>(observations_.direction[i])][observations_.sample[i]];
@@ -171,8 +171,8 @@ Eigen::VectorXd PlatformModel::predicted_by(const PlatformBehaviour& behaviour, 
 
 // What power was between two samples nobody recorded: half of the difference that it can make, in each trial its own,
 // for one may go in steps and another in waves.
-SystematicUncertainty PlatformModel::systematic_uncertainty() const {
-  const PlatformBehaviour declared = declared_behaviour(platform_);
+SystematicUncertainty HardwareModel::systematic_uncertainty() const {
+  const HardwareBehaviour declared = declared_behaviour(hardware_);
   const Eigen::VectorXd half =
       (predicted_by(declared, Hold::sample_after) - predicted_by(declared, Hold::sample_before)) / 2;
   SystematicUncertainty uncertainty;
@@ -182,10 +182,10 @@ SystematicUncertainty PlatformModel::systematic_uncertainty() const {
   return uncertainty;
 }
 
-std::vector<FurtherTrial> PlatformModel::further_trials() const {
+std::vector<FurtherTrial> HardwareModel::further_trials() const {
   std::vector<FurtherTrial> trials;
   for (FurtherRecording& further : further()) {
-    const PlatformTrial& trial = further.trial;
+    const HardwareTrial& trial = further.trial;
     Json conditions{{"id", trial.id}, {"ambient_C", trial.ambient_C}};
     const auto column = [&](const char* name, const Eigen::VectorXd& values) {
       if (values.size() > 0) conditions[name] = std::vector<double>(values.begin(), values.end());
@@ -193,18 +193,18 @@ std::vector<FurtherTrial> PlatformModel::further_trials() const {
     column("time_s", trial.time_s);
     column("current_A", trial.current_A);
     column("load", trial.load);
-    const Eigen::Index rows = in_noises(readings(declared_behaviour(platform_), platform_, trial)).size();
+    const Eigen::Index rows = in_noises(readings(declared_behaviour(hardware_), hardware_, trial)).size();
     trials.push_back({std::move(further.sentence), std::make_shared<const Json>(std::move(conditions)), rows});
   }
   return trials;
 }
 
-Result<Eigen::VectorXd> PlatformModel::predict_further(const Settings& settings) const {
+Result<Eigen::VectorXd> HardwareModel::predict_further(const Settings& settings) const {
   const auto changed = behaviour(settings);
   if (!changed) return failure(changed.error());
   Eigen::VectorXd all;
   for (const FurtherRecording& further : further()) {
-    const Eigen::VectorXd own = in_noises(readings(*changed, platform_, further.trial));
+    const Eigen::VectorXd own = in_noises(readings(*changed, hardware_, further.trial));
     const Eigen::Index before = all.size();
     all.conservativeResize(before + own.size());
     all.tail(own.size()) = own;
@@ -213,9 +213,9 @@ Result<Eigen::VectorXd> PlatformModel::predict_further(const Settings& settings)
 }
 
 // Variations of the longest trial.
-std::vector<PlatformModel::FurtherRecording> PlatformModel::further() const {
-  PlatformTrial trial =
-      *std::max_element(platform_.trials.begin(), platform_.trials.end(),
+std::vector<HardwareModel::FurtherRecording> HardwareModel::further() const {
+  HardwareTrial trial =
+      *std::max_element(hardware_.trials.begin(), hardware_.trials.end(),
                         [](const auto& a, const auto& b) { return a.time_s.size() < b.time_s.size(); });
   // Nothing is measured there yet.
   trial.voltage_V.resize(0);
@@ -223,7 +223,7 @@ std::vector<PlatformModel::FurtherRecording> PlatformModel::further() const {
   trial.power_W.resize(0);
   std::vector<FurtherRecording> all;
   const auto add = [&](const char* sentence, double times, double warmer_C) {
-    PlatformTrial changed = trial;
+    HardwareTrial changed = trial;
     changed.id = "next-" + std::to_string(all.size() + 1);
     changed.current_A *= times;
     changed.load *= times;
@@ -236,9 +236,9 @@ std::vector<PlatformModel::FurtherRecording> PlatformModel::further() const {
   return all;
 }
 
-Eigen::VectorXd PlatformModel::in_noises(PlatformReadings predicted) const {
+Eigen::VectorXd HardwareModel::in_noises(HardwareReadings predicted) const {
   const auto values = in_order(std::move(predicted));
-  const std::array noises{platform_.noise_V, platform_.noise_C, platform_.noise_W};
+  const std::array noises{hardware_.noise_V, hardware_.noise_C, hardware_.noise_W};
   Eigen::VectorXd all;
   for (std::size_t quantity = 0; quantity < quantities; ++quantity) {
     if (!noises[quantity] || values[quantity].size() == 0) continue;

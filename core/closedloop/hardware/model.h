@@ -8,6 +8,6 @@
 namespace glisson::closedloop {
 
 // Refused ("experiment-invalid"): recordings of which the declared figures predict nothing.
-Result<std::unique_ptr<ForwardModel>> platform_model(Platform platform);
+Result<std::unique_ptr<ForwardModel>> hardware_model(Hardware hardware);
 
 }  // namespace glisson::closedloop

@@ -23,8 +23,8 @@ std::vector<MatchingQuality> quality_of(const std::vector<BatchRow>& rows, const
 // The dissertation's Xeon with an Arria 10: 12 GB/s to the accelerator (section 3.2.1), 32 x 32 cells at 100 MHz
 // (sections 3.3.2 and 3.4.2).
 constexpr double harp_GB_per_s = 12, harp_costs_G_per_s = 32 * 32 * 0.1;
-MatchingPlatform platform(const std::string& name, double memory_GB_per_s, double costs_G_per_s,
-                          const MatchingOptions& options);
+MatchingDevice platform(const std::string& name, double memory_GB_per_s, double costs_G_per_s,
+                        const MatchingOptions& options);
 
 }  // namespace
 
@@ -155,9 +155,9 @@ std::vector<MatchingQuality> quality_of(const std::vector<BatchRow>& rows, const
   return quality;
 }
 
-MatchingPlatform platform(const std::string& name, double memory_GB_per_s, double costs_G_per_s,
-                          const MatchingOptions& options) {
-  MatchingPlatform of{name, memory_GB_per_s, costs_G_per_s};
+MatchingDevice platform(const std::string& name, double memory_GB_per_s, double costs_G_per_s,
+                        const MatchingOptions& options) {
+  MatchingDevice of{name, memory_GB_per_s, costs_G_per_s};
   for (int points = 2; points <= 4096; ++points) {
     const MatchingDemand demand = matching_demand(points, options.passes, options.scans_per_s);
     if (demand.field_GB_per_s <= memory_GB_per_s) of.points_by_field = points;

@@ -69,7 +69,7 @@ struct MatchingDemand {
 [[nodiscard]] MatchingDemand matching_demand(int points, int passes, double scans_per_s);
 
 // What a platform gives, and up to how many points that serves.
-struct MatchingPlatform {
+struct MatchingDevice {
   std::string name;
   double memory_GB_per_s = 0;
   double costs_G_per_s = 0;
@@ -88,7 +88,7 @@ struct MatchingStudy {
   std::vector<MatchingTiming> timings;
   std::vector<std::string> remarks;  // what could not be measured, and why
   std::vector<MatchingDemand> demands;
-  std::vector<MatchingPlatform> platforms;  // the dissertation's, and this machine where it was timed
+  std::vector<MatchingDevice> platforms;  // the dissertation's, and this machine where it was timed
 };
 
 // Problems that lie in out/patients whole are taken from there. Failures: "study-options" (a number out of range),

@@ -38,7 +38,7 @@ void refuse_unlikely_modulus(double young_kPa, const std::string& where);
 
 Palpation palpation_from(const Json& json, const Source& source, Needs needs);
 Material material_from(const Json& json, const Source& source, Needs needs);
-Platform platform_from(const Json& json, const Source& source, Needs needs);
+Hardware hardware_from(const Json& json, const Source& source, Needs needs);
 Guidance guidance_from(const Json& json, const Source& source);
 FullField full_field_from(const Json& json, const Source& source, Needs needs);
 

@@ -84,7 +84,7 @@ Json document_of(const MatchingStudy& study) {
     if (timing.joules) of["joules"] = *timing.joules;
     document["timings"].push_back(of);
   }
-  for (const MatchingPlatform& of : study.platforms) {
+  for (const MatchingDevice& of : study.platforms) {
     document["platforms"].push_back({{"name", of.name},
                                      {"memory_GB_per_s", of.memory_GB_per_s},
                                      {"costs_G_per_s", of.costs_G_per_s},
@@ -142,7 +142,7 @@ report::Table platform_table(const MatchingStudy& study) {
       fmt::format("Up to how many points a platform matches {:g} scans a second.", study.options.scans_per_s),
       {"platform", "memory (GB/s)", "costs (10^9/s)", "field in memory", "messages in memory", "arithmetic"},
       {}};
-  for (const MatchingPlatform& of : study.platforms) {
+  for (const MatchingDevice& of : study.platforms) {
     table.rows.push_back({{of.name},
                           {fmt::format("{:.3g}", of.memory_GB_per_s)},
                           {fmt::format("{:.3g}", of.costs_G_per_s)},
@@ -176,7 +176,7 @@ report::Plot field_plot(const MatchingStudy& study) {
       "text.)",
       points_title, memory_title};
   plot.curves = {demand_curve(study, "field", &MatchingDemand::field_GB_per_s)};
-  for (const MatchingPlatform& of : study.platforms) plot.rules.push_back(level(of.name, of.memory_GB_per_s));
+  for (const MatchingDevice& of : study.platforms) plot.rules.push_back(level(of.name, of.memory_GB_per_s));
   return plot;
 }
 
@@ -186,7 +186,7 @@ report::Plot memory_plot(const MatchingStudy& study) {
   plot.curves = {demand_curve(study, "field (baseline)", &MatchingDemand::field_GB_per_s),
                  demand_curve(study, "messages (ours)", &MatchingDemand::messages_GB_per_s),
                  demand_curve(study, "distances (DMRF)", &MatchingDemand::distances_GB_per_s)};
-  for (const MatchingPlatform& of : study.platforms) plot.rules.push_back(level(of.name, of.memory_GB_per_s));
+  for (const MatchingDevice& of : study.platforms) plot.rules.push_back(level(of.name, of.memory_GB_per_s));
   return plot;
 }
 
@@ -195,7 +195,7 @@ report::Plot bounds_plot(const MatchingStudy& study) {
       "Figure 3.13: what memory and arithmetic have to give, in shares of what a platform gives: 0 is all "
       "of it.",
       points_title, "share, as a power of ten"};
-  for (const MatchingPlatform& of : study.platforms) {
+  for (const MatchingDevice& of : study.platforms) {
     report::PlotCurve memory{of.name + ": messages", {}, report::PlotCurve::Style::dashes};
     report::PlotCurve costs{of.name + ": arithmetic", {}, report::PlotCurve::Style::line};
     for (const MatchingDemand& demand : study.demands) {
