@@ -12,7 +12,7 @@ namespace glisson::cli {
 namespace {
 
 Outcome describe(const studies::DemoSummary& summary) {
-  const auto& comparison = summary.atlas_against_mre;
+  const auto& comparison = summary.reference_against_mre;
   std::string text = fmt::format(
       "SIMULATED: a generated patient; not a medical device.\n"
       "Liver {:.0f} ml (true {:.0f} ml, Dice {:.3f}); {} cells; Young's modulus {:.2f} kPa on average (sd {:.2f})\n"

@@ -16,13 +16,13 @@ struct RenderCommand {
   std::string scene;
   std::string size = "1600x1000";
   std::string out;
-  std::optional<std::string> atlas;
+  std::optional<std::string> reference;
   std::string group;
 };
 
 // That group's, or without a name the first.
 Result<scene::Scene> landmark_scene(const RenderCommand& options) {
-  const auto overlays = scene::landmark_overlays(options.folder, options.atlas);
+  const auto overlays = scene::landmark_overlays(options.folder, options.reference);
   if (!overlays) return failure(overlays.error());
   std::string known;
   for (const scene::LandmarkOverlay& overlay : *overlays) {
@@ -70,7 +70,7 @@ void add_render(CLI::App& app, Action& chosen) {
                    "Case: anatomy, liver, stiffness, model, waves, confidence; result: displacement, landmarks "
                    "(predicted, over the grey scan of its case)")
       ->required();
-  command->add_option("--atlas", options->atlas, "Of landmarks: the result with the atlas's stiffness, beside it");
+  command->add_option("--atlas", options->reference, "Of landmarks: the result with the atlas's stiffness, beside it");
   command->add_option("--group", options->group, "Of landmarks: which, as tumour or hepatic-vein; the first else");
   command->add_option("--size", options->size, "WxH in pixels")->capture_default_str();
   command->add_option("--out", options->out, "The picture to write (.png)")->required();

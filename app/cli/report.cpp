@@ -46,9 +46,9 @@ Result<void> add_landmarks(const casefile::Case& patient, const std::filesystem:
   constexpr int width = 1200, height = 800;
   const std::filesystem::path results = patient.folder() / "results";
   if (!std::filesystem::exists(results / "mre" / "result.vtu")) return {};
-  std::optional<std::filesystem::path> atlas;
-  if (std::filesystem::exists(results / "atlas" / "result.vtu")) atlas = results / "atlas";
-  const auto overlays = scene::landmark_overlays(results / "mre", atlas);
+  std::optional<std::filesystem::path> reference;
+  if (std::filesystem::exists(results / "atlas" / "result.vtu")) reference = results / "atlas";
+  const auto overlays = scene::landmark_overlays(results / "mre", reference);
   if (!overlays) return failure(overlays.error());
   for (const scene::LandmarkOverlay& overlay : *overlays) {
     const std::filesystem::path file = folder / ("landmarks-" + overlay.group + ".png");

@@ -89,7 +89,7 @@ Json json_of(const rehearsal::SessionState& state) {
             {"landmarks", Json::array()}};
   add_reaction(json, state.patient_step);
   if (!state.refused.empty()) json["refused"] = state.refused;
-  if (state.atlas_step) json["atlas"] = json_of(*state.atlas_step);
+  if (state.reference_step) json["atlas"] = json_of(*state.reference_step);
   if (state.cut) {
     json["cut"] = {{"open_mm2", state.cut->open_mm2},
                    {"bridge_mm2", state.cut->bridge_mm2},
@@ -98,13 +98,13 @@ Json json_of(const rehearsal::SessionState& state) {
   if (state.validity.state() != mechanics::AnswerState::within) json["reason"] = state.validity.sentence().message();
   if (!state.validity.usable()) return json;
   json["max_displacement_mm"] = state.patient.max_displacement_mm;
-  if (state.atlas) json["max_difference_mm"] = state.max_difference_mm;
+  if (state.reference) json["max_difference_mm"] = state.max_difference_mm;
   for (std::size_t l = 0; l < state.patient.landmarks.size(); ++l) {
     const auto& landmark = state.patient.landmarks[l];
     Json entry{{"id", landmark.id},
                {"displaced_mm", json_of(landmark.displaced_mm)},
                {"displacement_mm", landmark.displacement_mm}};
-    if (state.atlas) entry["atlas_displaced_mm"] = json_of(state.atlas->landmarks[l].displaced_mm);
+    if (state.reference) entry["atlas_displaced_mm"] = json_of(state.reference->landmarks[l].displaced_mm);
     if (l < state.differences.size()) {
       entry["difference_mm"] = state.differences[l].difference_mm;
       entry["significant"] = state.differences[l].significant();
@@ -118,7 +118,7 @@ std::string in_words(const rehearsal::SessionState& state) {
   std::string moved = "-";
   if (state.validity.usable()) {
     moved = fmt::format("moved by {:6.2f} mm", state.patient.max_displacement_mm);
-    if (state.atlas) moved += fmt::format(", atlas apart by {:5.2f} mm", state.max_difference_mm);
+    if (state.reference) moved += fmt::format(", atlas apart by {:5.2f} mm", state.max_difference_mm);
   }
   if (state.error_bound_mm) {
     moved += fmt::format(", landmarks within {:.2f} mm{}", *state.error_bound_mm,

@@ -41,8 +41,8 @@ Result<SessionQuestion> question_of_mesh(const std::string& mesh_file, const std
   if (!mesh) return failure(std::move(mesh.error()));
   auto setup = rehearsal::rehearsal_setup(std::move(*mesh), *scenario);
   if (!setup) return failure(std::move(setup.error()).in_file(scenario_file));
-  setup->atlas_youngs_kPa =
-      elastography::atlas_youngs_kPa(elastography::Atlas::dissertation_cohort, setup->options.poisson_ratio);
+  setup->reference_youngs_kPa = elastography::reference_youngs_kPa(elastography::PopulationMean::dissertation_cohort,
+                                                                   setup->options.poisson_ratio);
   return SessionQuestion{std::move(*setup), {}, {}, {}, {}};
 }
 

@@ -34,26 +34,27 @@ void add_stiffness(CLI::App& app, Action& chosen) {
       app.add_subcommand("stiffness", "Give each cell its stiffness: from MR elastography, or one value");
   auto case_folder = std::make_shared<std::string>();
   auto uniform_kPa = std::make_shared<std::optional<double>>();
-  auto atlas_shear_kPa = std::make_shared<std::optional<std::string>>();
+  auto population_shear_kPa = std::make_shared<std::optional<std::string>>();
   command->add_option("case", *case_folder, "The case")->required();
   CLI::Option* uniform = command->add_option("--uniform-kPa", *uniform_kPa, "One Young's modulus for the whole liver");
-  CLI::Option* atlas =
-      command->add_option("--atlas", *atlas_shear_kPa, "The atlas's mean shear stiffness: 2.1 (default) or 2.6 kPa")
+  CLI::Option* reference =
+      command
+          ->add_option("--atlas", *population_shear_kPa, "The atlas's mean shear stiffness: 2.1 (default) or 2.6 kPa")
           ->expected(0, 1)
           ->default_str("2.1")
           ->check(CLI::IsMember({"2.1", "2.6"}));
-  uniform->excludes(atlas);
-  command->callback([&chosen, case_folder, uniform_kPa, atlas_shear_kPa, atlas] {
-    const bool from_atlas = atlas->count() > 0;
+  uniform->excludes(reference);
+  command->callback([&chosen, case_folder, uniform_kPa, population_shear_kPa, reference] {
+    const bool from_population_mean = reference->count() > 0;
     chosen = [=](const Progress& progress) -> Result<Outcome> {
       auto patient = casefile::Case::open(*case_folder);
       if (!patient) return failure(patient.error());
       casefile::StiffnessChoice choice = casefile::FromMre{};
       if (*uniform_kPa) choice = casefile::Uniform{**uniform_kPa};
-      if (from_atlas) {
-        choice =
-            casefile::FromAtlas{atlas_shear_kPa->value_or("2.1") == "2.6" ? elastography::Atlas::published_cohort
-                                                                          : elastography::Atlas::dissertation_cohort};
+      if (from_population_mean) {
+        choice = casefile::FromPopulationMean{population_shear_kPa->value_or("2.1") == "2.6"
+                                                  ? elastography::PopulationMean::published_cohort
+                                                  : elastography::PopulationMean::dissertation_cohort};
       }
       return casefile::assign_stiffness(*patient, choice, {}, progress)
           .map([&](const elastography::CellStiffness& stiffness) {

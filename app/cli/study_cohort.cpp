@@ -22,7 +22,7 @@ Outcome describe_cohort(const studies::CohortSummary& summary) {
       "{:.1f} times the atlas's\n"
       "Rank correlation of the spread within a patient with the mean: {:.2f}\n",
       summary.patients, summary.reused, summary.failed, summary.mean_kPa, summary.median_kPa, summary.sd_kPa,
-      summary.low_kPa, summary.high_kPa, 100 * summary.like_atlas_fraction, 100 * summary.in_atlas_fraction,
+      summary.low_kPa, summary.high_kPa, 100 * summary.like_reference_fraction, 100 * summary.in_reference_fraction,
       summary.upper_limit_ratio, summary.rank_correlation);
   Outcome outcome{studies::summary_json(summary), std::move(text)};
   outcome.document["reused"] = summary.reused;
@@ -43,7 +43,7 @@ void add_study_cohort(CLI::App& study, Action& chosen) {
       "cohort", "Stiffness between and within patients, against the atlas (section 4.3); run again, it goes on");
   auto options = std::make_shared<StudyCohortCommand>();
   add_cohort_options(*command, options->patients);
-  command->add_option("--atlas-kPa", options->cohort.atlas_kPa, "Mean shear stiffness of the atlas")
+  command->add_option("--atlas-kPa", options->cohort.reference_kPa, "Mean shear stiffness of the atlas")
       ->capture_default_str()
       ->check(CLI::Range(0.01, 1000.0));
   command->callback(

@@ -88,7 +88,7 @@ void add_study_landmarks(CLI::App& study, Action& chosen) {
       ->excludes("folder")
       ->excludes("--simulated");
   studies::RetractionOptions& retraction = options->landmarks.retraction;
-  command->add_option("--atlas-kPa", retraction.atlas_kPa, "Mean shear stiffness of the atlas")
+  command->add_option("--atlas-kPa", retraction.reference_kPa, "Mean shear stiffness of the atlas")
       ->capture_default_str()
       ->check(CLI::Range(0.01, 1000.0));
   command->add_option("--force-N", retraction.force_N, "Of the retractor")

@@ -32,13 +32,13 @@ py::dict dict_of(const Imported& imported) {
   return volumes;
 }
 
-StiffnessChoice stiffness_choice(const std::optional<double>& uniform_kPa, const std::optional<double>& atlas_kPa) {
-  if (uniform_kPa && atlas_kPa) raise("stiffness-invalid", "Give one value or the atlas, not both.");
+StiffnessChoice stiffness_choice(const std::optional<double>& uniform_kPa, const std::optional<double>& reference_kPa) {
+  if (uniform_kPa && reference_kPa) raise("stiffness-invalid", "Give one value or the atlas, not both.");
   if (uniform_kPa) return Uniform{*uniform_kPa};
-  if (!atlas_kPa) return FromMre{};
-  if (*atlas_kPa == 2.1) return FromAtlas{elastography::Atlas::dissertation_cohort};
-  if (*atlas_kPa == 2.6) return FromAtlas{elastography::Atlas::published_cohort};
-  raise("stiffness-invalid", "No atlas has a mean shear stiffness of {0} kPa.", {py::str(py::float_(*atlas_kPa))},
+  if (!reference_kPa) return FromMre{};
+  if (*reference_kPa == 2.1) return FromPopulationMean{elastography::PopulationMean::dissertation_cohort};
+  if (*reference_kPa == 2.6) return FromPopulationMean{elastography::PopulationMean::published_cohort};
+  raise("stiffness-invalid", "No atlas has a mean shear stiffness of {0} kPa.", {py::str(py::float_(*reference_kPa))},
         "There are 2.1 and 2.6.");
 }
 
@@ -124,9 +124,9 @@ as it was.)") +
               .c_str())
       .def(
           "assign_stiffness",
-          [](Case& self, const std::optional<double>& uniform_kPa, const std::optional<double>& atlas_kPa,
+          [](Case& self, const std::optional<double>& uniform_kPa, const std::optional<double>& reference_kPa,
              const py::object& progress) {
-            const StiffnessChoice choice = stiffness_choice(uniform_kPa, atlas_kPa);
+            const StiffnessChoice choice = stiffness_choice(uniform_kPa, reference_kPa);
             auto stiffness =
                 long_call(progress, [&](const Progress& told) { return assign_stiffness(self, choice, {}, told); });
             return handed_over(std::move(stiffness.youngs_kPa));

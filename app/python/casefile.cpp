@@ -55,7 +55,7 @@ py::dict question(const Case& self, const py::object& scenario) {
   for (const Sentence& said : put_into(asked, model)) remarks.push_back(said.message());
   return py::dict("mesh"_a = std::make_shared<geometry::TetMesh>(std::move(model.mesh)),
                   "scenario"_a = python_of_text(mechanics::scenario_text(asked)),
-                  "atlas_youngs_kPa"_a = model.atlas_youngs_kPa, "remarks"_a = remarks);
+                  "atlas_youngs_kPa"_a = model.reference_youngs_kPa, "remarks"_a = remarks);
 }
 
 void add_reading(py::class_<Case>& bound) {

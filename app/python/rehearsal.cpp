@@ -25,10 +25,10 @@ using namespace rehearsal;
 using SharedState = std::shared_ptr<const SessionState>;
 
 RehearsalSetup setup_of(const geometry::TetMesh& mesh, const py::object& scenario,
-                        const std::optional<double>& atlas_youngs_kPa) {
+                        const std::optional<double>& reference_youngs_kPa) {
   const mechanics::Scenario asked = or_raise(mechanics::parse_scenario(text_of(scenario)));
   RehearsalSetup setup = or_raise(rehearsal_setup(mesh, asked));
-  setup.atlas_youngs_kPa = atlas_youngs_kPa;
+  setup.reference_youngs_kPa = reference_youngs_kPa;
   return setup;
 }
 
@@ -125,8 +125,8 @@ atlas_youngs_kPa a reference body of that one modulus is computed beside it.
 
 Raises glisson.Error: as simulate, landmark-outside; place_tool: tool-touches-nothing, not-converged.)")
       .def(py::init([](const geometry::TetMesh& mesh, const py::object& scenario,
-                       const std::optional<double>& atlas_youngs_kPa, const py::object& progress) {
-             RehearsalSetup setup = setup_of(mesh, scenario, atlas_youngs_kPa);
+                       const std::optional<double>& reference_youngs_kPa, const py::object& progress) {
+             RehearsalSetup setup = setup_of(mesh, scenario, reference_youngs_kPa);
              return long_call(progress, [&](const Progress& told) { return with_both_bodies(std::move(setup), told); });
            }),
            py::arg("mesh"), py::arg("scenario"), py::kw_only(), py::arg("atlas_youngs_kPa") = py::none(),
@@ -236,8 +236,8 @@ void add_session(py::module_& module) {
 
 Made of a TetMesh and a scenario as StaticRehearsal is. The same commands give the same states, to the bit.)")
       .def(py::init([](const geometry::TetMesh& mesh, const py::object& scenario,
-                       const std::optional<double>& atlas_youngs_kPa, const py::object& progress) {
-             RehearsalSetup setup = setup_of(mesh, scenario, atlas_youngs_kPa);
+                       const std::optional<double>& reference_youngs_kPa, const py::object& progress) {
+             RehearsalSetup setup = setup_of(mesh, scenario, reference_youngs_kPa);
              return Session{
                  long_call(progress,
                            [&](const Progress& told) { return SessionEngine::create(std::move(setup), told); }),
@@ -284,7 +284,7 @@ void add_rehearsal(py::module_& module) {
   module.def(
       "atlas_youngs_kPa",
       [](double poisson_ratio) {
-        return elastography::atlas_youngs_kPa(elastography::Atlas::dissertation_cohort, poisson_ratio);
+        return elastography::reference_youngs_kPa(elastography::PopulationMean::dissertation_cohort, poisson_ratio);
       },
       py::arg("poisson_ratio") = usual_poisson_ratio,
       "Young's modulus (kPa) of healthy adults' livers: a mean shear modulus of 2.1 kPa.");

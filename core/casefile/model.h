@@ -30,10 +30,10 @@ struct FromMre {};
 struct Uniform {
   double youngs_kPa;
 };
-struct FromAtlas {
-  elastography::Atlas atlas = elastography::Atlas::dissertation_cohort;
+struct FromPopulationMean {
+  elastography::PopulationMean reference = elastography::PopulationMean::dissertation_cohort;
 };
-using StiffnessChoice = std::variant<FromMre, Uniform, FromAtlas>;
+using StiffnessChoice = std::variant<FromMre, Uniform, FromPopulationMean>;
 
 // Gives each cell of meshes/liver its Young's modulus and saves meshes/model.vtu with the cell fields
 // "youngs_modulus_kPa", "stiffness_source" (0 measured, 1 filled, 2 chosen) and, where they were made of shear moduli,
@@ -60,7 +60,7 @@ struct PatientModel {
   geometry::TetMesh mesh;  // with youngs_modulus_kPa, bare_area, diaphragm
   // Where nobody measured that stiffness: what was assumed. Such a model is not compared with the atlas.
   std::optional<Sentence> assumed = {};
-  double atlas_youngs_kPa = 0;  // of the reference body that it is compared with
+  double reference_youngs_kPa = 0;  // of the reference body that it is compared with
   std::vector<mechanics::Support> supports;
   std::optional<mechanics::Capsule> capsule;  // these three by evidence alone
   std::optional<mechanics::TransverseIsotropy> anisotropy;

@@ -21,7 +21,7 @@ rehearsal::RehearsalSetup rehearsal_setup(PatientModel model) {
   setup.patient_youngs_kPa = youngs_kPa(model);
   if (const auto ratio = mechanics::poisson_ratio_of(model.mesh)) setup.options.poisson_ratio = *ratio;
   setup.mesh = std::move(model.mesh);
-  if (!model.assumed) setup.atlas_youngs_kPa = model.atlas_youngs_kPa;
+  if (!model.assumed) setup.reference_youngs_kPa = model.reference_youngs_kPa;
   setup.supports = std::move(model.supports);
   setup.standing_loads = std::move(model.standing_loads);
   setup.landmarks = std::move(model.landmarks);

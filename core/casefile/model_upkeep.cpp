@@ -97,7 +97,8 @@ Result<ModelFacts> model_facts(const Case& patient, const Progress& progress) {
 StiffnessChoice stiffness_choice_of(const Case& patient) {
   const Entry* model = patient.find("meshes/model");
   if (model == nullptr) {
-    return patient.find("volumes/stiffness") != nullptr ? StiffnessChoice(FromMre{}) : StiffnessChoice(FromAtlas{});
+    return patient.find("volumes/stiffness") != nullptr ? StiffnessChoice(FromMre{})
+                                                        : StiffnessChoice(FromPopulationMean{});
   }
   return stiffness_choice_in(model->made);
 }
@@ -110,10 +111,11 @@ StiffnessChoice stiffness_choice_in(const Provenance& made) {
     return std::strtod(found->second.c_str(), nullptr);
   };
   if (const auto uniform = value_of("uniform_kPa")) return Uniform{*uniform};
-  if (const auto atlas = value_of("atlas_kPa")) {
-    const double published_kPa = elastography::atlas_youngs_kPa(elastography::Atlas::published_cohort);
-    return FromAtlas{std::abs(*atlas - published_kPa) < 0.05 ? elastography::Atlas::published_cohort
-                                                             : elastography::Atlas::dissertation_cohort};
+  if (const auto reference = value_of("atlas_kPa")) {
+    const double published_kPa = elastography::reference_youngs_kPa(elastography::PopulationMean::published_cohort);
+    return FromPopulationMean{std::abs(*reference - published_kPa) < 0.05
+                                  ? elastography::PopulationMean::published_cohort
+                                  : elastography::PopulationMean::dissertation_cohort};
   }
   return FromMre{};
 }
@@ -127,10 +129,10 @@ std::optional<Sentence> assumed_stiffness(const Case& patient) {
                      "with the atlas."),
         {fmt::format("{:.3g}", uniform->youngs_kPa)}};
   }
-  if (const auto* atlas = std::get_if<FromAtlas>(&choice)) {
+  if (const auto* reference = std::get_if<FromPopulationMean>(&choice)) {
     return Sentence{GLISSON_TEXT("The stiffness is assumed, the atlas's {0} kPa for all cells, and not measured: it is "
                                  "not compared with the atlas."),
-                    {fmt::format("{:.3g}", elastography::atlas_youngs_kPa(atlas->atlas))}};
+                    {fmt::format("{:.3g}", elastography::reference_youngs_kPa(reference->reference))}};
   }
   return {};
 }

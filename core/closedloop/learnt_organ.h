@@ -5,7 +5,7 @@
 // - viscoelastic-creep: Young's modulus of every cell, to what is left of it after long: a retractor stays.
 // - stiff-inclusion: the modulus of the cells in the ball, where the specimen was this organ in this place.
 // - anisotropy: a fibre direction (mechanics/materials/anisotropy.h), its axis taken as a direction of the patient.
-// - support-compliance: what holds it gives way by so much more a kPa: springs in series, in place of what is held.
+// - support-compliance: what holds it gives way by so much more a kPa: springs in series, in place of what is fixed.
 // - capsule: a membrane (mechanics/materials/capsule.h), besides one that there is.
 // - preload: acts always, where the specimen was this organ.
 //

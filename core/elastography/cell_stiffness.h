@@ -70,11 +70,11 @@ Result<CellStiffness> cell_stiffness(const std::vector<Eigen::Vector3d>& points_
 
 // Which published mean of healthy adults' liver shear stiffness the atlas is. Section 4.3 of the dissertation gives
 // both, its own cohort's mean first.
-enum class Atlas {
+enum class PopulationMean {
   dissertation_cohort,  // 2.1 kPa
   published_cohort      // 2.6 kPa, reference 212 there
 };
-[[nodiscard]] double atlas_shear_kPa(Atlas atlas);
-[[nodiscard]] double atlas_youngs_kPa(Atlas atlas, double poisson_ratio = usual_poisson_ratio);
+[[nodiscard]] double population_shear_kPa(PopulationMean mean);
+[[nodiscard]] double reference_youngs_kPa(PopulationMean mean, double poisson_ratio = usual_poisson_ratio);
 
 }  // namespace glisson::elastography

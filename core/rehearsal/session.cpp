@@ -22,9 +22,9 @@ using Clock = std::chrono::steady_clock;
 struct Moment {
   Tools tools;
   SessionBody patient_body;
-  std::optional<SessionBody> atlas_body;
+  std::optional<SessionBody> reference_body;
   BodyState patient;
-  std::optional<BodyState> atlas;
+  std::optional<BodyState> reference;
   std::vector<mechanics::CutStrip> cuts = {};
 };
 
@@ -79,7 +79,7 @@ Result<SessionEngine> SessionEngine::create(RehearsalSetup setup, const Progress
     watched.insert(watched.end(), in_mesh.begin(), in_mesh.end());
     parts->structures.push_back(std::move(structure));
   }
-  const bool at_once = setup.atlas_youngs_kPa && reference == WithReference::at_once;
+  const bool at_once = setup.reference_youngs_kPa && reference == WithReference::at_once;
   auto models = rehearsal_models(setup, progress.part(0.0, at_once ? 0.5 : 1.0));
   if (!models) return failure(std::move(models.error()));
   parts->law = setup.law;
@@ -87,10 +87,10 @@ Result<SessionEngine> SessionEngine::create(RehearsalSetup setup, const Progress
   if (!patient) return failure(std::move(patient.error()));
   BodyState at_rest = patient->untouched();
   Moment untouched{{}, std::move(*patient), {}, std::move(at_rest), {}};
-  if ((*models)->atlas) {
-    parts->reference_maker = [atlas = *(*models)->atlas, setup = std::move(setup), watched = std::move(watched),
+  if ((*models)->reference) {
+    parts->reference_maker = [reference = *(*models)->reference, setup = std::move(setup), watched = std::move(watched),
                               judged = parts->landmarks.size()](const Progress& told) -> Result<SessionBody> {
-      const auto model = atlas.model(told);
+      const auto model = reference.model(told);
       if (!model) return failure(model.error());
       return SessionBody::create(*model, setup, watched, judged);
     };
@@ -199,7 +199,7 @@ Result<void> SessionEngine::Impl::make_reference(const Progress& progress) const
 }
 
 Result<Moment> SessionEngine::Impl::compared(Moment moment) const {
-  if (moment.atlas) return moment;
+  if (moment.reference) return moment;
   SessionBody body = *reference;
   Result<BodyState> state = body.untouched();
   for (const mechanics::CutStrip& strip : moment.cuts) {
@@ -209,8 +209,8 @@ Result<Moment> SessionEngine::Impl::compared(Moment moment) const {
   }
   if (!moment.tools.empty() || !moment.cuts.empty()) state = way_to({}, moment.tools)(body, *state);
   if (!state) return failure(std::move(state.error()));
-  moment.atlas = std::move(*state);
-  moment.atlas_body = std::move(body);
+  moment.reference = std::move(*state);
+  moment.reference_body = std::move(body);
   return moment;
 }
 
@@ -261,14 +261,15 @@ Result<Moment> SessionEngine::Impl::nearer_to_rest(const Moment& from, const Pro
 
 Result<Moment> SessionEngine::Impl::both(const Moment& from, const Tools& tools, const Next& next) const {
   std::future<Result<BodyState>> beside;
-  if (from.atlas) beside = std::async(std::launch::async, [&] { return next(*from.atlas_body, *from.atlas); });
+  if (from.reference)
+    beside = std::async(std::launch::async, [&] { return next(*from.reference_body, *from.reference); });
   auto patient_state = next(from.patient_body, from.patient);
   Moment moment = from;
   moment.tools = tools;
-  if (from.atlas) {
-    auto atlas_state = beside.get();
-    if (!atlas_state) return failure(std::move(atlas_state.error()));
-    moment.atlas = std::move(*atlas_state);
+  if (from.reference) {
+    auto reference_state = beside.get();
+    if (!reference_state) return failure(std::move(reference_state.error()));
+    moment.reference = std::move(*reference_state);
   }
   if (!patient_state) return failure(std::move(patient_state.error()));
   moment.patient = std::move(*patient_state);
@@ -277,13 +278,13 @@ Result<Moment> SessionEngine::Impl::both(const Moment& from, const Tools& tools,
 
 Result<Moment> SessionEngine::Impl::cut(const Moment& from, const mechanics::CutStrip& strip) const {
   std::future<Result<SessionBody>> beside;
-  if (from.atlas) beside = std::async(std::launch::async, [&] { return from.atlas_body->opened(strip); });
+  if (from.reference) beside = std::async(std::launch::async, [&] { return from.reference_body->opened(strip); });
   auto patient_body = from.patient_body.opened(strip);
   Moment opened = from;
-  if (from.atlas) {
-    auto atlas_body = beside.get();
-    if (!atlas_body) return failure(std::move(atlas_body.error()));
-    opened.atlas_body = std::move(*atlas_body);
+  if (from.reference) {
+    auto reference_body = beside.get();
+    if (!reference_body) return failure(std::move(reference_body.error()));
+    opened.reference_body = std::move(*reference_body);
   }
   if (!patient_body) return failure(std::move(patient_body.error()));
   opened.patient_body = std::move(*patient_body);
@@ -340,15 +341,16 @@ SessionState SessionEngine::Impl::state_of(const Moment& moment) const {
   state.validity = {report.converged, report.largest_strain, report.inverted_cells, mechanics::strain_limit(law.law)};
   state.error_bound_mm = state.patient_step.error_bound_mm;
   state.settled = state.patient_step.settled;
-  if (moment.atlas) {
-    state.atlas = shown(*moment.atlas_body, *moment.atlas);
-    state.atlas_step = step_of(*moment.atlas, moment.tools, moment.atlas_body->surface());
-    if (state.error_bound_mm) state.error_bound_mm = std::max(*state.error_bound_mm, *state.atlas_step->error_bound_mm);
-    state.settled = state.settled && state.atlas_step->settled;
-    state.differences = differences_between(state.patient.landmarks, state.atlas->landmarks);
+  if (moment.reference) {
+    state.reference = shown(*moment.reference_body, *moment.reference);
+    state.reference_step = step_of(*moment.reference, moment.tools, moment.reference_body->surface());
+    if (state.error_bound_mm)
+      state.error_bound_mm = std::max(*state.error_bound_mm, *state.reference_step->error_bound_mm);
+    state.settled = state.settled && state.reference_step->settled;
+    state.differences = differences_between(state.patient.landmarks, state.reference->landmarks);
     for (std::size_t p = 0; p < state.patient.surface_mm.size(); ++p) {
       state.max_difference_mm =
-          std::max(state.max_difference_mm, (state.patient.surface_mm[p] - state.atlas->surface_mm[p]).norm());
+          std::max(state.max_difference_mm, (state.patient.surface_mm[p] - state.reference->surface_mm[p]).norm());
     }
   }
   state.digest = digest_of(moment);
@@ -363,10 +365,10 @@ bool SessionEngine::prepare_the_next_cut() const {
   const Vector3d forward = (last.to_mm - last.from_mm).normalized();
   const mechanics::CutStrip ahead{last.surface, last.to_mm - back_mm * forward, last.to_mm + ahead_mm * forward};
   std::future<Result<bool>> beside;
-  if (now.atlas_body) beside = std::async(std::launch::async, [&] { return now.atlas_body->prepare(ahead); });
+  if (now.reference_body) beside = std::async(std::launch::async, [&] { return now.reference_body->prepare(ahead); });
   const auto patient = now.patient_body.prepare(ahead);
-  const auto atlas = now.atlas_body ? beside.get() : Result<bool>(false);
-  return (patient && *patient) || (atlas && *atlas);
+  const auto reference = now.reference_body ? beside.get() : Result<bool>(false);
+  return (patient && *patient) || (reference && *reference);
 }
 
 Result<void> SessionEngine::make_reference(const Progress& progress) const { return impl_->make_reference(progress); }
@@ -397,7 +399,7 @@ namespace {
 
 std::string digest_of(const Moment& moment) {
   std::string bits = bits_of(moment.patient);
-  if (moment.atlas) bits += bits_of(*moment.atlas);
+  if (moment.reference) bits += bits_of(*moment.reference);
   return sha256_of_text(bits);
 }
 

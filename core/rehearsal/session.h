@@ -70,10 +70,10 @@ struct SessionState {
   std::uint64_t settles = 0;  // of them, those since the last that was no Settle
   std::vector<mechanics::ContactTool> tools;
   RehearsalBody patient;
-  std::optional<RehearsalBody> atlas;
+  std::optional<RehearsalBody> reference;
   SessionStep patient_step;
   mechanics::Validity validity = {};  // of the patient's body, its strain by the corners of cells
-  std::optional<SessionStep> atlas_step;
+  std::optional<SessionStep> reference_step;
   std::shared_ptr<const SessionCut> cut;        // nullptr: nothing is cut
   std::optional<double> error_bound_mm;         // the larger of both bodies'
   bool settled = true;                          // both

@@ -85,7 +85,7 @@ struct PlacedTool::Impl {
   std::size_t touched_faces = 0;
   double solve_ms = 0;
   BodyResponse patient;
-  std::optional<BodyResponse> atlas;
+  std::optional<BodyResponse> reference;
 };
 
 RehearsalSetup with_law(RehearsalSetup setup, const mechanics::ChosenLaw& law) {
@@ -103,7 +103,7 @@ Result<std::shared_ptr<const RehearsalModels>> rehearsal_models(const RehearsalS
   auto patient = StaticModel::create(setup.mesh, setup.patient_youngs_kPa, supports, setup.options, progress);
   if (!patient) return failure(std::move(patient.error()));
   RehearsalModels made{std::move(*patient)};
-  if (setup.atlas_youngs_kPa) made.atlas.emplace(made.patient, *setup.atlas_youngs_kPa);
+  if (setup.reference_youngs_kPa) made.reference.emplace(made.patient, *setup.reference_youngs_kPa);
   return std::make_shared<const RehearsalModels>(std::move(made));
 }
 
@@ -140,7 +140,7 @@ Result<StaticRehearsal> StaticRehearsal::create(RehearsalSetup setup, const Prog
   auto patient = parts->standing(parts->models->patient);
   if (!patient) return failure(std::move(patient.error()));
   parts->patient = std::move(*patient);
-  parts->reference_is_made = !parts->models->atlas;
+  parts->reference_is_made = !parts->models->reference;
 
   progress.report(0.95, GLISSON_TEXT("Placing landmarks and structures"));
   auto places = mechanics::locate_landmarks(setup.mesh, setup.landmarks, setup.landmark_tolerance_mm);
@@ -172,7 +172,7 @@ Result<void> StaticRehearsal::Impl::make_reference(const Progress& progress) con
   if (reference_is_made) return {};
   const std::lock_guard lock(making);
   if (reference) return {};
-  const auto model = models->atlas->model(progress);
+  const auto model = models->reference->model(progress);
   if (!model) return failure(model.error());
   auto body = standing(*model);
   if (!body) return failure(std::move(body.error()));
@@ -202,9 +202,9 @@ Result<PlacedTool> StaticRehearsal::place_tool(const Vector3d& center_mm, double
   }
   auto patient = impl_->response_to_tool(*impl_->patient, center_mm, radius_mm);
   if (compared) {
-    auto atlas = beside.get();
-    if (!atlas) return failure(std::move(atlas.error()));
-    placed->atlas = std::move(*atlas);
+    auto reference = beside.get();
+    if (!reference) return failure(std::move(reference.error()));
+    placed->reference = std::move(*reference);
   }
   if (!patient) return failure(std::move(patient.error()));
   placed->patient = std::move(*patient);
@@ -271,13 +271,13 @@ RehearsalState PlacedTool::answer(const Vector3d& force_N) const {
   state.relative_residual = impl_->patient.relative_residual;
   const mechanics::StrainRange strain = impl_->patient.strain->under(force_N);
   state.validity = {true, strain.largest_strain, strain.inverted_cells};
-  if (impl_->atlas) {
-    state.atlas = impl_->rehearsal->body_under(*impl_->atlas, force_N);
-    state.relative_residual = std::max(state.relative_residual, impl_->atlas->relative_residual);
-    state.differences = differences_between(state.patient.landmarks, state.atlas->landmarks);
+  if (impl_->reference) {
+    state.reference = impl_->rehearsal->body_under(*impl_->reference, force_N);
+    state.relative_residual = std::max(state.relative_residual, impl_->reference->relative_residual);
+    state.differences = differences_between(state.patient.landmarks, state.reference->landmarks);
     double squared_mm2 = 0;
     for (std::size_t p = 0; p < state.patient.surface_mm.size(); ++p) {
-      squared_mm2 = std::max(squared_mm2, (state.patient.surface_mm[p] - state.atlas->surface_mm[p]).squaredNorm());
+      squared_mm2 = std::max(squared_mm2, (state.patient.surface_mm[p] - state.reference->surface_mm[p]).squaredNorm());
     }
     state.max_difference_mm = std::sqrt(squared_mm2);
   }
@@ -311,12 +311,12 @@ const Vector3d& PlacedTool::center_mm() const { return impl_->center_mm; }
 double PlacedTool::radius_mm() const { return impl_->radius_mm; }
 std::size_t PlacedTool::touched_faces() const { return impl_->touched_faces; }
 double PlacedTool::solve_ms() const { return impl_->solve_ms; }
-bool PlacedTool::compared() const { return impl_->atlas.has_value(); }
+bool PlacedTool::compared() const { return impl_->reference.has_value(); }
 
 const geometry::Surface& StaticRehearsal::surface() const { return impl_->surface; }
 const std::shared_ptr<const RehearsalModels>& StaticRehearsal::models() const { return impl_->models; }
 const StaticModel& StaticRehearsal::patient() const { return impl_->patient->model; }
-bool StaticRehearsal::has_reference() const { return impl_->models->atlas.has_value(); }
+bool StaticRehearsal::has_reference() const { return impl_->models->reference.has_value(); }
 bool StaticRehearsal::reference_is_made() const { return impl_->reference_is_made; }
 Result<void> StaticRehearsal::make_reference(const Progress& progress) const { return impl_->make_reference(progress); }
 double StaticRehearsal::setup_s() const { return impl_->setup_s; }

@@ -28,8 +28,8 @@ struct RehearsalModels;
 
 struct RehearsalSetup {
   geometry::TetMesh mesh;
-  std::vector<double> patient_youngs_kPa;  // one a cell
-  std::optional<double> atlas_youngs_kPa;  // the reference body's single modulus; absent: no reference body
+  std::vector<double> patient_youngs_kPa;      // one a cell
+  std::optional<double> reference_youngs_kPa;  // the reference body's single modulus; absent: no reference body
   std::vector<mechanics::Support> supports;
   mechanics::Loads standing_loads;  // act always: gravity, pneumoperitoneum
   std::vector<mechanics::Landmark> landmarks;
@@ -66,8 +66,8 @@ class ReferenceBody {
 
 // The two bodies. Copies are cheap.
 struct RehearsalModels {
-  mechanics::StaticModel patient;           // factorised
-  std::optional<ReferenceBody> atlas = {};  // absent without a reference body
+  mechanics::StaticModel patient;               // factorised
+  std::optional<ReferenceBody> reference = {};  // absent without a reference body
 };
 // `setup.models` where there are any; at large strain without ligaments, which only pull. Failures: those of
 // StaticModel::create.
@@ -85,7 +85,7 @@ struct RehearsalBody {
 struct RehearsalState {
   Eigen::Vector3d force_N{0, 0, 0};
   RehearsalBody patient;
-  std::optional<RehearsalBody> atlas;
+  std::optional<RehearsalBody> reference;
   std::vector<LandmarkDifference> differences;  // patient against atlas; empty without a reference body
   double max_difference_mm = 0;                 // over the surface
   double relative_residual = 0;                 // the larger of the solves it is made from

@@ -145,15 +145,15 @@ void add_retraction(Page& page, const Case& patient, const PatientPageContent& c
   }
   const bool compared =
       std::any_of(retraction.landmarks.begin(), retraction.landmarks.end(),
-                  [](const RehearsedLandmark& landmark) { return landmark.atlas_off_mm.has_value(); });
+                  [](const RehearsedLandmark& landmark) { return landmark.reference_off_mm.has_value(); });
   Table table{words.say(GLISSON_TEXT("5 mm or more matters to a surgeon and is marked !.")),
               {words.say(GLISSON_TEXT("Landmark")), words.say(GLISSON_TEXT("Moves (mm)"))},
               {}};
   if (compared) table.columns.push_back(words.say(GLISSON_TEXT("Atlas off (mm)")));
   for (const RehearsedLandmark& landmark : retraction.landmarks) {
     std::vector<Cell> row{{words.name(landmark.id)}, validity.usable() ? length_mm(landmark.moves_mm) : Cell{"-"}};
-    const bool known = validity.usable() && landmark.atlas_off_mm;
-    if (compared) row.push_back(known ? length_mm(*landmark.atlas_off_mm) : Cell{"-"});
+    const bool known = validity.usable() && landmark.reference_off_mm;
+    if (compared) row.push_back(known ? length_mm(*landmark.reference_off_mm) : Cell{"-"});
     table.rows.push_back(std::move(row));
   }
   page.blocks.push_back(std::move(table));

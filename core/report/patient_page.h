@@ -22,7 +22,7 @@ namespace glisson::report {
 struct RehearsedLandmark {
   std::string id;
   double moves_mm = 0;
-  std::optional<double> atlas_off_mm;  // how far the atlas's answer is from the patient's
+  std::optional<double> reference_off_mm;  // how far the atlas's answer is from the patient's
 };
 
 struct RehearsedTool {

@@ -24,8 +24,8 @@ std::string stiffness_source(const Entry& model, const Words& words) {
   if (const auto uniform = options.find("uniform_kPa"); uniform != options.end()) {
     return words.say(GLISSON_TEXT("assumed: one value for all cells, {0} kPa"), {uniform->second});
   }
-  if (const auto atlas = options.find("atlas_kPa"); atlas != options.end()) {
-    return words.say(GLISSON_TEXT("assumed: the atlas's one value, {0} kPa"), {atlas->second});
+  if (const auto reference = options.find("atlas_kPa"); reference != options.end()) {
+    return words.say(GLISSON_TEXT("assumed: the atlas's one value, {0} kPa"), {reference->second});
   }
   return words.say(GLISSON_TEXT("the patient's own, from MR elastography"));
 }

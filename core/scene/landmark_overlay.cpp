@@ -30,13 +30,13 @@ std::string group_of(const std::string& id) {
 
 // How much of a reason to look at it there is: how far the atlas is off, else how far it moves.
 double weight_of(const PredictedLandmark& landmark) {
-  return landmark.atlas_mm ? (*landmark.atlas_mm - landmark.patient_mm).norm()
-                           : (landmark.patient_mm - landmark.rest_mm).norm();
+  return landmark.reference_mm ? (*landmark.reference_mm - landmark.patient_mm).norm()
+                               : (landmark.patient_mm - landmark.rest_mm).norm();
 }
 
 int axis_of_least_motion(const PredictedLandmark& landmark) {
   Vector3d motion = (landmark.patient_mm - landmark.rest_mm).cwiseAbs();
-  if (landmark.atlas_mm) motion = motion.cwiseMax((*landmark.atlas_mm - landmark.rest_mm).cwiseAbs());
+  if (landmark.reference_mm) motion = motion.cwiseMax((*landmark.reference_mm - landmark.rest_mm).cwiseAbs());
   int axis = 0;
   motion.minCoeff(&axis);
   return axis;
@@ -80,7 +80,8 @@ LandmarkOverlay overlay_of(const std::string& group, const std::vector<Predicted
   };
   for (const PredictedLandmark& landmark : landmarks) {
     if (!is_near(landmark)) continue;
-    for (const Vector3d& place : {landmark.rest_mm, landmark.patient_mm, landmark.atlas_mm.value_or(landmark.rest_mm)})
+    for (const Vector3d& place :
+         {landmark.rest_mm, landmark.patient_mm, landmark.reference_mm.value_or(landmark.rest_mm)})
       seen.push_back(in_slice(place));
   }
   constexpr double around_mm = 70, at_least_mm = 110;
@@ -92,13 +93,13 @@ LandmarkOverlay overlay_of(const std::string& group, const std::vector<Predicted
     ++overlay.shown;
     const Vector3d moved_mm = in_slice(landmark.patient_mm);
     overlay.scene.surfaces.push_back(circle("rest", in_slice(landmark.rest_mm), camera, rest_yellow));
-    if (landmark.atlas_mm)
-      overlay.scene.surfaces.push_back(circle("atlas", in_slice(*landmark.atlas_mm), camera, atlas_red));
+    if (landmark.reference_mm)
+      overlay.scene.surfaces.push_back(circle("atlas", in_slice(*landmark.reference_mm), camera, reference_red));
     overlay.scene.surfaces.push_back(circle("patient", moved_mm, camera, patient_blue));
     const double moves_mm = (landmark.patient_mm - landmark.rest_mm).norm();
     std::string label = fmt::format("{} moves {:.1f} mm", landmark.id, moves_mm);
-    if (landmark.atlas_mm)
-      label += fmt::format(", atlas {:.1f} mm off", (*landmark.atlas_mm - landmark.patient_mm).norm());
+    if (landmark.reference_mm)
+      label += fmt::format(", atlas {:.1f} mm off", (*landmark.reference_mm - landmark.patient_mm).norm());
     overlay.scene.landmarks.push_back({label, moved_mm - above_slice_mm * camera.sight, 0.5, patient_blue});
   }
   overlay.scene.slices.push_back(std::move(slice));
@@ -109,7 +110,7 @@ LandmarkOverlay overlay_of(const std::string& group, const std::vector<Predicted
   notes.subtitle =
       fmt::format("Projected onto the slice: {} of {}. The scan shows the liver at rest.", overlay.shown, overlay.of);
   notes.key = {{rest_yellow, "In the scan"}, {patient_blue, "Predicted, the patient's stiffness"}};
-  if (main->atlas_mm) notes.key.push_back({atlas_red, "Predicted, the atlas's stiffness"});
+  if (main->reference_mm) notes.key.push_back({reference_red, "Predicted, the atlas's stiffness"});
   return overlay;
 }
 
@@ -130,18 +131,19 @@ std::vector<LandmarkOverlay> landmark_overlays(const std::shared_ptr<const imagi
   return overlays;
 }
 
-Result<std::vector<LandmarkOverlay>> landmark_overlays(const fs::path& result, const std::optional<fs::path>& atlas) {
+Result<std::vector<LandmarkOverlay>> landmark_overlays(const fs::path& result,
+                                                       const std::optional<fs::path>& reference) {
   const auto patients = casefile::read_result(result);
   if (!patients) return failure(patients.error());
   std::vector<PredictedLandmark> landmarks;
   for (const auto& landmark : patients->landmarks)
     landmarks.push_back({landmark.id, landmark.rest_mm, landmark.displaced_mm, {}});
-  if (atlas) {
-    const auto atlases = casefile::read_result(*atlas);
-    if (!atlases) return failure(atlases.error());
+  if (reference) {
+    const auto references = casefile::read_result(*reference);
+    if (!references) return failure(references.error());
     for (PredictedLandmark& landmark : landmarks) {
-      for (const auto& other : atlases->landmarks) {
-        if (other.id == landmark.id) landmark.atlas_mm = other.displaced_mm;
+      for (const auto& other : references->landmarks) {
+        if (other.id == landmark.id) landmark.reference_mm = other.displaced_mm;
       }
     }
   }

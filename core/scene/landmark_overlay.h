@@ -24,7 +24,7 @@ struct PredictedLandmark {
   std::string id;
   Eigen::Vector3d rest_mm{0, 0, 0};  // patient LPS, as are the others
   Eigen::Vector3d patient_mm{0, 0, 0};
-  std::optional<Eigen::Vector3d> atlas_mm;
+  std::optional<Eigen::Vector3d> reference_mm;
 };
 
 struct LandmarkOverlay {
@@ -34,7 +34,7 @@ struct LandmarkOverlay {
 };
 
 // The colours of the three circles.
-inline constexpr Colour rest_yellow{1.0, 0.88, 0.15}, patient_blue{0.25, 0.65, 1.0}, atlas_red{1.0, 0.3, 0.25};
+inline constexpr Colour rest_yellow{1.0, 0.88, 0.15}, patient_blue{0.25, 0.65, 1.0}, reference_red{1.0, 0.3, 0.25};
 
 // Groups in the order in which they come.
 [[nodiscard]] std::vector<LandmarkOverlay> landmark_overlays(const std::shared_ptr<const imaging::Volume>& scan,
@@ -44,6 +44,6 @@ inline constexpr Colour rest_yellow{1.0, 0.88, 0.15}, patient_blue{0.25, 0.65, 1
 // Of a result in a case's results/ and, where given, the atlas's result of the same question.
 // Fails as read_result does, and with "overlay-needs-case" where the result lies in no case with a scan.
 Result<std::vector<LandmarkOverlay>> landmark_overlays(const std::filesystem::path& result,
-                                                       const std::optional<std::filesystem::path>& atlas);
+                                                       const std::optional<std::filesystem::path>& reference);
 
 }  // namespace glisson::scene

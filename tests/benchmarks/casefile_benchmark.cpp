@@ -144,7 +144,7 @@ void SessionAtLargeStrain(benchmark::State& state) {
           return (shown.landmarks[l].displaced_mm - settled.landmarks[l].displaced_mm).norm();
         };
         farthest_mm = std::max(farthest_mm, off_mm(moved.patient, rest.patient));
-        if (moved.atlas) farthest_mm = std::max(farthest_mm, off_mm(*moved.atlas, *rest.atlas));
+        if (moved.reference) farthest_mm = std::max(farthest_mm, off_mm(*moved.reference, *rest.reference));
       }
       errors_mm.push_back(farthest_mm);
       holds += farthest_mm <= *moved.error_bound_mm ? 1 : 0;

@@ -89,10 +89,11 @@ TEST_F(ModelUpkeep, AFileThatAnotherProgramWroteIsToldApart) {
 
 TEST_F(ModelUpkeep, KnowsWhoseStiffnessItHas) {
   EXPECT_DOUBLE_EQ(std::get<Uniform>(stiffness_choice_of(open())).youngs_kPa, 5);
-  for (const auto atlas : {elastography::Atlas::dissertation_cohort, elastography::Atlas::published_cohort}) {
+  for (const auto reference :
+       {elastography::PopulationMean::dissertation_cohort, elastography::PopulationMean::published_cohort}) {
     auto patient = open();
-    ASSERT_TRUE(assign_stiffness(patient, FromAtlas{atlas}));
-    EXPECT_EQ(std::get<FromAtlas>(stiffness_choice_of(patient)).atlas, atlas);
+    ASSERT_TRUE(assign_stiffness(patient, FromPopulationMean{reference}));
+    EXPECT_EQ(std::get<FromPopulationMean>(stiffness_choice_of(patient)).reference, reference);
   }
 }
 
@@ -100,10 +101,10 @@ TEST_F(ModelUpkeep, TheShearModulusIsRehearsedWithThePoissonsRatioThatTheMeshWas
   auto patient = open();
   elastography::StiffnessOptions options;
   options.poisson_ratio = 0.49;
-  ASSERT_TRUE(assign_stiffness(patient, FromAtlas{}, options));
+  ASSERT_TRUE(assign_stiffness(patient, FromPopulationMean{}, options));
   const auto setup = rehearsal_setup(read_model(patient).value());
   EXPECT_EQ(setup.options.poisson_ratio, 0.49);
-  const double shear_kPa = elastography::atlas_shear_kPa(elastography::Atlas::dissertation_cohort);
+  const double shear_kPa = elastography::population_shear_kPa(elastography::PopulationMean::dissertation_cohort);
   EXPECT_DOUBLE_EQ(setup.patient_youngs_kPa.front(), units::youngs_from_shear(shear_kPa, 0.49));
   // One value that a person states is Young's modulus itself.
   ASSERT_TRUE(assign_stiffness(patient, Uniform{5.0}, options));

@@ -179,7 +179,7 @@ TEST_F(SmallLiver, EveryAnswerSaysWhatItIsWorthAndNoneThatMayNotBeUsedIsPrinted)
   EXPECT_EQ(answer({"compare", file("gentle"), file("hard")}).at("states")[1].at("state"), "outside-of-the-model");
 }
 
-TEST_F(SmallLiver, AnAssumedStiffnessIsCalledSoAndNotComparedWithTheAtlas) {
+TEST_F(SmallLiver, AnAssumedStiffnessIsCalledSoAndNotComparedWithTheReferenceBody) {
   const Json given = answer({"stiffness", patient(), "--uniform-kPa", "6"});
   EXPECT_TRUE(given.at("assumed").get<bool>());
   EXPECT_THAT(glisson_cli({"stiffness", patient(), "--uniform-kPa", "6", "--quiet"}).out,

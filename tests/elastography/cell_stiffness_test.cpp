@@ -211,10 +211,10 @@ TEST(CellStiffness, RefusesWhatCannotBeUsed) {
   EXPECT_EQ(cell_stiffness(points_mm, map, none).error().code, "stiffness-nothing-reliable");
 }
 
-TEST(CellStiffness, AtlasAndUniformValues) {
+TEST(CellStiffness, PopulationMeanAndUniformValues) {
   // E = 2 G (1 + nu): 2 * 2.1 * 1.45 and 2 * 2.6 * 1.45.
-  EXPECT_NEAR(atlas_youngs_kPa(Atlas::dissertation_cohort), 6.09, 1e-12);
-  EXPECT_NEAR(atlas_youngs_kPa(Atlas::published_cohort), 7.54, 1e-12);
+  EXPECT_NEAR(reference_youngs_kPa(PopulationMean::dissertation_cohort), 6.09, 1e-12);
+  EXPECT_NEAR(reference_youngs_kPa(PopulationMean::published_cohort), 7.54, 1e-12);
   const CellStiffness uniform = uniform_stiffness(4, 5.0);
   EXPECT_EQ(uniform.youngs_kPa, std::vector<double>(4, 5.0));
   EXPECT_EQ(uniform.sd_kPa, 0.0);

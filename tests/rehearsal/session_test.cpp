@@ -26,7 +26,7 @@ RehearsalSetup whole_block() {
   for (std::size_t c = 0; c < setup.mesh.cells.size(); ++c) {
     setup.patient_youngs_kPa.push_back(geometry::cell_centroid_mm(setup.mesh, c).x() < 40 ? 4 : 12);
   }
-  setup.atlas_youngs_kPa = 6;
+  setup.reference_youngs_kPa = 6;
   setup.supports = {mechanics::test::fixed("ground")};
   setup.landmarks = {{"tumour-1", {35, 40, 34}}, {"tumour-2", {70, 70, 20}}};
   geometry::Surface triangle;
@@ -61,12 +61,12 @@ TEST(Session, FollowsLandmarksAndStructuresAndComparesWithTheReferenceBody) {
   EXPECT_LT(state.patient.landmarks[1].displacement_mm, 1);
   EXPECT_LT(state.patient.structures_mm[0][0].z(), 30);
   // The tool is placed alike in both; the force that this takes is not.
-  EXPECT_GT(std::abs(state.patient_step.tools[0].force_mN.z() - state.atlas_step->tools[0].force_mN.z()), 30);
+  EXPECT_GT(std::abs(state.patient_step.tools[0].force_mN.z() - state.reference_step->tools[0].force_mN.z()), 30);
   // Under the same force they give way differently.
   const SessionState& pushed = engine.step(HoldTool{probe({35, 40, 60}, 600.0)});
   EXPECT_EQ(pushed.refused, "");
   EXPECT_NEAR(pushed.patient_step.tools[0].force_mN.z(), -600, 1);
-  EXPECT_GT(std::abs(pushed.patient_step.tools[0].advance_mm - pushed.atlas_step->tools[0].advance_mm), 0.1);
+  EXPECT_GT(std::abs(pushed.patient_step.tools[0].advance_mm - pushed.reference_step->tools[0].advance_mm), 0.1);
   EXPECT_EQ(pushed.differences[0].significant(), pushed.differences[0].difference_mm >= 5);
   // What is shown is what a whole solve under the same forces finds.
   const auto whole = engine.whole_result().value();
@@ -222,7 +222,7 @@ TEST(SessionAtLargeStrain, ShowsAFirstPictureWithABoundAndSettlesToRest) {
         return (shown.landmarks[l].displaced_mm - settled.landmarks[l].displaced_mm).norm();
       };
       EXPECT_LE(off_mm(state.patient, rest.patient), *state.error_bound_mm);
-      EXPECT_LE(off_mm(*state.atlas, *rest.atlas), *state.error_bound_mm);
+      EXPECT_LE(off_mm(*state.reference, *rest.reference), *state.error_bound_mm);
     }
     EXPECT_EQ(engine.state().digest, state.digest);  // to look at rest moves nothing
   }
@@ -303,7 +303,7 @@ TEST(SessionAtLargeStrain, ACutOpensUnderTractionStepByStepAndBackAgain) {
   EXPECT_GT(second.patient.max_displacement_mm, uncut.patient.max_displacement_mm);
   EXPECT_LE(second.patient_step.report.overlap_mm, 0.1);
   EXPECT_TRUE(geometry::check_surface(second.cut->patient));
-  EXPECT_TRUE(second.atlas.has_value());
+  EXPECT_TRUE(second.reference.has_value());
   carry_out(Undo{});
   EXPECT_EQ(engine.state().digest, first.digest);
   carry_out(Undo{});
@@ -444,14 +444,14 @@ TEST(Session, TheReferenceBodyMayComeLater) {
   auto later = SessionEngine::create(whole_block(), {}, WithReference::when_asked).value();
   EXPECT_TRUE(later.has_reference());
   const std::string untouched = with.state().digest;
-  EXPECT_FALSE(later.state().atlas);
+  EXPECT_FALSE(later.state().reference);
   const SessionState& alone = later.step(HoldTool{probe({35, 40, 40})});
   const SessionState& both = with.step(HoldTool{probe({35, 40, 40})});
-  EXPECT_FALSE(alone.atlas);
+  EXPECT_FALSE(alone.reference);
   EXPECT_TRUE(alone.differences.empty());
   EXPECT_EQ(alone.patient.surface_mm, both.patient.surface_mm);
   ASSERT_TRUE(later.make_reference());
-  EXPECT_FALSE(later.state().atlas);
+  EXPECT_FALSE(later.state().reference);
   EXPECT_EQ(later.step(Compare{}).digest, with.state().digest);
   EXPECT_EQ(later.state().differences.size(), 2u);
   for (auto* engine : {&with, &later}) {
@@ -472,9 +472,10 @@ TEST(Session, TheReferenceBodyMayComeLater) {
     EXPECT_EQ(engine->step(advance(0, 20)).refused, "");
   }
   const SessionState& drawn = later.step(Compare{});
-  ASSERT_TRUE(drawn.atlas);
-  for (std::size_t l = 0; l < drawn.atlas->landmarks.size(); ++l) {
-    EXPECT_LT((drawn.atlas->landmarks[l].displaced_mm - with.state().atlas->landmarks[l].displaced_mm).norm(), 0.1);
+  ASSERT_TRUE(drawn.reference);
+  for (std::size_t l = 0; l < drawn.reference->landmarks.size(); ++l) {
+    EXPECT_LT((drawn.reference->landmarks[l].displaced_mm - with.state().reference->landmarks[l].displaced_mm).norm(),
+              0.1);
   }
 }
 
@@ -492,7 +493,7 @@ TEST(Session, AComparisonIsInTheRecording) {
   EXPECT_FALSE(replay(again, read).has_value());
   // Where nothing can be compared, that is said and nothing changes.
   RehearsalSetup alone = whole_block();
-  alone.atlas_youngs_kPa.reset();
+  alone.reference_youngs_kPa.reset();
   auto single = SessionEngine::create(std::move(alone)).value();
   const std::string before = single.state().digest;
   EXPECT_THAT(single.step(Compare{}).refused, HasSubstr("no reference body"));
@@ -526,7 +527,7 @@ TEST(LiveSession, NeverKeepsItsCallerWaitingAndRecordsWhatItDid) {
   EXPECT_EQ(std::count_if(recording.begin(), recording.end(),
                           [](const auto& one) { return std::holds_alternative<Compare>(one.first); }),
             1);
-  EXPECT_TRUE(session.latest()->atlas);
+  EXPECT_TRUE(session.latest()->reference);
   auto engine = SessionEngine::create(whole_block(), {}, reference_in(recording)).value();
   EXPECT_FALSE(replay(engine, recording).has_value());
 }
@@ -542,7 +543,7 @@ TEST(LiveSession, AtLargeStrainItComesToRestByItselfAndRecordsHow) {
   ASSERT_TRUE(session.latest()->settled);
   const auto recording = session.recording();
   EXPECT_TRUE(std::holds_alternative<Settle>(recording.back().first));
-  EXPECT_TRUE(session.latest()->atlas);
+  EXPECT_TRUE(session.latest()->reference);
   auto engine = SessionEngine::create(soft_block(), {}, reference_in(recording)).value();
   EXPECT_FALSE(replay(engine, recording).has_value());
 }

@@ -21,7 +21,7 @@ RehearsalSetup slab() {
   setup.mesh = box(8, 6, 4, {80, 60, 40});
   mechanics::test::name_points(setup.mesh, "back", [](const Vector3d& p) { return p.y() == 60; });
   for (std::size_t c = 0; c < setup.mesh.cells.size(); ++c) setup.patient_youngs_kPa.push_back(4.0 + 0.5 * (c % 9));
-  setup.atlas_youngs_kPa = 6.0;
+  setup.reference_youngs_kPa = 6.0;
   setup.supports = {fixed("back")};
   setup.standing_loads = {mechanics::GravityLoad{{0, 9810, 0}}};
   setup.landmarks = {{"tumour-1", {40, 20, 25}}, {"tumour-2", {12, 11, 9}}};
@@ -44,14 +44,16 @@ TEST(StaticRehearsal, AnswersWhatAFullSolveOfBothBodiesWould) {
     mechanics::Loads loads = setup.standing_loads;
     loads.push_back(mechanics::ToolLoad{tool_center_mm, tool_radius_mm, force_N.unaryExpr(&units::mN_from_N)});
     const auto full = rehearsal.patient().solve(loads).value();
-    const auto atlas = rehearsal.models()->atlas->model()->solve(loads).value();
+    const auto reference = rehearsal.models()->reference->model()->solve(loads).value();
 
     // Superposition is exact: only rounding of displacements of about 10 mm remains.
     const auto& mesh_point = geometry::find_field(rehearsal.surface().point_fields, "mesh_point")->values;
     for (std::size_t p = 0; p < mesh_point.size(); ++p) {
       const auto point = static_cast<std::size_t>(mesh_point[p]);
       EXPECT_LT((state.patient.surface_mm[p] - setup.mesh.points_mm[point] - full.displacement_mm[point]).norm(), 1e-9);
-      EXPECT_LT((state.atlas->surface_mm[p] - setup.mesh.points_mm[point] - atlas.displacement_mm[point]).norm(), 1e-9);
+      EXPECT_LT(
+          (state.reference->surface_mm[p] - setup.mesh.points_mm[point] - reference.displacement_mm[point]).norm(),
+          1e-9);
     }
     const auto places = mechanics::locate_points(setup.mesh, {setup.landmarks[0].position_mm, {45, 20, 20}});
     const auto moved = rehearsal.patient().displacement_at(full, places);
@@ -114,19 +116,19 @@ TEST(StaticRehearsal, ComparesEachLandmarkWithTheReferenceBody) {
   ASSERT_EQ(state.differences.size(), 2u);
   for (std::size_t i = 0; i < 2; ++i) {
     EXPECT_NEAR(state.differences[i].difference_mm,
-                (state.patient.landmarks[i].displaced_mm - state.atlas->landmarks[i].displaced_mm).norm(), 1e-12);
+                (state.patient.landmarks[i].displaced_mm - state.reference->landmarks[i].displaced_mm).norm(), 1e-12);
   }
   EXPECT_GT(state.max_difference_mm, 0);
 }
 
 TEST(StaticRehearsal, GoesWithoutATwinWhereNoneIsAsked) {
   RehearsalSetup setup = slab();
-  setup.atlas_youngs_kPa.reset();
+  setup.reference_youngs_kPa.reset();
   const auto rehearsal = StaticRehearsal::create(std::move(setup)).value();
   EXPECT_FALSE(rehearsal.has_reference());
   EXPECT_TRUE(rehearsal.reference_is_made());
   const auto state = rehearsal.place_tool(tool_center_mm, tool_radius_mm)->answer({0, -1, 0});
-  EXPECT_FALSE(state.atlas);
+  EXPECT_FALSE(state.reference);
   EXPECT_TRUE(state.differences.empty());
 }
 
@@ -139,7 +141,7 @@ TEST(StaticRehearsal, MakesItsReferenceBodyForTheFirstToolOnBothAndForNobodyBefo
   EXPECT_FALSE(rehearsal.reference_is_made());
   EXPECT_FALSE(alone.compared());
   const RehearsalState before = alone.answer({0, -1, 0});
-  EXPECT_FALSE(before.atlas);
+  EXPECT_FALSE(before.reference);
   EXPECT_TRUE(before.differences.empty());
 
   // Asked for by several at once it is made once, and the patient's answer is the same to the bit.
@@ -162,9 +164,9 @@ TEST(StaticRehearsal, TheReferenceBodyIsTheOneThatItsModulusMakes) {
   const RehearsalSetup setup = slab();
   const auto rehearsal = StaticRehearsal::create(setup).value();
   const auto own = mechanics::StaticModel::create(
-      setup.mesh, std::vector<double>(setup.mesh.cells.size(), *setup.atlas_youngs_kPa), setup.supports);
+      setup.mesh, std::vector<double>(setup.mesh.cells.size(), *setup.reference_youngs_kPa), setup.supports);
   ASSERT_TRUE(own);
-  const auto reference = rehearsal.models()->atlas->model().value();
+  const auto reference = rehearsal.models()->reference->model().value();
   EXPECT_EQ(reference.solve(setup.standing_loads)->displacement_mm, own->solve(setup.standing_loads)->displacement_mm);
   EXPECT_EQ(reference.cost().factor_bytes, own->cost().factor_bytes);
 }

@@ -79,7 +79,7 @@ TEST(LandmarkOverlay, CirclesStandWhereTheLandmarksAre) {
   expect_at({38, -16, 0}, [](int r, int g, int) { return r > 100 && g < r / 2; });
 }
 
-TEST(LandmarkOverlay, WithoutAnAtlasThereIsNoRedAndTheSliceFollowsTheMotion) {
+TEST(LandmarkOverlay, WithoutAReferenceBodyThereIsNoRedAndTheSliceFollowsTheMotion) {
   const LandmarkOverlay tumour = landmark_overlays(grey_scan(), {}, landmarks()).at(1);
   EXPECT_EQ(tumour.group, "tumour");
   EXPECT_EQ(tumour.scene.slices[0].normal, Vector3d::UnitX());  // it moves along y and z

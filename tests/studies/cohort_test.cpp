@@ -24,7 +24,7 @@ void write_map(const fs::path& file, double mean_kPa, double sd_kPa) {
   ASSERT_TRUE(imaging::write_volume_file(file, map));
 }
 
-TEST(Cohort, CountsPatientsAgainstTheAtlas) {
+TEST(Cohort, CountsPatientsAgainstTheReferenceBody) {
   const TemporaryFolder folder;
   const fs::path maps = folder.path() / "maps";
   fs::create_directories(maps);
@@ -38,8 +38,8 @@ TEST(Cohort, CountsPatientsAgainstTheAtlas) {
   EXPECT_EQ(summary->patients, 7u);
   EXPECT_NEAR(summary->median_kPa, 2.8, 1e-6);
   EXPECT_NEAR(summary->mean_kPa, 25.0 / 7, 1e-6);
-  EXPECT_NEAR(summary->in_atlas_fraction, 5.0 / 7, 1e-9);    // 2.1 to 3.1 kPa
-  EXPECT_NEAR(summary->like_atlas_fraction, 4.0 / 7, 1e-9);  // 2.3 to 3.3 kPa
+  EXPECT_NEAR(summary->in_reference_fraction, 5.0 / 7, 1e-9);    // 2.1 to 3.1 kPa
+  EXPECT_NEAR(summary->like_reference_fraction, 4.0 / 7, 1e-9);  // 2.3 to 3.3 kPa
   EXPECT_NEAR(summary->rank_correlation, 1, 1e-12);
   ASSERT_FALSE(summary->bins.empty());
   EXPECT_NEAR(summary->bins.front().low_kPa, 2.1, 1e-9);

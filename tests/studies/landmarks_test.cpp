@@ -33,7 +33,7 @@ void write_liver(const fs::path& file, double right_kPa, double left_kPa) {
 
 double value(const BatchRow& row, const std::string& column) { return column_of({row}, column).at(0); }
 
-TEST(Landmarks, AreMisplacedWhereALiverIsNotLikeTheAtlas) {
+TEST(Landmarks, AreMisplacedWhereALiverIsNotLikeTheReferenceBody) {
   const TemporaryFolder folder;
   const fs::path maps = folder.path() / "maps";
   fs::create_directories(maps);
@@ -47,10 +47,10 @@ TEST(Landmarks, AreMisplacedWhereALiverIsNotLikeTheAtlas) {
   const auto summary = run_landmarks(maps, folder.path() / "out", options);
   ASSERT_TRUE(summary.has_value()) << summary.error().message();
   ASSERT_EQ(summary->patients, 3u);
-  const BatchRow &like_atlas = summary->rows[0], &soft = summary->rows[1], &halves = summary->rows[2];
+  const BatchRow &like_reference = summary->rows[0], &soft = summary->rows[1], &halves = summary->rows[2];
 
-  EXPECT_LT(value(like_atlas, "atlas_max_mm"), 1e-6);
-  EXPECT_LT(value(like_atlas, "uneven_max_mm"), 1e-6);
+  EXPECT_LT(value(like_reference, "atlas_max_mm"), 1e-6);
+  EXPECT_LT(value(like_reference, "uneven_max_mm"), 1e-6);
   // Twice as soft, it is lifted further by up to as much again; what holds it at the diaphragm is as stiff as before.
   EXPECT_NEAR(value(soft, "atlas_near_tool_mm"), value(soft, "atlas_lifted_mm"), 0.2 * value(soft, "atlas_lifted_mm"));
   EXPECT_NEAR(value(soft, "mean_stiffness_near_tool_mm"), value(soft, "atlas_near_tool_mm"), 1e-6);

@@ -101,11 +101,11 @@ TEST(RealLiversLandmarks, AForkGoesWithTheCellThatItLiesIn) {
   for (std::size_t n = 0; n < liver->landmarks.size(); ++n) {
     const Vector3d& at_mm = liver->landmarks[n].position_mm;
     const auto measured = slow_displacement_mm(retraction->measured, at_mm);
-    const auto atlas = slow_displacement_mm(retraction->atlas, at_mm);
-    if (!measured || !atlas) continue;  // between the outline and the mesh
+    const auto reference = slow_displacement_mm(retraction->reference, at_mm);
+    if (!measured || !reference) continue;  // between the outline and the mesh
     ++compared;
     const double off_mm =
-        std::abs((*measured - *atlas).norm() - retraction->measured_against_atlas.landmarks[n].difference_mm);
+        std::abs((*measured - *reference).norm() - retraction->measured_against_reference.landmarks[n].difference_mm);
     sum_mm += off_mm;
     EXPECT_LT(off_mm, 0.5) << liver->landmarks[n].id;  // cells bend between their corners
   }

@@ -17,7 +17,7 @@ inline Patient block_patient(const std::array<int, 3>& bricks, std::vector<mecha
   rehearsal::RehearsalSetup setup;
   setup.mesh = test::box_of_tetrahedra(bricks, {120, 80, 80});
   setup.patient_youngs_kPa.assign(setup.mesh.cells.size(), 4.0);
-  setup.atlas_youngs_kPa = 8.0;
+  setup.reference_youngs_kPa = 8.0;
   setup.supports = {{geometry::Box{{-1, -1, -1}, {1, 81, 81}}, mechanics::Fixed{}}};
   setup.landmarks = std::move(landmarks);
   Patient patient;

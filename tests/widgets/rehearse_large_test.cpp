@@ -148,7 +148,7 @@ class RehearseLargeTest : public QObject {
     const auto& contacts = rehearsal().contact()->patient_step.tools;
     QVERIFY(std::abs(contacts[0].force_mN.norm() - 1000) < 50);
     QVERIFY(std::abs(contacts[1].force_mN.norm() - 500) < 1e-6);
-    QVERIFY(rehearsal().state()->atlas.has_value());
+    QVERIFY(rehearsal().state()->reference.has_value());
     // The planned cut is led on at large ones too, and each step comes to rest.
     const auto plane = geometry::CutSurface::plane({63, 0, 0}, {1, 0, 0}).value();
     window_->findChild<RehearsePanel*>()->show_plan(

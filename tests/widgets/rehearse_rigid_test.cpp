@@ -29,7 +29,7 @@ class RehearseRigidTest : public QObject {
     QVERIFY(std::abs(rehearsal().state()->force_N.norm() - 1.0) < 0.05);
     QVERIFY(rehearsal().state()->patient.max_displacement_mm > 0.5);
     // It is solved when the reference body lies under it too; what was shown of the patient before is the same moment.
-    QVERIFY(rehearsal().state()->atlas.has_value());
+    QVERIFY(rehearsal().state()->reference.has_value());
     QCOMPARE(rehearsal().track().moments().size(), std::size_t{1});
     QCOMPARE(rehearsal().solids().size(), std::size_t{1});
     const auto shape = rehearsal().state()->patient.surface_mm;

@@ -56,15 +56,15 @@ class RehearseTest : public QObject {
     QVERIFY(placed.wait(patience_ms));
     disconnect(watching);
     QCOMPARE(seen.size(), std::size_t{2});
-    QVERIFY(!seen[0].state.atlas && seen[0].solving == Solving::solving);
-    QVERIFY(seen[1].state.atlas && seen[1].solving == Solving::solved);
+    QVERIFY(!seen[0].state.reference && seen[0].solving == Solving::solving);
+    QVERIFY(seen[1].state.reference && seen[1].solving == Solving::solved);
     QVERIFY(seen[0].state.patient.surface_mm == seen[1].state.patient.surface_mm);
     // Recorded is what was compared, once; the next force is compared at once.
     QCOMPARE(rehearsal().track().moments().size(), std::size_t{1});
-    QVERIFY(rehearsal().track().moments()[0].atlas_off_mm.has_value());
+    QVERIFY(rehearsal().track().moments()[0].reference_off_mm.has_value());
     rehearsal().set_force_N(0.5);
     QCOMPARE(rehearsal().solving(), Solving::solved);
-    QVERIFY(rehearsal().state()->atlas.has_value());
+    QVERIFY(rehearsal().state()->reference.has_value());
   }
 
   // A force that is changed before the reference body is there changes what is shown, and is what is compared then.
@@ -76,7 +76,7 @@ class RehearseTest : public QObject {
     rehearsal().set_force_N(2.0);
     QVERIFY(placed.count() > 0 || placed.wait(patience_ms));
     QCOMPARE(rehearsal().solving(), Solving::solved);
-    QVERIFY(rehearsal().state()->atlas.has_value());
+    QVERIFY(rehearsal().state()->reference.has_value());
     QCOMPARE(rehearsal().state()->force_N.norm(), 2.0);
   }
 

@@ -150,7 +150,7 @@ QWidget* ModelPanel::make_stiffness() {
   part.column->addWidget(moduli_);
   source_ = new QComboBox(part.group);
   source_->setObjectName("model_source");
-  for (const Source source : {mre, atlas_own_cohort, atlas_published, one_value}) source_->addItem({}, source);
+  for (const Source source : {mre, own_cohort_mean, published_mean, one_value}) source_->addItem({}, source);
   part.column->addWidget(source_);
   auto* row = new QHBoxLayout;
   value_ = new NumberBox(part.group);
@@ -170,8 +170,8 @@ QWidget* ModelPanel::make_stiffness() {
   keep_translated(part.group, [=, this, title = part.title] {
     title->setText(tr("Young's modulus"));
     source_->setItemText(mre, tr("From MR elastography"));
-    source_->setItemText(atlas_own_cohort, tr("Assumed: the atlas's 2.1 kPa in shear"));
-    source_->setItemText(atlas_published, tr("Assumed: the atlas's 2.6 kPa in shear"));
+    source_->setItemText(own_cohort_mean, tr("Assumed: the atlas's 2.1 kPa in shear"));
+    source_->setItemText(published_mean, tr("Assumed: the atlas's 2.6 kPa in shear"));
     source_->setItemText(one_value, tr("Assumed: one value for all cells"));
     value_->setSuffix(tr(" kPa"));
     value_->setToolTip(tr("Young's modulus, about three times the shear modulus"));
@@ -242,9 +242,9 @@ void ModelPanel::take_choice(const StiffnessChoice& choice) {
   if (const auto* uniform = std::get_if<casefile::Uniform>(&choice)) {
     source_->setCurrentIndex(one_value);
     value_->setValue(uniform->youngs_kPa);
-  } else if (const auto* atlas = std::get_if<casefile::FromAtlas>(&choice)) {
-    source_->setCurrentIndex(atlas->atlas == elastography::Atlas::published_cohort ? atlas_published
-                                                                                   : atlas_own_cohort);
+  } else if (const auto* reference = std::get_if<casefile::FromPopulationMean>(&choice)) {
+    source_->setCurrentIndex(reference->reference == elastography::PopulationMean::published_cohort ? published_mean
+                                                                                                    : own_cohort_mean);
   } else {
     source_->setCurrentIndex(mre);
   }
@@ -253,9 +253,9 @@ void ModelPanel::take_choice(const StiffnessChoice& choice) {
 StiffnessChoice ModelPanel::choice() const {
   switch (source_->currentData().toInt()) {
     case mre: return casefile::FromMre{};
-    case atlas_published: return casefile::FromAtlas{elastography::Atlas::published_cohort};
+    case published_mean: return casefile::FromPopulationMean{elastography::PopulationMean::published_cohort};
     case one_value: return casefile::Uniform{value_->value()};
-    default: return casefile::FromAtlas{};
+    default: return casefile::FromPopulationMean{};
   }
 }
 

@@ -34,7 +34,7 @@ class ModelPanel : public QWidget {
   void hideEvent(QHideEvent* event) override;
 
  private:
-  enum Source { mre, atlas_own_cohort, atlas_published, one_value };
+  enum Source { mre, own_cohort_mean, published_mean, one_value };
 
   QWidget* make_facts();
   QWidget* make_stiffness();

@@ -30,10 +30,10 @@ TrackPlot::TrackPlot(QWidget* parent) : QWidget(parent) {
     axis->setLabelPadding(1);
   }
   moved_ = plot_->addGraph();
-  atlas_off_ = plot_->addGraph();
+  reference_off_ = plot_->addGraph();
   force_ = plot_->addGraph(plot_->xAxis, plot_->yAxis2);
   int curve = 0;
-  for (QCPGraph* graph : {moved_, atlas_off_, force_}) {
+  for (QCPGraph* graph : {moved_, reference_off_, force_}) {
     graph->setPen(curve_pen(curve++));
     graph->setLineStyle(QCPGraph::lsStepLeft);
   }
@@ -66,7 +66,7 @@ TrackPlot::TrackPlot(QWidget* parent) : QWidget(parent) {
     plot_->xAxis->setLabel(tr("s"));
     plot_->yAxis->setLabel(tr("mm"));
     plot_->yAxis2->setLabel(tr("N"));
-    atlas_off_->setName(tr("Atlas off"));
+    reference_off_->setName(tr("Atlas off"));
     force_->setName(tr("Force"));
     five_mm_label_->setText(tr("5 mm"));
     plot_->replot(QCustomPlot::rpQueuedReplot);
@@ -84,12 +84,12 @@ void TrackPlot::show_track(const RehearsalTrack& track, std::optional<std::size_
     const bool usable = moment.validity.usable();  // else a gap
     time_s << moment.time_s;
     moved_mm << (!usable ? qQNaN() : known ? moment.landmarks_mm[*landmark] : moment.max_displacement_mm);
-    off_mm << (usable ? moment.atlas_off_mm.value_or(qQNaN()) : qQNaN());
+    off_mm << (usable ? moment.reference_off_mm.value_or(qQNaN()) : qQNaN());
     force_N << moment.force_N;
   }
   moved_->setName(landmark ? landmark_name : tr("Moves at most"));
   moved_->setData(time_s, moved_mm, true);
-  atlas_off_->setData(time_s, off_mm, true);
+  reference_off_->setData(time_s, off_mm, true);
   force_->setData(time_s, force_N, true);
   const auto top_of = [](const QVector<double>& values, double minimum) {
     for (const double value : values) {

@@ -30,7 +30,7 @@ class TrackPlot : public QWidget {
  private:
   QCustomPlot* plot_;
   QCPGraph* moved_;
-  QCPGraph* atlas_off_;
+  QCPGraph* reference_off_;
   QCPGraph* force_;
   QCPItemStraightLine* five_mm_;
   QCPItemText* five_mm_label_;

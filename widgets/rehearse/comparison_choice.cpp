@@ -19,7 +19,7 @@ ComparisonChoice::ComparisonChoice(QWidget* parent) : QWidget(parent), group_(ne
     row->addWidget(button, 1);
   };
   add(Bodies::patient, "first");
-  add(Bodies::atlas, "middle");
+  add(Bodies::reference, "middle");
   add(Bodies::both, "middle");
   add(Bodies::side_by_side, "last");
   keep_translated(this, [this] { word(); });
@@ -31,7 +31,7 @@ void ComparisonChoice::choose(Bodies bodies) { group_->button(static_cast<int>(b
 
 void ComparisonChoice::set_comparable(bool comparable) {
   comparable_ = comparable;
-  for (const Bodies bodies : {Bodies::atlas, Bodies::both, Bodies::side_by_side}) {
+  for (const Bodies bodies : {Bodies::reference, Bodies::both, Bodies::side_by_side}) {
     group_->button(static_cast<int>(bodies))->setEnabled(comparable);
   }
   word();
@@ -46,7 +46,7 @@ void ComparisonChoice::word() {
   const QString alone = tr("No stiffness was measured: there is nothing to compare with the atlas");
   say(Bodies::patient, tr("Patient"),
       comparable_ ? tr("With this patient's own stiffness, as it was measured") : tr("With the assumed stiffness"));
-  say(Bodies::atlas, tr("Atlas"),
+  say(Bodies::reference, tr("Atlas"),
       comparable_ ? tr("With one stiffness for the whole liver, as an atlas gives it") : alone);
   say(Bodies::both, tr("Both"), comparable_ ? tr("Atlas in red, patient in blue: purple where they agree") : alone);
   say(Bodies::side_by_side, tr("Side by side"),

@@ -58,7 +58,7 @@ void LandmarkTable::show_state(const rehearsal::RehearsalState* state) {
     setRowCount(0);
     return;
   }
-  setColumnHidden(apart_column, !state->atlas);
+  setColumnHidden(apart_column, !state->reference);
   filling_ = true;
   setRowCount(static_cast<int>(state->patient.landmarks.size()));
   for (std::size_t k = 0; k < state->patient.landmarks.size(); ++k) {
@@ -74,7 +74,7 @@ void LandmarkTable::show_state(const rehearsal::RehearsalState* state) {
 void LandmarkTable::fill_row(int row, const mechanics::DisplacedLandmark& landmark,
                              const rehearsal::LandmarkDifference* difference) {
   const bool moves_far = landmark.displacement_mm >= rehearsal::significant_mm;
-  const bool atlas_far = difference != nullptr && difference->significant();
+  const bool reference_far = difference != nullptr && difference->significant();
   QTableWidgetItem* name = ensured(*this, row, name_column);
   name->setText(structure_label(landmark.id));
   const bool own = own_.count(landmark.id) != 0;
@@ -91,15 +91,15 @@ void LandmarkTable::fill_row(int row, const mechanics::DisplacedLandmark& landma
   apart->setText(difference != nullptr ? QLocale().toString(difference->difference_mm, 'f', 1) : QString("–"));
   for (QTableWidgetItem* number : {moves, apart}) number->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
   QTableWidgetItem* flag = ensured(*this, row, flag_column);
-  flag->setText(atlas_far ? tr("▲ Atlas off") : moves_far ? tr("● Moves") : QString());
+  flag->setText(reference_far ? tr("▲ Atlas off") : moves_far ? tr("● Moves") : QString());
   // Colour repeats what the words say.
   const QBrush plain;
   const QColor amber = theme_colour("warning");
   moves->setForeground(moves_far ? QBrush(amber) : plain);
-  apart->setForeground(atlas_far ? QBrush(amber) : plain);
-  flag->setForeground(moves_far || atlas_far ? QBrush(amber) : plain);
+  apart->setForeground(reference_far ? QBrush(amber) : plain);
+  flag->setForeground(moves_far || reference_far ? QBrush(amber) : plain);
   QFont font = flag->font();
-  font.setBold(atlas_far);
+  font.setBold(reference_far);
   flag->setFont(font);
 }
 

@@ -302,7 +302,7 @@ void RehearsePanel::show_state() {
   if (state->patient.landmarks.empty()) {
     text += " " + tr("There are no landmarks: put the crosshair where one is to be, then press Set.");
   }
-  if (state->atlas) text += " " + tr("The atlas is off by up to %1 mm.").arg(state->max_difference_mm, 0, 'f', 1);
+  if (state->reference) text += " " + tr("The atlas is off by up to %1 mm.").arg(state->max_difference_mm, 0, 'f', 1);
   summary_->setText(text);
 }
 

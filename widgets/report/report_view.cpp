@@ -39,7 +39,7 @@ std::optional<report::RehearsedRetraction> retraction_of(const LiveRehearsal& re
   for (std::size_t k = 0; k < state->patient.landmarks.size(); ++k) {
     const auto& landmark = state->patient.landmarks[k];
     made.landmarks.push_back({landmark.id, landmark.displacement_mm, {}});
-    if (k < state->differences.size()) made.landmarks.back().atlas_off_mm = state->differences[k].difference_mm;
+    if (k < state->differences.size()) made.landmarks.back().reference_off_mm = state->differences[k].difference_mm;
   }
   return made;
 }

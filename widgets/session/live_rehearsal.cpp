@@ -314,7 +314,7 @@ void LiveRehearsal::record(std::shared_ptr<const rehearsal::SessionState> contac
   const auto asked = [](const rehearsal::SessionState& state) { return state.number - state.settles; };
   const auto* last = track_.empty() ? nullptr : track_.moments().back().contact.get();
   const bool nearer_to_rest = contact && contact->settles > 0 && last != nullptr && asked(*last) == asked(*contact);
-  const bool compared_now = contact && contact->atlas && last != nullptr && !last->atlas &&
+  const bool compared_now = contact && contact->reference && last != nullptr && !last->reference &&
                             track_.moments().back().tools == moment.tools &&
                             (last->cut ? last->cut->advances : 0) == (contact->cut ? contact->cut->advances : 0);
   if (nearer_to_rest || compared_now) {

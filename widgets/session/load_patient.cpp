@@ -192,8 +192,8 @@ Result<Patient> build_model(const fs::path& case_folder, const Progress& progres
   // Shares of the time that 20,000 cells take: the factorisation, at loading, is most of it.
   if (auto meshed = casefile::mesh_liver(*opened, {}, progress.part(0, 0.2)); !meshed) return failure(meshed.error());
   const bool measured = opened->find("volumes/stiffness") != nullptr;
-  const casefile::StiffnessChoice choice =
-      measured ? casefile::StiffnessChoice(casefile::FromMre{}) : casefile::StiffnessChoice(casefile::FromAtlas{});
+  const casefile::StiffnessChoice choice = measured ? casefile::StiffnessChoice(casefile::FromMre{})
+                                                    : casefile::StiffnessChoice(casefile::FromPopulationMean{});
   if (auto given = casefile::assign_stiffness(*opened, choice, {}, progress.part(0.2, 0.22)); !given) {
     return failure(given.error());
   }

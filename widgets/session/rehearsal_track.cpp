@@ -51,7 +51,7 @@ std::string RehearsalTrack::csv(const std::vector<std::string>& landmark_ids) co
                                                                          : std::string(",");
     };
     text += fmt::format("{:.3f},{},{:.4f}", moment.time_s, tools, moment.force_N);
-    text += figure(moment.max_displacement_mm) + figure(moment.atlas_off_mm);
+    text += figure(moment.max_displacement_mm) + figure(moment.reference_off_mm);
     for (const double displacement_mm : moment.landmarks_mm) text += figure(displacement_mm);
     text += fmt::format(",{},{:.4f},{}", to_string(validity.state()), validity.largest_strain, validity.inverted_cells);
     text += figure(moment.contact ? moment.contact->error_bound_mm : std::nullopt) + "\n";
@@ -65,7 +65,7 @@ Moment moment_of(std::vector<PlacedTool> tools, const rehearsal::RehearsalState&
   moment.force_N = state.force_N.norm();
   moment.max_displacement_mm = state.patient.max_displacement_mm;
   moment.validity = state.validity;
-  if (state.atlas) moment.atlas_off_mm = state.max_difference_mm;
+  if (state.reference) moment.reference_off_mm = state.max_difference_mm;
   for (const auto& landmark : state.patient.landmarks) moment.landmarks_mm.push_back(landmark.displacement_mm);
   return moment;
 }

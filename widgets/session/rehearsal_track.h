@@ -15,7 +15,7 @@ struct Moment {
   std::vector<PlacedTool> tools;
   double force_N = 0;  // the length of the sum of all tools' forces
   double max_displacement_mm = 0;
-  std::optional<double> atlas_off_mm =
+  std::optional<double> reference_off_mm =
       {};                             // the largest over the liver's surface, where there is an atlas to compare with
   std::vector<double> landmarks_mm;   // how far each one moves
   mechanics::Validity validity = {};  // what these figures are worth

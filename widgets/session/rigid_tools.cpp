@@ -41,12 +41,12 @@ rehearsal::RehearsalState state_of(const rehearsal::SessionState& session) {
   rehearsal::RehearsalState state;
   for (const auto& tool : session.patient_step.tools) state.force_N += 1e-3 * tool.force_mN;
   state.patient = session.patient;
-  state.atlas = session.atlas;
+  state.reference = session.reference;
   state.differences = session.differences;
   state.max_difference_mm = session.max_difference_mm;
   state.relative_residual = session.patient_step.report.relative_residual;
-  if (session.atlas_step) {
-    state.relative_residual = std::max(state.relative_residual, session.atlas_step->report.relative_residual);
+  if (session.reference_step) {
+    state.relative_residual = std::max(state.relative_residual, session.reference_step->report.relative_residual);
   }
   state.validity = session.validity;
   state.answer_ms = session.step_ms;

@@ -99,10 +99,10 @@ void PatientViews::show_patient(const Patient& patient) {
   state_.reset();
   tools_.clear();
   patient_body_.clear();
-  atlas_body_.clear();
+  reference_body_.clear();
   for (const PatientStructure& structure : patient.structures) {
     patient_body_.push_back(movable_copy(*structure.surface));
-    atlas_body_.push_back(movable_copy(*structure.surface));
+    reference_body_.push_back(movable_copy(*structure.surface));
   }
   vessel_tubes_.look_for(patient_);
   take_tubes();
@@ -119,7 +119,7 @@ void PatientViews::show_patient(const Patient& patient) {
 }
 
 void PatientViews::take_tubes() {
-  for (Body* tubes : {&patient_tubes_, &atlas_tubes_}) {
+  for (Body* tubes : {&patient_tubes_, &reference_tubes_}) {
     tubes->clear();
     for (const PatientStructure& structure : patient_.structures) {
       const VesselTubes::Vessel* vessel = vessel_tubes_.of(structure.name);
@@ -164,7 +164,7 @@ void PatientViews::set_tool_movable(bool movable) {
 }
 
 std::optional<PatientViews::PlaceOnLiver> PatientViews::place_on_liver(const scene::View::Pick& pick) const {
-  const bool liver = !patient_body_.empty() && (pick.surface == patient_body_[0] || pick.surface == atlas_body_[0]);
+  const bool liver = !patient_body_.empty() && (pick.surface == patient_body_[0] || pick.surface == reference_body_[0]);
   if (!liver) return std::nullopt;
   const auto& rest_mm = patient_.structures.front().surface->points_mm;
   std::array<Eigen::Vector3d, 3> corners_mm;
@@ -240,10 +240,10 @@ void PatientViews::set_marked_landmark(const std::string& id) {
 scene::SurfaceItem PatientViews::item(std::size_t structure, const Body& body, Bodies bodies) const {
   const std::string& name = patient_.structures[structure].name;
   const scene::Appearance look = scene::appearance_of(name);
-  const auto& tubes = (&body == &atlas_body_ ? atlas_tubes_ : patient_tubes_)[structure];
+  const auto& tubes = (&body == &reference_body_ ? reference_tubes_ : patient_tubes_)[structure];
   scene::SurfaceItem item{name, tubes ? tubes : body[structure], look.colour, look.opacity, look.finish, {}};
   if (bodies == Bodies::both) {
-    item.colour = &body == &atlas_body_ ? red : blue;
+    item.colour = &body == &reference_body_ ? red : blue;
     item.opacity = structure == 0 ? 0.45 : 0.8;
     item.finish = scene::Finish::light;
   } else if (structure == 0 && liver_colour_ == LiverColour::displacement && has_figures()) {
@@ -258,11 +258,11 @@ void PatientViews::rebuild_space() {
   if (bodies_ == Bodies::side_by_side) {
     scene::Scene patient = space_scene(Bodies::patient);
     patient.annotations.title = tr("The patient's own stiffness").toStdString();
-    scene::Scene atlas = space_scene(Bodies::atlas);
-    atlas.annotations.title = tr("One stiffness from the atlas").toStdString();
-    for (scene::Scene* each : {&patient, &atlas}) each->annotations.text_scale = 0.8;
+    scene::Scene reference = space_scene(Bodies::reference);
+    reference.annotations.title = tr("One stiffness from the atlas").toStdString();
+    for (scene::Scene* each : {&patient, &reference}) each->annotations.text_scale = 0.8;
     views_.space().show_scene(patient);
-    views_.second_space().show_scene(atlas);
+    views_.second_space().show_scene(reference);
     views_.second_space().follow(views_.space().view().camera());
   } else {
     views_.space().show_scene(space_scene(bodies_));
@@ -278,8 +278,8 @@ scene::Scene PatientViews::space_scene(Bodies bodies) const {
       mode != WorkspaceScene::Patient::at_rest_in_slices_only && mode != WorkspaceScene::Patient::hidden;
   for (std::size_t k = 0; in_space && k < patient_.structures.size(); ++k) {
     if (hidden_.count(patient_.structures[k].name) != 0) continue;
-    if (bodies != Bodies::patient) scene.surfaces.push_back(item(k, atlas_body_, bodies));
-    if (bodies == Bodies::atlas) continue;
+    if (bodies != Bodies::patient) scene.surfaces.push_back(item(k, reference_body_, bodies));
+    if (bodies == Bodies::reference) continue;
     scene.surfaces.push_back(item(k, patient_body_, bodies));
     if (bodies == Bodies::both || cut_body_.empty()) continue;
     if (std::count(crossed_.begin(), crossed_.end(), k) != 0 && k > 0) scene.surfaces.back().colour = amber;
@@ -342,7 +342,7 @@ void PatientViews::rebuild_slices() {
     const scene::Colour colour = scene::appearance_of(structure.name).colour;
     // The rest shape stays as a faint line, so that the movement can be read off.
     content.cuts.push_back({structure.surface, {0.45 * colour.red, 0.45 * colour.green, 0.45 * colour.blue}, 1.0});
-    if (cuts(Bodies::atlas)) content.cuts.push_back({atlas_body_[k], has_both() ? red : colour, 1.6});
+    if (cuts(Bodies::reference)) content.cuts.push_back({reference_body_[k], has_both() ? red : colour, 1.6});
     if (cuts(Bodies::patient)) content.cuts.push_back({patient_body_[k], has_both() ? blue : colour, 1.6});
   }
   for (const PatientStructure& structure : patient_.around) {

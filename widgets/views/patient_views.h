@@ -16,7 +16,7 @@
 
 namespace glisson::widgets {
 
-enum class Bodies { patient, atlas, both, side_by_side };
+enum class Bodies { patient, reference, both, side_by_side };
 enum class LiverColour { tissue, displacement };
 enum class SliceImage { anatomy, stiffness };
 
@@ -97,7 +97,7 @@ class PatientViews : public QObject {
   LinkedViews& views_;
   Patient patient_;
   Body patient_body_;
-  Body atlas_body_;
+  Body reference_body_;
   std::vector<std::shared_ptr<const geometry::Surface>> cut_body_;  // empty: nothing is cut
   std::vector<std::size_t> crossed_;                                // structures that the cut has reached
   std::optional<rehearsal::RehearsalState> state_;
@@ -115,7 +115,7 @@ class PatientViews : public QObject {
   std::string marked_landmark_;
   double colour_range_mm_ = 20;
   VesselTubes vessel_tubes_;
-  Body patient_tubes_, atlas_tubes_;  // null where a structure has none
+  Body patient_tubes_, reference_tubes_;  // null where a structure has none
 };
 
 }  // namespace glisson::widgets

@@ -36,15 +36,15 @@ Eigen::Vector3d moved_with(const std::vector<Eigen::Vector3d>& rest_mm, const st
 void PatientViews::apply_state() {
   const bool moved = state_ && !at_rest();
   const rehearsal::RehearsalBody* own = moved ? &state_->patient : nullptr;
-  const rehearsal::RehearsalBody* atlas = moved && state_->atlas ? &*state_->atlas : nullptr;
+  const rehearsal::RehearsalBody* reference = moved && state_->reference ? &*state_->reference : nullptr;
   move_body(patient_body_, own);
-  move_body(atlas_body_, atlas);
+  move_body(reference_body_, reference);
   move_tubes(patient_tubes_, own);
-  move_tubes(atlas_tubes_, atlas);
+  move_tubes(reference_tubes_, reference);
   draw_cut(moved ? state_->cut.get() : nullptr);
 
-  draw_marks(views_.space(), bodies_ == Bodies::atlas && atlas != nullptr ? atlas : own);
-  if (bodies_ == Bodies::side_by_side) draw_marks(views_.second_space(), atlas != nullptr ? atlas : own);
+  draw_marks(views_.space(), bodies_ == Bodies::reference && reference != nullptr ? reference : own);
+  if (bodies_ == Bodies::side_by_side) draw_marks(views_.second_space(), reference != nullptr ? reference : own);
   // On the screen that is said above the views; a picture that leaves it says it itself, by its first clause.
   static const QRegularExpression end_of_clause("[:,]");
   views_.set_caption_of_pictures(translated(patient_.origin).section(end_of_clause, 0, 0));

@@ -2,7 +2,7 @@
 // The forward model of a palpation: where each marker is seen, for the declared specimen and with effects switched on.
 //
 // Declared: linear elasticity at small strain with quadratic tetrahedra on the given mesh (its cells promoted, edges
-// straight), the supports' named points held with the mid-side nodes between them, the tool's force as a uniform dead
+// straight), the supports' named points fixed with the mid-side nodes between them, the tool's force as a uniform dead
 // traction over the boundary faces whose centroid at rest lies within its radius, declared gravity in every measured
 // state. internal/effects.h says how each effect changes this; internal/state.h how they compose.
 //

@@ -67,7 +67,7 @@ class ImplicitEuler {
 
   [[nodiscard]] Eigen::VectorXd displacement_mm() const;
   [[nodiscard]] Eigen::VectorXd velocity_mm_s() const;
-  // What is held keeps its displacement and does not move.
+  // What is fixed keeps its displacement and does not move.
   void set_state(const Eigen::VectorXd& displacement_mm, const Eigen::VectorXd& velocity_mm_s);
 
   [[nodiscard]] const Body& body() const;

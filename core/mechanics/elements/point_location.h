@@ -8,7 +8,7 @@
 
 namespace glisson::mechanics {
 
-// A place in a cell. A point outside the body is held by the nearest place on its boundary, at `outside_by_mm`.
+// A place in a cell. A point outside the body is taken to the nearest place on its boundary, at `outside_by_mm`.
 struct PointInMesh {
   int cell = -1;
   Eigen::Vector4d barycentric{0, 0, 0, 0};  // of the cell's corners; not negative (to rounding), sums to 1

@@ -21,7 +21,7 @@ struct StaticOptions {
   std::optional<Capsule> capsule = std::nullopt;                // over the whole boundary
   std::optional<TransverseIsotropy> anisotropy = std::nullopt;  // of the whole body; StaticModel alone knows it
   int max_refinements = 8;  // each gains several digits; more would not help a matrix that needs them
-  // May parts hang apart, as they do behind a cut? For equilibrium each must then be held by itself.
+  // May parts hang apart, as they do behind a cut? For equilibrium each must then be fixed by itself.
   enum class Parts { one, several } parts = Parts::one;
   std::uint64_t memory_limit_bytes = std::uint64_t{12} << 30;  // the factor is refused before it asks for more
   // May supports prescribe displacements? Where no one looks at them, such a support is refused.

@@ -1,5 +1,5 @@
 #pragma once
-// Supports as values -> which unknowns are held, which faces stand on springs, which points hang on ligaments.
+// Supports as values -> which unknowns are fixed, which faces stand on springs, which points hang on ligaments.
 
 #include <cstdint>
 #include <Eigen/Core>
@@ -28,7 +28,7 @@ struct LigamentSpring {
 };
 
 struct ResolvedSupports {
-  std::vector<std::uint8_t> fixed;    // 3 a node (x, y, z): 1 where that displacement is held
+  std::vector<std::uint8_t> fixed;    // 3 a node (x, y, z): 1 where that displacement is fixed
   std::vector<int> support_of_fixed;  // one each of `fixed`: the first support that holds it, or -1
   Eigen::VectorXd prescribed_mm;      // 3 a node, zero where nothing is prescribed; empty where nothing is anywhere
   std::vector<FoundationFace> foundations;

@@ -43,7 +43,7 @@ struct Ball {
 };
 using Region = std::variant<NamedPoints, Ball, geometry::Box>;
 
-// A Dirichlet condition: the named points move by the displacement, in the directions (x, y, z) that are held; by
+// A Dirichlet condition: the named points move by the displacement, in the directions (x, y, z) that are fixed; by
 // nothing where none is prescribed. A mid-side node moves with them when it belongs to a face all three of whose points
 // are named. A displacement other than zero is known in equilibrium by finite elements without tools.
 struct Fixed {

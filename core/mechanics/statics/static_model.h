@@ -36,14 +36,14 @@ class EliminationOrder;
 // 3 values a node, x y z, in the order of NodeLayout.
 struct NodalLoad {
   Eigen::VectorXd force_mN;                    // 3 * nodes
-  Eigen::VectorXd prescribed_displacement_mm;  // 3 * nodes, read where a node is held; empty: held nodes stay
+  Eigen::VectorXd prescribed_displacement_mm;  // 3 * nodes, read where a node is fixed; empty: fixed nodes stay
 };
 
 class StaticModel {
  public:
   // Checks everything, assembles and factorises. `youngs_kPa` has one value a cell. Failures: those of
   // check_tetrahedra; "modulus-invalid" (the first cell is named), "poisson-invalid", "support-empty" (a support
-  // that names nothing), "body-free" (not held enough to be in equilibrium; the free motion is named),
+  // that names nothing), "body-free" (not fixed enough to be in equilibrium; the free motion is named),
   // "too-large" (the factor would not fit the memory limit), "factorisation-failed", "cancelled"; "not-available" (a
   // ligament, which only pulls: find_equilibrium knows it); "fibre direction-invalid". `mutual_points` are points of
   // the mesh whose answers to each other are wanted (mutual_compliance), each once.
@@ -66,7 +66,7 @@ class StaticModel {
   [[nodiscard]] Result<std::vector<StaticResult>> solve_each(const std::vector<Loads>& cases) const;
   [[nodiscard]] Result<StaticResult> solve_nodal(const NodalLoad& load) const;
 
-  // The displacements of all nodes (mm, 3 a node) under each column of forces (mN), held nodes still: for callers that
+  // The displacements of all nodes (mm, 3 a node) under each column of forces (mN), fixed nodes still: for callers that
   // ask often and sum up. Solved once, unrefined; what that left is in `relative_residual`, the worst of the columns.
   struct Responses {
     Eigen::MatrixXd displacement_mm;

@@ -21,7 +21,7 @@ struct StaticResult {
   std::vector<Eigen::Vector3d> mid_side_displacement_mm;  // one an edge, in the model's order; empty for linear cells
 
   Eigen::Vector3d applied_force_mN{0, 0, 0};   // sum of all loads
-  Eigen::Vector3d fixed_reaction_mN{0, 0, 0};  // what the held points push back with, summed
+  Eigen::Vector3d fixed_reaction_mN{0, 0, 0};  // what the fixed points push back with, summed
   // What the points of each fixed support push back with; zero for the other supports, empty where it was not asked
   // for. A point that several supports hold counts for the first of them.
   std::vector<Eigen::Vector3d> support_reaction_mN;
@@ -31,7 +31,7 @@ struct StaticResult {
   int iterations = 0;                               // refinements of a direct solve (0: it sufficed), or Newton steps
   double strain_energy_uJ = 0;                      // in the body; in linear elasticity with its capsule
   double foundation_energy_uJ = 0;                  // at large deformation: of ligaments, capsule and gas as well
-  double external_work_uJ = 0;  // f.u / 2 in linear elasticity: equals the energies where nothing held is moved
+  double external_work_uJ = 0;  // f.u / 2 in linear elasticity: equals the energies where nothing fixed is moved
   double max_displacement_mm = 0;
   double largest_strain = 0;       // largest principal strain in magnitude, over the corners of all cells
   int inverted_cells = 0;          // cells that the displacement turns inside out

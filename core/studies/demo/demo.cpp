@@ -70,7 +70,7 @@ Result<DemoSummary> run_demo(const fs::path& out, const DemoRunOptions& options,
 }
 
 Json summary_json(const DemoSummary& summary) {
-  const auto& comparison = summary.atlas_against_mre;
+  const auto& comparison = summary.reference_against_mre;
   Json document{
       {"simulated", demo_is_simulated},
       {"case", summary.case_folder.string()},
@@ -176,9 +176,9 @@ Result<void> rehearse(Run& run, Case& patient, const Progress& progress) {
   scenario.loads = {rehearsal::tool_load(*placement, run.summary.force_N)};
   const auto mre = mechanics::simulate(model->mesh, scenario, {}, progress.part(0.0, 0.5));
   if (!mre) return failure(mre.error());
-  scenario.youngs_modulus = model->atlas_youngs_kPa;
-  const auto atlas = mechanics::simulate(model->mesh, scenario, {}, progress.part(0.5, 1.0));
-  if (!atlas) return failure(atlas.error());
+  scenario.youngs_modulus = model->reference_youngs_kPa;
+  const auto reference = mechanics::simulate(model->mesh, scenario, {}, progress.part(0.5, 1.0));
+  if (!reference) return failure(reference.error());
   run.summary.validity = validity_of(*mre);
   if (!run.summary.validity.usable()) {
     return failure(Error{"answer-unusable",
@@ -187,14 +187,14 @@ Result<void> rehearse(Run& run, Case& patient, const Progress& progress) {
                          GLISSON_TEXT("Use less force."),
                          {}});
   }
-  auto comparison = rehearsal::compare(*mre, *atlas);
+  auto comparison = rehearsal::compare(*mre, *reference);
   if (!comparison) return failure(comparison.error());
 
-  run.summary.relative_residual = std::max(mre->result.relative_residual, atlas->result.relative_residual);
+  run.summary.relative_residual = std::max(mre->result.relative_residual, reference->result.relative_residual);
   run.summary.max_displacement_mm = mre->result.max_displacement_mm;
-  run.summary.atlas_against_mre = std::move(*comparison);
+  run.summary.reference_against_mre = std::move(*comparison);
   return casefile::write_result(patient.folder() / "results" / "mre", *mre).and_then([&] {
-    return casefile::write_result(patient.folder() / "results" / "atlas", *atlas);
+    return casefile::write_result(patient.folder() / "results" / "atlas", *reference);
   });
 }
 
@@ -249,9 +249,9 @@ Result<void> draw_pictures(Run& run, const Case& patient, const Progress& progre
     if (auto saved = save(draw(scene::case_scene(patient, name)), name); !saved) return saved;
   }
   const fs::path mre = patient.folder() / "results" / "mre";
-  const fs::path atlas = patient.folder() / "results" / "atlas";
+  const fs::path reference = patient.folder() / "results" / "atlas";
   if (auto saved = save(draw(scene::result_scene(mre)), "displacement"); !saved) return saved;
-  const auto comparison = scene::comparison_scene(atlas, "Atlas stiffness", mre, "MRE stiffness");
+  const auto comparison = scene::comparison_scene(reference, "Atlas stiffness", mre, "MRE stiffness");
   if (!comparison) return failure(comparison.error());
   return save(scene::draw_red_blue(*comparison, width, height), "comparison");
 }

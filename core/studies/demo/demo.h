@@ -37,7 +37,7 @@ struct DemoSummary {
   double relative_residual = 0;
   double max_displacement_mm = 0;
   mechanics::Validity validity = {};  // of the equilibrium on the patient's own stiffness
-  rehearsal::Comparison atlas_against_mre;
+  rehearsal::Comparison reference_against_mre;
   double seconds = 0;
 };
 

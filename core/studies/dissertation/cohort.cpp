@@ -67,8 +67,8 @@ Json summary_json(const CohortSummary& summary) {
                 {"sd_kPa", summary.sd_kPa},
                 {"median_kPa", summary.median_kPa},
                 {"interval_95_kPa", {summary.low_kPa, summary.high_kPa}},
-                {"within_atlas_width_of_median_fraction", summary.like_atlas_fraction},
-                {"in_atlas_fraction", summary.in_atlas_fraction},
+                {"within_atlas_width_of_median_fraction", summary.like_reference_fraction},
+                {"in_atlas_fraction", summary.in_reference_fraction},
                 {"upper_limit_over_atlas", summary.upper_limit_ratio},
                 {"rank_correlation_sd_with_mean", summary.rank_correlation},
                 {"bins", Json::array()}};
@@ -126,10 +126,10 @@ double rank_correlation(const std::vector<double>& a, const std::vector<double>&
 
 std::vector<CohortBin> bins_of(const std::vector<double>& means, const std::vector<double>& sds,
                                const CohortOptions& options) {
-  const double width = 2 * options.atlas_half_width_kPa;
+  const double width = 2 * options.reference_half_width_kPa;
   const double minimum = *std::min_element(means.begin(), means.end());
   const double maximum = *std::max_element(means.begin(), means.end());
-  const double first = options.atlas_kPa - options.atlas_half_width_kPa;
+  const double first = options.reference_kPa - options.reference_half_width_kPa;
   std::vector<CohortBin> bins;
   for (double low = first + width * std::floor((minimum - first) / width); low <= maximum; low += width) {
     CohortBin bin{low, low + width, 0, 0};
@@ -158,14 +158,15 @@ void summarise(CohortSummary& summary, const CohortOptions& options) {
   summary.median_kPa = found->median;
   summary.low_kPa = quantile(means, 0.025);
   summary.high_kPa = quantile(means, 0.975);
-  summary.upper_limit_ratio = summary.high_kPa / (options.atlas_kPa + options.atlas_half_width_kPa);
+  summary.upper_limit_ratio = summary.high_kPa / (options.reference_kPa + options.reference_half_width_kPa);
   const auto near = [&](double kPa) {
-    const auto count = std::count_if(means.begin(), means.end(),
-                                     [&](double mean) { return std::abs(mean - kPa) <= options.atlas_half_width_kPa; });
+    const auto count = std::count_if(means.begin(), means.end(), [&](double mean) {
+      return std::abs(mean - kPa) <= options.reference_half_width_kPa;
+    });
     return static_cast<double>(count) / static_cast<double>(means.size());
   };
-  summary.like_atlas_fraction = near(summary.median_kPa);
-  summary.in_atlas_fraction = near(options.atlas_kPa);
+  summary.like_reference_fraction = near(summary.median_kPa);
+  summary.in_reference_fraction = near(options.reference_kPa);
   summary.rank_correlation = rank_correlation(means, sds);
   summary.bins = bins_of(means, sds, options);
 }
@@ -193,7 +194,7 @@ Result<void> write_report(const fs::path& file, const CohortSummary& summary, co
     distribution.histogram->heights.push_back(static_cast<double>(bin.patients));
     if (bin.patients > 0) binned.points.emplace_back(0.5 * (bin.low_kPa + bin.high_kPa), bin.mean_sd_kPa);
   }
-  distribution.rules.push_back({report::Rule::Along::x, options.atlas_kPa, "atlas"});
+  distribution.rules.push_back({report::Rule::Along::x, options.reference_kPa, "atlas"});
   const auto means = column_of(summary.rows, "mean_kPa");
   const auto sds = column_of(summary.rows, "sd_kPa");
   for (std::size_t n = 0; n < means.size(); ++n) each.points.emplace_back(means[n], sds[n]);
@@ -211,8 +212,8 @@ Result<void> write_report(const fs::path& file, const CohortSummary& summary, co
           "{:.1f} kPa; the upper limit is {:.1f} times the atlas's. Within a patient stiffness varies more the stiffer "
           "the patient: rank correlation {:.2f}.",
           summary.mean_kPa, summary.median_kPa, summary.sd_kPa, summary.low_kPa, summary.high_kPa,
-          100 * summary.like_atlas_fraction, options.atlas_half_width_kPa, 100 * summary.in_atlas_fraction,
-          options.atlas_kPa, summary.upper_limit_ratio, summary.rank_correlation)},
+          100 * summary.like_reference_fraction, options.reference_half_width_kPa, 100 * summary.in_reference_fraction,
+          options.reference_kPa, summary.upper_limit_ratio, summary.rank_correlation)},
       distribution, spread};
   report::Table table{"Each patient.", {"Patient", "Mean (kPa)", "sd (kPa)", "5 % (kPa)", "95 % (kPa)"}, {}};
   for (const BatchRow& row : summary.rows) {

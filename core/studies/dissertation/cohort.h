@@ -20,8 +20,8 @@ namespace glisson::studies {
 struct CohortOptions {
   // The atlas: the published mean of healthy livers that section 4.3 compares with, and the half-width within which 95
   // % of that cohort lie. Bins of figs. 4.6 and 4.7 are as wide as that interval, about the atlas's mean.
-  double atlas_kPa = 2.6;
-  double atlas_half_width_kPa = 0.5;
+  double reference_kPa = 2.6;
+  double reference_half_width_kPa = 0.5;
   BatchPart part;       // of a part, one job of many that share the folder, rows are made and nothing that sums them up
   std::string warning;  // shown on the report; "SIMULATED ..." for a simulated cohort
 };
@@ -37,8 +37,8 @@ struct CohortSummary {
   std::size_t patients = 0, failed = 0, reused = 0;
   double mean_kPa = 0, sd_kPa = 0, median_kPa = 0;  // of the patients' means
   double low_kPa = 0, high_kPa = 0;                 // between which 95 % of them lie
-  double like_atlas_fraction = 0;                   // within the atlas's half-width of this cohort's own median
-  double in_atlas_fraction = 0;                     // within it of the atlas's mean
+  double like_reference_fraction = 0;               // within the atlas's half-width of this cohort's own median
+  double in_reference_fraction = 0;                 // within it of the atlas's mean
   double upper_limit_ratio = 0;                     // high_kPa over the atlas's upper limit
   double rank_correlation = 0;                      // Spearman's, of sd with mean; 1: always grows
   std::vector<CohortBin> bins;

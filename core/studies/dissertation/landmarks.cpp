@@ -140,7 +140,7 @@ namespace {
 std::string fingerprint_of(const LandmarksOptions& options) {
   const RetractionOptions& r = options.retraction;
   const BeamOptions& b = options.beams;
-  return fmt::format("landmarks/2 {:g} {:g} {:g} {} {} {:g} {:g} {} {}", r.atlas_kPa, r.force_N, r.poisson_ratio,
+  return fmt::format("landmarks/2 {:g} {:g} {:g} {} {} {:g} {:g} {} {}", r.reference_kPa, r.force_N, r.poisson_ratio,
                      r.target_cells, static_cast<int>(r.law), b.force_N, b.foundation_kPa_per_mm,
                      static_cast<int>(b.engine), b.nodes);
 }
@@ -211,12 +211,12 @@ Result<NamedNumbers> misplacements_in(const Subject& subject, const LandmarksOpt
                    {"volume_ml", retraction->volume_ml},
                    {"cells", static_cast<double>(retraction->cells)},
                    {"lifted_mm", retraction->measured.result.max_displacement_mm},
-                   {"atlas_lifted_mm", retraction->atlas.result.max_displacement_mm},
+                   {"atlas_lifted_mm", retraction->reference.result.max_displacement_mm},
                    {"largest_strain", retraction->measured.result.largest_strain},
-                   {"atlas_mean_mm", retraction->measured_against_atlas.mean_mm},
-                   {"atlas_near_tool_mm", retraction->measured_against_atlas.max_near_tool_mm.value_or(0)},
-                   {"atlas_max_mm", retraction->measured_against_atlas.max_mm},
-                   {"mean_stiffness_near_tool_mm", retraction->mean_against_atlas.max_near_tool_mm.value_or(0)},
+                   {"atlas_mean_mm", retraction->measured_against_reference.mean_mm},
+                   {"atlas_near_tool_mm", retraction->measured_against_reference.max_near_tool_mm.value_or(0)},
+                   {"atlas_max_mm", retraction->measured_against_reference.max_mm},
+                   {"mean_stiffness_near_tool_mm", retraction->mean_against_reference.max_near_tool_mm.value_or(0)},
                    {"own_mean_near_tool_mm", retraction->measured_against_mean.max_near_tool_mm.value_or(0)},
                    {"control_beam_lifted_mm", beams->control_displacement_mm}};
   for (std::size_t r = 0; r < beams->regions.size(); ++r) {
@@ -233,7 +233,7 @@ Result<NamedNumbers> misplacements_in(const Subject& subject, const LandmarksOpt
     row.emplace_back("at_large_strain", retraction->answered == Retraction::Answered::neo_hookean ? 1 : 0);
     row.emplace_back("beyond_linear", retraction->answered == Retraction::Answered::linear_beyond_it ? 1 : 0);
     row.emplace_back("linear_atlas_near_tool_mm",
-                     retraction->linear_measured_against_atlas.max_near_tool_mm.value_or(0));
+                     retraction->linear_measured_against_reference.max_near_tool_mm.value_or(0));
   }
   if (!liver->landmarks.empty()) add_landmarks(*liver, *retraction, row);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
@@ -266,16 +266,16 @@ void add_landmarks(const MeasuredLiver& liver, const Retraction& retraction, Nam
     if (group.members.empty()) continue;
     double sum_mm = 0;
     for (const std::size_t landmark : group.members) {
-      sum_mm += retraction.measured_against_atlas.landmarks[landmark].difference_mm;
+      sum_mm += retraction.measured_against_reference.landmarks[landmark].difference_mm;
     }
     row.emplace_back(group.name + "_mean_mm", sum_mm / static_cast<double>(group.members.size()));
-    row.emplace_back(group.name + "_max_mm", farthest(retraction.measured_against_atlas, group));
+    row.emplace_back(group.name + "_max_mm", farthest(retraction.measured_against_reference, group));
   }
-  const rehearsal::Comparison& linear = retraction.linear_measured_against_atlas;
+  const rehearsal::Comparison& linear = retraction.linear_measured_against_reference;
   row.emplace_back("linear_landmarks_max_mm", farthest(linear, groups.front()));
   row.emplace_back("moved_mm", mean_of(linear.landmarks, [](const auto& one) { return one.displacement_a_mm; }));
   row.emplace_back("atlas_moved_mm", mean_of(linear.landmarks, [](const auto& one) { return one.displacement_b_mm; }));
-  row.emplace_back("by_stiffness_mm", mean_of(retraction.mean_against_atlas.landmarks, apart));
+  row.emplace_back("by_stiffness_mm", mean_of(retraction.mean_against_reference.landmarks, apart));
   row.emplace_back("by_texture_mm", mean_of(retraction.measured_against_mean.landmarks, apart));
   row.emplace_back("by_supports_mm", mean_of(retraction.soft_against_stiff_wall->landmarks, apart));
 }

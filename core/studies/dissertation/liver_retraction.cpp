@@ -57,27 +57,27 @@ Result<Retraction> retract(const MeasuredLiver& liver, const RetractionOptions& 
   scenario.supports = rehearsal::usual_supports();
   scenario.landmarks = liver.landmarks;
   scenario.loads = {rehearsal::tool_load(*placement, options.force_N)};
-  mechanics::Scenario of_atlas = scenario, of_mean = scenario;
-  of_atlas.youngs_modulus = units::youngs_from_shear(options.atlas_kPa, options.poisson_ratio);
+  mechanics::Scenario of_reference = scenario, of_mean = scenario;
+  of_reference.youngs_modulus = units::youngs_from_shear(options.reference_kPa, options.poisson_ratio);
   of_mean.youngs_modulus = *mean_youngs_kPa;
   auto measured = mechanics::simulate(*mesh, scenario, {}, progress.part(0.5, 0.6));
   if (!measured) return failure(measured.error());
   const auto mean = mechanics::simulate(*mesh, of_mean, {}, progress.part(0.6, 0.65));
   if (!mean) return failure(mean.error());
-  auto atlas = mechanics::simulate(*mesh, of_atlas, {}, progress.part(0.65, 0.7));
-  if (!atlas) return failure(atlas.error());
+  auto reference = mechanics::simulate(*mesh, of_reference, {}, progress.part(0.65, 0.7));
+  if (!reference) return failure(reference.error());
 
-  auto measured_against_atlas = rehearsal::compare(*measured, *atlas);
-  if (!measured_against_atlas) return failure(measured_against_atlas.error());
-  auto mean_against_atlas = rehearsal::compare(*mean, *atlas);
-  if (!mean_against_atlas) return failure(mean_against_atlas.error());
+  auto measured_against_reference = rehearsal::compare(*measured, *reference);
+  if (!measured_against_reference) return failure(measured_against_reference.error());
+  auto mean_against_reference = rehearsal::compare(*mean, *reference);
+  if (!mean_against_reference) return failure(mean_against_reference.error());
   auto measured_against_mean = rehearsal::compare(*measured, *mean);
   if (!measured_against_mean) return failure(measured_against_mean.error());
   Retraction retraction{.measured = std::move(*measured),
-                        .atlas = std::move(*atlas),
-                        .measured_against_atlas = *measured_against_atlas,
-                        .linear_measured_against_atlas = std::move(*measured_against_atlas),
-                        .mean_against_atlas = std::move(*mean_against_atlas),
+                        .reference = std::move(*reference),
+                        .measured_against_reference = *measured_against_reference,
+                        .linear_measured_against_reference = std::move(*measured_against_reference),
+                        .mean_against_reference = std::move(*mean_against_reference),
                         .measured_against_mean = std::move(*measured_against_mean),
                         .cells = mesh->cells.size(),
                         .volume_ml = units::ml_from_mm3(geometry::volume_mm3(*mesh))};
@@ -87,7 +87,7 @@ Result<Retraction> retract(const MeasuredLiver& liver, const RetractionOptions& 
     retraction.soft_against_stiff_wall = std::move(*walls);
   }
   retraction.linear_strain =
-      std::max(retraction.measured.result.largest_strain, retraction.atlas.result.largest_strain);
+      std::max(retraction.measured.result.largest_strain, retraction.reference.result.largest_strain);
   if (options.law == RetractionLaw::linear || retraction.linear_strain <= mechanics::small_strain_limit) {
     return retraction;
   }
@@ -123,14 +123,14 @@ Result<void> answer_at_large_strain(const geometry::TetMesh& mesh, Retraction& r
   auto measured = answer(retraction.measured, progress.part(0, 0.5));
   if (!measured) return failure(measured.error());
   if (!mechanics::validity_of(*measured).usable()) return {};
-  auto atlas = answer(retraction.atlas, progress.part(0.5, 1));
-  if (!atlas) return failure(atlas.error());
-  if (!mechanics::validity_of(*atlas).usable()) return {};
-  auto compared = rehearsal::compare(*measured, *atlas);
+  auto reference = answer(retraction.reference, progress.part(0.5, 1));
+  if (!reference) return failure(reference.error());
+  if (!mechanics::validity_of(*reference).usable()) return {};
+  auto compared = rehearsal::compare(*measured, *reference);
   if (!compared) return failure(compared.error());
   retraction.measured = std::move(*measured);
-  retraction.atlas = std::move(*atlas);
-  retraction.measured_against_atlas = std::move(*compared);
+  retraction.reference = std::move(*reference);
+  retraction.measured_against_reference = std::move(*compared);
   retraction.answered = Retraction::Answered::neo_hookean;
   return {};
 }

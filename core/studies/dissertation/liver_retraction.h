@@ -21,7 +21,7 @@ enum class RetractionLaw {
 
 struct RetractionOptions {
   // Shear modulus of the atlas: the published mean of healthy livers that section 4.3 compares with.
-  double atlas_kPa = 2.6;
+  double reference_kPa = 2.6;
   double force_N = 2;  // of the Nathanson retractor under segment VI: the preset's (rehearsal/tool_presets.h)
   double poisson_ratio = usual_poisson_ratio;
   // A coarse mesh: cells of some 14 mm. In two patients tried, differences at the tool were within 2 % of those with
@@ -31,13 +31,13 @@ struct RetractionOptions {
 };
 
 struct Retraction {
-  mechanics::Simulation measured;  // each cell with its own modulus
-  mechanics::Simulation atlas;     // the atlas's one modulus, by the same law
-  rehearsal::Comparison measured_against_atlas;
+  mechanics::Simulation measured;   // each cell with its own modulus
+  mechanics::Simulation reference;  // the atlas's one modulus, by the same law
+  rehearsal::Comparison measured_against_reference;
   // By linear elasticity, whatever the law:
-  rehearsal::Comparison linear_measured_against_atlas;
-  rehearsal::Comparison mean_against_atlas;     // the patient's mean in all cells, which figure 4.8 names
-  rehearsal::Comparison measured_against_mean;  // what is left when the patient's mean is known
+  rehearsal::Comparison linear_measured_against_reference;
+  rehearsal::Comparison mean_against_reference;  // the patient's mean in all cells, which figure 4.8 names
+  rehearsal::Comparison measured_against_mean;   // what is left when the patient's mean is known
   // As measured, on an abdominal wall of 30 mm against one of 15 mm (rehearsal/liver_supports.h); of livers with
   // landmarks alone.
   std::optional<rehearsal::Comparison> soft_against_stiff_wall = {};

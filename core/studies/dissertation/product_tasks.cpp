@@ -143,7 +143,7 @@ Result<ProductTasks> time_product_tasks(const casefile::PatientModel& model, con
   ProductTasks times;
   times.memory_GB_per_s = hardware::memory_bandwidth_GB_s();
   rehearsal::RehearsalSetup setup = casefile::rehearsal_setup(model);
-  setup.atlas_youngs_kPa.reset();
+  setup.reference_youngs_kPa.reset();
   const auto place = rehearsal::hoist_segment_vi(setup.mesh);
   if (!place) return failure(place.error());
   const std::string of = fmt::format("of {} cells", setup.mesh.cells.size());

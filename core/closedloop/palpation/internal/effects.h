@@ -43,7 +43,7 @@ inline const std::string form_fibres = "fibres", form_engineering = "engineering
 inline const std::string form_gravity = "gravity", form_pressure = "pressure";
 }  // namespace palpation
 
-// Those that this experiment could show: no creep where nothing lasts, no compliance where nothing is held by faces.
+// Those that this experiment could show: no creep where nothing lasts, no compliance where nothing is fixed by faces.
 [[nodiscard]] std::vector<Effect> palpation_catalogue(const Palpation& experiment, const SpecimenBody& specimen);
 
 // Springs as stiff as this are no springs: the upper bound of foundation_kPa_per_mm.

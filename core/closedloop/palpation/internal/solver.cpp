@@ -74,7 +74,7 @@ Result<std::shared_ptr<const PalpationSolver::Solution>> solve_structure(
     const SpecimenBody& specimen, const Structure& structure, const Eigen::MatrixXd& loads_mN, const Progress& progress,
     std::shared_ptr<const mechanics::EliminationOrder> order) {
   auto system =
-      mechanics::ConstrainedSystem::create(stiffness(specimen, structure), held(specimen, structure),
+      mechanics::ConstrainedSystem::create(stiffness(specimen, structure), fixed_unknowns(specimen, structure),
                                            specimen.body.options.memory_limit_bytes, progress, std::move(order));
   if (!system) return failure(std::move(system.error()));
   auto solution = std::make_shared<PalpationSolver::Solution>(

@@ -33,7 +33,7 @@ class PalpationSolver {
   };
   [[nodiscard]] Result<std::shared_ptr<const Solution>> solution(const Structure& structure) const;
 
-  // (inverse of the stiffness) times the columns, by the factor alone; zero where the structure is held.
+  // (inverse of the stiffness) times the columns, by the factor alone; zero where the structure is fixed.
   [[nodiscard]] static Eigen::MatrixXd solve(const Solution& solution, const Eigen::MatrixXd& forces_mN);
 
   [[nodiscard]] const SpecimenBody& specimen() const { return *specimen_; }

@@ -135,9 +135,9 @@ void for_each_column(Eigen::Index columns, const OfColumn& of_column) {
 class Preconditioner {
  public:
   Preconditioner(const SpecimenBody& specimen, const PalpationSolver::Solution& linear) : linear_(linear) {
-    const auto& is_held = held(specimen, linear.structure);
-    for (std::size_t i = 0; i < is_held.size(); ++i) {
-      if (!is_held[i]) free_.push_back(static_cast<int>(i));
+    const auto& is_fixed = fixed_unknowns(specimen, linear.structure);
+    for (std::size_t i = 0; i < is_fixed.size(); ++i) {
+      if (!is_fixed[i]) free_.push_back(static_cast<int>(i));
     }
   }
   [[nodiscard]] Eigen::MatrixXd operator()(const Eigen::MatrixXd& forces) const {

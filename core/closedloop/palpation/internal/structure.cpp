@@ -122,7 +122,7 @@ Eigen::SparseMatrix<double> stiffness(const SpecimenBody& specimen, const Struct
   return lower;
 }
 
-const std::vector<std::uint8_t>& held(const SpecimenBody& specimen, const Structure& structure) {
+const std::vector<std::uint8_t>& fixed_unknowns(const SpecimenBody& specimen, const Structure& structure) {
   return structure.compliance_mm_per_kPa > 0 ? specimen.soft->fixed : specimen.body.resolved.fixed;
 }
 
@@ -232,8 +232,8 @@ std::optional<SoftSupports> soft_supports(const mechanics::Body& body) {
   std::vector<double> declared;  // compliance of each support
   for (const mechanics::Support& support : body.supports) {
     if (std::holds_alternative<mechanics::Ligament>(support.how)) return std::nullopt;
-    if (const auto* held = std::get_if<mechanics::Fixed>(&support.how)) {
-      if (held->directions != std::array<bool, 3>{true, true, true}) return std::nullopt;
+    if (const auto* fixed = std::get_if<mechanics::Fixed>(&support.how)) {
+      if (fixed->directions != std::array<bool, 3>{true, true, true}) return std::nullopt;
       declared.push_back(0.0);
     } else {
       declared.push_back(1.0 / std::get<mechanics::Foundation>(support.how).stiffness_kPa_per_mm);

@@ -64,7 +64,7 @@ struct SpecimenBody {
   mechanics::Body body;
   Elements elements;
   std::optional<SoftSupports>
-      soft;  // none where a held support covers no face, or holds some directions only, or there are ligaments
+      soft;  // none where a fixed support covers no face, or holds some directions only, or there are ligaments
 };
 Result<SpecimenBody> specimen_body(geometry::TetMesh mesh, std::vector<double> youngs_kPa,
                                    std::vector<mechanics::Support> supports, double poisson_ratio,
@@ -79,7 +79,7 @@ Result<SpecimenBody> specimen_body(geometry::TetMesh mesh, std::vector<double> y
 
 // Lower triangle (mN/mm), and which unknowns are fixed.
 [[nodiscard]] Eigen::SparseMatrix<double> stiffness(const SpecimenBody& specimen, const Structure& structure);
-[[nodiscard]] const std::vector<std::uint8_t>& held(const SpecimenBody& specimen, const Structure& structure);
+[[nodiscard]] const std::vector<std::uint8_t>& fixed_unknowns(const SpecimenBody& specimen, const Structure& structure);
 
 // (d stiffness / d parameter) u, mN per unit of the parameter. `compliance` needs a structure whose compliance is
 // above zero, `axis` and `anisotropy_ratio` one that has an anisotropy, and so on.

@@ -18,7 +18,7 @@ class SplineLattice {
   template <typename Value>
   using Shares = std::vector<std::pair<int, Value>>;
 
-  // The finest with at most so many wide points near the nodes. `fixed` has 1 where a displacement is held.
+  // The finest with at most so many wide points near the nodes. `fixed` has 1 where a displacement is fixed.
   SplineLattice(const std::vector<Eigen::Vector3d>& positions_mm, const std::vector<std::uint8_t>& fixed,
                 int most_wide_points);
 

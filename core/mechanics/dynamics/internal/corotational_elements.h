@@ -2,7 +2,7 @@
 // The linear tetrahedra of a moving body, each with the rotation it has turned by: forces in double precision without
 // any matrix, and the same stiffness as blocks of one.
 //
-// The force is that of warped stiffness (corotational.h): R C : sym(R^T grad w - I), with R held. Nodes are numbered
+// The force is that of warped stiffness (corotational.h): R C : sym(R^T grad w - I), with R kept. Nodes are numbered
 // anew, along the body's longest side, and cells go through in slabs along it, every other one at a time: two slabs
 // that are worked on together share no node, and every sum is made in the same order with any number of threads.
 
@@ -33,7 +33,7 @@ class CorotationalElements {
   // Takes every cell's rotation from the displacement.
   Turned turn(const Eigen::VectorXd& u_mm);
 
-  // Adds the forces (mN) that the cells resist with where the nodes are moved by u, rotations held.
+  // Adds the forces (mN) that the cells resist with where the nodes are moved by u, rotations kept.
   void add_force_mN(const Eigen::VectorXd& u_mm, Eigen::VectorXd& force_mN) const;
   // Adds `factor` K w with the same rotations: the change of the forces above.
   void add_stiffness_times(double factor, const Eigen::VectorXd& w, Eigen::VectorXd& product) const;

@@ -24,7 +24,7 @@ struct CellKernels {
     int inverted_cells = 0;
     double strain_energy_uJ = 0;
   };
-  // Takes the rotations of F = I + grad u, unless `held`, and sums up. Where a cell is crushed or inside out, its
+  // Takes the rotations of F = I + grad u, unless `kept`, and sums up. Where a cell is crushed or inside out, its
   // rotation is asked of `slow_rotation` (F in, R out, [row][column]).
   Turned (*turn)(ElementBatch* begin, const ElementBatch* end, const double* u, bool fixed,
                  void (*slow_rotation)(const double f[3][3], double r[3][3]));

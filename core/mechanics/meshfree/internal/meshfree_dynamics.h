@@ -42,7 +42,7 @@ class MeshfreeImplicitEuler {
   // Gives every handle the motion of a rigid body: velocity and spin (per second) about the origin.
   void set_rigid_velocity(const Eigen::Vector3d& velocity_mm_s, const Eigen::Vector3d& spin_per_s);
 
-  // What the held points push back with, summed.
+  // What the fixed points push back with, summed.
   [[nodiscard]] Eigen::Vector3d fixed_reaction_mN() const;
   // Of the whole body.
   [[nodiscard]] Eigen::Vector3d momentum_kg_mm_s() const;

@@ -15,7 +15,7 @@ class DeviceGradients {
  public:
   static constexpr int iterations_between_looks = 8;
 
-  // For matrices with this one's pattern. `mask` is 1 for what is free and 0 for what is held, 3 a node and one more.
+  // For matrices with this one's pattern. `mask` is 1 for what is free and 0 for what is fixed, 3 a node and one more.
   // Failures: those of opencl::Session::open, and "opencl-failed" where memory does not suffice.
   static Result<DeviceGradients> open(const BlockCsr& matrix, const std::vector<float>& mask,
                                       const std::string& device_name);

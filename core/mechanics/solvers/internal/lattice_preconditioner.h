@@ -20,7 +20,7 @@ namespace glisson::mechanics {
 
 class LatticePreconditioner {
  public:
-  // `mask` is 1 for what is free and 0 for what is held, 3 a node and one more. The spacing is that of the widest
+  // `mask` is 1 for what is free and 0 for what is fixed, 3 a node and one more. The spacing is that of the widest
   // lattice and must exceed every edge of the mesh.
   LatticePreconditioner(const std::vector<Eigen::Vector3d>& positions_mm, std::vector<float> mask, double spacing_mm);
 

@@ -15,13 +15,13 @@ namespace glisson::mechanics {
 
 struct NewtonResult {
   Eigen::VectorXd u_mm;
-  double relative_residual = 0;  // of `scale_mN`, over what is not held
+  double relative_residual = 0;  // of `scale_mN`, over what is not fixed
   int steps = 0;
   bool converged = false;
   bool hopeless = false;  // the first direction was longer than allowed
 };
 
-// From `start_mm`, which keeps its values where `held` is 1. Where the scale is zero nothing loads what is free, and
+// From `start_mm`, which keeps its values where `fixed` is 1. Where the scale is zero nothing loads what is free, and
 // the start is the answer. Failures: "too-large", "factorisation-failed", "cancelled".
 struct MinimiseOptions {
   double relative_tolerance = 1e-6;
@@ -33,7 +33,7 @@ Result<NewtonResult> minimise(const Objective& objective, const std::vector<std:
                               const Eigen::VectorXd& start_mm, const MinimiseOptions& options,
                               const Progress& progress);
 
-// The values with zeros where something is held.
+// The values with zeros where something is fixed.
 [[nodiscard]] Eigen::VectorXd free_values(const std::vector<std::uint8_t>& fixed, Eigen::VectorXd values);
 
 }  // namespace glisson::mechanics

@@ -58,7 +58,7 @@ report::Table quality_table(const DemoSummary& summary) {
 
 // In linear elasticity everything grows with the force; so the force at which the atlas misleads by 5 mm is known.
 std::string force_that_matters(const DemoSummary& summary) {
-  const double largest_mm = summary.atlas_against_mre.max_mm;
+  const double largest_mm = summary.reference_against_mre.max_mm;
   std::string sentence = largest_mm > 0 ? fmt::format("The atlas misplaces some point by 5 mm from {:.1f} N on. ",
                                                       summary.force_N * rehearsal::significant_mm / largest_mm)
                                         : std::string();
@@ -71,7 +71,7 @@ std::size_t significant_landmarks(const rehearsal::Comparison& comparison) {
 }
 
 std::string what_happened(const DemoSummary& summary) {
-  const auto& comparison = summary.atlas_against_mre;
+  const auto& comparison = summary.reference_against_mre;
   return fmt::format(
       "A {} hoists segment VI with {:.1f} N. On the patient's own stiffness the liver moves by up to {:.1f} mm. With "
       "one "
@@ -84,7 +84,7 @@ std::string what_happened(const DemoSummary& summary) {
 }  // namespace
 
 Result<void> write_demo_report(const DemoSummary& summary) {
-  const auto& comparison = summary.atlas_against_mre;
+  const auto& comparison = summary.reference_against_mre;
   report::Page page;
   page.title = "A rehearsed retraction";
   page.subtitle = "Demo patient: from a DICOM study to moved landmarks";

@@ -121,7 +121,7 @@ Result<void> draw_livers(const Subject& subject, const fs::path& folder, const f
   const auto retraction = retract(*liver, options.retraction);
   if (!retraction) return failure(retraction.error());
   auto saved = casefile::write_result(folder / "measured", retraction->measured).and_then([&] {
-    return casefile::write_result(folder / "atlas", retraction->atlas);
+    return casefile::write_result(folder / "atlas", retraction->reference);
   });
   if (!saved) return saved;
   const std::string own = subject.drawn ? "Drawn stiffness" : "MRE";
@@ -129,7 +129,7 @@ Result<void> draw_livers(const Subject& subject, const fs::path& folder, const f
   if (!scene) return failure(scene.error());
   if (*vessels) {
     for (auto& [shown, simulation] :
-         {std::pair<scene::Scene&, const mechanics::Simulation&>{scene->in_red, retraction->atlas},
+         {std::pair<scene::Scene&, const mechanics::Simulation&>{scene->in_red, retraction->reference},
           {scene->in_blue, retraction->measured}}) {
       shown.surfaces.front().opacity = 0.25;
       scene::SurfaceItem item;

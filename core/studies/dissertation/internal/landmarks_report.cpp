@@ -124,8 +124,8 @@ report::Page landmarks_page(const LandmarksSummary& summary, const LandmarksOpti
       "measured in it and with the atlas's {:.2g} kPa (shear). Retractor and force are our assumption. {} At the tool "
       "the two differ by 5 mm or more in {:.0f} % of the "
       "patients; by {:.1f} mm on average over the surface.",
-      retraction.force_N, retraction.atlas_kPa, law_of(summary, options), 100 * summary.between[1].significant.fraction,
-      summary.between[0].mm.mean)});
+      retraction.force_N, retraction.reference_kPa, law_of(summary, options),
+      100 * summary.between[1].significant.fraction, summary.between[0].mm.mean)});
   page.blocks.emplace_back(box_plot(
       "How far the liver as measured is from the atlas's, on average over the surface and at the tool; the "
       "same with the patient's mean alone instead of the map; and how far the map is from that mean. Boxes hold "
