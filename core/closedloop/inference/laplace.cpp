@@ -105,7 +105,7 @@ LogEvidence log_evidence(const ForwardModel& model, const LocalFit& fit, double 
   const double highest = *std::max_element(of_scale.begin(), of_scale.end());
   std::vector<double> with_parameters, alone;
   for (std::size_t i = 0; i < count; ++i) {
-    constexpr double negligible = 40;  // nats
+    constexpr double negligible = 40;  // nats: below what a sum of doubles keeps
     if (of_scale[i] < highest - negligible) continue;
     const double log_scale = begin + static_cast<double>(i) * step;
     alone.push_back(of_scale[i]);
@@ -160,7 +160,7 @@ Quadratic quadratic(const LocalFit& fit, const ParameterPrior& prior, double var
               slope.asDiagonal() * fit.information * slope.asDiagonal() / variance,
               {},
               {}};
-  constexpr double close = 1e-6;
+  constexpr double close = 1e-6;  // what a fit that ran into a bound is off by
   for (int p = 0; p < static_cast<int>(values.size()); ++p) {
     const bool low = q.at[p] <= prior.lower[p] + close && q.g[p] < 0;
     const bool high = q.at[p] >= prior.upper[p] - close && q.g[p] > 0;

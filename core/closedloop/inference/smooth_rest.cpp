@@ -134,7 +134,7 @@ double log_evidence_from(std::vector<double> x, const std::vector<RestBlock>& bl
   const auto count = static_cast<Eigen::Index>(x.size());
   Eigen::MatrixXd curvature(count, count);
   for (Eigen::Index i = 0; i < count; ++i) {
-    constexpr double step = 1e-3;
+    constexpr double step = 1e-3;  // of a logarithm; the difference errs by its square
     Eigen::VectorXd ahead(count), behind(count);
     double value = 0;
     std::vector<double> moved = x;
@@ -223,7 +223,7 @@ double size_of(const std::vector<RestBlock>& blocks) {
 // Neighbours in time, of one trial, direction and place, are averaged: enough of them to leave so many groups. Where
 // places are many, some are passed over, and each of the others is left a few means.
 Grouping grouped(const Observations& observations, std::size_t maximum) {
-  constexpr std::size_t means_of_a_place = 3;
+  constexpr std::size_t means_of_a_place = 3;  // the fewest that show a bend
   const bool places = observations.has_places();
   using Place = std::array<double, 3>;
   std::map<std::tuple<int, int, Place>, std::size_t> known;

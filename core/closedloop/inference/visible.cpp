@@ -210,7 +210,7 @@ double Visibility::probability(const Seen& seen, double times, Eigen::Index para
 double Visibility::times_to_be_found(const Seen& seen, Eigen::Index parameters) const {
   const double power = options_.visible.power;
   double low = 0, high = 1;
-  constexpr double enough = 1e9;
+  constexpr double enough = 1e9;  // times its own size: beyond, it cannot be found
   while (probability(seen, high, parameters) < power && high < enough) {
     low = high;
     high *= 2;

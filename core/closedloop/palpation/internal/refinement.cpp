@@ -89,7 +89,7 @@ Eigen::MatrixXd discretisation_error_mm(const PalpationSolver& solver,
     return inverse_diagonal.asDiagonal() * residual + is_free.asDiagonal() * prolonged(*fine, coarse, long_ranged);
   };
 
-  constexpr int steps = 12;
+  constexpr int steps = 12;  // enough for what is short-ranged: the header
   std::vector<Eigen::Index> columns;
   for (const FaceLoad& load : loads) columns.push_back(load.load);
   const Eigen::MatrixXd coarse_mm = (*declared)->u_mm(Eigen::all, columns);
@@ -113,7 +113,7 @@ Eigen::MatrixXd discretisation_error_mm(const PalpationSolver& solver,
     energy = now;
   }
 
-  constexpr double of_first_step = 1.6;
+  constexpr double of_first_step = 1.6;  // the header says why
   const Interpolation at(fine->body.layout, mechanics::locate_points(fine->body.mesh, marker_places_mm));
   const Eigen::MatrixXd fine_mm = prolonged(*fine, coarse, coarse_mm) + correction_mm;
   return of_first_step * (at.at_places(fine_mm) - solver.markers().at_places(coarse_mm));
