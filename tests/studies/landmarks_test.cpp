@@ -109,8 +109,8 @@ TEST(Landmarks, APatientWhoseLiverIsTooSmallStopsNobody) {
 TEST(Landmarks, AShareHasTheIntervalThatItsDefinitionGives) {
   for (const auto& [patients, all] : {std::pair{0, 30}, {1, 30}, {17, 30}, {30, 30}, {59, 81}, {1, 1}}) {
     const Share share = share_of(static_cast<std::size_t>(patients), static_cast<std::size_t>(all));
-    const double seen = static_cast<double>(patients) / all;
-    const auto reaches = [&](double p) { return std::abs(seen - p) <= 1.959964 * std::sqrt(p * (1 - p) / all); };
+    const double of = all, seen = patients / of;
+    const auto reaches = [&](double p) { return std::abs(seen - p) <= 1.959964 * std::sqrt(p * (1 - p) / of); };
     double low = 1, high = 0;
     for (int step = 0; step <= 100000; ++step) {
       const double p = step * 1e-5;
