@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <functional>
 #include <tuple>
+#include <utility>
 
 #include "base/stopwatch.h"
 #include "mechanics/contact/internal/augmented_lagrangian.h"
@@ -24,11 +25,18 @@ namespace {
 struct Mover {
   std::function<Result<StepReport>()> step;
   std::function<Eigen::VectorXd()> displacement_mm, velocity_mm_s;
-  std::function<Eigen::Vector3d()> fixed_reaction_mN;  // none: what is left unbalanced at what is held
+  std::function<Eigen::Vector3d()> fixed_reaction_mN;  // none: what is left unbalanced at what is fixed
   // Where there are tools: what they push with, of the whole body and each by itself.
   std::function<Eigen::VectorXd()> tools_force_mN;
   std::function<std::pair<std::vector<ToolContact>, ContactReport>()> contacts;
 };
+
+// `moving` must outlive it.
+template <typename Moving>
+Mover mover_of(const Moving& moving, std::function<Result<StepReport>()> step) {
+  return {
+      std::move(step), [&] { return moving.displacement_mm(); }, [&] { return moving.velocity_mm_s(); }, {}, {}, {}};
+}
 
 // Lets the mover tell of what presses on its body.
 void press(Mover& mover, const AugmentedLagrangian& lagrangian, const std::vector<ContactTool>& tools,
@@ -78,17 +86,12 @@ Result<Answer> fem_dynamics(const Question& question, const Progress& progress) 
         AugmentedLagrangian::create(newton->body(), tools_at(scenario.tools, 0.0), {}, newton->displacement_mm());
     if (!placed) return failure(std::move(placed.error()));
     lagrangian = std::move(*placed);
-    mover = {[&]() -> Result<StepReport> {
-               tools = tools_at(scenario.tools, double(++done) / scenario.motion->steps);
-               return newton->step(
-                   lagrangian->with_pulls(*loads, tools),
-                   [&](const BodyProblem& problem) { return lagrangian->equilibrate(tools, problem); }, progress);
-             },
-             [&] { return newton->displacement_mm(); },
-             [&] { return newton->velocity_mm_s(); },
-             {},
-             {},
-             {}};
+    mover = mover_of(*newton, [&] {
+      tools = tools_at(scenario.tools, double(++done) / scenario.motion->steps);
+      return newton->step(
+          lagrangian->with_pulls(*loads, tools),
+          [&](const BodyProblem& problem) { return lagrangian->equilibrate(tools, problem); }, progress);
+    });
     press(mover, *lagrangian, tools, *loads);
   } else if (moves_by_one_solve(scenario)) {
     motion_options.max_iterations = 5000;  // nobody waits for a frame here: stiff bodies get theirs
@@ -96,23 +99,13 @@ Result<Answer> fem_dynamics(const Question& question, const Progress& progress) 
     auto created = ImplicitEuler::create(*body, scenario.material, motion_options);
     if (!created) return failure(std::move(created.error()));
     moving = std::move(*created);
-    mover = {[&]() -> Result<StepReport> { return moving->step(loads->dead_mN); },
-             [&] { return moving->displacement_mm(); },
-             [&] { return moving->velocity_mm_s(); },
-             {},
-             {},
-             {}};
+    mover = mover_of(*moving, [&] { return moving->step(loads->dead_mN); });
   } else {
     motion_options.max_iterations = 40;  // Newton steps: see NewtonOptions
     auto created = NewtonImplicitEuler::create(*body, materials, *loads, motion_options);
     if (!created) return failure(std::move(created.error()));
     newton = std::move(*created);
-    mover = {[&] { return newton->step(progress); },
-             [&] { return newton->displacement_mm(); },
-             [&] { return newton->velocity_mm_s(); },
-             {},
-             {},
-             {}};
+    mover = mover_of(*newton, [&] { return newton->step(progress); });
   }
   return follow(mover, *body, materials, *loads, scenario, setting_up.seconds(), question.places, progress);
 }
@@ -131,12 +124,8 @@ Result<Answer> meshfree_dynamics(const Question& question, const Progress& progr
   motion_options.max_iterations = 5000;
   auto moving = MeshfreeImplicitEuler::create(std::move(*handles), motion_options);
   if (!moving) return failure(std::move(moving.error()));
-  Mover mover{[&]() -> Result<StepReport> { return moving->step(*loads); },
-              [&] { return moving->displacement_mm(); },
-              [&] { return moving->velocity_mm_s(); },
-              [&] { return moving->fixed_reaction_mN(); },
-              {},
-              {}};
+  Mover mover = mover_of(*moving, [&] { return moving->step(*loads); });
+  mover.fixed_reaction_mN = [&] { return moving->fixed_reaction_mN(); };
   std::optional<AugmentedLagrangian> lagrangian;
   std::vector<ContactTool> tools = tools_at(scenario.tools, 0.0);
   int done = 0;
