@@ -1,10 +1,10 @@
 #include "cohort_options.h"
 
 #include <fmt/format.h>
-#include <charconv>
 #include <filesystem>
 #include <string_view>
 
+#include "base/text.h"
 #include "studies/dissertation/cohort.h"
 
 namespace glisson::cli {
@@ -15,8 +15,9 @@ studies::BatchPart chunk_of(std::string_view text) {
   studies::BatchPart part;
   const std::size_t slash = text.find('/');
   const auto number = [](std::string_view digits, int& value) {
-    const auto [end, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    return problem == std::errc() && end == digits.data() + digits.size();
+    const auto read = read_whole_number<int>(digits);
+    value = read.value_or(0);
+    return read.has_value();
   };
   const bool read = slash != std::string_view::npos && number(text.substr(0, slash), part.chunk) &&
                     number(text.substr(slash + 1), part.chunks);

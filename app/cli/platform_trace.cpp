@@ -1,8 +1,6 @@
 // What glisson-cli platform reads of a recording: the options, and the runs in it.
 
-#include <charconv>
-#include <cmath>
-
+#include "base/text.h"
 #include "hardware/recording.h"
 #include "platform_commands.h"
 
@@ -25,11 +23,9 @@ Result<ClampChannel> parse_channel(const std::string& text) {
   std::vector<double> numbers;
   bool sound = parts.size() <= 4 && !parts.front().empty();
   for (std::size_t i = 1; i < parts.size(); ++i) {
-    double number = 0;
-    const char* const last = parts[i].data() + parts[i].size();
-    const auto [end, problem] = std::from_chars(parts[i].data(), last, number);
-    sound = sound && problem == std::errc() && end == last && std::isfinite(number);
-    numbers.push_back(number);
+    const auto number = read_number(parts[i]);
+    sound = sound && number.has_value();
+    numbers.push_back(number.value_or(0));
   }
   if (!sound) {
     return failure(

@@ -1,15 +1,15 @@
 #include "shared_options.h"
 
-#include <charconv>
-#include <cmath>
+#include "base/text.h"
 
 namespace glisson::cli {
 namespace {
 
-// Numbers with a dot whatever the locale; false unless all of `text` is one finite number.
-bool read_number(std::string_view text, double& number) {
-  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
-  return problem == std::errc() && end == text.data() + text.size() && std::isfinite(number);
+// False unless all of `text` is one finite number.
+bool take_number(std::string_view text, double& number) {
+  const auto read = read_number(text);
+  if (read) number = *read;
+  return read.has_value();
 }
 
 }  // namespace
@@ -19,7 +19,7 @@ Result<Eigen::Vector3d> parse_position(const std::string& text, const std::strin
   std::string_view rest = text;
   for (int axis = 0; axis < 3; ++axis) {
     const std::size_t comma = axis < 2 ? rest.find(',') : rest.size();
-    if (comma == std::string_view::npos || !read_number(rest.substr(0, comma), position[axis])) {
+    if (comma == std::string_view::npos || !take_number(rest.substr(0, comma), position[axis])) {
       return failure("position-invalid", GLISSON_TEXT("{0} wants a position X,Y,Z in mm, not \"{1}\"."),
                      {option, text});
     }
@@ -33,8 +33,8 @@ Result<PictureSize> parse_size(const std::string& text) {
   const std::size_t cross = text.find('x');
   double width = 0;
   double height = 0;
-  if (cross == std::string::npos || !read_number(std::string_view(text).substr(0, cross), width) ||
-      !read_number(std::string_view(text).substr(cross + 1), height) || width < 16 || height < 16 || width > largest ||
+  if (cross == std::string::npos || !take_number(std::string_view(text).substr(0, cross), width) ||
+      !take_number(std::string_view(text).substr(cross + 1), height) || width < 16 || height < 16 || width > largest ||
       height > largest) {
     return failure("size-invalid", GLISSON_TEXT("--size wants WxH in pixels, 16 to 16384 each, not \"{0}\"."), {text});
   }

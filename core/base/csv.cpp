@@ -1,11 +1,11 @@
 #include "base/csv.h"
 
 #include <algorithm>
-#include <charconv>
 #include <limits>
 #include <string_view>
 
 #include "base/files.h"
+#include "base/text.h"
 
 namespace glisson {
 namespace {
@@ -22,11 +22,7 @@ std::string_view trimmed(std::string_view cell) {
 double number_in(std::string_view cell) {
   cell = trimmed(cell);
   if (!cell.empty() && cell.front() == '+') cell.remove_prefix(1);
-  double number = 0;
-  const auto [end, problem] = std::from_chars(cell.data(), cell.data() + cell.size(), number);
-  const bool whole = problem == std::errc() && end == cell.data() + cell.size();
-  // "inf" and "nan" are read by from_chars; to us they are no numbers.
-  return whole && number - number == 0 ? number : no_number;
+  return read_number(cell).value_or(no_number);
 }
 
 std::vector<std::string_view> cells_of(std::string_view line, char separator) {
@@ -95,10 +91,8 @@ Failure refuse(const std::filesystem::path& file, std::string code, std::string 
 Result<std::size_t> CsvTable::column(const std::string& name_or_number) const {
   const auto named = std::find(names.begin(), names.end(), name_or_number);
   if (named != names.end()) return static_cast<std::size_t>(named - names.begin());
-  std::size_t number = 0;
-  const char* const last = name_or_number.data() + name_or_number.size();
-  const auto [end, problem] = std::from_chars(name_or_number.data(), last, number);
-  if (problem == std::errc() && end == last && number >= 1 && number <= columns.size()) return number - 1;
+  const auto number = read_whole_number<std::uint64_t>(name_or_number);
+  if (number && *number >= 1 && *number <= columns.size()) return *number - 1;
   std::string known;
   for (const std::string& name : names) known += (known.empty() ? "" : ", ") + name;
   return failure(Error{"csv-no-such-column",

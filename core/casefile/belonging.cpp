@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 
 #include "base/secret_hash.h"
+#include "base/text.h"
 #include "casefile/label_map.h"
 #include "imaging/dicom_seg.h"
 #include "imaging/volume_file.h"
@@ -109,10 +109,7 @@ const std::string* anatomy_option(const Case& patient, const char* option) {
 }
 
 std::optional<int> number_of(const std::string* text) {
-  int number = 0;
-  if (text == nullptr) return std::nullopt;
-  const auto [end, error] = std::from_chars(text->data(), text->data() + text->size(), number);
-  return error == std::errc() && end == text->data() + text->size() ? std::optional(number) : std::nullopt;
+  return text == nullptr ? std::nullopt : read_whole_number<int>(*text);
 }
 
 }  // namespace

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <cctype>
 #include <set>
 #include <utility>
 
+#include "base/text.h"
 #include "casefile/internal/motion_options.h"
 #include "casefile/new_case.h"
 #include "imaging/read_series.h"
@@ -391,10 +391,7 @@ Result<void> import_series(Case& patient, const Chosen& chosen, std::vector<Impo
 // The demo patient's series say in their descriptions what they are; a case made from them says it too.
 std::string origin_of(const Study& study) {
   for (const Series& series : study.series) {
-    std::string description = series.description;
-    std::transform(description.begin(), description.end(), description.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    if (description.find("simulated") != std::string::npos) return simulated_origin;
+    if (in_lower_case(series.description).find("simulated") != std::string::npos) return simulated_origin;
   }
   return {};
 }

@@ -1,12 +1,12 @@
 // From values to names, and which maps belong to an anatomy.
 
 #include "casefile/label_map.h"
+#include "base/text.h"
 
 #include <fmt/format.h>
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <charconv>
 #include <Eigen/Geometry>
 #include <optional>
 #include <string_view>
@@ -182,11 +182,10 @@ std::string usual_structure_name(const std::string& name) {
 
 std::optional<std::pair<int, std::string>> named_value(const std::string& text) {
   const std::size_t equals = text.find('=');
-  int value = 0;
   if (equals == std::string::npos || equals + 1 == text.size()) return std::nullopt;
-  const auto [end, problem] = std::from_chars(text.data(), text.data() + equals, value);
-  if (problem != std::errc() || end != text.data() + equals || value < 1 || value > 65535) return std::nullopt;
-  return std::pair(value, text.substr(equals + 1));
+  const auto value = read_whole_number<int>(std::string_view(text).substr(0, equals));
+  if (!value || *value < 1 || *value > 65535) return std::nullopt;
+  return std::pair(*value, text.substr(equals + 1));
 }
 
 namespace {

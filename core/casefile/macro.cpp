@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <algorithm>
-#include <charconv>
 #include <map>
 #include <optional>
 #include <set>
 
 #include "base/files.h"
 #include "base/json.h"
+#include "base/text.h"
 #include "casefile/internal/history_journal.h"
 #include "casefile/internal/macro_values.h"
 #include "casefile/model_upkeep.h"
@@ -106,10 +106,8 @@ std::string option(const Options& options, const std::string& name) {
 
 // As it is to be typed; empty where it is no finite number. A case may come from anywhere.
 std::string number_in(const std::string& text) {
-  double number = 0;
-  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (problem != std::errc() || end != text.data() + text.size() || !std::isfinite(number)) return {};
-  return fmt::format("{}", number);
+  const auto number = read_number(text);
+  return number ? fmt::format("{}", *number) : std::string();
 }
 
 // "1,2,3"; empty where it is no position.

@@ -2,10 +2,10 @@
 // since 5.1.
 
 #include "geometry/legacy_vtk_guard.h"
+#include "base/text.h"
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -193,13 +193,7 @@ std::string LegacyText::word() {
   return word;
 }
 
-std::optional<std::uint64_t> LegacyText::count() {
-  const std::string digits = word();
-  std::uint64_t number = 0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-  if (error != std::errc{} || end != digits.data() + digits.size() || digits.empty()) return std::nullopt;
-  return number;
-}
+std::optional<std::uint64_t> LegacyText::count() { return read_whole_number<std::uint64_t>(word()); }
 
 std::optional<std::string_view> LegacyText::block(std::uint64_t values, const std::string& type) {
   const auto bytes = bytes_of(type);
@@ -226,9 +220,9 @@ std::optional<std::vector<std::int64_t>> LegacyText::integers(std::uint64_t valu
     if (values > text_.size()) return std::nullopt;
     numbers.resize(static_cast<std::size_t>(values));
     for (std::int64_t& number : numbers) {
-      const std::string digits = word();
-      const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-      if (error != std::errc{} || end != digits.data() + digits.size()) return std::nullopt;
+      const auto read = read_whole_number<std::int64_t>(word());
+      if (!read) return std::nullopt;
+      number = *read;
     }
     return numbers;
   }

@@ -1,6 +1,7 @@
 // Names of labels: from the header of the map, else from a description beside it.
 
 #include "imaging/label_names.h"
+#include "base/text.h"
 
 #include <zlib.h>
 #include <algorithm>
@@ -45,9 +46,9 @@ std::optional<std::map<int, std::string>> label_descriptions(const std::string& 
     std::istringstream fields(line);
     std::string first;
     if (!(fields >> first) || first.front() == '#') continue;
-    int value = 0, colour = 0;
-    const auto [end, problem] = std::from_chars(first.data(), first.data() + first.size(), value);
-    if (problem != std::errc() || end != first.data() + first.size() || value < 0 || value > 65535) return std::nullopt;
+    int colour = 0;
+    const auto value = read_whole_number<int>(first);
+    if (!value || *value < 0 || *value > 65535) return std::nullopt;
     for (int channel = 0; channel < 3; ++channel) {
       if (!(fields >> colour) || colour < 0 || colour > 255) return std::nullopt;
     }
@@ -56,7 +57,7 @@ std::optional<std::map<int, std::string>> label_descriptions(const std::string& 
     if (!(fields >> alpha >> visible >> meshed)) return std::nullopt;
     const std::size_t opens = line.find('"'), closes = line.rfind('"');
     if (opens == std::string::npos || closes == opens) return std::nullopt;
-    if (value > 0) names[value] = line.substr(opens + 1, closes - opens - 1);
+    if (*value > 0) names[*value] = line.substr(opens + 1, closes - opens - 1);
   }
   return names.empty() ? std::nullopt : std::optional(std::move(names));
 }

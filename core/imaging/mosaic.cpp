@@ -2,8 +2,8 @@
 // with CSA header", "DICOM mosaic"), checked here against real mosaics.
 
 #include "imaging/mosaic.h"
+#include "base/text.h"
 
-#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <Eigen/Geometry>
@@ -43,10 +43,7 @@ std::string_view up_to_zero(std::string_view text) { return text.substr(0, text.
 std::optional<double> number_in(std::string_view text) {
   text = up_to_zero(text);
   while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
-  double number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc() || end == text.data() || !std::isfinite(number)) return std::nullopt;
-  return number;
+  return read_leading_number(text);
 }
 
 // The values of one element of the CSA header; nothing when the header ends early.

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "base/text.h"
 #include "imaging/internal/volume_header.h"
 
 namespace glisson::imaging {

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "base/parallel.h"
+#include "base/text.h"
 #include "imaging/internal/assemble_series.h"
 #include "imaging/internal/dicom_fields.h"
 #include "imaging/internal/dicom_image.h"
@@ -118,11 +119,7 @@ fs::path as_found_on_disc(const fs::path& named, const fs::path& root) {
   std::error_code ignored;
   if (fs::exists(named, ignored)) return named;
   fs::path lower = root;
-  for (const fs::path& part : named.lexically_relative(root)) {
-    std::string name = part.string();
-    std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
-    lower /= name;
-  }
+  for (const fs::path& part : named.lexically_relative(root)) lower /= in_lower_case(part.string());
   return fs::exists(lower, ignored) ? lower : named;
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "base/files.h"
+#include "base/text.h"
 #include "vision/internal/opencv.h"
 
 namespace glisson::vision {
@@ -150,9 +151,7 @@ std::optional<int> FrameSource::count() const {
 namespace {
 
 bool is_picture(const fs::path& file) {
-  std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  const std::string extension = in_lower_case(file.extension().string());
   constexpr const char* known[] = {".png", ".jpg", ".jpeg", ".tif", ".tiff", ".bmp", ".pgm", ".ppm"};
   return std::find(std::begin(known), std::end(known), extension) != std::end(known);
 }

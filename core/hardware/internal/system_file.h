@@ -1,11 +1,12 @@
 #pragma once
 // The kernel's small files: one line each, that may go away, hold nonsense, or be forbidden.
 
-#include <charconv>
 #include <filesystem>
 #include <fstream>
 #include <optional>
 #include <string>
+
+#include "base/text.h"
 
 namespace glisson::hardware {
 
@@ -19,11 +20,7 @@ inline std::optional<std::string> first_line(const std::filesystem::path& file) 
 // A finite number at the beginning of the first line.
 inline std::optional<double> number_in(const std::filesystem::path& file) {
   const auto line = first_line(file);
-  if (!line) return {};
-  double number = 0;
-  const auto [end, problem] = std::from_chars(line->data(), line->data() + line->size(), number);
-  if (problem != std::errc() || number - number != 0) return {};
-  return number;
+  return line ? read_leading_number(*line) : std::nullopt;
 }
 
 // It is there, but this person may not open it.

@@ -1,12 +1,12 @@
 // Values of DICOM elements: numbers read without regard to the locale, text brought to UTF-8.
 
 #include "imaging/internal/dicom_fields.h"
+#include "base/text.h"
 
 #include <dcmtk/dcmdata/dcistrmb.h>
 #include <dcmtk/oflog/oflog.h>
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <mutex>
 
@@ -55,11 +55,7 @@ std::string as_utf8(const std::string& text) {
 
 std::optional<double> as_number(const std::string& written) {
   const std::string text = trimmed(written);
-  const char* begin = text.data() + (!text.empty() && text.front() == '+' ? 1 : 0);
-  double number = 0;
-  const auto [end, error] = std::from_chars(begin, text.data() + text.size(), number);
-  if (error != std::errc() || end == begin || !std::isfinite(number)) return std::nullopt;
-  return number;
+  return read_leading_number(std::string_view(text).substr(text.starts_with('+') ? 1 : 0));
 }
 
 // More values than any attribute that is read here has.

@@ -2,26 +2,19 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <numbers>
 
+#include "base/text.h"
+
 namespace glisson::imaging {
 namespace {
-
-// The number at the beginning of a text.
-std::optional<double> leading_number(std::string_view text) {
-  double number = 0;
-  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (problem != std::errc() || !std::isfinite(number)) return std::nullopt;
-  return number;
-}
 
 // The number in "NAME[number]".
 std::optional<double> bracketed(const std::string& text, const std::string& name) {
   const std::size_t at = text.find(name + "[");
   if (at == std::string::npos) return std::nullopt;
-  return leading_number(std::string_view(text).substr(at + name.size() + 1));
+  return read_leading_number(std::string_view(text).substr(at + name.size() + 1));
 }
 
 std::optional<int> index_in(const std::string& text, const std::string& name) {
@@ -87,7 +80,7 @@ std::optional<double> frequency_in_text_Hz(const std::string& text) {
       --begin;
     }
     // "kHz" and "MHz" have a letter where digits are looked for, and so name no vibration.
-    const auto number = leading_number(std::string_view(text).substr(begin, end - begin));
+    const auto number = read_leading_number(std::string_view(text).substr(begin, end - begin));
     if (begin < end && number && *number >= 1 && *number <= 2000) return number;
   }
   return std::nullopt;

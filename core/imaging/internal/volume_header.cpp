@@ -5,6 +5,7 @@
 #include <charconv>
 #include <limits>
 
+#include "base/text.h"
 #include "imaging/file_bytes.h"
 
 namespace glisson::imaging {
@@ -194,12 +195,6 @@ std::string_view without_blanks(std::string_view text) {
   return text.substr(begin, text.find_last_not_of(blanks) + 1 - begin);
 }
 
-std::string in_lower_case(std::string_view text) {
-  std::string lower(text);
-  for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return lower;
-}
-
 std::optional<std::vector<double>> numbers_in(std::string_view text) {
   std::vector<double> numbers;
   for (std::string_view rest = without_blanks(text); !rest.empty();) {
@@ -216,11 +211,7 @@ std::optional<std::vector<double>> numbers_in(std::string_view text) {
 }
 
 std::optional<std::int64_t> whole_number_in(std::string_view text) {
-  const std::string_view digits = without_blanks(text);
-  std::int64_t number = 0;
-  const auto [end, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-  if (problem != std::errc() || end != digits.data() + digits.size()) return std::nullopt;
-  return number;
+  return read_whole_number<std::int64_t>(without_blanks(text));
 }
 
 std::string lower_case_name(const fs::path& file) { return in_lower_case(file.filename().string()); }

@@ -71,7 +71,6 @@ struct FoundHeader {
 [[nodiscard]] std::optional<std::vector<double>> numbers_in(std::string_view text);
 [[nodiscard]] std::optional<std::int64_t> whole_number_in(std::string_view text);
 [[nodiscard]] std::string_view without_blanks(std::string_view text);
-[[nodiscard]] std::string in_lower_case(std::string_view text);
 
 // The file's name without its folder, in lower case.
 [[nodiscard]] std::string lower_case_name(const std::filesystem::path& file);
