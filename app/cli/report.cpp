@@ -1,6 +1,7 @@
 // glisson-cli report CASE --out FILE.html: one page of what was done for a patient.
 
 #include <filesystem>
+#include <system_error>
 
 #include "base/files.h"
 #include "command.h"
@@ -19,10 +20,15 @@ struct ReportCommand {
   std::string name;
 };
 
+bool there_is(const std::filesystem::path& file) {
+  std::error_code ignored;
+  return std::filesystem::exists(file, ignored);
+}
+
 // The planned cut, or without one the liver, and a slice with the outlines. What the case lacks is not drawn.
 Result<std::vector<report::Figure>> pictures(const casefile::Case& patient, const std::filesystem::path& folder) {
   constexpr int width = 1200, height = 800;
-  const bool cut = std::filesystem::exists(patient.folder() / "results" / "resection" / "cut.vtp");
+  const bool cut = there_is(patient.folder() / "results" / "resection" / "cut.vtp");
   std::vector<std::pair<std::string, std::string>> wanted{{"anatomy", "A slice with the outlines."}};
   wanted.insert(wanted.begin(), cut ? std::pair{std::string(scene::resection_scene_name), "The planned cut."}
                                     : std::pair{std::string("liver"), "The liver with what lies inside it."});
@@ -45,9 +51,9 @@ Result<void> add_landmarks(const casefile::Case& patient, const std::filesystem:
                            std::vector<report::Figure>& figures) {
   constexpr int width = 1200, height = 800;
   const std::filesystem::path results = patient.folder() / "results";
-  if (!std::filesystem::exists(results / "mre" / "result.vtu")) return {};
+  if (!there_is(results / "mre" / "result.vtu")) return {};
   std::optional<std::filesystem::path> reference;
-  if (std::filesystem::exists(results / "atlas" / "result.vtu")) reference = results / "atlas";
+  if (there_is(results / "atlas" / "result.vtu")) reference = results / "atlas";
   const auto overlays = scene::landmark_overlays(results / "mre", reference);
   if (!overlays) return failure(overlays.error());
   for (const scene::LandmarkOverlay& overlay : *overlays) {

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <system_error>
 
+#include "base/folder_contents.h"
 #include "base/internal/held_files.h"
 #include "base/write_file.h"
 
@@ -114,9 +115,11 @@ Result<NewFolder> NewFolder::begin(const fs::path& target) {
     if (descriptor < 0) continue;  // a file, or left by another person, or planted
     if (locked(descriptor) && stands_at(descriptor, path)) {
       NewFolder folder(descriptor, target, path);
-      std::error_code problem;  // what a killed writer left in it
-      for (const auto& left : fs::directory_iterator(path, problem)) fs::remove_all(left.path(), problem);
-      if (problem) return file_not_writable(target, problem.message());
+      for (const fs::path& left : contents_of(path)) {  // by a killed writer
+        std::error_code problem;
+        fs::remove_all(left, problem);
+        if (problem) return file_not_writable(target, problem.message());
+      }
       return folder;
     }
     ::close(descriptor);

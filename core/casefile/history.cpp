@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/files.h"
+#include "base/folder_contents.h"
 #include "base/json.h"
 #include "casefile/internal/entry_record.h"
 #include "casefile/internal/folder_lock.h"
@@ -176,8 +177,10 @@ std::size_t History::steps_to_redo() const {
 std::uintmax_t History::disk_bytes() const {
   std::uintmax_t bytes = 0;
   std::error_code ignored;
-  for (const auto& file : fs::recursive_directory_iterator(impl_->folder, ignored)) {
-    if (file.is_regular_file(ignored)) bytes += file.file_size(ignored);
+  std::error_code unreadable;
+  for (fs::recursive_directory_iterator file(impl_->folder, unreadable), end; !unreadable && file != end;
+       file.increment(unreadable)) {
+    if (file->is_regular_file(ignored)) bytes += file->file_size(ignored);
   }
   return bytes;
 }
@@ -405,11 +408,11 @@ void History::Impl::forget_beyond_caps(Listing& next) const {
   std::map<std::string, std::uintmax_t> kept_bytes;
   std::map<int, std::uintmax_t> step_bytes;
   std::error_code ignored;
-  for (const auto& file : fs::directory_iterator(folder / "kept", ignored)) {
-    kept_bytes[file.path().filename().string()] = file.file_size(ignored);
+  for (const fs::path& file : contents_of(folder / "kept")) {
+    kept_bytes[file.filename().string()] = fs::file_size(file, ignored);
   }
-  for (const auto& file : fs::directory_iterator(folder / "steps", ignored)) {
-    step_bytes[std::atoi(file.path().filename().c_str())] += file.file_size(ignored);
+  for (const fs::path& file : contents_of(folder / "steps")) {
+    step_bytes[std::atoi(file.filename().c_str())] += fs::file_size(file, ignored);
   }
   // From the newest on: the first that does not fit ends it.
   std::uintmax_t bytes = 0;
@@ -436,11 +439,11 @@ void History::Impl::sweep() const {
   }
   std::error_code ignored;
   std::vector<fs::path> leaving;
-  for (const auto& file : fs::directory_iterator(folder / "kept", ignored)) {
-    if (needed.count(file.path().filename().string()) == 0) leaving.push_back(file.path());
+  for (const fs::path& file : contents_of(folder / "kept")) {
+    if (needed.count(file.filename().string()) == 0) leaving.push_back(file);
   }
-  for (const auto& file : fs::directory_iterator(folder / "steps", ignored)) {
-    if (numbers.count(std::atoi(file.path().filename().c_str())) == 0) leaving.push_back(file.path());
+  for (const fs::path& file : contents_of(folder / "steps")) {
+    if (numbers.count(std::atoi(file.filename().c_str())) == 0) leaving.push_back(file);
   }
   for (const fs::path& file : leaving) fs::remove(file, ignored);
 }

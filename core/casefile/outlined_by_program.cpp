@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <system_error>
 
 #include "base/files.h"
 #include "base/run_program.h"
+#include "base/write_file.h"
 #include "casefile/label_map.h"
 #include "imaging/study.h"
 #include "imaging/volume_file.h"
@@ -37,7 +39,9 @@ Result<std::vector<ImportedStructure>> outline_by_program(Case& patient, const O
   if (!anatomy) return failure(anatomy.error());
 
   progress.report(0, GLISSON_TEXT("Handing over the images"));
-  fs::create_directories(places.folder);
+  std::error_code problem;
+  fs::create_directories(places.folder, problem);
+  if (problem) return file_not_writable(places.folder, problem.message());
   if (auto written = imaging::write_volume_file(places.image, *anatomy); !written) return failure(written.error());
   if (auto run = run_program(*words, progress.part(0.05, 0.9)); !run) return failure(run.error());
 

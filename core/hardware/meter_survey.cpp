@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "base/folder_contents.h"
 #include "hardware/energy_meter.h"
 #include "hardware/internal/system_file.h"
 
@@ -15,15 +16,6 @@ namespace fs = std::filesystem;
 std::optional<EnergyMeter> find_rapl(const fs::path& system_folder, std::vector<Sentence>& missing);
 std::optional<EnergyMeter> find_ina(const fs::path& system_folder, std::vector<Sentence>& missing);
 std::optional<EnergyMeter> find_battery(const fs::path& system_folder, std::vector<Sentence>& missing);
-
-std::vector<fs::path> entries_of(const fs::path& folder) {
-  std::vector<fs::path> entries;
-  std::error_code problem;
-  for (fs::directory_iterator entry(folder, problem), end; !problem && entry != end; entry.increment(problem))
-    entries.push_back(entry->path());
-  std::sort(entries.begin(), entries.end());
-  return entries;
-}
 
 }  // namespace
 
@@ -42,7 +34,7 @@ std::optional<EnergyMeter> find_rapl(const fs::path& system_folder, std::vector<
   EnergyMeter meter{MeterKind::rapl, {}, {}, 0.1, 0.001};
   int packages = 0, memories = 0;
   bool forbidden = false, nonsense = false;
-  for (const fs::path& zone : entries_of(folder)) {
+  for (const fs::path& zone : contents_of(folder)) {
     // "intel-rapl:0" (also on AMD) and its parts "intel-rapl:0:1"; the same counters by another way are
     // "intel-rapl-mmio".
     if (!zone.filename().string().starts_with("intel-rapl:")) continue;
@@ -92,7 +84,7 @@ std::optional<EnergyMeter> find_ina(const fs::path& system_folder, std::vector<S
   const fs::path folder = system_folder / "class" / "hwmon";
   EnergyMeter meter{MeterKind::ina, {}, {}, 0.5, {}};  // conversions of some tens of milliseconds
   std::optional<EnergyMeter::Source> input;
-  for (const fs::path& chip : entries_of(folder)) {
+  for (const fs::path& chip : contents_of(folder)) {
     const auto name = first_line(chip / "name");
     if (!name || !name->starts_with("ina")) continue;
     if (number_in(chip / "power1_input")) {
@@ -149,7 +141,7 @@ std::optional<EnergyMeter> find_battery(const fs::path& system_folder, std::vect
   const fs::path folder = system_folder / "class" / "power_supply";
   EnergyMeter meter{MeterKind::battery, "battery gauge", {}, 60, {}};
   bool charging = false, resting = false, silent = false, falling = false;
-  for (const fs::path& supply : entries_of(folder)) {
+  for (const fs::path& supply : contents_of(folder)) {
     // A mouse has a battery too: "scope" tells it apart.
     if (first_line(supply / "type") != "Battery" || first_line(supply / "scope") == "Device") continue;
     const auto status = first_line(supply / "status");

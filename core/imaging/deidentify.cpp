@@ -85,7 +85,12 @@ Result<std::vector<fs::path>> files_under(const fs::path& path) {
   std::vector<fs::path> files;
   for (auto entry = fs::recursive_directory_iterator(path, problem); !problem && entry != fs::end(entry);
        entry.increment(problem)) {
-    if (entry->is_regular_file()) files.push_back(entry->path());
+    // What cannot be told, a link that leads nowhere or to itself, is tried and skipped with its reason.
+    std::error_code unknown;
+    const fs::file_type type = entry->status(unknown).type();
+    if (type == fs::file_type::regular || type == fs::file_type::not_found || type == fs::file_type::none) {
+      files.push_back(entry->path());
+    }
   }
   if (problem) {
     return failure(Error{"path-not-found",
@@ -238,6 +243,7 @@ std::string drawn_key() {
 bool lies_inside(const fs::path& inner, const fs::path& outer) {
   std::error_code ignored;
   const fs::path a = fs::weakly_canonical(inner, ignored), b = fs::weakly_canonical(outer, ignored);
+  if (a.empty() || b.empty()) return false;  // a link that leads to itself shows in the reading and writing
   return std::mismatch(b.begin(), b.end(), a.begin(), a.end()).first == b.end();
 }
 

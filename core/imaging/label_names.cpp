@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "base/files.h"
+#include "base/folder_contents.h"
 #include "imaging/internal/volume_header.h"
 
 namespace glisson::imaging {
@@ -133,16 +134,13 @@ Names described_beside(const fs::path& file) {
   constexpr std::uint64_t maximum_bytes = std::uint64_t{1} << 18;
   const std::string own = file.filename().string().substr(0, file.filename().string().find('.'));
   std::vector<Names> found;
-  std::error_code problem;
-  for (const fs::directory_entry& entry : fs::directory_iterator(file.parent_path(), problem)) {
-    const std::string type = entry.path().extension().string();
-    std::error_code ignored;
-    if ((type != ".txt" && type != ".label") || !entry.is_regular_file(ignored)) continue;
-    if (entry.file_size(ignored) > maximum_bytes) continue;
-    const auto text = read_text_file(entry.path(), maximum_bytes);
+  for (const fs::path& beside : contents_of(file.parent_path())) {
+    const std::string type = beside.extension().string();
+    if (type != ".txt" && type != ".label") continue;
+    const auto text = read_text_file(beside, maximum_bytes);
     auto names = text ? label_descriptions(*text) : std::nullopt;
     if (!names) continue;
-    if (entry.path().stem() == own) return *std::move(names);
+    if (beside.stem() == own) return *std::move(names);
     found.push_back(*std::move(names));
   }
   return found.size() == 1 ? found.front() : Names{};

@@ -12,6 +12,7 @@
 #include <tuple>
 
 #include "base/files.h"
+#include "base/folder_contents.h"
 #include "base/json.h"
 
 namespace glisson::vision {
@@ -139,12 +140,11 @@ std::optional<std::vector<double>> numbers_in_text(const fs::path& file) {
 
 // The file of a calibration folder whose name contains all these words; empty where there is none.
 fs::path named(const fs::path& folder, std::initializer_list<std::string_view> words) {
-  std::error_code problem;
-  for (const auto& entry : fs::directory_iterator(folder, problem)) {
-    const std::string name = entry.path().filename().string();
+  for (const fs::path& file : contents_of(folder)) {
+    const std::string name = file.filename().string();
     if (std::all_of(words.begin(), words.end(),
                     [&](std::string_view word) { return name.find(word) != std::string::npos; })) {
-      return entry.path();
+      return file;
     }
   }
   return {};

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "base/files.h"
+#include "base/folder_contents.h"
 #include "base/text.h"
 #include "vision/internal/opencv.h"
 
@@ -74,8 +75,8 @@ Result<FrameSource> FrameSource::open(const fs::path& video_or_folder) {
   inside->where = video_or_folder;
   std::error_code problem;
   if (fs::is_directory(video_or_folder, problem)) {
-    for (const auto& entry : fs::directory_iterator(video_or_folder, problem)) {
-      if (is_picture(entry.path())) inside->pictures.push_back(entry.path());
+    for (const fs::path& file : contents_of(video_or_folder)) {
+      if (is_picture(file)) inside->pictures.push_back(file);
     }
     std::sort(inside->pictures.begin(), inside->pictures.end(), comes_before);
     if (inside->pictures.empty()) {

@@ -200,6 +200,18 @@ TEST_F(SmallLiver, AnAssumedStiffnessIsCalledSoAndNotComparedWithTheReferenceBod
   EXPECT_THAT(hung.at("notes").dump(), HasSubstr("The stiffness is assumed"));
 }
 
+TEST_F(SmallLiver, ResultsThatAreALinkToThemselvesAreNone) {
+  const TemporaryFolder place;
+  const fs::path copy = place.path() / "copy.glisson";
+  fs::copy(patient(), copy, fs::copy_options::recursive);
+  fs::remove_all(copy / "results");
+  fs::create_symlink("results", copy / "results");
+  const std::string page = (place.path() / "page.html").string();
+  const Finished told = glisson_cli({"report", copy.string(), "--out", page, "--quiet"});
+  EXPECT_EQ(told.exit_code, 0) << told.err;
+  EXPECT_TRUE(fs::exists(page));
+}
+
 TEST_F(SmallLiver, ASessionWithTwoToolsIsRecordedAndReplaysToTheBit) {
   const char* commands = R"({"format": "glisson-session/1", "commands": [
     {"hold": {"id": "hook", "shape": "nathanson-retractor", "position_mm": [0, 0, -70], "direction": [0, 0, 1],

@@ -127,6 +127,18 @@ TEST_F(Deidentified, SkipsWhatIsNoImageAndSaysSo) {
   EXPECT_EQ(done->skipped.front().path.filename(), "letter.txt");
 }
 
+TEST_F(Deidentified, SkipsALinkThatLeadsToItselfAndSaysSo) {
+  const TemporaryFolder mixed, out;
+  fs::copy(source_.path(), mixed.path(), fs::copy_options::recursive);
+  fs::create_symlink("loop", mixed.path() / "loop");
+  const auto done = deidentify(mixed.path(), out.path());
+  ASSERT_TRUE(done) << done.error().message();
+  EXPECT_EQ(done->files.size(), 8U);
+  ASSERT_EQ(done->skipped.size(), 1U);
+  EXPECT_EQ(done->skipped.front().path.filename(), "loop");
+  EXPECT_EQ(deidentify(mixed.path() / "loop", out.path()).error().code, "path-not-found");
+}
+
 // These were stripped before, of their identifiers too, and are JPEG 2000, which is passed on as it is.
 TEST(Deidentify, TakesFilesThatLackIdentifiers) {
   GLISSON_NEEDS_DATA("totalseg_abdomen_mr_ct");

@@ -164,8 +164,10 @@ void GuidePage::open_example() {
         [page = QPointer(this), case_folder = case_folder_,
          folder = own_folder() / "example-sequence"](const Progress& progress) -> BackgroundWork::Then {
           const fs::path file = folder / "sequence.json";
-          const auto made = fs::exists(file) ? Result<fs::path>(file)
-                                             : studies::write_example_sequence(folder, {}, progress.part(0, 0.6));
+          std::error_code ignored;
+          const auto made = fs::exists(file, ignored)
+                                ? Result<fs::path>(file)
+                                : studies::write_example_sequence(folder, {}, progress.part(0, 0.6));
           auto opened = made.and_then(
               [&](const fs::path& there) { return open_guided_video(case_folder, there, progress.part(0.6, 1)); });
           return [page, opened = std::move(opened)] {

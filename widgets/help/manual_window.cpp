@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 
 #include "base/files.h"
+#include "base/folder_contents.h"
 #include "widgets/words/keep_translated.h"
 #include "widgets/words/language.h"
 #include "widgets/words/paths.h"
@@ -23,11 +24,9 @@ constexpr int page_margin_px = 24;
 
 std::vector<fs::path> page_files(const fs::path& folder) {
   std::vector<fs::path> files;
-  std::error_code problem;
-  for (const auto& entry : fs::directory_iterator(folder, problem)) {
-    if (entry.path().extension() == ".md") files.push_back(entry.path());
+  for (const fs::path& file : contents_of(folder)) {
+    if (file.extension() == ".md") files.push_back(file);
   }
-  std::sort(files.begin(), files.end());
   return files;
 }
 

@@ -84,8 +84,9 @@ void RegisterPage::open_example() {
         [page = QPointer(this),
          folder = own_folder() / "example-sequence"](const Progress& progress) -> BackgroundWork::Then {
           const fs::path file = folder / "sequence.json";
-          const auto made =
-              fs::exists(file) ? Result<fs::path>(file) : studies::write_example_sequence(folder, {}, progress);
+          std::error_code ignored;
+          const auto made = fs::exists(file, ignored) ? Result<fs::path>(file)
+                                                      : studies::write_example_sequence(folder, {}, progress);
           auto opened = made.and_then(read);
           return [page, opened = std::move(opened)] {
             if (page.isNull()) return;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/files.h"
+#include "base/folder_contents.h"
 #include "base/json.h"
 
 namespace glisson::widgets {
@@ -91,12 +92,12 @@ void OpenWorkFile::forget() {
 std::optional<OpenWork> OpenWorkFile::take_lost() {
   std::vector<std::pair<fs::file_time_type, fs::path>> left;
   std::error_code problem;
-  for (const auto& entry : fs::directory_iterator(folder_, problem)) {
-    const std::string stem = entry.path().stem().string();
+  for (const fs::path& file : contents_of(folder_)) {
+    const std::string stem = file.stem().string();
     long process = 0;
     const auto [end, wrong] = std::from_chars(stem.data(), stem.data() + stem.size(), process);
     if (wrong != std::errc{} || end != stem.data() + stem.size() || process <= 0) continue;
-    if (!runs(process)) left.emplace_back(entry.last_write_time(problem), entry.path());
+    if (!runs(process)) left.emplace_back(fs::last_write_time(file, problem), file);
   }
   std::sort(left.rbegin(), left.rend());
   std::optional<OpenWork> lost;

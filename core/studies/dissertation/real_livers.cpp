@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "anatomy/level_surface.h"
+#include "base/folder_contents.h"
 #include "base/noise.h"
 #include "imaging/volume_file.h"
 #include "meshing/mask_surface.h"
@@ -73,12 +74,9 @@ Result<std::optional<geometry::Surface>> vessels_of(const Subject& subject) {
 namespace {
 
 fs::path vessels_beside(const fs::path& labels, const std::string& id) {
-  std::error_code problem;
-  for (const auto& entry : fs::directory_iterator(labels.parent_path(), problem)) {
-    const std::string name = entry.path().filename().string();
-    if (name.substr(0, name.find('.')) == id + "_vessels" && imaging::has_volume_file_name(entry.path())) {
-      return entry.path();
-    }
+  for (const fs::path& file : contents_of(labels.parent_path())) {
+    const std::string name = file.filename().string();
+    if (name.substr(0, name.find('.')) == id + "_vessels" && imaging::has_volume_file_name(file)) return file;
   }
   return {};
 }

@@ -8,6 +8,7 @@
 
 #include "anatomy/level_surface.h"
 #include "base/files.h"
+#include "base/folder_contents.h"
 #include "base/json.h"
 #include "base/json_forward.h"
 #include "base/stopwatch.h"
@@ -244,10 +245,9 @@ Json summary_json(const ShapesStudy& study, const shapes::ShapeModel& model) {
 
 std::vector<ShapesLiver> shapes_livers(const fs::path& folder) {
   std::map<std::string, std::pair<int, fs::path>> best;  // by id: how much its file is preferred
-  std::error_code problem;
-  for (const auto& entry : fs::directory_iterator(folder, problem)) {
-    if (!imaging::has_volume_file_name(entry.path())) continue;
-    std::string stem = entry.path().filename().string();
+  for (const fs::path& file : contents_of(folder)) {
+    if (!imaging::has_volume_file_name(file)) continue;
+    std::string stem = file.filename().string();
     stem = stem.substr(0, stem.find('.'));
     int preferred = 0;
     if (stem.ends_with("_vessels") || stem.ends_with("_couinaud2")) continue;
@@ -257,7 +257,7 @@ std::vector<ShapesLiver> shapes_livers(const fs::path& folder) {
       preferred = rank;
     }
     const auto found = best.find(stem);
-    if (found == best.end() || found->second.first < preferred) best[stem] = {preferred, entry.path()};
+    if (found == best.end() || found->second.first < preferred) best[stem] = {preferred, file};
   }
   std::vector<ShapesLiver> livers;
   for (const auto& [id, file] : best) livers.push_back({id, file.second, livers.size() % 2 == 0});

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "base/files.h"
+#include "base/folder_contents.h"
 #include "casefile/model.h"
 #include "casefile/structure_landmarks.h"
 #include "casefile/structures.h"
@@ -53,9 +54,8 @@ Result<MeasuredLiver> case_without_map(const casefile::Case& patient) {
 
 Result<std::vector<Subject>> find_subjects(const fs::path& folder) {
   std::vector<Subject> subjects;
-  std::error_code problem;
-  for (const auto& entry : fs::directory_iterator(folder, problem)) {
-    if (entry.path().extension() == ".glisson") subjects.push_back({id_of(entry.path()), entry.path(), {}});
+  for (const fs::path& path : contents_of(folder)) {
+    if (path.extension() == ".glisson") subjects.push_back({id_of(path), path, {}});
   }
   const auto study = imaging::scan(folder);
   if (!study) return failure(study.error());
