@@ -169,15 +169,37 @@ Result<void> put_pixels(DcmDataset& data_set, const DicomImage& image) {
   return unfit(image.path, "dicom-damaged", GLISSON_TEXT("{0} holds no image, or is damaged."));
 }
 
-// Made of the new identifiers, which are digits and dots; copies that share theirs stay apart.
-fs::path name_of_copy(DcmDataset& data_set, const fs::path& out, const DeidentifyResult& result) {
-  const fs::path folder = out / text_of(data_set, DCM_SeriesInstanceUID);
-  const std::string instance = text_of(data_set, DCM_SOPInstanceUID);
-  fs::path name = folder / (instance + ".dcm");
-  for (int n = 2; std::find(result.files.begin(), result.files.end(), name) != result.files.end(); ++n) {
-    name = folder / fmt::format("{}-{}.dcm", instance, n);
+// Where a copy goes.
+struct Place {
+  fs::path folder;
+  std::string instance;
+};
+
+// Made of the new identifiers, which are digits and dots.
+Place place_of(DcmDataset& data_set, const fs::path& out) {
+  return {out / text_of(data_set, DCM_SeriesInstanceUID), text_of(data_set, DCM_SOPInstanceUID)};
+}
+
+enum class Taken { no, by_the_same, by_another };
+
+Taken taken(const fs::path& name, const MemoryFile& copy) {
+  std::error_code problem;
+  if (fs::symlink_status(name, problem).type() == fs::file_type::not_found) return Taken::no;
+  const auto there = sha256_of_file(name), ours = sha256_of_file(copy.path());
+  return there && ours && *there == *ours ? Taken::by_the_same : Taken::by_another;
+}
+
+// Copies that share their identifiers stay apart, those of an earlier run too; one that is there is left.
+Result<fs::path> put_copy(const MemoryFile& copy, const Place& place, const std::vector<fs::path>& written) {
+  for (int n = 1;; ++n) {
+    const fs::path name =
+        place.folder / (n == 1 ? place.instance + ".dcm" : fmt::format("{}-{}.dcm", place.instance, n));
+    if (std::find(written.begin(), written.end(), name) != written.end()) continue;
+    const Taken by = taken(name, copy);
+    if (by == Taken::by_another) continue;
+    if (by == Taken::by_the_same) return name;
+    return copy.write_to(name).map([&] { return name; });
   }
-  return name;
 }
 
 Result<void> clean_file(const fs::path& file, const fs::path& out, const std::string& series_description,
@@ -204,22 +226,18 @@ Result<void> clean_file(const fs::path& file, const fs::path& out, const std::st
   ensure(DCM_SeriesInstanceUID, uid_from_name(key + file.parent_path().string()));
   if (const auto put = put_pixels(*data_set, *image); !put) return put;
 
-  const fs::path target = name_of_copy(*data_set, out, result);
+  const Place place = place_of(*data_set, out);
+  const auto copy = MemoryFile::create(place.folder / (place.instance + ".dcm"));
+  if (!copy) return failure(copy.error());
   // A new file around it: the old one's preamble and meta header may say who sent it.
   DcmFileFormat format(data_set.release(), OFFalse);
-  auto written = write_atomically(target, [&](const fs::path& beside) -> Result<void> {
-    const OFCondition saved = format.saveFile(beside.c_str(), EXS_LittleEndianExplicit, EET_ExplicitLength,
-                                              EGL_withoutGL, EPD_noChange, 0, 0, EWM_createNewMeta);
-    if (saved.good()) return {};
-    return failure(Error{"file-not-writable",
-                         GLISSON_TEXT("{0} cannot be written: {1}."),
-                         {target.string(), saved.text()},
-                         GLISSON_TEXT("Check the folder, your rights there and the free space."),
-                         target});
-  });
-  if (!written) return written;
+  const OFCondition saved = format.saveFile(copy->path().c_str(), EXS_LittleEndianExplicit, EET_ExplicitLength,
+                                            EGL_withoutGL, EPD_noChange, 0, 0, EWM_createNewMeta);
+  if (!saved.good()) return file_not_writable(place.folder / (place.instance + ".dcm"), saved.text());
+  auto target = put_copy(*copy, place, result.files);
+  if (!target) return failure(std::move(target.error()));
   for (const auto& [attribute, count] : removed) result.removed[attribute] += count;
-  result.files.push_back(target);
+  result.files.push_back(*std::move(target));
   return {};
 }
 

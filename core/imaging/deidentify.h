@@ -33,7 +33,8 @@ struct DeidentifyOptions {
 
 struct DeidentifyResult {
   std::vector<std::filesystem::path> files;  // written: OUT/<series>/<instance>.dcm, named by the new identifiers, and
-                                             // <instance>-2.dcm where two files share one
+                                             // <instance>-2.dcm where two files share one, in this run or an
+                                             // earlier one with the same key
   std::map<std::string, int> removed;        // how many of each attribute were removed, emptied or replaced
   std::vector<std::string> warnings;         // one sentence each
   std::vector<SkippedFile> skipped;          // not written: not DICOM, damaged, without a picture, or one whose pixels

@@ -6,6 +6,8 @@
 #include <dcmtk/dcmdata/dctk.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <algorithm>
+#include <map>
 
 #include "base/files.h"
 #include "imaging/dicom_seg.h"
@@ -109,6 +111,32 @@ TEST_F(Deidentified, GetsTheSameIdentifiersFromTheSameKeyOnly) {
   const auto name = [](const DeidentifyResult& result) { return result.files.front().filename(); };
   EXPECT_EQ(name(*again), name(result_));
   EXPECT_NE(name(*differently), name(result_));
+}
+
+// Copies of one picture, of which another program has changed one.
+TEST_F(Deidentified, KeepsWhatAnEarlierRunWroteUnderTheSameIdentifiers) {
+  const TemporaryFolder changed;
+  fs::copy(source_.path(), changed.path(), fs::copy_options::recursive);
+  const fs::path first = changed.path() / "T1 SECRETTEXT";
+  for (const auto& entry : fs::directory_iterator(first)) {
+    DcmFileFormat format;
+    ASSERT_TRUE(format.loadFile(entry.path().c_str()).good());
+    format.getDataset()->putAndInsertString(DCM_RescaleIntercept, "5");
+    ASSERT_TRUE(format.saveFile(entry.path().c_str(), EXS_LittleEndianExplicit).good());
+  }
+  std::map<fs::path, std::string> before;
+  for (const fs::path& file : result_.files) before[file] = *read_text_file(file);
+
+  const auto again = deidentify(source_.path(), out_.path(), {"a key"});
+  ASSERT_TRUE(again) << again.error().message();
+  EXPECT_EQ(again->files, result_.files);
+  const auto other = deidentify(changed.path(), out_.path(), {"a key"});
+  ASSERT_TRUE(other) << other.error().message();
+  EXPECT_THAT(other->files, testing::SizeIs(8));
+  for (const auto& [file, bytes] : before) EXPECT_EQ(*read_text_file(file), bytes) << file;
+  const auto are_second = std::count_if(other->files.begin(), other->files.end(),
+                                        [](const fs::path& file) { return file.stem().string().ends_with("-2"); });
+  EXPECT_EQ(are_second, 4);
 }
 
 TEST_F(Deidentified, NeverWritesIntoTheSource) {
