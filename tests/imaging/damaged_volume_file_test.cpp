@@ -177,10 +177,11 @@ TEST(VolumeFile, RefusesMoreVoxelsThanAnyScanHas) {
 TEST(VolumeFile, RefusesWhatUnpacksToHundredsOfTimesItsSize) {
   const TemporaryFolder folder;
   const fs::path file = folder.path() / "hollow.nrrd";
-  const auto packed = [&](const char* slices, std::size_t bytes) {
-    test::write_bytes(file, std::string("NRRD0004\ntype: short\ndimension: 3\nspace: left-posterior-superior\n"
-                                        "space directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (0,0,0)\n"
-                                        "endian: little\nencoding: gzip\nsizes: 512 512 ") +
+  const auto packed = [&](const char* slices, std::size_t bytes, const char* type = "short") {
+    test::write_bytes(file, std::string("NRRD0004\ntype: ") + type +
+                                "\ndimension: 3\nspace: left-posterior-superior\n"
+                                "space directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (0,0,0)\n"
+                                "endian: little\nencoding: gzip\nsizes: 512 512 " +
                                 slices + "\n\n" + std::string(bytes, 'x'));
     const auto header = read_volume_file_header(file);
     return header ? std::string("read") : header.error().code;
@@ -189,6 +190,10 @@ TEST(VolumeFile, RefusesWhatUnpacksToHundredsOfTimesItsSize) {
   EXPECT_EQ(packed("700", 1'000'000), "read");  // a label map of the whole body
   EXPECT_EQ(packed("300", 160'000), "read");
   EXPECT_EQ(packed("700", 300'000), "volume-file-truncated");
+  // A byte becomes a float of four: one megabyte took two gigabytes.
+  EXPECT_EQ(packed("2000", 1'100'000, "uchar"), "volume-file-hollow");
+  EXPECT_EQ(packed("2000", 2'600'000, "uchar"), "read");  // a label map of the whole body, at a 200th
+  EXPECT_EQ(packed("600", 200'000, "uchar"), "read");     // the mask of one organ
 }
 
 // --- as ITK reads them ---

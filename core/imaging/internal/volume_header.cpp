@@ -144,8 +144,9 @@ Result<void> check_room(const VolumeHeader& header, const fs::path& file) {
   const auto data = OpenFile::open(header.data);
   if (!data) return not_opened(data.error(), file);
   const double there = static_cast<double>(data->bytes() - std::min(header.begin, data->bytes()));
-  double declared = static_cast<double>(bytes_of(header.type));
-  for (const int size : header.grid.size) declared *= size;
+  double voxels = 1;
+  for (const int size : header.grid.size) voxels *= size;
+  const double declared = voxels * static_cast<double>(bytes_of(header.type));
   // Deflate's own bound is 258 bytes by two bits; a number in decimals takes a digit and a blank.
   const double maximum = header.coding == VoxelCoding::deflated ? 1032 * there
                          : header.coding == VoxelCoding::text
@@ -153,8 +154,10 @@ Result<void> check_room(const VolumeHeader& header, const fs::path& file) {
                              : there;
   // Label maps shrink to a 200th, images to a third; what shrinks more is one value, or made to fill the memory.
   constexpr double any_size = 256.0 * 1024 * 1024, maximum_ratio = 500;
-  if (header.coding == VoxelCoding::deflated && declared > any_size && declared > maximum_ratio * there &&
-      declared <= maximum) {
+  // Each voxel becomes a float: what is stored as bytes grows fourfold.
+  const double in_memory = voxels * std::max<double>(static_cast<double>(bytes_of(header.type)), sizeof(float));
+  const bool hollow = declared > maximum_ratio * there || in_memory > 2 * maximum_ratio * there;
+  if (header.coding == VoxelCoding::deflated && declared > any_size && hollow && declared <= maximum) {
     return failure(Error{"volume-file-hollow",
                          GLISSON_TEXT("{0} holds {1} MB of voxels in {2} MB: nearly all of them have one value."),
                          {file.string(), fmt::format("{:.0f}", declared / 1e6), fmt::format("{:.1f}", there / 1e6)},
