@@ -4,6 +4,7 @@
 
 #include "base/files.h"
 #include "base/json.h"
+#include "geometry/mesh_file.h"
 #include "support/data.h"
 #include "support/process.h"
 #include "support/small_liver.h"
@@ -198,6 +199,66 @@ TEST_F(SmallLiver, AnAssumedStiffnessIsCalledSoAndNotComparedWithTheReferenceBod
   ASSERT_TRUE(write_text_file(folder_->path() / "weight.json", R"({"loads": [{"gravity_m_s2": [0, 9.81, 0]}]})"));
   const Json hung = answer({"simulate", patient(), "--scenario", file("weight.json"), "--out", file("weight")});
   EXPECT_THAT(hung.at("notes").dump(), HasSubstr("The stiffness is assumed"));
+}
+
+// As another program would, in a copy of the case.
+class ReplacedModel : public SmallLiver {
+ protected:
+  void SetUp() override {
+    fs::copy(patient(), copy_, fs::copy_options::recursive);
+    ASSERT_TRUE(write_text_file(place_.path() / "pull.json", R"({"loads": [
+      {"tool": {"center_mm": [0, -50, 0], "radius_mm": 15, "force_N": [0, -0.2, 0]}}]})"));
+  }
+  void replace_model(const Eigen::Vector3d& by_mm) const {
+    auto mesh = geometry::read_tetrahedra(copy_ / "meshes" / "model.vtu");
+    ASSERT_TRUE(mesh) << mesh.error().message();
+    for (Eigen::Vector3d& point : mesh->points_mm) point += by_mm;
+    geometry::set_field(mesh->cell_fields, {"youngs_modulus_kPa", 1, std::vector<double>(mesh->cells.size(), 9.0)});
+    ASSERT_TRUE(geometry::write_tetrahedra(copy_ / "meshes" / "model.vtu", *mesh));
+  }
+  [[nodiscard]] std::string at(const char* name) const { return (place_.path() / name).string(); }
+  // What answers from the case's files.
+  [[nodiscard]] std::vector<std::vector<std::string>> commands() const {
+    return {{"simulate", copy_.string(), "--scenario", at("pull.json"), "--out", at("pulled")},
+            {"resect", copy_.string(), "--plane=-20,0,0,1,0,0", "--out", at("resected")},
+            {"export", copy_.string(), "--format", "vtu", "--out", at("liver.vtu")}};
+  }
+
+  TemporaryFolder place_;
+  fs::path copy_ = place_.path() / "copy.glisson";
+};
+
+TEST_F(ReplacedModel, IsToldOfInTheAnswer) {
+  replace_model({0, 0, 0});
+  for (const auto& command : commands()) {
+    EXPECT_THAT(answer(command).at("notes").dump(), HasSubstr("Another program has changed meshes/model"))
+        << command.front();
+    const Finished in_words = glisson_cli(command);
+    EXPECT_THAT(in_words.out, HasSubstr("Another program has changed meshes/model")) << command.front();
+  }
+}
+
+TEST_F(ReplacedModel, OfAnotherBodyIsRefusedAndNothingIsWritten) {
+  replace_model({200, 0, 0});
+  for (const auto& command : commands()) {
+    std::vector<std::string> as_json = command;
+    as_json.insert(as_json.end(), {"--json", "--quiet"});
+    const Finished refused = glisson_cli(as_json);
+    EXPECT_EQ(refused.exit_code, 1) << command.front();
+    EXPECT_EQ(refused.json().at("error").at("code"), "model-of-another") << command.front();
+    EXPECT_FALSE(fs::exists(command.back())) << command.front();
+  }
+}
+
+TEST_F(ReplacedModel, AnEditedLabelIsToldOf) {
+  ASSERT_TRUE(write_text_file(copy_ / "labels" / "tumour-1.nrrd", *read_text_file(file("tumour.nrrd"))));
+  for (const auto& command : commands()) {
+    if (command.front() == "export") continue;  // of the model alone
+    EXPECT_THAT(answer(command).at("notes").dump(), HasSubstr("Another program has changed labels/tumour-1"))
+        << command.front();
+  }
+  const Json labels = answer({"export", copy_.string(), "--format", "nrrd", "--out", at("labels")});
+  EXPECT_THAT(labels.at("notes").dump(), HasSubstr("Another program has changed labels/tumour-1"));
 }
 
 TEST_F(SmallLiver, ResultsThatAreALinkToThemselvesAreNone) {
