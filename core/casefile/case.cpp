@@ -8,6 +8,7 @@
 #include "base/files.h"
 #include "base/json.h"
 #include "base/write_file.h"
+#include "casefile/internal/case_links.h"
 #include "casefile/internal/entry_record.h"
 #include "casefile/internal/folder_lock.h"
 #include "imaging/volume_file.h"
@@ -19,7 +20,6 @@ namespace {
 constexpr const char* case_format = "glisson-case/1";
 
 Failure not_a_case(const fs::path& folder, const std::string& why);
-Result<void> refuse_links(const fs::path& folder, const fs::path& file);
 
 // Where a new file waits until case.json knows it.
 constexpr const char* waiting_prefix = ".next-";
@@ -294,22 +294,6 @@ Result<void> Case::finish_interrupted_addition() const {
 }
 
 namespace {
-
-// A case from somewhere else may hold a folder that is a link: what is written there would land outside of the case.
-Result<void> refuse_links(const fs::path& folder, const fs::path& file) {
-  fs::path place = folder;
-  std::error_code problem;
-  for (const fs::path& part : file.parent_path()) {
-    place /= part;
-    if (!fs::is_symlink(fs::symlink_status(place, problem))) continue;
-    return failure(Error{"case-link",
-                         GLISSON_TEXT("{0} is a link to another place, where nothing is written."),
-                         {place.string()},
-                         GLISSON_TEXT("Put the folder itself there."),
-                         place});
-  }
-  return {};
-}
 
 Failure not_a_case(const fs::path& folder, const std::string& why) {
   return failure(Error{"not-a-case",

@@ -8,6 +8,7 @@
 #include "base/files.h"
 #include "base/folder_contents.h"
 #include "base/json.h"
+#include "casefile/internal/case_links.h"
 #include "casefile/internal/entry_record.h"
 #include "casefile/internal/folder_lock.h"
 #include "casefile/internal/history_journal.h"
@@ -72,6 +73,9 @@ History::~History() = default;
 
 Result<std::unique_ptr<History>> History::open(const fs::path& case_folder, HistoryCaps caps) {
   if (auto there = Case::open(case_folder); !there) return failure(there.error());
+  for (const char* file : {"history/steps/1.json", "history/kept/session.json"}) {
+    if (auto inside = refuse_links(case_folder, file); !inside) return failure(std::move(inside.error()));
+  }
   auto parts = std::make_unique<Impl>(case_folder, caps);
   if (parts->in_use.taken()) {
     return failure(Error{"history-in-use",

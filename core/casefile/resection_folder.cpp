@@ -5,6 +5,7 @@
 
 #include "base/json.h"
 #include "base/write_file.h"
+#include "casefile/internal/case_links.h"
 #include "casefile/structure_landmarks.h"
 #include "geometry/mesh_file.h"
 
@@ -64,6 +65,7 @@ Json resection_json(const PlannedCut& cut, const rehearsal::Resection& plan) {
 }
 
 Result<void> write_resection(const fs::path& folder, const PlannedCut& cut, const rehearsal::Resection& plan) {
+  if (auto inside = refuse_links_on_the_way_to(folder); !inside) return inside;
   const bool at_rest = cut.liver == PlannedCut::Liver::at_rest;
   return write_together([&] {
     return geometry::write_tetrahedra(folder / "parts.vtu",
@@ -76,6 +78,7 @@ Result<void> write_resection(const fs::path& folder, const PlannedCut& cut, cons
 }
 
 Result<void> remove_resection(const fs::path& folder) {
+  if (auto inside = refuse_links_on_the_way_to(folder); !inside) return inside;
   for (const char* name : {"resection.json", "cut.vtp", "parts.vtu"}) {  // without the first it is no resection
     std::error_code problem;
     fs::remove(folder / name, problem);

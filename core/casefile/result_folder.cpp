@@ -6,6 +6,7 @@
 
 #include "base/json_value.h"
 #include "base/write_file.h"
+#include "casefile/internal/case_links.h"
 #include "geometry/mesh_file.h"
 #include "mechanics/scenario/scenario_file.h"
 
@@ -29,6 +30,7 @@ std::string_view engine_name(mechanics::Engine engine) { return engine == mechan
 }  // namespace
 
 Result<void> write_result(const fs::path& folder, const mechanics::Simulation& simulation) {
+  if (auto inside = refuse_links_on_the_way_to(folder); !inside) return inside;
   return write_together([&] {
     return geometry::write_tetrahedra(folder / "result.vtu", simulation.mesh)
         .and_then([&] { return write_file(folder / "scenario.json", mechanics::scenario_text(simulation.scenario)); })

@@ -13,7 +13,8 @@
 
 namespace glisson::casefile {
 
-// The folder is made where absent; files of these names are replaced, each whole.
+// The folder is made where absent; files of these names are replaced, each whole. Fails with "case-link" where a link
+// leads out of the case that the folder lies in.
 Result<void> write_result(const std::filesystem::path& folder, const mechanics::Simulation& simulation);
 
 // Fails with "not-a-result", naming what is missing or damaged, and where the answer may not be used.

@@ -60,6 +60,21 @@ class HistoryTest : public testing::Test {
   fs::path folder_ = temporary_.path() / "patient.glisson";
 };
 
+TEST_F(HistoryTest, IsKeptThroughNoLink) {
+  const fs::path elsewhere = temporary_.path() / "elsewhere";
+  ASSERT_TRUE(write_text_file(elsewhere / "journal.json", "theirs"));
+  for (const char* place : {"history", "history/steps", "history/kept"}) {
+    fs::remove_all(folder_ / "history");
+    fs::create_directories((folder_ / place).parent_path());
+    fs::create_directory_symlink(elsewhere, folder_ / place);
+    const auto history = History::open(folder_);
+    ASSERT_FALSE(history) << place;
+    EXPECT_EQ(history.error().code, "case-link") << place;
+  }
+  EXPECT_EQ(read_text_file(elsewhere / "journal.json").value(), "theirs");
+  EXPECT_EQ(std::distance(fs::directory_iterator(elsewhere), fs::directory_iterator()), 1);
+}
+
 TEST_F(HistoryTest, UndoesAndRedoesWhatWasDoneAlsoAfterReopening) {
   std::vector<std::map<std::string, std::string>> states{contents(folder_)};
   {

@@ -7,6 +7,8 @@
 
 #include "base/files.h"
 #include "base/json.h"
+#include "casefile/case.h"
+#include "casefile/result_folder.h"
 #include "geometry/mesh_file.h"
 #include "support/shapes.h"
 
@@ -52,6 +54,27 @@ TEST_F(ResectionFolder, GoesWithItsFilesAndNoOthers) {
   EXPECT_FALSE(read_planned_cut(folder_));
   EXPECT_FALSE(fs::exists(folder_ / "parts.vtu"));
   EXPECT_TRUE(fs::exists(folder_ / "notes.txt"));
+}
+
+// A case from somewhere else, whose results lie elsewhere.
+TEST_F(ResectionFolder, OfACaseIsWrittenAndRemovedThroughNoLink) {
+  const fs::path patient = temporary_.path() / "patient.glisson", elsewhere = temporary_.path() / "elsewhere";
+  ASSERT_TRUE(Case::create(patient));
+  ASSERT_TRUE(write_text_file(elsewhere / "resection" / "resection.json", "theirs"));
+  fs::create_directory_symlink(elsewhere, patient / "results");
+  const fs::path folder = patient / "results" / "resection";
+  const auto plan = plan_resection(liver_, plane_at(90), {});
+  const auto written = write_resection(folder, plane_at(90), *plan);
+  ASSERT_FALSE(written);
+  EXPECT_EQ(written.error().code, "case-link");
+  EXPECT_EQ(remove_resection(folder).error().code, "case-link");
+  EXPECT_EQ(write_result(patient / "results" / "mre", {}).error().code, "case-link");
+  EXPECT_EQ(read_text_file(elsewhere / "resection" / "resection.json").value(), "theirs");
+  EXPECT_FALSE(fs::exists(elsewhere / "mre"));
+  // Into the place itself, and where no case is, links are a person's own.
+  EXPECT_TRUE(write_resection(elsewhere / "resection", plane_at(90), *plan));
+  fs::remove(patient / "results");
+  EXPECT_TRUE(write_resection(folder, plane_at(90), *plan));
 }
 
 TEST_F(ResectionFolder, KeepsThatTheLiverWasHeldAsideAndItsPartsAtRest) {
