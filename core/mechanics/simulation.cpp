@@ -67,6 +67,11 @@ Result<Simulation> simulate(const geometry::TetMesh& whole, const Scenario& scen
                     simulation.mesh);
   simulation.result = std::move(answer->result);
   if (moduli->note) simulation.result.notes.push_back(std::move(*moduli->note));
+  if (const int inside = cells_in_others(whole); inside > 0) {
+    simulation.result.notes.push_back(fmt::format(
+        "{} of {} cells lie in others: where the body folds over itself, its tissue counts twice. Mesh it anew.",
+        inside, whole.cells.size()));
+  }
   if (!scenario.cuts.empty()) {
     simulation.cut = opening_of(*body, simulation.result.displacement_mm);
     if (scenario.cut_walls == Scenario::Walls::apart && simulation.contact)

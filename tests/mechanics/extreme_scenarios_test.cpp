@@ -93,6 +93,19 @@ Asked tangled() {
   return asked;
 }
 
+// A bar bent round by 1.05 turns: no two cells that share a face overlap, and those of its ends do.
+Asked bent_round() {
+  Asked asked;
+  asked.mesh = test::bent_box(2, 2, 40, [](const Vector3d& unit) {
+    const double radius_mm = 40 + 10 * unit.x(), angle = 1.05 * 2 * std::acos(-1.0) * unit.z();
+    return Vector3d(radius_mm * std::cos(angle), radius_mm * std::sin(angle), 10 * unit.y());
+  });
+  test::name_points(asked.mesh, "foot", [](const Vector3d& p) { return p.y() == 0 && p.x() > 0; });
+  asked.scenario.youngs_modulus = 5000.0;
+  asked.scenario.supports = {test::fixed("foot")};
+  return asked_with(std::move(asked), weight);
+}
+
 Asked far_away(double offset_mm) {
   Asked asked = asked_with(standing(3, 3, 30, 30, 5), weight);
   for (Vector3d& point : asked.mesh.points_mm) point.x() += offset_mm;
@@ -221,6 +234,8 @@ std::vector<Row> rows() {
       {"a body 1e12 mm from the origin", "no room for its digits", "refused: mesh-too-far",
        [] { return far_away(1e12); }, refused},
       {"a tangled mesh, its cells all of positive volume", "cells overlap", "refused: mesh-tangled", tangled, refused},
+      {"a bar bent round until its ends overlap", "two tissues in one place", "said: cells lie in others", bent_round,
+       says("within", "cells lie in others", "said: cells lie in others")},
       {"a landmark at 1e308 mm", "outside", "refused: landmark-outside",
        [=] {
          return marked({huge, 0, 0});

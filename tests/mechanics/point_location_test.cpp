@@ -50,6 +50,24 @@ TEST(LocatePoints, TheMeshesOwnPointsAreInside) {
   for (const PointInMesh& place : locate_points(mesh, mesh.points_mm)) EXPECT_LT(place.outside_by_mm, 1e-9);
 }
 
+// Each cell is of positive volume and lies well beside those that it shares a face with.
+TEST(CellsInOthers, AreThoseOfABarWhoseEndsOverlap) {
+  const auto bar_bent_by = [](double turn) {
+    return test::bent_box(2, 2, 40, [turn](const Vector3d& unit) {
+      const double radius_mm = 40 + 10 * unit.x(), angle = turn * unit.z();
+      return Vector3d(radius_mm * std::cos(angle), radius_mm * std::sin(angle), 10 * unit.y());
+    });
+  };
+  const double once = 2 * std::acos(-1.0);
+  const auto overlapping = bar_bent_by(1.05 * once);
+  ASSERT_TRUE(geometry::check_tetrahedra(overlapping));
+  const double layers = 2 * 0.05 / 1.05 * 40;  // of 24 cells, at both ends
+  EXPECT_GT(cells_in_others(overlapping), 0.5 * layers * 24);
+  EXPECT_LT(cells_in_others(overlapping), 1.5 * layers * 24);
+  EXPECT_EQ(cells_in_others(bar_bent_by(0.98 * once)), 0);
+  EXPECT_EQ(cells_in_others(crooked_body()), 0);
+}
+
 TEST(LocatePoints, OutsideTheDistanceAndPlaceAreThoseOfTheSlowSearch) {
   const auto mesh = crooked_body();
   const geometry::Surface surface = geometry::boundary_surface(mesh);

@@ -1,5 +1,7 @@
 #include "mechanics/elements/point_location.h"
 
+#include <atomic>
+
 #include "base/parallel.h"
 #include "geometry/nearest.h"
 #include "mechanics/elements/box_tree.h"
@@ -42,6 +44,23 @@ std::vector<PointInMesh> locate_points(const geometry::TetMesh& mesh, const std:
     for (std::size_t i = begin; i < end; ++i) places[i] = locate(positions_mm[i]);
   });
   return places;
+}
+
+int cells_in_others(const geometry::TetMesh& mesh) {
+  const BoxTree cells = tree_of_cells(mesh);
+  std::atomic<int> count{0};
+  parallel_for(mesh.cells.size(), 1024, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t own = begin; own < end; ++own) {
+      const Vector3d centroid_mm = geometry::cell_centroid_mm(mesh, own);
+      constexpr double well_inside = 1e-6;
+      const bool in_another = cells.visit_containing(centroid_mm, [&](int cell) {
+        return static_cast<std::size_t>(cell) != own &&
+               barycentric_in(mesh, cell, centroid_mm).minCoeff() > well_inside;
+      });
+      if (in_another) ++count;
+    }
+  });
+  return count;
 }
 
 namespace {
