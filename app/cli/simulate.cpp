@@ -106,7 +106,7 @@ Result<Outcome> simulate(const SimulateCommand& options, const Progress& progres
   if (!simulation) return failure(simulation.error());
   for (const Sentence& said : asked->evidence) simulation->result.notes.push_back(said.message());
   for (const Sentence& said : asked->remarks) simulation->result.notes.push_back(said.message());
-  if (!simulation->result.may_be_used()) {
+  if (!simulation->result.converged()) {
     return failure(Error{"not-converged",
                          GLISSON_TEXT("The computation did not converge: {0}"),
                          {simulation->result.why_stopped},

@@ -29,7 +29,7 @@ using SharedAnswer = std::shared_ptr<Answer>;
 SharedAnswer answer(const geometry::TetMesh& mesh, const py::object& scenario, const py::object& progress) {
   const Scenario asked = or_raise(parse_scenario(text_of(scenario)));
   Simulation found = long_call(progress, [&](const Progress& told) { return simulate(mesh, asked, {}, told); });
-  if (!found.result.may_be_used()) {
+  if (!found.result.converged()) {
     raise("not-converged", "The computation did not converge: {0}", {found.result.why_stopped});
   }
   auto displaced = std::make_shared<geometry::TetMesh>(std::move(found.mesh));

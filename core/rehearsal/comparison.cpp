@@ -18,7 +18,7 @@ void compare_surfaces(const geometry::TetMesh& mesh, const std::vector<mechanics
 
 Result<Comparison> compare(const mechanics::Simulation& a, const mechanics::Simulation& b) {
   for (const mechanics::Simulation* simulation : {&a, &b}) {
-    if (simulation->result.may_be_used()) continue;
+    if (simulation->result.converged()) continue;
     return failure("comparison-mismatch", GLISSON_TEXT("A result that did not converge cannot be compared: {0}"),
                    {simulation->result.why_stopped});
   }

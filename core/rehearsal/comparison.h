@@ -33,8 +33,8 @@ struct Comparison {
   [[nodiscard]] bool significant() const { return max_mm >= significant_mm; }
 };
 
-// Failures: "comparison-mismatch" where the meshes are not the same points (within 1e-3 mm) or a result may not be
-// used.
+// Failures: "comparison-mismatch" where the meshes are not the same points (within 1e-3 mm) or a result did not
+// converge. What a result is worth (validity.h) its caller tells: studies count linear answers beyond small strain too.
 Result<Comparison> compare(const mechanics::Simulation& a, const mechanics::Simulation& b);
 
 // The same from what is read back from files: one rest mesh, its two displacement fields.

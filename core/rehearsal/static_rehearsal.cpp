@@ -340,7 +340,7 @@ std::vector<Vector3d> displaced(const std::vector<Vector3d>& rest_mm, const Resp
 }
 
 Result<void> usable(const StaticResult& result) {
-  if (result.may_be_used()) return {};
+  if (result.converged()) return {};
   return failure("not-converged", GLISSON_TEXT("The equilibrium was not found. {0}"), {result.why_stopped});
 }
 

@@ -28,7 +28,11 @@ TEST(Validity, HyperelasticLawsKnowLargeStrain) {
   EXPECT_EQ(validity_of(result, MaterialLaw::linear).state(), AnswerState::outside_of_the_model);
   EXPECT_EQ(validity_of(result, MaterialLaw::corotational).state(), AnswerState::outside_of_the_model);
   EXPECT_EQ(validity_of(result, MaterialLaw::neo_hookean).state(), AnswerState::within);
+  EXPECT_TRUE(result.may_be_used());
   result.inverted_cells = 2;
+  EXPECT_TRUE(result.converged());
+  EXPECT_FALSE(result.may_be_used());
+  EXPECT_EQ(why_not_used(result), "cells turned inside out: 2");
   EXPECT_EQ(validity_of(result, MaterialLaw::neo_hookean).state(), AnswerState::unusable);
 }
 

@@ -39,6 +39,14 @@ TEST(Palpation, StifferPhantomsGiveLessAndTwiceTheForceGoesTwiceAsFar) {
   EXPECT_GT(soft->depth_mm, 0.3 * 2 * (1 - 0.45 * 0.45) * pressure_kPa * 20 / 17);
 }
 
+// Linear elasticity answers any force, also with cells that it turns inside out.
+TEST(Palpation, APhantomThatIsTurnedInsideOutIsNoAnswer) {
+  const auto overloaded = press("A", 60, 17, 37, {});
+  ASSERT_FALSE(overloaded);
+  EXPECT_EQ(overloaded.error().code, "palpation-not-converged");
+  EXPECT_THAT(overloaded.error().message(), testing::HasSubstr("cells turned inside out"));
+}
+
 TEST(Palpation, ScansOfTheModelItselfAreFoundAgain) {
   const TemporaryFolder folder;
   const fs::path scans = folder.path() / "scans";

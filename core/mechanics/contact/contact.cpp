@@ -23,7 +23,7 @@ Result<ContactBody> ContactBody::create(StaticModel model, const Loads& standing
                                         std::vector<PointInMesh> watched) {
   const auto standing = model.solve(standing_loads);
   if (!standing) return failure(standing.error());
-  if (!standing->may_be_used()) {
+  if (!standing->converged()) {
     return failure("not-converged", GLISSON_TEXT("The equilibrium was not found. {0}"), {standing->why_stopped});
   }
   const auto boundary = boundary_faces(model.mesh(), model.nodes());

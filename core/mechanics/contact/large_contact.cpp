@@ -15,7 +15,7 @@ Result<LargeContact> find_equilibrium_in_contact(const Body& body, const std::ve
   if (walls.empty()) {
     auto standing = find_equilibrium(body, materials, loads, {}, progress.part(0.0, 0.1));
     if (!standing) return failure(std::move(standing.error()));
-    if (!standing->may_be_used()) return LargeContact{std::move(*standing), {}, {}};
+    if (!standing->converged()) return LargeContact{std::move(*standing), {}, {}};
     from_mm = nodal_displacements(body.layout, *standing);
   }
   return go_through(stations, unknowns, body, materials, loads, options, std::move(from_mm), walls,

@@ -72,7 +72,7 @@ Result<LiveBody> LiveBody::create(StaticModel model, const ChosenLaw& law, const
   if (parts.standing.dead_mN.norm() > 0 || parts.standing.follower_pressure_kPa != 0) {
     const auto found = find_equilibrium(parts.body, parts.materials, parts.standing, {.relative_tolerance = 1e-4});
     if (!found) return failure(found.error());
-    if (!found->may_be_used()) {
+    if (!found->converged()) {
       return failure("not-converged", GLISSON_TEXT("The equilibrium was not found. {0}"), {found->why_stopped});
     }
     standing.u_mm = nodal_displacements(parts.body.layout, *found);

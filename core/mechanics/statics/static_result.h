@@ -40,7 +40,9 @@ struct StaticResult {
   double step_ms = 0;              // this solve
 
   // It is the equilibrium asked for; what that is worth says validity.h.
-  [[nodiscard]] bool may_be_used() const { return status == SolveStatus::converged; }
+  [[nodiscard]] bool converged() const { return status == SolveStatus::converged; }
+  // And no cell of it is inside out.
+  [[nodiscard]] bool may_be_used() const { return converged() && inverted_cells == 0; }
 };
 
 }  // namespace glisson::mechanics

@@ -40,6 +40,10 @@ Validity validity_of(const StaticResult& result, MaterialLaw law) {
   return {result.status == SolveStatus::converged, result.largest_strain, result.inverted_cells, strain_limit(law)};
 }
 
+std::string why_not_used(const StaticResult& result) {
+  return result.converged() ? validity_of(result).why_not().message() : result.why_stopped;
+}
+
 std::string_view to_string(AnswerState state) {
   switch (state) {
     case AnswerState::within: return "within";

@@ -3,6 +3,7 @@
 // goes with every result, to the window, the reports and the files; the numbers of an unusable one are not shown.
 
 #include <limits>
+#include <string>
 #include <string_view>
 
 #include "base/sentence.h"
@@ -38,6 +39,9 @@ struct Validity {
   [[nodiscard]] Sentence why_not() const;
 };
 [[nodiscard]] Validity validity_of(const StaticResult& result, MaterialLaw law = MaterialLaw::linear);
+
+// Of a result that may not be used: why it stopped, or how many cells are inside out.
+[[nodiscard]] std::string why_not_used(const StaticResult& result);
 
 // "within", "outside-of-the-model", "unusable", "not-converged": as files say it.
 [[nodiscard]] std::string_view to_string(AnswerState state);

@@ -180,10 +180,11 @@ Result<void> rehearse(Run& run, Case& patient, const Progress& progress) {
   const auto reference = mechanics::simulate(model->mesh, scenario, {}, progress.part(0.5, 1.0));
   if (!reference) return failure(reference.error());
   run.summary.validity = validity_of(*mre);
-  if (!run.summary.validity.usable()) {
+  for (const mechanics::Validity& validity : {run.summary.validity, validity_of(*reference)}) {
+    if (validity.usable()) continue;
     return failure(Error{"answer-unusable",
                          GLISSON_TEXT("The retraction's answer is not to be used: {0}."),
-                         {run.summary.validity.why_not().message()},
+                         {validity.why_not().message()},
                          GLISSON_TEXT("Use less force."),
                          {}});
   }

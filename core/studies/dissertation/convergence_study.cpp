@@ -8,6 +8,7 @@
 #include "base/json.h"
 #include "base/write_file.h"
 #include "mechanics/meshfree/meshfree_model.h"
+#include "mechanics/statics/validity.h"
 #include "report/html.h"
 #include "studies/dissertation/internal/beam_mesh.h"
 
@@ -139,7 +140,7 @@ Result<ConvergenceRow> row_of(int nodes, const Progress& progress) {
   if (!result) return failure(result.error());
   if (!result->may_be_used()) {
     return failure("not-converged", GLISSON_TEXT("With {0} nodes the beam did not converge: {1}"),
-                   {std::to_string(nodes), result->why_stopped});
+                   {std::to_string(nodes), mechanics::why_not_used(*result)});
   }
 
   std::vector<Vector3d> axis_mm;

@@ -12,6 +12,7 @@
 #include "base/write_file.h"
 #include "mechanics/statics/data_driven.h"
 #include "mechanics/statics/static_model.h"
+#include "mechanics/statics/validity.h"
 #include "rehearsal/liver_supports.h"
 #include "rehearsal/tool_presets.h"
 #include "report/html.h"
@@ -77,7 +78,7 @@ Result<DataDrivenStudy> run_data_driven(const DataDrivenStudyOptions& options, c
   if (!truth) return failure(truth.error());
   if (!truth->may_be_used()) {
     return failure("not-converged", GLISSON_TEXT("The tissue's own law found no equilibrium: {0}"),
-                   {truth->why_stopped});
+                   {mechanics::why_not_used(*truth)});
   }
   question.truth_mm = truth->displacement_mm;
   study.true_retraction_mm = truth->max_displacement_mm;

@@ -15,6 +15,7 @@
 #include "geometry/nearest.h"
 #include "geometry/tetrahedra.h"
 #include "mechanics/statics/static_model.h"
+#include "mechanics/statics/validity.h"
 #include "registration/rigid.h"
 #include "report/html.h"
 
@@ -126,7 +127,7 @@ Result<PressedPhantom> press(const std::string& phantom, double force_N, double 
   if (!solved) return failure(solved.error());
   if (!solved->may_be_used()) {
     return failure("palpation-not-converged", GLISSON_TEXT("The phantom's equilibrium was not reached: {0}"),
-                   {solved->why_stopped});
+                   {mechanics::why_not_used(*solved)});
   }
   PressedPhantom pressed{geometry::boundary_surface(mesh), {}, 0, solved->largest_strain};
   pressed.pressed = pressed.rest;

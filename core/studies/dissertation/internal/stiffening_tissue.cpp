@@ -5,6 +5,7 @@
 
 #include "base/parallel.h"
 #include "mechanics/elements/load_vector.h"
+#include "mechanics/elements/strain.h"
 #include "mechanics/elements/strain_points.h"
 #include "mechanics/statics/displacements.h"
 #include "mechanics/statics/static_model.h"
@@ -59,7 +60,7 @@ Result<mechanics::StaticResult> equilibrium_of(const StiffeningTissue& tissue, d
   Eigen::VectorXd u_mm = Eigen::VectorXd::Zero(load_mN->size());
   mechanics::StaticResult result;
   result.status = mechanics::SolveStatus::not_converged;
-  for (result.iterations = 0; result.iterations < max_steps && !result.may_be_used(); ++result.iterations) {
+  for (result.iterations = 0; result.iterations < max_steps && !result.converged(); ++result.iterations) {
     std::vector<Matrix3d> stresses_kPa = points.strains_of(u_mm);
     parallel_for(stresses_kPa.size(), 1024, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) stresses_kPa[i] = tissue.stress_kPa(stresses_kPa[i]);
@@ -76,6 +77,7 @@ Result<mechanics::StaticResult> equilibrium_of(const StiffeningTissue& tissue, d
   result.why_stopped =
       fmt::format("The last of {} steps was {:.1e} of the displacements.", result.iterations, result.relative_residual);
   mechanics::set_displacements(body, u_mm, result);
+  result.inverted_cells = mechanics::strain_range(body.mesh, body.layout, u_mm).inverted_cells;
   for (const Matrix3d& strain : points.strains_of(u_mm)) {
     result.largest_strain = std::max(result.largest_strain, strain.operatorNorm());
   }
