@@ -1,11 +1,14 @@
 #include "base/internal/parts.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <mutex>
+#include <set>
 #include <system_error>
 
 #include "base/folder_contents.h"
@@ -25,6 +28,8 @@ fs::path part_path(const fs::path& target, int writer) {
   return target.parent_path() / (std::string(part_prefix) + count + target.filename().string().substr(0, longest_name));
 }
 
+// Of writers that were killed, whatever they were writing; once a folder, since a program may write many files into it.
+void remove_what_was_left_beside(const fs::path& target);
 // Replaces nothing but an empty folder, where the file system cannot refuse even that.
 int rename_new(const fs::path& from, const fs::path& to);
 
@@ -40,6 +45,7 @@ int flushed(int descriptor) {
 }
 
 Result<Part> Part::begin(const fs::path& target) {
+  remove_what_was_left_beside(target);
   for (int number = 0; number < maximum_writers; ++number) {
     fs::path path = part_path(target, number);
     int descriptor = -1;
@@ -108,6 +114,7 @@ int Part::take_away(const fs::path& target) {
 }
 
 Result<NewFolder> NewFolder::begin(const fs::path& target) {
+  remove_what_was_left_beside(target);
   for (int number = 0; number < maximum_writers; ++number) {
     fs::path path = part_path(target, number);
     if (::mkdir(path.c_str(), 0777) != 0 && errno != EEXIST) return file_not_writable(target, reason_of(errno));
@@ -149,6 +156,29 @@ int NewFolder::put_in_place() {
 }
 
 namespace {
+
+void remove_what_was_left_beside(const fs::path& target) {
+  static std::mutex guard;
+  static auto* const seen =
+      new std::set<fs::path>;  // never destroyed: files may be written as late as the program ends
+  std::error_code problem;
+  const fs::path folder = fs::absolute(target, problem).lexically_normal().parent_path();
+  {
+    const std::lock_guard lock(guard);
+    if (problem || !seen->insert(folder).second) return;
+  }
+  for (const fs::path& left : contents_of(folder)) {
+    if (!left.filename().string().starts_with(part_prefix)) continue;
+    const int descriptor = ::open(left.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+    if (descriptor < 0) continue;
+    struct stat facts {};
+    const bool mine = ::fstat(descriptor, &facts) == 0 && facts.st_uid == ::geteuid();
+    // Where a file system knows no locks, nobody can tell.
+    const bool abandoned = mine && ::flock(descriptor, LOCK_EX | LOCK_NB) == 0 && stands_at(descriptor, left);
+    if (abandoned) fs::remove_all(left, problem);
+    ::close(descriptor);
+  }
+}
 
 int rename_new(const fs::path& from, const fs::path& to) {
   if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return 0;

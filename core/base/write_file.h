@@ -14,7 +14,7 @@ namespace glisson {
 
 // Writes `bytes` as the whole of `target`, whose folders are made. On failure `target` is as it was and the error says
 // what the system said (no space, no permission, ...). A writer that is killed leaves a hidden file beside the target,
-// `.part-NAME`; the next writer of that target takes it over.
+// `.part-NAME`; the next program that writes into that folder removes it.
 Result<void> write_file(const std::filesystem::path& target, std::string_view bytes);
 
 // The same with the content of another file.

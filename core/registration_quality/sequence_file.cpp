@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "base/csv.h"
@@ -124,27 +125,19 @@ Result<NewSequenceFolder> NewSequenceFolder::make(const fs::path& folder) {
   }
   const fs::path whole = fs::absolute(folder, problem).lexically_normal();
   const fs::path place = whole.has_filename() ? whole : whole.parent_path();
-  const fs::path beside = place.parent_path() / (".part-" + place.filename().string());
-  fs::remove_all(beside, problem);  // of one that was killed
-  fs::create_directories(beside, problem);
-  if (!problem) return NewSequenceFolder(place, beside);
-  return not_made(folder, problem);
+  fs::create_directories(place.parent_path(), problem);
+  if (problem) return not_made(folder, problem);
+  auto made = NewFolder::begin(place);
+  if (!made) return failure(std::move(made.error()));
+  return NewSequenceFolder(std::move(*made));
 }
-
-NewSequenceFolder::NewSequenceFolder(NewSequenceFolder&& other) noexcept
-    : folder_(std::move(other.folder_)), beside_(std::exchange(other.beside_, {})) {}
 
 Result<void> NewSequenceFolder::keep() {
-  std::error_code problem;
-  fs::rename(beside_, folder_, problem);
-  if (problem) return not_made(folder_, problem);
-  beside_.clear();
-  return {};
-}
-
-NewSequenceFolder::~NewSequenceFolder() {
-  std::error_code ignored;
-  if (!beside_.empty()) fs::remove_all(beside_, ignored);
+  std::error_code filled;
+  fs::remove(folder_.target(), filled);  // an empty one may have been there
+  const int code = folder_.put_in_place();
+  if (code == 0) return {};
+  return not_made(folder_.target(), std::error_code(code, std::generic_category()));
 }
 
 Result<geometry::Surface> read_cloud(const fs::path& file) {

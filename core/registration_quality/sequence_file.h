@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "base/new_folder.h"
 #include "base/result.h"
 #include "registration_quality/sirgn.h"
 #include "vision/calibration.h"
@@ -40,18 +41,14 @@ Result<SequenceFiles> read_sequence(const std::filesystem::path& file);
 class NewSequenceFolder {
  public:
   static Result<NewSequenceFolder> make(const std::filesystem::path& folder);
-  NewSequenceFolder(NewSequenceFolder&& other) noexcept;
-  NewSequenceFolder& operator=(NewSequenceFolder&&) = delete;
-  ~NewSequenceFolder();
   // Where the files are written until all are there.
-  [[nodiscard]] const std::filesystem::path& beside() const { return beside_; }
+  [[nodiscard]] const std::filesystem::path& beside() const { return folder_.path(); }
   // Puts the whole folder in its place.
   Result<void> keep();
 
  private:
-  NewSequenceFolder(std::filesystem::path folder, std::filesystem::path beside)
-      : folder_(std::move(folder)), beside_(std::move(beside)) {}
-  std::filesystem::path folder_, beside_;  // `beside_` is empty once it is kept
+  explicit NewSequenceFolder(NewFolder folder) : folder_(std::move(folder)) {}
+  NewFolder folder_;
 };
 
 // The points of a surface or cloud file, triangles or not. PLY clouds need no triangles.

@@ -5,6 +5,7 @@
 #include <optional>
 #include <system_error>
 
+#include "base/new_folder.h"
 #include "base/write_file.h"
 #include "vision/internal/opencv.h"
 
@@ -22,7 +23,7 @@ tl::unexpected<Error> not_written(const fs::path& file, const char* what_to_do) 
 
 struct MovieWriter::Inside {
   fs::path file;
-  fs::path beside;                   // the folder of pictures, until it is whole
+  std::optional<NewFolder> pictures;
   std::optional<MemoryFile> memory;  // the film, since its encoder does not notice a full disk
   double frames_per_second = 25;
   bool is_video = false;
@@ -31,11 +32,7 @@ struct MovieWriter::Inside {
   int height = 0;
   int count = 0;
 
-  ~Inside() {
-    video.release();
-    std::error_code ignored;
-    if (!beside.empty()) fs::remove_all(beside, ignored);
-  }
+  ~Inside() { video.release(); }
 };
 
 MovieWriter::MovieWriter(std::unique_ptr<Inside> inside) : inside_(std::move(inside)) {}
@@ -61,11 +58,9 @@ Result<MovieWriter> MovieWriter::begin(const fs::path& file, double frames_per_s
     inside->memory.emplace(std::move(*memory));
     return MovieWriter(std::move(inside));
   }
-  inside->beside = folder / ("." + file.stem().string() + ".part" + file.extension().string());
-  fs::remove_all(inside->beside, problem);
-  if (!fs::create_directory(inside->beside, problem)) {
-    return not_written(file, GLISSON_TEXT("Choose a folder in which you may write."));
-  }
+  auto pictures = NewFolder::begin(file);
+  if (!pictures) return not_written(file, GLISSON_TEXT("Choose a folder in which you may write."));
+  inside->pictures.emplace(std::move(*pictures));
   return MovieWriter(std::move(inside));
 }
 
@@ -79,7 +74,7 @@ Result<void> MovieWriter::add(const Frame& frame) {
     return not_written(in.file, GLISSON_TEXT("Leave the window's size as it is while the movie is made."));
   }
   ++in.count;
-  if (!in.is_video) return write_frame(frame, in.beside / fmt::format("{:05}.png", in.count));
+  if (!in.is_video) return write_frame(frame, in.pictures->path() / fmt::format("{:05}.png", in.count));
   const cv::Size even(in.width - in.width % 2, in.height - in.height % 2);
   try {
     if (in.count == 1) {
@@ -99,9 +94,7 @@ Result<void> MovieWriter::finish() {
   Inside& in = *inside_;
   in.video.release();
   if (in.is_video && in.count > 0) return in.memory->write_to(in.file);
-  std::error_code problem;
-  if (in.count > 0) fs::rename(in.beside, in.file, problem);
-  if (in.count > 0 && !problem) return {};
+  if (in.count > 0 && in.pictures && in.pictures->put_in_place() == 0) return {};
   return not_written(in.file, GLISSON_TEXT("Look whether the disk is full."));
 }
 

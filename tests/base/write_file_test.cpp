@@ -12,6 +12,7 @@
 
 #include "base/files.h"
 #include "base/internal/abandoned_folders.h"
+#include "base/new_folder.h"
 #include "base/write_file.h"
 
 namespace glisson {
@@ -111,6 +112,48 @@ TEST(WriteFile, WhatAKilledWriterLeftIsTakenOverAndALivingOnesIsLeftAlone) {
   remove_abandoned_parts(folder.path());
   EXPECT_EQ(read_text_file(target).value(), "by another");
   EXPECT_EQ(files_in(folder.path()), 1u);
+}
+
+// Whatever it was writing: nobody may ever write a file of that name again.
+TEST(WriteFile, WhatAKilledWriterOfAnotherNameLeftGoes) {
+  const TemporaryFolder folder;
+  const fs::path file = folder.path() / ".part-old.vtu", filled = folder.path() / ".part-results",
+                 living = folder.path() / ".part-1-old.vtu", below = folder.path() / "below";
+  fs::create_directories(filled / "meshes");
+  fs::create_directory(below);
+  for (const fs::path& part : {file, living, filled / "meshes" / "half.vtu", below / ".part-another.vtu"}) {
+    std::ofstream(part) << "half a fi";
+  }
+  fs::create_symlink(below, folder.path() / ".part-link");
+  const int held = ::open(living.c_str(), O_RDONLY | O_CLOEXEC);
+  ASSERT_EQ(::flock(held, LOCK_EX | LOCK_NB), 0);
+  ASSERT_TRUE(write_file(folder.path() / "new.json", "{}"));
+  EXPECT_FALSE(fs::exists(file));
+  EXPECT_FALSE(fs::exists(filled));
+  EXPECT_TRUE(fs::exists(living));
+  EXPECT_TRUE(fs::exists(below / ".part-another.vtu"));
+  ::close(held);
+}
+
+TEST(NewFolder, IsFilledBesideItsPlaceAndGoesUnlessItIsPut) {
+  const TemporaryFolder folder;
+  const fs::path target = folder.path() / "sequence";
+  {
+    const auto left = NewFolder::begin(target);
+    ASSERT_TRUE(left);
+    std::ofstream(left->path() / "frame.ply") << "ply";
+    remove_abandoned_parts(folder.path());  // its maker lives
+    EXPECT_TRUE(fs::exists(left->path() / "frame.ply"));
+  }
+  EXPECT_EQ(files_in(folder.path()), 0u);
+  auto kept = NewFolder::begin(target);
+  ASSERT_TRUE(kept);
+  std::ofstream(kept->path() / "frame.ply") << "ply";
+  EXPECT_EQ(kept->put_in_place(), 0);
+  EXPECT_EQ(read_text_file(target / "frame.ply").value(), "ply");
+  auto second = NewFolder::begin(target);
+  ASSERT_TRUE(second);
+  EXPECT_NE(second->put_in_place(), 0);
 }
 
 TEST(WriteFile, NamesAsLongAsTheSystemTakesAreWritten) {

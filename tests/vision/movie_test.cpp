@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "base/files.h"
+#include "base/write_file.h"
 
 namespace glisson::vision {
 namespace {
@@ -53,6 +54,20 @@ TEST(MovieWriter, LeavesNothingUnlessItWasFinished) {
   }
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
   EXPECT_FALSE(MovieWriter::begin(folder.path() / "nowhere" / "film.mp4", 25));
+}
+
+// A killed program's pictures, under whatever name, and those of one that still films.
+TEST(MovieWriter, TakesAwayWhatWasLeftHalfDoneAndNothingOfALivingOne) {
+  const TemporaryFolder folder;
+  ASSERT_TRUE(write_text_file(folder.path() / "elsewhere" / "00001.png", "half a pi"));
+  std::filesystem::rename(folder.path() / "elsewhere", folder.path() / ".part-old");
+  auto movie = MovieWriter::begin(folder.path() / "frames", 25).value();
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / ".part-old"));
+  ASSERT_TRUE(movie.add(grey_frame(9, 7, 10)));
+  remove_abandoned_parts(folder.path());
+  ASSERT_TRUE(movie.add(grey_frame(9, 7, 20)));
+  ASSERT_TRUE(movie.finish());
+  EXPECT_EQ(*read_frame(folder.path() / "frames" / "00001.png").value().at(4, 4), 10);
 }
 
 }  // namespace

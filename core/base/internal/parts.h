@@ -2,11 +2,11 @@
 // What a writer works in until it is done: a hidden file or folder beside the target, locked as long as it lives.
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 
+#include "base/new_folder.h"
 #include "base/result.h"
 
 namespace glisson {
@@ -46,30 +46,6 @@ class Part {
   std::filesystem::path path_;  // empty once it stands in its place
   bool holds_old_ = false;      // what was at the target stands at the path
   bool removes_ = false;
-};
-
-// A folder that is not there yet: it is filled beside its place, known by a lock as a part is, and renamed once.
-class NewFolder {
- public:
-  static Result<NewFolder> begin(const std::filesystem::path& target);
-  NewFolder(NewFolder&& other) noexcept
-      : descriptor_(std::exchange(other.descriptor_, -1)),
-        target_(std::move(other.target_)),
-        path_(std::move(other.path_)) {}
-  NewFolder& operator=(NewFolder&&) = delete;
-  ~NewFolder();
-
-  [[nodiscard]] const std::filesystem::path& target() const { return target_; }
-  // Where what is to lie at `place`, below the target, is written until then; nothing for any other place.
-  [[nodiscard]] std::optional<std::filesystem::path> beside(const std::filesystem::path& place) const;
-  // 0, or what the system says of it.
-  [[nodiscard]] int put_in_place();
-
- private:
-  NewFolder(int descriptor, std::filesystem::path target, std::filesystem::path path)
-      : descriptor_(descriptor), target_(std::move(target)), path_(std::move(path)) {}
-  int descriptor_ = -1;
-  std::filesystem::path target_, path_;  // the path is empty once it stands in its place
 };
 
 }  // namespace glisson
