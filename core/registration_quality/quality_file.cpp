@@ -1,6 +1,7 @@
 #include "registration_quality/quality_file.h"
 
 #include <fmt/format.h>
+#include <algorithm>
 
 #include "base/json.h"
 #include "base/write_file.h"
@@ -80,6 +81,8 @@ Result<StoredQuality> read_quality(const fs::path& folder) {
   }
   const geometry::Field* seen = geometry::find_field(mesh->cell_fields, "frames");
   if (seen == nullptr || seen->values.size() != mesh->triangles.size()) return invalid(folder);
+  const auto is_count = [](double count) { return count >= 0 && count <= 1e9; };
+  if (!std::all_of(seen->values.begin(), seen->values.end(), is_count)) return invalid(folder);
   for (const double count : seen->values) stored.quality.frames_seen.push_back(static_cast<int>(count));
   for (std::size_t t = 0; t < frames; ++t) {
     const geometry::Field* field = geometry::find_field(mesh->point_fields, frame_field(t));

@@ -6,9 +6,13 @@
 #include "casefile/case.h"
 #include "casefile/history.h"
 #include "casefile/internal/history_journal.h"
+#include "casefile/placed_landmarks.h"
 #include "casefile/resection_folder.h"
+#include "casefile/result_folder.h"
 #include "fuzz/reader_target.h"
+#include "geometry/mesh_file.h"
 #include "planning/plan_file.h"
+#include "support/shapes.h"
 #include "vasculature/tree_file.h"
 
 namespace glisson::fuzz {
@@ -57,6 +61,44 @@ fs::path case_in(const fs::path& folder) {
   return made;
 }
 
+constexpr const char* result = R"({"format": "glisson-result/1", "engine": "fem", "converged": true, "state": "within",
+ "largest_strain": 0.1, "inverted_cells": 0, "landmarks": [{"id": "tumour-1", "rest_mm": [1, 2, 3],
+ "displaced_mm": [1, 2, 4], "displacement_mm": 1}]})";
+
+constexpr const char* landmarks = R"({"format": "glisson-landmarks/1", "landmarks": [{"name": "hilum",
+ "position_mm": [1, 2.5, -3]}, {"name": "tip", "position_mm": [0, 0, 1e2]}]})";
+
+void files_of_a_result(const fs::path& folder) {
+  promise(bool(geometry::write_tetrahedra(folder / "result.vtu", test::box_of_tetrahedra({2, 1, 1}, {20, 10, 10}))),
+          "the mesh is written");
+  file_of(R"({"supports": [{"point_array": "fixed"}], "loads": [{"tool": {"center_mm": [1, 2, 3], "radius_mm": 8,
+          "force_N": [0, 0, 1]}}]})",
+          folder, "scenario.json");
+}
+
+void case_with_landmarks(const fs::path& folder) {
+  auto patient = casefile::Case::create(folder / "hers.glisson");
+  promise(patient && casefile::keep_landmarks(*patient, {{"hilum", {1, 2, 3}}}), "landmarks are kept");
+}
+
+Result<std::vector<mechanics::Landmark>> landmarks_of_a_case(const fs::path& file) {
+  const fs::path patient = file.parent_path() / "hers.glisson";
+  fs::copy_file(file, patient / "landmarks" / "placed.json", fs::copy_options::overwrite_existing);
+  return casefile::Case::open(patient).and_then(casefile::placed_landmarks);
+}
+
+// Of a step of the history.
+Target changes() {
+  const auto seeds = [](const fs::path& folder) {
+    return std::vector<std::string>{read_text_file(case_in(folder) / "history" / "steps" / "1.json").value()};
+  };
+  const auto run = [](const std::string& bytes, const fs::path& folder) {
+    const auto read = casefile::read_changes(file_of(bytes, folder, "1.json"));
+    if (!read) promise(read.error().code == "history-damaged", "a refusal says why");
+  };
+  return {"changes", seeds, run};
+}
+
 // What `file` of a case holds, and its case opened with other bytes there.
 template <typename Open>
 Target part_of_a_case(const std::string& name, const std::string& file, Open open) {
@@ -95,6 +137,15 @@ std::vector<Target> targets() {
       reader_of("trees", "trees.json", {trees}, [](const fs::path& file) { return vasculature::read_trees(file); }),
       reader_of("resection", "resection.json", {resection, sheet_resection},
                 [](const fs::path& file) { return casefile::read_planned_cut(file.parent_path()); }),
+      changes(),
+      reader_of(
+          "result", "result.json", {result},
+          [](const fs::path& file) {
+            (void)casefile::read_validity(file.parent_path());
+            return casefile::read_result(file.parent_path());
+          },
+          files_of_a_result),
+      reader_of("landmarks", "placed.json", {landmarks}, landmarks_of_a_case, case_with_landmarks),
   };
 }
 

@@ -1,9 +1,10 @@
-// DICOM files: scanned, and every volume that is found is read.
+// DICOM files: scanned, and every volume that is found is read; segmentations, and directories of discs.
 
 #include <cmath>
 #include <Eigen/Core>
 
 #include "fuzz/target.h"
+#include "imaging/dicom_seg.h"
 #include "imaging/read_series.h"
 #include "support/dicom_files.h"
 
@@ -66,8 +67,61 @@ void run(const std::string& bytes, const fs::path& folder) {
   }
 }
 
+// Two overlapping segments on three slices.
+std::vector<std::string> segmentation_seeds(const fs::path& folder) {
+  imaging::Mask mask;
+  mask.grid.size = {5, 4, 3};
+  mask.values.assign(mask.grid.voxels(), 0);
+  std::vector<imaging::SegmentedMask> segments;
+  for (const int value : {1, 2}) {
+    for (std::size_t v = 10; v < 50; ++v) mask.values[v] = v % 3 < std::size_t(value) ? 1 : 0;
+    segments.push_back({{value == 1 ? "liver" : "tumour-1", value, {1, 0, 0}}, mask});
+  }
+  imaging::SegmentationSource source;
+  source.study_uid = "2.25.1";
+  source.series_uid = "2.25.2";
+  source.frame_of_reference_uid = "2.25.3";
+  source.content_date = "20260101";
+  source.content_time = "080000";
+  promise(bool(imaging::write_dicom_seg(folder / "seg.dcm", segments, source)), "a segmentation is written");
+  return {test::bytes_of(folder / "seg.dcm")};
+}
+
+void run_segmentation(const std::string& bytes, const fs::path& folder) {
+  const auto segments = imaging::read_dicom_seg(file_of(bytes, folder, "seg.dcm"));
+  if (!segments) return promise(!segments.error().message().empty(), "a refusal says why");
+  for (const imaging::SegmentedMask& segment : *segments) {
+    promise(segment.mask.values.size() == segment.mask.grid.voxels(), "a value a voxel");
+    promise((segment.mask.grid.spacing_mm.array() > 0).all(), "a spacing above zero");
+  }
+}
+
+std::vector<std::string> directory_seeds(const fs::path& folder) {
+  DcmFileFormat directory;
+  DcmDataset& data_set = *directory.getDataset();
+  data_set.putAndInsertString(DCM_SOPClassUID, UID_MediaStorageDirectoryStorage);
+  data_set.putAndInsertString(DCM_SOPInstanceUID, "1.2.3.77");
+  for (int k = 0; k < 3; ++k) {
+    DcmItem* record = nullptr;
+    data_set.findOrCreateSequenceItem(DCM_DirectoryRecordSequence, record, k);
+    record->putAndInsertString(DCM_ReferencedFileID, k == 0 ? "IMAGES\\SLICE.DCM" : "..\\SLICE.DCM");
+  }
+  return {saved(directory, EXS_LittleEndianExplicit, folder)};
+}
+
+void run_directory(const std::string& bytes, const fs::path& folder) {
+  if (fs::create_directories(folder / "IMAGES"))
+    test::save(*test::dicom_slice({}), folder / "IMAGES" / "SLICE.DCM", EXS_LittleEndianExplicit);
+  const auto study = imaging::scan(file_of(bytes, folder, "DICOMDIR"));
+  if (!study) promise(!study.error().message().empty(), "a refusal says why");
+}
+
 }  // namespace
 
-std::vector<Target> targets() { return {{"dicom", seeds, run}}; }
+std::vector<Target> targets() {
+  return {{"dicom", seeds, run},
+          {"dicom-seg", segmentation_seeds, run_segmentation},
+          {"dicomdir", directory_seeds, run_directory}};
+}
 
 }  // namespace glisson::fuzz

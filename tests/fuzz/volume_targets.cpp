@@ -1,5 +1,6 @@
 // Volumes in every format that is read, packed and not. Seeds come from our own writer.
 
+#include <zlib.h>
 #include <cmath>
 
 #include "base/files.h"
@@ -41,8 +42,32 @@ Target volumes(const std::string& extension) {
   return {extension.substr(1), seeds, run};
 }
 
+// Broken, and packed then: else the checksum refuses nearly all.
+Target packed_volumes() {
+  Target whole = volumes(".nii");
+  const auto packed = [](const std::string& bytes) {
+    std::string stream(compressBound(uLong(bytes.size())) + 64, '\0');
+    z_stream state{};
+    promise(deflateInit2(&state, 1, Z_DEFLATED, 15 + 16, 8, Z_DEFAULT_STRATEGY) == Z_OK, "a packer begins");
+    state.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
+    state.avail_in = uInt(bytes.size());
+    state.next_out = reinterpret_cast<Bytef*>(stream.data());
+    state.avail_out = uInt(stream.size());
+    promise(deflate(&state, Z_FINISH) == Z_STREAM_END, "all of it is packed");
+    stream.resize(state.total_out);
+    deflateEnd(&state);
+    return stream;
+  };
+  const auto run = [packed, read = volumes(".nii.gz").run](const std::string& bytes, const fs::path& folder) {
+    read(packed(bytes), folder);
+  };
+  return {"packed-nii", whole.seeds, run};
+}
+
 }  // namespace
 
-std::vector<Target> targets() { return {volumes(".nii"), volumes(".nii.gz"), volumes(".nrrd"), volumes(".mha")}; }
+std::vector<Target> targets() {
+  return {volumes(".nii"), volumes(".nii.gz"), packed_volumes(), volumes(".nrrd"), volumes(".mha")};
+}
 
 }  // namespace glisson::fuzz

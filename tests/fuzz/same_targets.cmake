@@ -1,0 +1,12 @@
+# cmake -D PROGRAM=fuzz_ROOM -D LISTED=a,b,c -P same_targets.cmake: whether the program has these targets and no others.
+execute_process(COMMAND ${PROGRAM} --list OUTPUT_VARIABLE there RESULT_VARIABLE ended OUTPUT_STRIP_TRAILING_WHITESPACE)
+if(NOT ended EQUAL 0)
+  message(FATAL_ERROR "${PROGRAM} --list ended with ${ended}")
+endif()
+string(REPLACE "\n" ";" there "${there}")
+string(REPLACE "," ";" listed "${LISTED}")
+list(SORT there)
+list(SORT listed)
+if(NOT there STREQUAL listed)
+  message(FATAL_ERROR "tests/fuzz/CMakeLists.txt runs ${listed}; the program has ${there}")
+endif()
