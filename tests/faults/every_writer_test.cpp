@@ -2,7 +2,8 @@
 // permission, an interruption, half a write, a kill. What was there stays or what was asked for is there, whole; the
 // program says which, and a case opens as it was or as it became.
 //
-// There are some thousands of stops; a run tries an even part of each command's. All of them, for hours:
+// There are some thousands of stops; a run tries an even part of each command's, and a full disk in all of them. All,
+// for hours:
 //
 //   GLISSON_ALL_FAULTS=1 build/release/bin/test_faults          (packaging/faults)
 //   GLISSON_FAULTS_OF=export-nifti build/release/bin/test_faults
@@ -54,7 +55,7 @@ class Trial {
   DiscRun whole_;
 };
 
-// An even part of all (stop, fault), other ones for each command.
+// An even part of all (stop, fault), other ones for each command, and a full disk at the first write.
 std::vector<std::pair<std::size_t, Fault>> chosen_of(const std::vector<std::string>& stops, const std::string& name) {
   std::vector<std::pair<std::size_t, Fault>> all, chosen;
   for (std::size_t at = 0; at < stops.size(); ++at) {
@@ -67,6 +68,10 @@ std::vector<std::pair<std::size_t, Fault>> chosen_of(const std::vector<std::stri
     // A stride that is prime to small numbers, so that all kinds of faults come.
     chosen.push_back(all[(first + n * (all.size() / tried | 1)) % all.size()]);
   }
+  const auto write =
+      std::find_if(stops.begin(), stops.end(), [](const std::string& stop) { return stop.starts_with("write"); });
+  const std::pair full{static_cast<std::size_t>(write - stops.begin()), Fault::no_space};
+  if (write != stops.end() && std::find(chosen.begin(), chosen.end(), full) == chosen.end()) chosen.push_back(full);
   return chosen;
 }
 

@@ -5,17 +5,22 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <Eigen/Geometry>
+#include <numbers>
 #include <random>
 
 #include "base/files.h"
 #include "base/json.h"
 #include "geometry/mesh_file.h"
+#include "imaging/dicom_uid.h"
+#include "imaging/dicom_write.h"
 #include "shapes/ellipsoids.h"
 #include "shapes/model_file.h"
 #include "support/dicom_files.h"
 #include "support/process.h"
 #include "support/small_liver.h"
 #include "support/stereo_video.h"
+#include "support/wave_phantom.h"
 
 namespace glisson::test {
 
@@ -110,6 +115,98 @@ void write_stereo_video(const fs::path& room) {
   EXPECT_TRUE(vision::write_stereo_calibration(room / "camera.json", StereoVideo::calibration()));
 }
 
+// A chessboard of 8 x 6 fields of 10 mm, as an eye sees it that looks along z from `eye_x_mm`.
+vision::Frame board_seen(const Eigen::Isometry3d& pose, double eye_x_mm) {
+  vision::Frame frame{320, 240, std::vector<std::uint8_t>(std::size_t{3} * 320 * 240)};
+  constexpr int finer = 4;
+  const Eigen::Vector3d eye_mm(eye_x_mm, 0, 0), normal = pose.linear().col(2);
+  for (int y = 0; y < frame.height; ++y) {
+    for (int x = 0; x < frame.width; ++x) {
+      int white = 0;
+      for (int s = 0; s < finer * finer; ++s) {
+        const double u = x + (s % finer + 0.5) / finer - 0.5, v = y + (s / finer + 0.5) / finer - 0.5;
+        const Eigen::Vector3d ray((u - 160) / 300, (v - 120) / 300, 1);
+        const double far = normal.dot(pose.translation() - eye_mm) / normal.dot(ray);
+        const Eigen::Vector3d on_board_mm = pose.inverse() * Eigen::Vector3d(eye_mm + far * ray);
+        const double column = on_board_mm.x() / 10 + 4, row = on_board_mm.y() / 10 + 3;
+        const bool outside = column < 0 || column >= 8 || row < 0 || row >= 6;
+        white += outside || (static_cast<int>(column) + static_cast<int>(row)) % 2 == 1 ? 1 : 0;
+      }
+      std::fill_n(frame.at(x, y), 3, static_cast<std::uint8_t>(20 + 220 * white / (finer * finer)));
+    }
+  }
+  return frame;
+}
+
+// Four views of it, by eyes 5 mm apart.
+void write_boards(const fs::path& folder) {
+  for (int n = 0; n < 4; ++n) {
+    const Eigen::Isometry3d pose = Eigen::Translation3d(4 * n - 6, 3 - 2 * n, 150 + 10 * n) *
+                                   Eigen::AngleAxisd(n % 2 == 0 ? 0.35 : -0.35, Eigen::Vector3d::UnitX()) *
+                                   Eigen::AngleAxisd(n < 2 ? 0.3 : -0.3, Eigen::Vector3d::UnitY());
+    for (const auto& [eye, x_mm] : {std::pair{"left", 0.0}, std::pair{"right", 5.0}}) {
+      fs::create_directories(folder / eye);
+      EXPECT_TRUE(vision::write_frame(board_seen(pose, x_mm), folder / eye / (std::to_string(n) + ".png")));
+    }
+  }
+}
+
+constexpr int wave_directions = 3;
+std::string wave_series(int direction) { return imaging::uid_from_name("waves, " + std::to_string(direction)); }
+
+// Shear waves of 60 Hz in three directions at four instants, and what they were measured in.
+void write_waves(const fs::path& folder) {
+  constexpr int instants = 4;
+  WavePhantom phantom;
+  phantom.grid = cube_grid(24, 5, 2, 4);
+  phantom.background_kPa = {4, 0.3};
+  const elastography::WaveImages images = measured(phantom, crossing_waves(phantom), 1.0, 0.02, instants);
+  const auto series = [](const std::string& name, const std::string& image_type, int number) {
+    imaging::SeriesDescription described;
+    described.study_uid = imaging::uid_from_name("waves");
+    described.series_uid = wave_series(number);
+    described.frame_of_reference_uid = imaging::uid_from_name("waves, frame");
+    described.series_number = number;
+    described.series_description = name;
+    described.image_type = image_type;
+    return described;
+  };
+  const imaging::Volume anatomy{{images.grid, std::vector<float>(images.grid.voxels(), 300)}, ""};
+  EXPECT_TRUE(imaging::write_dicom_series(folder / "anatomy", anatomy, series("T1 axial", "ORIGINAL\\PRIMARY\\M", 9)));
+  for (int d = 0; d < wave_directions; ++d) {
+    auto described = series("MRE phase 60 Hz", "ORIGINAL\\PRIMARY\\P\\MRE", d);
+    described.rescale_type = "rad";
+    described.rescale_slope = 1e-4;
+    for (int t = 0; t < instants; ++t) {
+      described.temporal_position = {t + 1, instants, 1000.0 / 60 * t / instants};
+      const auto& phase_rad = images.phase_rad[static_cast<std::size_t>(d)][static_cast<std::size_t>(t)];
+      EXPECT_TRUE(
+          imaging::write_dicom_series(folder / std::to_string(d), {{images.grid, phase_rad}, "rad"}, described));
+    }
+  }
+}
+
+// The top of the phantom of section 4.5, as a scanner might see it at rest and hardly pressed.
+void write_scans(const fs::path& folder) {
+  geometry::Surface top;
+  top.points_mm.emplace_back(0, 0, 26);
+  constexpr int rings = 12, around = 36;
+  for (int r = 1; r <= rings; ++r) {
+    for (int k = 0; k < around; ++k) {
+      const double angle = 2 * std::numbers::pi * k / around, radius_mm = 112.5 * r / rings;
+      top.points_mm.emplace_back(radius_mm * std::cos(angle), radius_mm * std::sin(angle), 26);
+      const int next = (k + 1) % around, inner = 1 + (r - 2) * around, outer = 1 + (r - 1) * around;
+      if (r == 1) {
+        top.triangles.push_back({0, outer + k, outer + next});
+      } else {
+        top.triangles.push_back({inner + k, outer + k, outer + next});
+        top.triangles.push_back({inner + k, outer + next, inner + next});
+      }
+    }
+  }
+  for (const char* name : {"B-rest.ply", "B-0.78N.ply"}) EXPECT_TRUE(geometry::write_surface(folder / name, top));
+}
+
 }  // namespace
 
 void prepare_room(const fs::path& room) {
@@ -129,6 +226,13 @@ void prepare_room(const fs::path& room) {
   write_vessels(room);
   write_stereo_video(room);
   write_shapes(room);
+  write_boards(room / "board");
+  write_waves(room / "waves");
+  write_scans(room / "scans");
+  write("history.csv", "case,seconds,dice\na,30,0.9\nb,30,0.8\na,30,0.7\nb,30,0.8\n");
+  for (const char* file : {"scan.nrrd", "liver.nrrd"}) {
+    write((std::string("labelled/") + file).c_str(), read_text_file(room / file).value());
+  }
   write("pull.json", R"({"loads": [{"tool": {"center_mm": [0, -50, 0], "radius_mm": 15, "force_N": [0, -0.5, 0]}}]})");
   write("push.json", R"({"loads": [{"tool": {"center_mm": [0, -50, 0], "radius_mm": 15, "force_N": [0, 0.1, 0]}}]})");
   write("hook.json", R"({"format": "glisson-session/1", "commands": [{"hold": {"id": "hook",
@@ -171,6 +275,13 @@ void prepare_room(const fs::path& room) {
   run({"sirgn", "@video/sequence.json", "--method", "given", "--out", "@quality"});
   run({"register", "@stl/liver.stl", "@stl/liver.stl", "--method", "icp", "--out", "@moved.ply"});
   run({"study", "anatomy", "--seed", "7", "--tumour", "20", "--label-spacing-mm", "8", "--out", "@patient"});
+  fs::copy(room / "small.glisson", room / "before.glisson", fs::copy_options::recursive);
+  run({"territories", "@before.glisson", "--from", "prior"});
+  fs::copy(room / "before.glisson", room / "after.glisson", fs::copy_options::recursive);
+  std::vector<std::string> waves{"import", "@waves", "--case", "@waves.glisson"};
+  for (int d = 0; d < wave_directions; ++d) waves.insert(waves.end(), {"--phase", wave_series(d)});
+  run(waves);
+  run({"study", "example-sequence", "--frames", "3", "--out", "@seen-liver"});
   fs::create_directories(room / "livers");
   fs::copy_file(room / "patient" / "labels" / "liver.nrrd", room / "livers" / "p_liver.nrrd");
 }
@@ -180,6 +291,10 @@ std::vector<WritingCommand> writing_commands() {
       {"import", {"import", "@scan.nrrd", "--case", "@new.glisson"}},
       {"import-dicom", {"import", "@study", "--case", "@new.glisson"}},
       {"import-add", {"import", "@study", "--case", "@small.glisson", "--add", "--replace"}},
+      {"import-labels",
+       {"import", "@labelled", "--labels", "@labelled/liver.nrrd", "--label-value", "1=liver", "--case",
+        "@new.glisson"}},
+      {"invert", {"invert", "@waves.glisson"}},
       {"segment", {"segment", "@small.glisson", "--structure", "kidney-right", "--seed", "0,0,0"}},
       {"segment-again", {"segment", "@small.glisson", "--structure", "liver", "--labels", "@tumour.nrrd"}},
       {"vessels", {"vessels", "@small.glisson", "--seed", "0,5,-12"}},
@@ -199,6 +314,13 @@ std::vector<WritingCommand> writing_commands() {
       {"accept", {"accept", "@small.glisson", "@model.json", "--of-this-patient"}},
       {"register", {"register", "@stl/liver.stl", "@stl/tumour-1.stl", "--method", "icp", "--out", "@moved.ply"}},
       {"guide", {"guide", "@guidance.json", "--out", "@guided"}},
+      {"guide-case",
+       {"guide", "@small.glisson", "--sequence", "@seen-liver/sequence.json",
+        "--pose=1,0,0,0,0,1,0,0,0,0,1,150,0,0,0,1", "--out", "@placed"}},
+      {"growth", {"growth", "@before.glisson", "@after.glisson", "--same-patient", "--days", "30", "--out", "@grown"}},
+      {"calibrate",
+       {"calibrate", "--left", "@board/left", "--right", "@board/right", "--board", "chessboard", "--columns", "7",
+        "--rows", "5", "--spacing-mm", "10", "--out", "@calibrated.json"}},
       {"stereo",
        {"stereo", "@left/0.png", "@right/0.png", "--calibration", "@camera.json", "--step", "8", "--out", "@seen.ply"}},
       {"sequence", {"sequence", "@left", "@right", "--calibration", "@camera.json", "--step", "8", "--out", "@filmed"}},
@@ -213,10 +335,12 @@ std::vector<WritingCommand> writing_commands() {
        true},
       {"review", {"review", "@quality", "@quality", "--out", "@reviewed"}},
       {"gate", {"gate", "@version-1", "@version-2", "--tolerances", "@loose.json", "--out", "@gated"}},
+      {"gate-cases", {"gate-cases", "@history.csv", "--budget", "0.6", "--out", "@chosen.txt"}},
       {"explain", {"explain", "@material.json", "--out", "@explained"}},
       {"predict", {"predict", "@material.json", "--values", "@predicted.csv"}},
       {"platform-measure",
        {"platform", "measure", "--seconds-per-point", "0.001", "--largest-MB", "1", "--out", "@mine.json"}},
+      {"platform-grid", {"platform", "grid", "--device", "tx2-gpu", "--out", "@grid.html"}},
       {"platform-learn", {"platform", "learn", "--device", "tx2-gpu", "--model", "@device.json", "--out", "@tx2.json"}},
       {"study-anatomy", {"study", "anatomy", "--seed", "3", "--label-spacing-mm", "8", "--out", "@another"}},
       {"study-anatomy-again",
@@ -242,6 +366,11 @@ std::vector<WritingCommand> writing_commands() {
       {"study-data-driven",
        {"study", "data-driven", "--measurements", "21", "--noise-percent", "0", "--target-cells", "400", "--out",
         "@data-driven"}},
+      {"study-matching",
+       {"study", "matching", "--points", "20", "--starts", "0", "--livers", "1", "--passes", "2", "--seconds-a-timing",
+        "0", "--out", "@matching"},
+       true},
+      {"study-palpation", {"study", "palpation", "--scans", "@scans", "--out", "@palpation"}, true},
       {"study-beams", {"study", "beams", "@small.glisson", "--nodes", "60", "--out", "@beams"}},
   };
   for (const char* format : {"nrrd", "nifti", "stl", "obj", "vtp"}) {
