@@ -23,8 +23,35 @@ namespace fs = std::filesystem;
 
 const std::string planted = "SEKRET";
 const std::string planted_uid = "1.2.826.0.987654321";
+// A day and a time of birth or of anything else, an age, and what a scale said.
+const std::string planted_date = "19470813", planted_time = "134759.1357", planted_age = "079Y";
+const std::string planted_size_m = "1.7654321", planted_weight_kg = "67.812345";
+const std::vector<std::string> secrets{planted,     planted_uid,    planted_date,     planted_time,
+                                       planted_age, planted_size_m, planted_weight_kg};
 
-// All text that a file of the dictionary may hold, and the same two levels down.
+// What an attribute of that kind could tell; empty where the dictionary gives it another kind.
+std::string telling(const DcmTag& tag) {
+  if (tag == DCM_PatientSize) return planted_size_m;
+  if (tag == DCM_PatientWeight) return planted_weight_kg;
+  switch (tag.getEVR()) {
+    case EVR_PN:
+    case EVR_LO:
+    case EVR_SH:
+    case EVR_LT:
+    case EVR_ST:
+    case EVR_UT:
+    case EVR_UC:
+    case EVR_AE:
+    case EVR_CS: return fmt::format("{}{:04x}", planted, tag.getElement());
+    case EVR_DA: return planted_date;
+    case EVR_TM: return planted_time;
+    case EVR_DT: return planted_date + planted_time;
+    case EVR_AS: return planted_age;
+    default: return {};
+  }
+}
+
+// All that a file of the dictionary may hold, and the same two levels down; terms by which a picture is read stay.
 int plant_everywhere(DcmDataset& data) {
   DcmItem *frame = nullptr, *deep = nullptr;
   data.findOrCreateSequenceItem(DCM_ReferencedImageSequence, frame, -2);
@@ -40,19 +67,11 @@ int plant_everywhere(DcmDataset& data) {
   dcmDataDict.wrunlock();
   int count = 0;
   for (const DcmTag& tag : tags) {
-    switch (tag.getEVR()) {
-      case EVR_PN:
-      case EVR_LO:
-      case EVR_SH:
-      case EVR_LT:
-      case EVR_ST:
-      case EVR_UT:
-      case EVR_UC:
-      case EVR_AE: break;
-      default: continue;
-    }
+    const std::string text = telling(tag);
+    if (text.empty()) continue;
     for (DcmItem* item : {static_cast<DcmItem*>(&data), deep}) {
-      if (item->putAndInsertString(tag, fmt::format("{}{:04x}", planted, tag.getElement()).c_str()).good()) ++count;
+      if (tag.getEVR() == EVR_CS && item->tagExists(tag)) continue;
+      if (item->putAndInsertString(tag, text.c_str()).good()) ++count;
     }
   }
   data.putAndInsertString(DcmTag(0x0009, 0x0010, EVR_LO), planted.c_str());
@@ -111,7 +130,7 @@ int expect_nothing_planted_in(const fs::path& folder) {
     if (!entry.is_regular_file()) continue;
     ++files;
     const std::string bytes = in_capitals(content(entry.path()));
-    for (const std::string& secret : {planted, planted_uid}) {
+    for (const std::string& secret : secrets) {
       const std::size_t at = bytes.find(secret);
       EXPECT_EQ(at, std::string::npos) << name << ": ..." << bytes.substr(at < 60 ? 0 : at - 60, 160) << "...";
     }
@@ -121,10 +140,17 @@ int expect_nothing_planted_in(const fs::path& folder) {
 
 class PlantedNames : public testing::Test {
  protected:
+  // What it answers is searched too, but for the names that the person gave it.
   void run(std::vector<std::string> words) {
-    words.push_back("--quiet");
+    const std::vector<std::string> given = words;
+    words.insert(words.end(), {"--json", "--quiet"});
     const Finished finished = glisson_cli(words);
     EXPECT_EQ(finished.exit_code, 0) << words.front() << ": " << finished.err;
+    std::string said = finished.out + finished.err;
+    for (const std::string& word : given) {
+      for (std::size_t at = said.find(word); at != std::string::npos; at = said.find(word)) said.erase(at, word.size());
+    }
+    EXPECT_TRUE(write_text_file(out(fmt::format("answers/{:02}-{}.json", ++answers_, given.front())), said));
   }
   [[nodiscard]] std::string in(const std::string& name) const { return (disc_.path() / name).string(); }
   [[nodiscard]] std::string out(const std::string& name) const { return (out_.path() / name).string(); }
@@ -133,6 +159,7 @@ class PlantedNames : public testing::Test {
   }
 
   TemporaryFolder disc_, out_;
+  int answers_ = 0;
 };
 
 TEST_F(PlantedNames, StandInNothingThatIsWritten) {
@@ -148,6 +175,7 @@ TEST_F(PlantedNames, StandInNothingThatIsWritten) {
   write("pull.json", R"({"loads": [{"tool": {"center_mm": [0, -50, 0], "radius_mm": 15, "force_N": [0, -0.5, 0]}}]})");
   write("hook.json", R"({"format": "glisson-session/1", "commands": [{"hold": {"id": "hook",
       "shape": "nathanson-retractor", "position_mm": [0, 0, -70], "direction": [0, 0, 1], "push_mN": 200}}]})");
+  write("right.json", R"({"name": "right", "plane": {"point_mm": [-10, 0, 0], "normal": [1, 0, 0]}})");
   write("SEKRET-model.json", R"({"format": "glisson-closedloop-model/1", "kind": "palpation", "verdict": "explained",
       "effects": [{"kind": "stiffness-scale", "parameters": {"factor": 0.5}}]})");
 
@@ -169,6 +197,12 @@ TEST_F(PlantedNames, StandInNothingThatIsWritten) {
   }
   run({"export", patient, "--format", "dicom-seg", "--out", out("seg.dcm")});
   run({"export", patient, "--format", "vtu", "--out", out("liver.vtu")});
+  run({"plan", patient, "--add", in("right.json")});
+  run({"plan", patient, "--compare", "--out", out("plans")});
+  run({"macro", patient, "--as", "python"});
+  run({"study", "example-sequence", "--frames", "3", "--out", in("SEKRET-video")});
+  run({"guide", patient, "--sequence", in("SEKRET-video/sequence.json"), "--pose=1,0,0,0,0,1,0,0,0,0,1,150,0,0,0,1",
+       "--out", out("placed")});
   run({"deidentify", in("SEKRET-Anna"), "--out", out("nameless")});
   run({"import", out("nameless"), "--case", out("r.glisson")});
   // Surfaces with a title in them.
