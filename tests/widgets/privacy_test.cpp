@@ -3,6 +3,7 @@
 // name, as a person would have it. In the window itself it is shown.
 
 #include <QCheckBox>
+#include <QSet>
 #include <QSignalSpy>
 #include <QTextBrowser>
 #include <QtTest>
@@ -14,6 +15,7 @@
 #include "shown.h"
 #include "widgets/rehearse/landmark_table.h"
 #include "widgets/report/report_view.h"
+#include "widgets/settings/program_settings.h"
 #include "widgets/settings/settings.h"
 
 namespace glisson::widgets {
@@ -107,6 +109,25 @@ class PrivacyTest : public QObject {
     QVERIFY(mentions(web_page(*view)));
   }
 
+  // The ways to cases are listed for the person at this computer, under their folders' names, until they are forgotten.
+  void settings_hold_it_in_the_ways_to_cases_alone() {
+    const QStringList ways{"recent_cases", "grey_windows", "last_folder"};
+    keep_window(named_, {60, 160});
+    program_settings().setValue("last_folder", QString::fromStdString((temporary_.path() / "Meierhoff").string()));
+    const QStringList held = keys_with_it();
+    for (const QString& key : held) QVERIFY2(ways.contains(key), qPrintable(key));
+    QCOMPARE(QSet<QString>(held.begin(), held.end()), QSet<QString>(ways.begin(), ways.end()));
+    forget_recent_cases();
+    QVERIFY2(keys_with_it().isEmpty(), qPrintable(keys_with_it().join(' ')));
+    // What stood open, for the window that begins after this one was killed, goes with its end.
+    for (const auto& entry : fs::recursive_directory_iterator(own_folder())) {
+      if (!entry.is_regular_file() || entry.path().parent_path() == own_folder() / "open") continue;
+      QVERIFY2(!mentions(read_text_file(entry.path(), 1 << 26).value_or(surname)), entry.path().c_str());
+    }
+    window_.reset();
+    QVERIFY(fs::is_empty(own_folder() / "open"));
+  }
+
   void shuts_down_cleanly() { window_.reset(); }
 
  private:
@@ -166,6 +187,13 @@ class PrivacyTest : public QObject {
     const fs::path file = temporary_.path() / "report.pdf";
     if (!view.print_pdf(file)) return surname;
     return read_text_file(file, 1 << 26).value_or(surname);
+  }
+
+  static QStringList keys_with_it() {
+    const QSettings settings = program_settings();
+    QStringList keys = settings.allKeys();
+    keys.removeIf([&](const QString& key) { return !settings.value(key).toStringList().join('\n').contains(surname); });
+    return keys;
   }
 
   // As letters of 8 or 16 bits, which is how the properties of a PDF are written.

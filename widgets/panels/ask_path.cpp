@@ -10,8 +10,6 @@
 namespace glisson::widgets {
 namespace {
 
-constexpr const char* last_folder_key = "last_folder";
-
 QString last_folder() {
   const QString folder = program_settings().value(last_folder_key).toString();
   return QDir(folder).exists() ? folder : QString();

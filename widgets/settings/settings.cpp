@@ -73,6 +73,7 @@ void remember_case(const fs::path& folder) {
 void forget_recent_cases() {
   program_settings().remove(recent_key);
   program_settings().remove(windows_key);
+  program_settings().remove(last_folder_key);
 }
 
 // Lines "60 160 /a/case.glisson", the last one first.
