@@ -6603,6 +6603,106 @@
         <source>A result has no scene named {0}; it has displacement, landmarks.</source>
         <translation>Ein Ergebnis hat keine Szene namens {0}; es hat displacement, landmarks.</translation>
     </message>
+    <message>
+        <source>{0} must be &quot;glisson-orders/1&quot;.</source>
+        <translation>{0} muss „glisson-orders/1“ sein.</translation>
+    </message>
+    <message>
+        <source>There are no steps to keep as {0}.</source>
+        <translation>Es gibt keine Schritte, die als {0} zu behalten wären.</translation>
+    </message>
+    <message>
+        <source>Move a rigid tool or advance a cut first.</source>
+        <translation>Bewegen Sie zuerst ein starres Instrument oder führen Sie einen Schnitt weiter.</translation>
+    </message>
+    <message>
+        <source>The case has no order of steps {0}.</source>
+        <translation>Der Fall hat keine Schrittfolge {0}.</translation>
+    </message>
+    <message>
+        <source>There is no order of steps to compare.</source>
+        <translation>Es gibt keine Schrittfolge zu vergleichen.</translation>
+    </message>
+    <message>
+        <source>Keep the steps of a rehearsal first.</source>
+        <translation>Behalten Sie zuerst die Schritte einer Probe.</translation>
+    </message>
+    <message>
+        <source>{0} (step {1})</source>
+        <translation>{0} (Schritt {1})</translation>
+    </message>
+    <message>
+        <source>What each order asks of the liver at its worst</source>
+        <translation>Was jede Schrittfolge der Leber im schlimmsten Augenblick abverlangt</translation>
+    </message>
+    <message>
+        <source>steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>{0}, largest displacement (mm)</source>
+        <translation>{0}, größte Verschiebung (mm)</translation>
+    </message>
+    <message>
+        <source>{0}, at the end (mm)</source>
+        <translation>{0}, am Ende (mm)</translation>
+    </message>
+    <message>
+        <source>largest force of one tool (N)</source>
+        <translation>größte Kraft eines Instruments (N)</translation>
+    </message>
+    <message>
+        <source>largest strain (%)</source>
+        <translation>größte Dehnung (%)</translation>
+    </message>
+    <message>
+        <source>strain of vessel walls, 95 of 100 below (%)</source>
+        <translation>Dehnung der Gefäßwände, 95 von 100 darunter (%)</translation>
+    </message>
+    <message>
+        <source>cut open at the end (cm2)</source>
+        <translation>Schnitt am Ende offen (cm2)</translation>
+    </message>
+    <message>
+        <source>steps that could not be carried out</source>
+        <translation>nicht ausführbare Schritte</translation>
+    </message>
+    <message>
+        <source>steps not to be used</source>
+        <translation>nicht zu gebrauchende Schritte</translation>
+    </message>
+    <message>
+        <source>Orders of steps</source>
+        <translation>Schrittfolgen</translation>
+    </message>
+    <message>
+        <source>Computed with large deformations, at rest after each step.</source>
+        <translation>Mit großen Verformungen berechnet, nach jedem Schritt in Ruhe.</translation>
+    </message>
+    <message>
+        <source>Orders of steps compared</source>
+        <translation>Schrittfolgen verglichen</translation>
+    </message>
+    <message>
+        <source>Order of steps: {0}</source>
+        <translation>Schrittfolge: {0}</translation>
+    </message>
+    <message>
+        <source>rehearsed</source>
+        <translation>geprobt</translation>
+    </message>
+    <message>
+        <source>Keep the steps {0}</source>
+        <translation>Die Schritte {0} behalten</translation>
+    </message>
+    <message>
+        <source>Drop the steps {0}</source>
+        <translation>Die Schritte {0} verwerfen</translation>
+    </message>
+    <message>
+        <source>Compare orders of steps</source>
+        <translation>Schrittfolgen vergleichen</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>
@@ -8227,6 +8327,85 @@ Keine Messungen zur Hand? Probieren Sie das Beispiel: eine simulierte Gewebeprob
     <message>
         <source>40 simulated frames, made in a few seconds the first time; 7 MB</source>
         <translation>40 simulierte Bilder, beim ersten Mal in wenigen Sekunden erstellt; 7 MB</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::KeptOrders</name>
+    <message>
+        <source>Comparing orders of steps</source>
+        <translation>Schrittfolgen werden verglichen</translation>
+    </message>
+    <message>
+        <source>Order %1</source>
+        <translation>Folge %1</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Folge</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>Moves (mm)</source>
+        <translation>Bewegung (mm)</translation>
+    </message>
+    <message>
+        <source>Force (N)</source>
+        <translation>Kraft (N)</translation>
+    </message>
+    <message>
+        <source>Strain (%)</source>
+        <translation>Dehnung (%)</translation>
+    </message>
+    <message>
+        <source>The landmark that moves most, at its farthest; 5 mm or more is marked !</source>
+        <translation>Die Landmarke, die sich am meisten bewegt, an ihrem fernsten Ort; ab 5 mm mit ! gekennzeichnet</translation>
+    </message>
+    <message>
+        <source>The largest of any one tool</source>
+        <translation>Die größte eines einzelnen Instruments</translation>
+    </message>
+    <message>
+        <source>Name of the order</source>
+        <translation>Name der Schrittfolge</translation>
+    </message>
+    <message>
+        <source>Keep these steps</source>
+        <translation>Diese Schritte behalten</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Vergleichen</translation>
+    </message>
+    <message>
+        <source>Runs each order again from the liver at rest; the report shows what comes of it</source>
+        <translation>Führt jede Folge noch einmal aus, von der ruhenden Leber an; der Bericht zeigt, was dabei herauskommt</translation>
+    </message>
+    <message>
+        <source>Drop</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Takes the order that is marked out of the case</source>
+        <translation>Nimmt die markierte Schrittfolge aus dem Fall</translation>
+    </message>
+    <message>
+        <source>Keeps all that the tools did, and the cut, in this order</source>
+        <translation>Behält alles, was die Instrumente taten, und den Schnitt, in dieser Reihenfolge</translation>
+    </message>
+    <message>
+        <source>Steps are recorded with rigid tools, and with large deformations</source>
+        <translation>Schritte werden mit starren Instrumenten aufgezeichnet, und bei großen Verformungen</translation>
+    </message>
+    <message>
+        <source>Kept since: compare again.</source>
+        <translation>Seither kam eine dazu: noch einmal vergleichen.</translation>
+    </message>
+    <message>
+        <source>Steps that could not be carried out, or are not to be used: %1</source>
+        <translation>Nicht ausführbare oder nicht zu gebrauchende Schritte: %1</translation>
     </message>
 </context>
 <context>
@@ -10127,6 +10306,10 @@ sicher %</translation>
     <message>
         <source>Tool placed in %1 ms.</source>
         <translation>Instrument in %1 ms gesetzt.</translation>
+    </message>
+    <message>
+        <source>Orders of steps</source>
+        <translation>Schrittfolgen</translation>
     </message>
 </context>
 <context>

@@ -6603,6 +6603,106 @@
         <source>A result has no scene named {0}; it has displacement, landmarks.</source>
         <translation>Un resultado no tiene ninguna escena llamada {0}; tiene displacement, landmarks.</translation>
     </message>
+    <message>
+        <source>{0} must be &quot;glisson-orders/1&quot;.</source>
+        <translation>{0} debe ser «glisson-orders/1».</translation>
+    </message>
+    <message>
+        <source>There are no steps to keep as {0}.</source>
+        <translation>No hay pasos que conservar como {0}.</translation>
+    </message>
+    <message>
+        <source>Move a rigid tool or advance a cut first.</source>
+        <translation>Mueva antes un instrumento rígido o avance un corte.</translation>
+    </message>
+    <message>
+        <source>The case has no order of steps {0}.</source>
+        <translation>El caso no tiene ningún orden de pasos {0}.</translation>
+    </message>
+    <message>
+        <source>There is no order of steps to compare.</source>
+        <translation>No hay ningún orden de pasos que comparar.</translation>
+    </message>
+    <message>
+        <source>Keep the steps of a rehearsal first.</source>
+        <translation>Conserve antes los pasos de un ensayo.</translation>
+    </message>
+    <message>
+        <source>{0} (step {1})</source>
+        <translation>{0} (paso {1})</translation>
+    </message>
+    <message>
+        <source>What each order asks of the liver at its worst</source>
+        <translation>Lo que cada orden exige del hígado en su peor momento</translation>
+    </message>
+    <message>
+        <source>steps</source>
+        <translation>pasos</translation>
+    </message>
+    <message>
+        <source>{0}, largest displacement (mm)</source>
+        <translation>{0}, mayor desplazamiento (mm)</translation>
+    </message>
+    <message>
+        <source>{0}, at the end (mm)</source>
+        <translation>{0}, al final (mm)</translation>
+    </message>
+    <message>
+        <source>largest force of one tool (N)</source>
+        <translation>mayor fuerza de un instrumento (N)</translation>
+    </message>
+    <message>
+        <source>largest strain (%)</source>
+        <translation>mayor deformación (%)</translation>
+    </message>
+    <message>
+        <source>strain of vessel walls, 95 of 100 below (%)</source>
+        <translation>deformación de las paredes vasculares, 95 de 100 por debajo (%)</translation>
+    </message>
+    <message>
+        <source>cut open at the end (cm2)</source>
+        <translation>corte abierto al final (cm2)</translation>
+    </message>
+    <message>
+        <source>steps that could not be carried out</source>
+        <translation>pasos que no pudieron ejecutarse</translation>
+    </message>
+    <message>
+        <source>steps not to be used</source>
+        <translation>pasos que no deben usarse</translation>
+    </message>
+    <message>
+        <source>Orders of steps</source>
+        <translation>Órdenes de pasos</translation>
+    </message>
+    <message>
+        <source>Computed with large deformations, at rest after each step.</source>
+        <translation>Calculado con deformaciones grandes, en reposo tras cada paso.</translation>
+    </message>
+    <message>
+        <source>Orders of steps compared</source>
+        <translation>Órdenes de pasos comparados</translation>
+    </message>
+    <message>
+        <source>Order of steps: {0}</source>
+        <translation>Orden de pasos: {0}</translation>
+    </message>
+    <message>
+        <source>rehearsed</source>
+        <translation>ensayado</translation>
+    </message>
+    <message>
+        <source>Keep the steps {0}</source>
+        <translation>Conservar los pasos {0}</translation>
+    </message>
+    <message>
+        <source>Drop the steps {0}</source>
+        <translation>Descartar los pasos {0}</translation>
+    </message>
+    <message>
+        <source>Compare orders of steps</source>
+        <translation>Comparar órdenes de pasos</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>
@@ -8227,6 +8327,85 @@ Glisson dice cuánto se equivoca el modelo declarado, qué le falta y con qué c
     <message>
         <source>40 simulated frames, made in a few seconds the first time; 7 MB</source>
         <translation>40 fotogramas simulados, hechos en unos segundos la primera vez; 7 MB</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::KeptOrders</name>
+    <message>
+        <source>Comparing orders of steps</source>
+        <translation>Comparando órdenes de pasos</translation>
+    </message>
+    <message>
+        <source>Order %1</source>
+        <translation>Orden %1</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Orden</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Pasos</translation>
+    </message>
+    <message>
+        <source>Moves (mm)</source>
+        <translation>Movimiento (mm)</translation>
+    </message>
+    <message>
+        <source>Force (N)</source>
+        <translation>Fuerza (N)</translation>
+    </message>
+    <message>
+        <source>Strain (%)</source>
+        <translation>Deformación (%)</translation>
+    </message>
+    <message>
+        <source>The landmark that moves most, at its farthest; 5 mm or more is marked !</source>
+        <translation>El punto de referencia que más se mueve, en su lugar más lejano; desde 5 mm se marca con !</translation>
+    </message>
+    <message>
+        <source>The largest of any one tool</source>
+        <translation>La mayor de un solo instrumento</translation>
+    </message>
+    <message>
+        <source>Name of the order</source>
+        <translation>Nombre del orden</translation>
+    </message>
+    <message>
+        <source>Keep these steps</source>
+        <translation>Conservar estos pasos</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Comparar</translation>
+    </message>
+    <message>
+        <source>Runs each order again from the liver at rest; the report shows what comes of it</source>
+        <translation>Repite cada orden desde el hígado en reposo; el informe muestra el resultado</translation>
+    </message>
+    <message>
+        <source>Drop</source>
+        <translation>Descartar</translation>
+    </message>
+    <message>
+        <source>Takes the order that is marked out of the case</source>
+        <translation>Saca del caso el orden marcado</translation>
+    </message>
+    <message>
+        <source>Keeps all that the tools did, and the cut, in this order</source>
+        <translation>Conserva todo lo que hicieron los instrumentos, y el corte, en este orden</translation>
+    </message>
+    <message>
+        <source>Steps are recorded with rigid tools, and with large deformations</source>
+        <translation>Los pasos se registran con instrumentos rígidos, y con deformaciones grandes</translation>
+    </message>
+    <message>
+        <source>Kept since: compare again.</source>
+        <translation>Se conservó otro después: compare de nuevo.</translation>
+    </message>
+    <message>
+        <source>Steps that could not be carried out, or are not to be used: %1</source>
+        <translation>Pasos que no pudieron ejecutarse o no deben usarse: %1</translation>
     </message>
 </context>
 <context>
@@ -10130,6 +10309,10 @@ seguro %</translation>
     <message>
         <source>Tool placed in %1 ms.</source>
         <translation>Instrumento colocado en %1 ms.</translation>
+    </message>
+    <message>
+        <source>Orders of steps</source>
+        <translation>Órdenes de pasos</translation>
     </message>
 </context>
 <context>

@@ -6603,6 +6603,106 @@
         <source>A result has no scene named {0}; it has displacement, landmarks.</source>
         <translation>Un résultat n&apos;a pas de scène nommée {0} ; il a displacement, landmarks.</translation>
     </message>
+    <message>
+        <source>{0} must be &quot;glisson-orders/1&quot;.</source>
+        <translation>{0} doit être « glisson-orders/1 ».</translation>
+    </message>
+    <message>
+        <source>There are no steps to keep as {0}.</source>
+        <translation>Il n’y a pas d’étapes à garder sous le nom {0}.</translation>
+    </message>
+    <message>
+        <source>Move a rigid tool or advance a cut first.</source>
+        <translation>Déplacez d’abord un instrument rigide ou avancez une coupe.</translation>
+    </message>
+    <message>
+        <source>The case has no order of steps {0}.</source>
+        <translation>Le cas n’a pas d’ordre d’étapes {0}.</translation>
+    </message>
+    <message>
+        <source>There is no order of steps to compare.</source>
+        <translation>Il n’y a aucun ordre d’étapes à comparer.</translation>
+    </message>
+    <message>
+        <source>Keep the steps of a rehearsal first.</source>
+        <translation>Gardez d’abord les étapes d’une répétition.</translation>
+    </message>
+    <message>
+        <source>{0} (step {1})</source>
+        <translation>{0} (étape {1})</translation>
+    </message>
+    <message>
+        <source>What each order asks of the liver at its worst</source>
+        <translation>Ce que chaque ordre demande au foie à son pire moment</translation>
+    </message>
+    <message>
+        <source>steps</source>
+        <translation>étapes</translation>
+    </message>
+    <message>
+        <source>{0}, largest displacement (mm)</source>
+        <translation>{0}, plus grand déplacement (mm)</translation>
+    </message>
+    <message>
+        <source>{0}, at the end (mm)</source>
+        <translation>{0}, à la fin (mm)</translation>
+    </message>
+    <message>
+        <source>largest force of one tool (N)</source>
+        <translation>plus grande force d’un instrument (N)</translation>
+    </message>
+    <message>
+        <source>largest strain (%)</source>
+        <translation>plus grande déformation (%)</translation>
+    </message>
+    <message>
+        <source>strain of vessel walls, 95 of 100 below (%)</source>
+        <translation>déformation des parois des vaisseaux, 95 sur 100 en dessous (%)</translation>
+    </message>
+    <message>
+        <source>cut open at the end (cm2)</source>
+        <translation>coupe ouverte à la fin (cm2)</translation>
+    </message>
+    <message>
+        <source>steps that could not be carried out</source>
+        <translation>étapes qui n’ont pu être exécutées</translation>
+    </message>
+    <message>
+        <source>steps not to be used</source>
+        <translation>étapes à ne pas utiliser</translation>
+    </message>
+    <message>
+        <source>Orders of steps</source>
+        <translation>Ordres des étapes</translation>
+    </message>
+    <message>
+        <source>Computed with large deformations, at rest after each step.</source>
+        <translation>Calculé aux grandes déformations, au repos après chaque étape.</translation>
+    </message>
+    <message>
+        <source>Orders of steps compared</source>
+        <translation>Ordres des étapes comparés</translation>
+    </message>
+    <message>
+        <source>Order of steps: {0}</source>
+        <translation>Ordre des étapes : {0}</translation>
+    </message>
+    <message>
+        <source>rehearsed</source>
+        <translation>répété</translation>
+    </message>
+    <message>
+        <source>Keep the steps {0}</source>
+        <translation>Garder les étapes {0}</translation>
+    </message>
+    <message>
+        <source>Drop the steps {0}</source>
+        <translation>Écarter les étapes {0}</translation>
+    </message>
+    <message>
+        <source>Compare orders of steps</source>
+        <translation>Comparer les ordres des étapes</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>
@@ -8227,6 +8327,85 @@ Pas de mesures sous la main&#xa0;? Essayez l’exemple&#xa0;: un échantillon de
     <message>
         <source>40 simulated frames, made in a few seconds the first time; 7 MB</source>
         <translation>40 images simulées, créées en quelques secondes la première fois ; 7 Mo</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::KeptOrders</name>
+    <message>
+        <source>Comparing orders of steps</source>
+        <translation>Comparaison des ordres des étapes</translation>
+    </message>
+    <message>
+        <source>Order %1</source>
+        <translation>Ordre %1</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Ordre</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Étapes</translation>
+    </message>
+    <message>
+        <source>Moves (mm)</source>
+        <translation>Déplacement (mm)</translation>
+    </message>
+    <message>
+        <source>Force (N)</source>
+        <translation>Force (N)</translation>
+    </message>
+    <message>
+        <source>Strain (%)</source>
+        <translation>Déformation (%)</translation>
+    </message>
+    <message>
+        <source>The landmark that moves most, at its farthest; 5 mm or more is marked !</source>
+        <translation>Le repère qui bouge le plus, au plus loin ; à partir de 5 mm il est marqué !</translation>
+    </message>
+    <message>
+        <source>The largest of any one tool</source>
+        <translation>La plus grande d’un seul instrument</translation>
+    </message>
+    <message>
+        <source>Name of the order</source>
+        <translation>Nom de l’ordre</translation>
+    </message>
+    <message>
+        <source>Keep these steps</source>
+        <translation>Garder ces étapes</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Comparer</translation>
+    </message>
+    <message>
+        <source>Runs each order again from the liver at rest; the report shows what comes of it</source>
+        <translation>Refait chaque ordre à partir du foie au repos ; le rapport en montre le résultat</translation>
+    </message>
+    <message>
+        <source>Drop</source>
+        <translation>Écarter</translation>
+    </message>
+    <message>
+        <source>Takes the order that is marked out of the case</source>
+        <translation>Ôte du cas l’ordre marqué</translation>
+    </message>
+    <message>
+        <source>Keeps all that the tools did, and the cut, in this order</source>
+        <translation>Garde tout ce que les instruments ont fait, et la coupe, dans cet ordre</translation>
+    </message>
+    <message>
+        <source>Steps are recorded with rigid tools, and with large deformations</source>
+        <translation>Les étapes sont enregistrées avec des instruments rigides, et aux grandes déformations</translation>
+    </message>
+    <message>
+        <source>Kept since: compare again.</source>
+        <translation>Un autre a été gardé depuis : comparez à nouveau.</translation>
+    </message>
+    <message>
+        <source>Steps that could not be carried out, or are not to be used: %1</source>
+        <translation>Étapes qui n’ont pu être exécutées ou à ne pas utiliser : %1</translation>
     </message>
 </context>
 <context>
@@ -10130,6 +10309,10 @@ sûr %</translation>
     <message>
         <source>Tool placed in %1 ms.</source>
         <translation>Instrument placé en&#xa0;%1 ms.</translation>
+    </message>
+    <message>
+        <source>Orders of steps</source>
+        <translation>Ordres des étapes</translation>
     </message>
 </context>
 <context>

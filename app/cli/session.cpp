@@ -7,6 +7,8 @@
 
 #include "base/files.h"
 #include "base/write_file.h"
+#include "casefile/orders.h"
+#include "casefile/used_entries.h"
 #include "command.h"
 #include "evidence_answer.h"
 #include "one_of.h"
@@ -29,6 +31,7 @@ struct SessionCommand {
   std::vector<std::string> commands_files;
   Settling settle = Settling::each;
   std::optional<std::string> out;
+  bool keep = false;
 };
 
 Result<rehearsal::Recording> recording_in(const std::string& file) {
@@ -157,6 +160,7 @@ Result<Outcome> run(const SessionCommand& options, const Progress& progress) {
   if (question->setup.law.law == MaterialLaw::linear && has_friction(*commands)) {
     question->remarks.emplace_back("At small strain every tool is smooth: friction is computed at large strain alone.");
   }
+  const MaterialLaw law = question->setup.law.law;
   const auto reference =
       options.source.live ? rehearsal::WithReference::when_asked : rehearsal::reference_in(*commands);
   auto engine = rehearsal::SessionEngine::create(std::move(question->setup), progress.part(0.0, 0.5), reference);
@@ -201,6 +205,9 @@ Result<Outcome> run(const SessionCommand& options, const Progress& progress) {
                          GLISSON_TEXT("Replay with the case and the version that it was recorded with."),
                          file});
   }
+  if (options.keep) {
+    if (auto kept = keep_in_case(options, {recording}, law, {}); !kept) return failure(std::move(kept.error()));
+  }
   if (options.out) {
     outcome.document["out"] = *options.out;
     if (auto written = write_out(*options.out, recording, outcome.document); !written) {
@@ -210,7 +217,35 @@ Result<Outcome> run(const SessionCommand& options, const Progress& progress) {
   return outcome;
 }
 
-// Several recordings: what each asks of the liver. Of one file name the folder tells them apart.
+// The files' names without folder and ending; with the folder's name where two are alike.
+std::vector<std::string> names_of(const std::vector<std::string>& files) {
+  const auto stem = [](const std::string& file) { return std::filesystem::path(file).stem().string(); };
+  std::vector<std::string> names;
+  for (const std::string& file : files) {
+    const auto alike =
+        std::count_if(files.begin(), files.end(), [&](const auto& one) { return stem(one) == stem(file); });
+    const std::string folder = std::filesystem::path(file).parent_path().filename().string();
+    names.push_back(alike > 1 && !folder.empty() ? folder + " " + stem(file) : stem(file));
+  }
+  return names;
+}
+
+// As orders of steps of the case, named as their files; with the comparison, where they were compared.
+Result<void> keep_in_case(const SessionCommand& options, const std::vector<rehearsal::Recording>& recordings,
+                          mechanics::MaterialLaw law, const std::vector<rehearsal::OrderOfSteps>& compared) {
+  auto patient = casefile::Case::open(*options.source.case_folder);
+  if (!patient) return failure(std::move(patient.error()));
+  const std::vector<std::string> names = names_of(options.commands_files);
+  return patient->together([&]() -> Result<void> {
+    for (std::size_t r = 0; r < recordings.size(); ++r) {
+      if (auto kept = casefile::keep_order(*patient, {names[r], recordings[r], law}); !kept) return kept;
+    }
+    if (compared.empty()) return {};
+    return casefile::keep_comparison(*patient, {compared, law, casefile::model_remarks(*patient)});
+  });
+}
+
+// Several recordings: what each asks of the liver.
 Result<Outcome> compare_orders(const SessionCommand& options, const Progress& progress) {
   std::vector<rehearsal::Recording> recordings;
   for (const std::string& file : options.commands_files) {
@@ -227,20 +262,24 @@ Result<Outcome> compare_orders(const SessionCommand& options, const Progress& pr
 
   Outcome outcome{{{"orders", Json::array()}}, bullet_list(question->remarks)};
   if (!question->remarks.empty()) outcome.document["notes"] = question->remarks;
+  const std::vector<std::string> names = names_of(options.commands_files);
   std::vector<rehearsal::OrderOfSteps> orders;
   for (std::size_t r = 0; r < recordings.size(); ++r) {
     const double begin = 0.3 + 0.7 * double(r) / double(recordings.size());
-    const std::filesystem::path file(options.commands_files[r]);
-    auto order = rehearsal::run_order(question->setup, question->vessels, file.stem().string(), recordings[r],
+    auto order = rehearsal::run_order(question->setup, question->vessels, names[r], recordings[r],
                                       progress.part(begin, begin + 0.7 / double(recordings.size())));
     if (!order) return failure(std::move(order.error()));
-    outcome.document["orders"].push_back(report::json_of(*order));
+    outcome.document["orders"].push_back(rehearsal::json_of(*order));
     outcome.text += fmt::format("{}: {:.2f} N at most, strain {:.0f} % at most{}\n", order->name,
                                 order->largest_force_N.value, 100 * order->largest_strain.value,
                                 order->unusable.empty() ? "" : ", with steps that may not be used");
     for (const rehearsal::LandmarkMove& landmark : order->landmarks)
       outcome.text += fmt::format("  {} moves by {:.1f} mm at most\n", landmark.id, landmark.largest_mm.value);
     orders.push_back(*std::move(order));
+  }
+  if (options.keep) {
+    if (auto kept = keep_in_case(options, recordings, question->setup.law.law, orders); !kept)
+      return failure(std::move(kept.error()));
   }
   if (!options.out) return outcome;
   const std::filesystem::path out(*options.out);
@@ -298,6 +337,11 @@ void add_session(CLI::App& app, Action& chosen) {
       "--out", options->out,
       "Folder for the commands with each frame's digest (session.json) and the frames (frames.json); or "
       "a file.json for the commands alone; of several orders, for orders.json and orders.html");
+  command
+      ->add_flag("--keep", options->keep,
+                 "Keeps the commands in the case as orders of steps, named as their files; of several also the "
+                 "comparison, which the report then shows")
+      ->needs(case_folder);
   command->callback([&chosen, options] {
     if (!options->source.case_folder && !options->source.mesh_file) throw CLI::RequiredError("a case or --mesh");
     chosen = [options](const Progress& progress) {

@@ -1,7 +1,7 @@
 #include "session_question.h"
 
 #include "casefile/model.h"
-#include "casefile/resection_folder.h"
+#include "casefile/orders.h"
 #include "casefile/used_entries.h"
 #include "elastography/cell_stiffness.h"
 #include "geometry/mesh_file.h"
@@ -13,23 +13,18 @@ namespace {
 Result<SessionQuestion> question_of_case(const SessionSource& source, bool with_structures) {
   const auto patient = casefile::Case::open(*source.case_folder);
   if (!patient) return failure(patient.error());
+  if (with_structures) {
+    return casefile::orders_question(*patient).map([&](casefile::OrdersQuestion question) {
+      return SessionQuestion{
+          std::move(question.setup), std::move(question.vessels), {}, messages(question.remarks), patient->origin()};
+    });
+  }
   auto model = casefile::read_model(*patient);
   if (!model) return failure(model.error());
   SessionQuestion question{{}, {}, model->evidence, messages(casefile::model_remarks(*patient)), patient->origin()};
   if (model->assumed) question.remarks.push_back(model->assumed->message());
-  if (source.live && !with_structures) {
-    question.setup = casefile::live_rehearsal_setup(*std::move(model)).setup;
-    return question;
-  }
-  std::vector<geometry::Surface> structures;
-  for (const casefile::StructureSurface& structure : model->structures) {
-    if (!with_structures) break;
-    if (casefile::resection_kind(structure.name) == rehearsal::StructureKind::vessel)
-      question.vessels.push_back(structures.size());
-    structures.push_back(structure.surface);
-  }
-  question.setup = casefile::rehearsal_setup(std::move(*model));
-  question.setup.structures = std::move(structures);
+  question.setup = source.live ? casefile::live_rehearsal_setup(*std::move(model)).setup
+                               : casefile::rehearsal_setup(*std::move(model));
   return question;
 }
 

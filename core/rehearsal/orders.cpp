@@ -6,8 +6,12 @@
 #include <limits>
 #include <utility>
 
+#include "base/json_reading.h"
+
 namespace glisson::rehearsal {
 namespace {
+
+constexpr double most_steps = 1e6;  // of a recording, when its figures are read back
 
 void take(Worst& worst, double value, std::size_t step) {
   if (worst.step == 0 || value > worst.value) worst = {value, step};
@@ -68,6 +72,67 @@ Result<OrderOfSteps> run_order(RehearsalSetup setup, const std::vector<std::size
     }
   }
   progress.report(1.0, GLISSON_TEXT("Solved"));
+  return order;
+}
+
+Json json_of(const OrderOfSteps& order) {
+  const auto put = [](Json& json, const std::string& name, const Worst& worst) {
+    json[name] = worst.step == 0 ? Json() : Json(worst.value);
+    json[name + "_at_step"] = worst.step == 0 ? Json() : Json(worst.step);
+  };
+  Json json{{"name", order.name},         {"steps", order.force_N.size()},
+            {"open_mm2", order.open_mm2}, {"bridge_mm2", order.bridge_mm2},
+            {"refused", order.refused},   {"unusable", order.unusable},
+            {"landmarks", Json::array()}};
+  put(json, "largest_force_N", order.largest_force_N);
+  put(json, "largest_strain", order.largest_strain);
+  put(json, "vessel_strain", order.vessel_strain.value_or(Worst{}));
+  for (const LandmarkMove& landmark : order.landmarks) {
+    Json& entry = json["landmarks"].emplace_back(Json{{"id", landmark.id}, {"end_mm", landmark.end_mm}});
+    put(entry, "largest_mm", landmark.largest_mm);
+  }
+  json["moves_mm"] = order.largest_move_mm;
+  json["forces_N"] = order.force_N;
+  return null_where_not_finite(std::move(json));
+}
+
+OrderOfSteps order_from(const Json& json, const std::string& where) {
+  const auto worst = [](const Json& of, const std::string& name, const std::string& place) -> Worst {
+    const Json& step = required(of, (name + "_at_step").c_str(), place);
+    if (step.is_null()) return {};
+    const double number = positive_in(step, place + ", " + name + "_at_step");
+    return {number_in(required(of, name.c_str(), place), place + ", " + name),
+            static_cast<std::size_t>(std::min(number, most_steps))};
+  };
+  OrderOfSteps order{name_in(required(json, "name", where), where + ", name"), {}, {}, {}, {}, 0, 0, {}, {}, {}, {}};
+  const Json& landmarks = required(json, "landmarks", where);
+  if (!landmarks.is_array()) refuse_at(where + ", landmarks", GLISSON_TEXT("{0} must be a list in brackets."));
+  for (std::size_t l = 0; l < landmarks.size(); ++l) {
+    const std::string place = where + ", " + item("landmark", l);
+    order.landmarks.push_back({name_in(required(landmarks[l], "id", place), place + ", id"),
+                               worst(landmarks[l], "largest_mm", place),
+                               number_in(required(landmarks[l], "end_mm", place), place + ", end_mm")});
+  }
+  order.largest_force_N = worst(json, "largest_force_N", where);
+  order.largest_strain = worst(json, "largest_strain", where);
+  if (const Worst vessels = worst(json, "vessel_strain", where); vessels.step > 0) order.vessel_strain = vessels;
+  order.open_mm2 = not_negative_in(required(json, "open_mm2", where), where + ", open_mm2");
+  order.bridge_mm2 = not_negative_in(required(json, "bridge_mm2", where), where + ", bridge_mm2");
+  const auto numbers = [&](const char* key) {
+    const Json& list = required(json, key, where);
+    if (!list.is_array()) refuse_at(where + ", " + key, GLISSON_TEXT("{0} must be a list in brackets."));
+    std::vector<double> values;
+    for (const Json& one : list) {
+      values.push_back(one.is_null() ? std::numeric_limits<double>::quiet_NaN() : number_in(one, where + ", " + key));
+    }
+    return values;
+  };
+  for (const double step : numbers("refused"))
+    order.refused.push_back(static_cast<std::size_t>(std::clamp(step, 0.0, most_steps)));
+  for (const double step : numbers("unusable"))
+    order.unusable.push_back(static_cast<std::size_t>(std::clamp(step, 0.0, most_steps)));
+  order.largest_move_mm = numbers("moves_mm");
+  order.force_N = numbers("forces_N");
   return order;
 }
 

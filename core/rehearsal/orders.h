@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/json_forward.h"
 #include "rehearsal/session.h"
 
 namespace glisson::rehearsal {
@@ -42,6 +43,13 @@ struct OrderOfSteps {
 // `vessels` says which of the setup's structures are vessels. Failures: those of SessionEngine::create; "cancelled".
 Result<OrderOfSteps> run_order(RehearsalSetup setup, const std::vector<std::size_t>& vessels, std::string name,
                                const Recording& recording, const Progress& progress = {});
+
+// name, steps, landmarks[]: {id, largest_mm, at_step, end_mm}, largest_force_N, largest_strain, vessel_strain (null
+// where no vessel is known), open_mm2, bridge_mm2, refused[], unusable[], moves_mm[] and forces_N[] (a number a state,
+// null where it is unusable).
+[[nodiscard]] Json json_of(const OrderOfSteps& order);
+// Back, from whatever stands there: to be called within reading() (base/json_reading.h).
+[[nodiscard]] OrderOfSteps order_from(const Json& json, const std::string& where);
 
 // Of a surface at rest and displaced; zero where it has no area. Triangles without area at rest are left out.
 [[nodiscard]] double wall_strain(const geometry::Surface& rest, const std::vector<Eigen::Vector3d>& displaced_mm);

@@ -3,23 +3,21 @@
 #include <fmt/format.h>
 #include <cmath>
 
-#include "base/json.h"
 #include "rehearsal/comparison.h"
-#include "report/words.h"
 
 namespace glisson::report {
 namespace {
 
 using rehearsal::OrderOfSteps;
 
-std::string at_step(const rehearsal::Worst& worst, int decimals, double factor = 1) {
-  return worst.step == 0 ? "" : fmt::format("{:.{}f} (step {})", factor * worst.value, decimals, worst.step);
+std::string at_step(const rehearsal::Worst& worst, const Words& words, int decimals, double factor = 1) {
+  if (worst.step == 0) return "";
+  return words.say(GLISSON_TEXT("{0} (step {1})"),
+                   {fmt::format("{:.{}f}", factor * worst.value, decimals), std::to_string(worst.step)});
 }
 
 std::string list_of(const std::vector<std::size_t>& steps) { return fmt::format("{}", fmt::join(steps, ", ")); }
 
-// A row a quantity, a column an order.
-Table figures(const std::vector<OrderOfSteps>& orders);
 Plot step_by_step(const std::vector<OrderOfSteps>& orders, std::vector<double> OrderOfSteps::*values,
                   std::string caption, std::string y_title);
 
@@ -31,7 +29,7 @@ Page orders_page(const std::vector<OrderOfSteps>& orders, const std::string& ori
   page.title = "Orders of steps compared";
   page.warning = origin;
   for (const std::string& remark : remarks) page.blocks.push_back(Paragraph{remark});
-  page.blocks.push_back(figures(orders));
+  page.blocks.push_back(orders_table(orders, {}));
   Plot moves = step_by_step(orders, &OrderOfSteps::largest_move_mm, "How far the landmark moves that moves most",
                             "displacement (mm)");
   moves.rules.push_back({Rule::Along::y, rehearsal::significant_mm, "5 mm"});
@@ -40,29 +38,8 @@ Page orders_page(const std::vector<OrderOfSteps>& orders, const std::string& ori
   return page;
 }
 
-Json json_of(const OrderOfSteps& order) {
-  const auto put = [](Json& json, const std::string& name, const rehearsal::Worst& worst) {
-    json[name] = worst.step == 0 ? Json() : Json(worst.value);
-    json[name + "_at_step"] = worst.step == 0 ? Json() : Json(worst.step);
-  };
-  Json json{{"name", order.name},         {"steps", order.force_N.size()},
-            {"open_mm2", order.open_mm2}, {"bridge_mm2", order.bridge_mm2},
-            {"refused", order.refused},   {"unusable", order.unusable},
-            {"landmarks", Json::array()}};
-  put(json, "largest_force_N", order.largest_force_N);
-  put(json, "largest_strain", order.largest_strain);
-  put(json, "vessel_strain", order.vessel_strain.value_or(rehearsal::Worst{}));
-  for (const rehearsal::LandmarkMove& landmark : order.landmarks) {
-    Json& entry = json["landmarks"].emplace_back(Json{{"id", landmark.id}, {"end_mm", landmark.end_mm}});
-    put(entry, "largest_mm", landmark.largest_mm);
-  }
-  return json;
-}
-
-namespace {
-
-Table figures(const std::vector<OrderOfSteps>& orders) {
-  Table table{"What each order asks of the liver at its worst", {""}, {}};
+Table orders_table(const std::vector<OrderOfSteps>& orders, const Words& words) {
+  Table table{words.say(GLISSON_TEXT("What each order asks of the liver at its worst")), {""}, {}};
   for (const OrderOfSteps& order : orders) table.columns.push_back(order.name);
   const auto row = [&](const std::string& name, const auto& text, const auto& emphasis) {
     std::vector<Cell> cells{{name}};
@@ -76,44 +53,57 @@ Table figures(const std::vector<OrderOfSteps>& orders) {
   const auto plain = [](const OrderOfSteps&) { return Cell::Emphasis::none; };
   const auto flagged = [](const OrderOfSteps&) { return Cell::Emphasis::flag; };
   row(
-      "steps", [](const OrderOfSteps& order) { return std::to_string(order.force_N.size()); }, plain);
+      words.say(GLISSON_TEXT("steps")), [](const OrderOfSteps& order) { return std::to_string(order.force_N.size()); },
+      plain);
   const std::size_t landmarks = orders.empty() ? 0 : orders.front().landmarks.size();
   for (std::size_t l = 0; l < landmarks; ++l) {
-    const std::string name = plain_name(orders.front().landmarks[l].id);
+    const std::string name = words.name(orders.front().landmarks[l].id);
+    const auto known = [l](const OrderOfSteps& order) { return l < order.landmarks.size(); };
     row(
-        name + ", largest displacement (mm)",
-        [l](const OrderOfSteps& order) { return at_step(order.landmarks[l].largest_mm, 1); },
-        [l](const OrderOfSteps& order) {
-          return order.landmarks[l].largest_mm.value >= rehearsal::significant_mm ? Cell::Emphasis::flag
-                                                                                  : Cell::Emphasis::none;
+        words.say(GLISSON_TEXT("{0}, largest displacement (mm)"), {name}),
+        [&](const OrderOfSteps& order) {
+          return known(order) ? at_step(order.landmarks[l].largest_mm, words, 1) : std::string();
+        },
+        [&](const OrderOfSteps& order) {
+          return known(order) && order.landmarks[l].largest_mm.value >= rehearsal::significant_mm
+                     ? Cell::Emphasis::flag
+                     : Cell::Emphasis::none;
         });
     row(
-        name + ", at the end (mm)",
-        [l](const OrderOfSteps& order) { return fmt::format("{:.1f}", order.landmarks[l].end_mm); }, plain);
+        words.say(GLISSON_TEXT("{0}, at the end (mm)"), {name}),
+        [&](const OrderOfSteps& order) {
+          return known(order) ? fmt::format("{:.1f}", order.landmarks[l].end_mm) : std::string();
+        },
+        plain);
   }
   row(
-      "largest force of one tool (N)", [](const OrderOfSteps& order) { return at_step(order.largest_force_N, 2); },
-      plain);
+      words.say(GLISSON_TEXT("largest force of one tool (N)")),
+      [&](const OrderOfSteps& order) { return at_step(order.largest_force_N, words, 2); }, plain);
   row(
-      "largest strain (%)", [](const OrderOfSteps& order) { return at_step(order.largest_strain, 0, 100); }, plain);
+      words.say(GLISSON_TEXT("largest strain (%)")),
+      [&](const OrderOfSteps& order) { return at_step(order.largest_strain, words, 0, 100); }, plain);
   row(
-      "strain of vessel walls, 95 of 100 below (%)",
-      [](const OrderOfSteps& order) {
-        return order.vessel_strain ? at_step(*order.vessel_strain, 1, 100) : std::string();
+      words.say(GLISSON_TEXT("strain of vessel walls, 95 of 100 below (%)")),
+      [&](const OrderOfSteps& order) {
+        return order.vessel_strain ? at_step(*order.vessel_strain, words, 1, 100) : std::string();
       },
       plain);
   row(
-      "cut open at the end (cm2)",
+      words.say(GLISSON_TEXT("cut open at the end (cm2)")),
       [](const OrderOfSteps& order) {
         return order.open_mm2 > 0 ? fmt::format("{:.1f}", 1e-2 * order.open_mm2) : std::string();
       },
       plain);
   row(
-      "steps that could not be carried out", [](const OrderOfSteps& order) { return list_of(order.refused); }, flagged);
+      words.say(GLISSON_TEXT("steps that could not be carried out")),
+      [](const OrderOfSteps& order) { return list_of(order.refused); }, flagged);
   row(
-      "steps not to be used", [](const OrderOfSteps& order) { return list_of(order.unusable); }, flagged);
+      words.say(GLISSON_TEXT("steps not to be used")),
+      [](const OrderOfSteps& order) { return list_of(order.unusable); }, flagged);
   return table;
 }
+
+namespace {
 
 Plot step_by_step(const std::vector<OrderOfSteps>& orders, std::vector<double> OrderOfSteps::*values,
                   std::string caption, std::string y_title) {

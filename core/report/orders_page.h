@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "base/json_forward.h"
 #include "rehearsal/orders.h"
 #include "report/page.h"
+#include "report/words.h"
 
 namespace glisson::report {
 
@@ -14,8 +14,7 @@ namespace glisson::report {
 [[nodiscard]] Page orders_page(const std::vector<rehearsal::OrderOfSteps>& orders, const std::string& origin,
                                const std::vector<std::string>& remarks);
 
-// The same figures: name, steps, landmarks[]: {id, largest_mm, at_step, end_mm}, largest_force_N, largest_strain,
-// vessel_strain (null where no vessel is known), open_mm2, bridge_mm2, refused[], unusable[].
-[[nodiscard]] Json json_of(const rehearsal::OrderOfSteps& order);
+// The table alone, in a page's language: a row a quantity, a column an order.
+[[nodiscard]] Table orders_table(const std::vector<rehearsal::OrderOfSteps>& orders, const Words& words);
 
 }  // namespace glisson::report

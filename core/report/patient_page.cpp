@@ -41,6 +41,7 @@ Result<Page> patient_page(const Case& patient, const PatientPageContent& content
   add_resection(page, patient, words);
   if (auto added = add_kept_plans(page, patient, words); !added) return failure(std::move(added.error()));
   add_retraction(page, patient, content);
+  if (auto added = add_orders(page, patient, words); !added) return failure(std::move(added.error()));
   if (auto added = add_structures(page, patient, words); !added) return failure(std::move(added.error()));
   add_plan(page, content.plan, words);
   progress.report(0.3, GLISSON_TEXT("Reading the model"));

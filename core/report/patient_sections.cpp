@@ -6,10 +6,12 @@
 #include "base/json.h"
 #include "casefile/evidence.h"
 #include "casefile/model.h"
+#include "casefile/orders.h"
 #include "casefile/plans.h"
 #include "geometry/mesh_file.h"
 #include "mechanics/scenario/scenario.h"
 #include "report/internal/patient_sections.h"
+#include "report/orders_page.h"
 #include "report/plan_comparison.h"
 
 namespace glisson::report {
@@ -168,6 +170,21 @@ Result<void> add_kept_plans(Page& page, const Case& patient, const Words& words)
   if (described.empty()) return {};
   page.blocks.push_back(Heading{words.say(GLISSON_TEXT("Plans compared"))});
   add_plans(page, described, words);
+  return {};
+}
+
+Result<void> add_orders(Page& page, const Case& patient, const Words& words) {
+  const auto compared = casefile::kept_comparison(patient);
+  if (!compared) return failure(compared.error());
+  if (!*compared) return {};
+  page.blocks.push_back(Heading{words.say(GLISSON_TEXT("Orders of steps"))});
+  const auto& [orders, law, remarks] = **compared;
+  std::string told = law == mechanics::MaterialLaw::linear
+                         ? words.say(GLISSON_TEXT("Computed with small deformations (linear)."))
+                         : words.say(GLISSON_TEXT("Computed with large deformations, at rest after each step."));
+  for (const Sentence& remark : remarks) told += " " + words.sentence(remark);
+  page.blocks.push_back(Paragraph{told});
+  page.blocks.push_back(orders_table(orders, words));
   return {};
 }
 

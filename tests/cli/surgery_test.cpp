@@ -4,6 +4,7 @@
 
 #include "base/files.h"
 #include "base/json.h"
+#include "casefile/orders.h"
 #include "geometry/mesh_file.h"
 #include "support/data.h"
 #include "support/process.h"
@@ -342,6 +343,44 @@ TEST_F(SmallLiver, TwoOrdersOfStepsAreComparedInFiguresAndAsAPage) {
   EXPECT_THAT(page, HasSubstr("hard &lt;first&gt;"));
   EXPECT_EQ(Json::parse(read_text_file(folder_->path() / "orders" / "orders.json", 1 << 22).value()).at("orders"),
             orders);
+}
+
+TEST_F(SmallLiver, KeepsOrdersOfStepsWithWhatTheyAskAndShowsThemInTheReport) {
+  const auto push = [&](const char* name, int push_mN) {
+    EXPECT_TRUE(write_text_file(folder_->path() / name, R"({"format": "glisson-session/1", "commands": [
+      {"hold": {"id": "hook", "shape": "nathanson-retractor", "position_mm": [0, 0, -70], "direction": [0, 0, 1],
+                "push_mN": )" + std::to_string(push_mN) + "}}]}"));
+    return file(name);
+  };
+  fs::create_directories(folder_->path() / "again");
+  const std::string kept = file("orders.glisson");
+  fs::copy(patient(), kept, fs::copy_options::recursive);
+  const Json compared = answer(
+      {"session", kept, "--commands", push("a.json", 100), push("again/a.json", 200), push("b.json", 150), "--keep"});
+  EXPECT_EQ(compared.at("orders")[1].at("name"), "again a");
+  const auto orders = casefile::kept_orders(casefile::Case::open(kept).value());
+  ASSERT_TRUE(orders.has_value()) << orders.error().message();
+  ASSERT_EQ(orders->size(), 3U);
+  EXPECT_EQ(orders->back().name, "b");
+  ASSERT_EQ(orders->back().recording.size(), 1U);
+
+  // What was kept is what was printed, and each of them is a recording that can be run again.
+  const auto read = casefile::kept_comparison(casefile::Case::open(kept).value());
+  ASSERT_TRUE(read.has_value() && read->has_value());
+  for (std::size_t n = 0; n < 3; ++n) EXPECT_EQ(rehearsal::json_of((*read)->orders[n]), compared.at("orders")[n]);
+  answer({"session", kept, "--commands", (fs::path(kept) / "orders" / "b.json").string()});
+  answer({"report", kept, "--out", file("orders-report.html")});
+  const std::string page = read_text_file(folder_->path() / "orders-report.html", 1 << 24).value();
+  EXPECT_THAT(page, HasSubstr("What each order asks of the liver at its worst"));
+  EXPECT_THAT(page, HasSubstr("again a"));
+
+  // A damaged comparison is told, with its name, and changes nothing.
+  ASSERT_TRUE(write_text_file(fs::path(kept) / "results" / "orders.json",
+                              R"({"format": "glisson-orders/1", "material": "linear", "orders": [{"name": "a"}]})"));
+  const Finished damaged = glisson_cli({"report", kept, "--out", file("damaged.html"), "--json", "--quiet"});
+  EXPECT_EQ(damaged.exit_code, 1);
+  EXPECT_EQ(damaged.json().at("error").at("code"), "orders-invalid");
+  EXPECT_FALSE(fs::exists(folder_->path() / "damaged.html"));
 }
 
 TEST_F(SmallLiver, IsCutAndTouchedByAScenario) {

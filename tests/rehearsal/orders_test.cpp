@@ -6,6 +6,7 @@
 #include <cmath>
 #include <Eigen/Geometry>
 
+#include "base/json_reading.h"
 #include "mechanics/bodies.h"
 
 namespace glisson::rehearsal {
@@ -91,6 +92,29 @@ TEST_F(Ordering, TakesFromEachStateWhatItSays) {
   EXPECT_GT(order.vessel_strain->value, 0.01);
   EXPECT_EQ(order.refused, std::vector<std::size_t>{4});
   EXPECT_TRUE(order.unusable.empty());
+}
+
+TEST_F(Ordering, AreReadBackAsTheyWereWritten) {
+  const Recording recording{{pushed(200), ""}, {ReleaseTool{"nothing such"}, ""}, {pushed(1e5), ""}};
+  const OrderOfSteps order = run_order(setup, {0}, "push", recording).value();
+  const Json written = json_of(order);
+  const auto read = reading("orders-invalid", {}, [&] { return order_from(written, "order 1"); });
+  ASSERT_TRUE(read.has_value()) << read.error().message();
+  EXPECT_EQ(json_of(*read), written);
+  EXPECT_EQ(read->largest_force_N.step, order.largest_force_N.step);
+  EXPECT_EQ(read->refused, order.refused);
+
+  for (const char* key : {"name", "landmarks", "largest_force_N", "vessel_strain_at_step", "open_mm2", "forces_N"}) {
+    for (const Json& wrong : {Json("x"), Json(-1), Json{{"a", 1}}}) {
+      Json broken = written;
+      broken[key] = wrong;
+      if (json_of(order)[key] == wrong || (std::string(key) == "name" && wrong.is_string())) continue;
+      if (std::string(key) == "largest_force_N" && wrong.is_number()) continue;  // any number may stand there
+      const auto refused = reading("orders-invalid", {}, [&] { return order_from(broken, "order 1"); });
+      ASSERT_FALSE(refused.has_value()) << key << " " << wrong;
+      EXPECT_THAT(refused.error().message(), testing::HasSubstr("order 1")) << key;
+    }
+  }
 }
 
 TEST_F(Ordering, TakesNoFigureFromAStateThatMayNotBeUsed) {

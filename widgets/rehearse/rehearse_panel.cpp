@@ -85,6 +85,9 @@ RehearsePanel::RehearsePanel(LiveRehearsal& rehearsal, QWidget* parent) : QWidge
   answers->setStretchFactor(0, 1);
   answers->setSizes({1000, 1});  // the plot as small as it can be read
   inner->addWidget(answers, 1);
+  orders_ = new KeptOrders(this);
+  orders_fold_ = new Fold("orders_fold", orders_, Fold::At::closed, this);
+  inner->addWidget(orders_fold_);
   // On a small screen the panel scrolls, so that nothing in it is cut off.
   controls_->setObjectName("panel");
   room_ = scrolled(controls_);
@@ -126,6 +129,7 @@ RehearsePanel::RehearsePanel(LiveRehearsal& rehearsal, QWidget* parent) : QWidge
     save->setText(tr("Save..."));
     save->setToolTip(tr("Saves the landmarks as CSV, in mm"));
     time_title->setText(tr("Over time"));
+    orders_fold_->set_title(tr("Orders of steps"));
     show_state();
   });
 }
@@ -284,9 +288,17 @@ void RehearsePanel::tell_cap() {
           .arg(translated(side)));
 }
 
+// There where steps are recorded, or some are kept.
+void RehearsePanel::show_orders_fold() {
+  const bool recorded = !rehearsal_.session_name().empty();
+  orders_->allow_keeping(recorded);
+  orders_fold_->setVisible(recorded || !orders_->empty());
+}
+
 void RehearsePanel::show_state() {
   const auto& state = rehearsal_.state();
   tell_cap();
+  show_orders_fold();
   table_->show_state(state ? &*state : nullptr);
   tool_->follow();
   allow_for_landmarks();

@@ -10,8 +10,10 @@
 
 #include "casefile/evidence.h"
 #include "imaging/image.h"
+#include "widgets/panels/fold.h"
 #include "widgets/rehearse/advance_controls.h"
 #include "widgets/rehearse/comparison_choice.h"
+#include "widgets/rehearse/kept_orders.h"
 #include "widgets/rehearse/landmark_table.h"
 #include "widgets/rehearse/solving_light.h"
 #include "widgets/rehearse/tool_controls.h"
@@ -59,6 +61,7 @@ class RehearsePanel : public QWidget {
   // As the views draw them.
   [[nodiscard]] std::vector<ToolInView> tools_in_view() const;
   [[nodiscard]] TrackControls& track() { return *track_; }
+  [[nodiscard]] KeptOrders& orders() { return *orders_; }
   void show_drawing_ms(double drawing_ms) { light_->show_drawing_ms(drawing_ms); }
 
  Q_SIGNALS:
@@ -82,6 +85,7 @@ class RehearsePanel : public QWidget {
   void word_evidence();
   QWidget* make_look_group();
   void show_state();
+  void show_orders_fold();
   void tell_cap();
   void save_landmarks();
   void rename_landmark(const std::string& id, const QString& typed);
@@ -110,6 +114,8 @@ class RehearsePanel : public QWidget {
   std::vector<mechanics::Landmark> placed_landmarks_;
   LandmarkTable* table_;
   TrackControls* track_;
+  KeptOrders* orders_;
+  Fold* orders_fold_;
 };
 
 }  // namespace glisson::widgets

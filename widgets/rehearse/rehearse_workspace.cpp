@@ -1,5 +1,6 @@
 // Rehearse as a workspace: what its panel hears of the views, of the patient and of the live rehearsal.
 
+#include "widgets/rehearse/keeping_orders.h"
 #include "widgets/rehearse/planned_course.h"
 #include "widgets/rehearse/rehearse_panel.h"
 
@@ -16,6 +17,7 @@ Workspace RehearsePanel::workspace(const WorkspaceContext& context, KeepLandmark
   auto* panel = new RehearsePanel(context.rehearsal);
   connect_views(*panel, context);
   connect_status(*panel, context);
+  connect_orders(panel->orders(), context);
   connect(panel, &RehearsePanel::landmark_wanted, panel, [panel, views = &context.views](const std::string& name) {
     std::vector<mechanics::Landmark> landmarks = panel->placed_landmarks_;
     landmarks.push_back({name, views->crosshair_mm()});
@@ -26,7 +28,11 @@ Workspace RehearsePanel::workspace(const WorkspaceContext& context, KeepLandmark
           .name = [] { return tr("Rehearse"); },
           .about = [] { return tr("Pull with a tool, and see what moves and how far."); },
           .widget = panel,
-          .show_patient = [panel](const Patient& patient) { widgets::show_patient(*panel, patient); },
+          .show_patient =
+              [panel, context](const Patient& patient) {
+                show_kept_orders(panel->orders(), context);
+                widgets::show_patient(*panel, patient);
+              },
           .missing = model_missing};
 }
 

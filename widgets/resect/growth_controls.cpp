@@ -10,7 +10,7 @@
 #include "vasculature/couinaud.h"
 #include "widgets/panels/ask_path.h"
 #include "widgets/panels/parts.h"
-#include "widgets/resect/small_table.h"
+#include "widgets/panels/small_table.h"
 #include "widgets/theme.h"
 #include "widgets/words/keep_translated.h"
 #include "widgets/words/numbers.h"

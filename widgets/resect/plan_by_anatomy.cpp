@@ -6,7 +6,7 @@
 
 #include "casefile/vascular.h"
 #include "widgets/panels/parts.h"
-#include "widgets/resect/small_table.h"
+#include "widgets/panels/small_table.h"
 #include "widgets/session/load_patient.h"
 #include "widgets/words/keep_translated.h"
 

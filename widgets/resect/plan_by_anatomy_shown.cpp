@@ -8,10 +8,10 @@
 
 #include "scene/anatomy.h"
 #include "vasculature/couinaud.h"
+#include "widgets/panels/small_table.h"
 #include "widgets/panels/swatch.h"
 #include "widgets/resect/plan_by_anatomy.h"
 #include "widgets/resect/resection_scene.h"
-#include "widgets/resect/small_table.h"
 #include "widgets/theme.h"
 #include "widgets/words/numbers.h"
 #include "widgets/words/translated.h"

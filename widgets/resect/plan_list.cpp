@@ -8,7 +8,7 @@
 
 #include "planning/ranking.h"
 #include "widgets/panels/parts.h"
-#include "widgets/resect/small_table.h"
+#include "widgets/panels/small_table.h"
 #include "widgets/theme.h"
 #include "widgets/words/keep_translated.h"
 #include "widgets/words/translated.h"

@@ -5,9 +5,9 @@
 #include <QVBoxLayout>
 
 #include "widgets/panels/parts.h"
+#include "widgets/panels/small_table.h"
 #include "widgets/panels/swatch.h"
 #include "widgets/resect/resection_scene.h"
-#include "widgets/resect/small_table.h"
 #include "widgets/theme.h"
 #include "widgets/words/keep_translated.h"
 #include "widgets/words/translated.h"

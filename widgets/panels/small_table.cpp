@@ -1,4 +1,4 @@
-#include "widgets/resect/small_table.h"
+#include "widgets/panels/small_table.h"
 
 #include <algorithm>
 #include <QHeaderView>
