@@ -150,6 +150,34 @@ Result<void> write_out(const std::string& out, const rehearsal::Recording& recor
   });
 }
 
+// The files' names without folder and ending; with the folder's name where two are alike.
+std::vector<std::string> names_of(const std::vector<std::string>& files) {
+  const auto stem = [](const std::string& file) { return std::filesystem::path(file).stem().string(); };
+  std::vector<std::string> names;
+  for (const std::string& file : files) {
+    const auto alike =
+        std::count_if(files.begin(), files.end(), [&](const auto& one) { return stem(one) == stem(file); });
+    const std::string folder = std::filesystem::path(file).parent_path().filename().string();
+    names.push_back(alike > 1 && !folder.empty() ? folder + " " + stem(file) : stem(file));
+  }
+  return names;
+}
+
+// As orders of steps of the case, named as their files; with the comparison, where they were compared.
+Result<void> keep_in_case(const SessionCommand& options, const std::vector<rehearsal::Recording>& recordings,
+                          mechanics::MaterialLaw law, const std::vector<rehearsal::OrderOfSteps>& compared) {
+  auto patient = casefile::Case::open(*options.source.case_folder);
+  if (!patient) return failure(std::move(patient.error()));
+  const std::vector<std::string> names = names_of(options.commands_files);
+  return patient->together([&]() -> Result<void> {
+    for (std::size_t r = 0; r < recordings.size(); ++r) {
+      if (auto kept = casefile::keep_order(*patient, {names[r], recordings[r], law}); !kept) return kept;
+    }
+    if (compared.empty()) return {};
+    return casefile::keep_comparison(*patient, {compared, law, casefile::model_remarks(*patient)});
+  });
+}
+
 Result<Outcome> run(const SessionCommand& options, const Progress& progress) {
   const std::string& file = options.commands_files.front();
   const auto commands = recording_in(file);
@@ -215,34 +243,6 @@ Result<Outcome> run(const SessionCommand& options, const Progress& progress) {
     }
   }
   return outcome;
-}
-
-// The files' names without folder and ending; with the folder's name where two are alike.
-std::vector<std::string> names_of(const std::vector<std::string>& files) {
-  const auto stem = [](const std::string& file) { return std::filesystem::path(file).stem().string(); };
-  std::vector<std::string> names;
-  for (const std::string& file : files) {
-    const auto alike =
-        std::count_if(files.begin(), files.end(), [&](const auto& one) { return stem(one) == stem(file); });
-    const std::string folder = std::filesystem::path(file).parent_path().filename().string();
-    names.push_back(alike > 1 && !folder.empty() ? folder + " " + stem(file) : stem(file));
-  }
-  return names;
-}
-
-// As orders of steps of the case, named as their files; with the comparison, where they were compared.
-Result<void> keep_in_case(const SessionCommand& options, const std::vector<rehearsal::Recording>& recordings,
-                          mechanics::MaterialLaw law, const std::vector<rehearsal::OrderOfSteps>& compared) {
-  auto patient = casefile::Case::open(*options.source.case_folder);
-  if (!patient) return failure(std::move(patient.error()));
-  const std::vector<std::string> names = names_of(options.commands_files);
-  return patient->together([&]() -> Result<void> {
-    for (std::size_t r = 0; r < recordings.size(); ++r) {
-      if (auto kept = casefile::keep_order(*patient, {names[r], recordings[r], law}); !kept) return kept;
-    }
-    if (compared.empty()) return {};
-    return casefile::keep_comparison(*patient, {compared, law, casefile::model_remarks(*patient)});
-  });
 }
 
 // Several recordings: what each asks of the liver.

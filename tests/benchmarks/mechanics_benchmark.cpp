@@ -102,7 +102,7 @@ void CostOfNodes(benchmark::State& state) {
       mechanics::MeshfreeImplicitEuler::create(std::move(frames), {.relative_tolerance = 1e-3, .max_iterations = 2000})
           .value();
   state.counters["setup_s"] = double(std::clock() - before) / CLOCKS_PER_SEC;  // CPU time of all threads
-  const auto loads = mechanics::applied_loads(moving.body(), hoist, mechanics::PressureLoad::dead).value();
+  const auto loads = mechanics::applied_loads(moving.body(), hoist, mechanics::PressureKind::dead).value();
   double iterations = 0, worst = 0, steps = 0;
   for (auto _ : state) {
     const auto report = moving.step(loads);

@@ -54,7 +54,7 @@ class KeptOrdersTest : public QObject {
     QVERIFY(std::abs(text(0, KeptOrders::force_column).toDouble() - 0.05) < 0.01);
     QVERIFY(std::abs(text(1, KeptOrders::force_column).toDouble() - 0.1) < 0.02);
     QVERIFY(text(1, KeptOrders::strain_column).toDouble() >= text(0, KeptOrders::strain_column).toDouble());
-    window_->grab().save(test::kept_picture("rehearse-orders.png"));
+    window_->grab().save(glisson::test::kept_picture("rehearse-orders.png"));
   }
 
   void stand_in_the_report() {
