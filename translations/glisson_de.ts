@@ -8348,26 +8348,6 @@ Keine Messungen zur Hand? Probieren Sie das Beispiel: eine simulierte Gewebeprob
         <translation>Schritte</translation>
     </message>
     <message>
-        <source>Moves (mm)</source>
-        <translation>Bewegung (mm)</translation>
-    </message>
-    <message>
-        <source>Force (N)</source>
-        <translation>Kraft (N)</translation>
-    </message>
-    <message>
-        <source>Strain (%)</source>
-        <translation>Dehnung (%)</translation>
-    </message>
-    <message>
-        <source>The landmark that moves most, at its farthest; 5 mm or more is marked !</source>
-        <translation>Die Landmarke, die sich am meisten bewegt, an ihrem fernsten Ort; ab 5 mm mit ! gekennzeichnet</translation>
-    </message>
-    <message>
-        <source>The largest of any one tool</source>
-        <translation>Die größte eines einzelnen Instruments</translation>
-    </message>
-    <message>
         <source>Name of the order</source>
         <translation>Name der Schrittfolge</translation>
     </message>
@@ -8406,6 +8386,26 @@ Keine Messungen zur Hand? Probieren Sie das Beispiel: eine simulierte Gewebeprob
     <message>
         <source>Steps that could not be carried out, or are not to be used: %1</source>
         <translation>Nicht ausführbare oder nicht zu gebrauchende Schritte: %1</translation>
+    </message>
+    <message>
+        <source>How far the landmark goes that moves most; 5 mm or more is marked !</source>
+        <translation>Wie weit die Landmarke geht, die sich am meisten bewegt; ab 5 mm mit ! gekennzeichnet</translation>
+    </message>
+    <message>
+        <source>The largest force of any one tool</source>
+        <translation>Die größte Kraft eines einzelnen Instruments</translation>
+    </message>
+    <message>
+        <source>The largest strain</source>
+        <translation>Die größte Dehnung</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
     </message>
 </context>
 <context>

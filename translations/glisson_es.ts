@@ -8348,26 +8348,6 @@ Glisson dice cuánto se equivoca el modelo declarado, qué le falta y con qué c
         <translation>Pasos</translation>
     </message>
     <message>
-        <source>Moves (mm)</source>
-        <translation>Movimiento (mm)</translation>
-    </message>
-    <message>
-        <source>Force (N)</source>
-        <translation>Fuerza (N)</translation>
-    </message>
-    <message>
-        <source>Strain (%)</source>
-        <translation>Deformación (%)</translation>
-    </message>
-    <message>
-        <source>The landmark that moves most, at its farthest; 5 mm or more is marked !</source>
-        <translation>El punto de referencia que más se mueve, en su lugar más lejano; desde 5 mm se marca con !</translation>
-    </message>
-    <message>
-        <source>The largest of any one tool</source>
-        <translation>La mayor de un solo instrumento</translation>
-    </message>
-    <message>
         <source>Name of the order</source>
         <translation>Nombre del orden</translation>
     </message>
@@ -8406,6 +8386,26 @@ Glisson dice cuánto se equivoca el modelo declarado, qué le falta y con qué c
     <message>
         <source>Steps that could not be carried out, or are not to be used: %1</source>
         <translation>Pasos que no pudieron ejecutarse o no deben usarse: %1</translation>
+    </message>
+    <message>
+        <source>How far the landmark goes that moves most; 5 mm or more is marked !</source>
+        <translation>Hasta dónde llega el punto de referencia que más se mueve; desde 5 mm se marca con !</translation>
+    </message>
+    <message>
+        <source>The largest force of any one tool</source>
+        <translation>La mayor fuerza de un solo instrumento</translation>
+    </message>
+    <message>
+        <source>The largest strain</source>
+        <translation>La mayor deformación</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
     </message>
 </context>
 <context>

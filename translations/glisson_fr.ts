@@ -8348,26 +8348,6 @@ Pas de mesures sous la main&#xa0;? Essayez l’exemple&#xa0;: un échantillon de
         <translation>Étapes</translation>
     </message>
     <message>
-        <source>Moves (mm)</source>
-        <translation>Déplacement (mm)</translation>
-    </message>
-    <message>
-        <source>Force (N)</source>
-        <translation>Force (N)</translation>
-    </message>
-    <message>
-        <source>Strain (%)</source>
-        <translation>Déformation (%)</translation>
-    </message>
-    <message>
-        <source>The landmark that moves most, at its farthest; 5 mm or more is marked !</source>
-        <translation>Le repère qui bouge le plus, au plus loin ; à partir de 5 mm il est marqué !</translation>
-    </message>
-    <message>
-        <source>The largest of any one tool</source>
-        <translation>La plus grande d’un seul instrument</translation>
-    </message>
-    <message>
         <source>Name of the order</source>
         <translation>Nom de l’ordre</translation>
     </message>
@@ -8406,6 +8386,26 @@ Pas de mesures sous la main&#xa0;? Essayez l’exemple&#xa0;: un échantillon de
     <message>
         <source>Steps that could not be carried out, or are not to be used: %1</source>
         <translation>Étapes qui n’ont pu être exécutées ou à ne pas utiliser : %1</translation>
+    </message>
+    <message>
+        <source>How far the landmark goes that moves most; 5 mm or more is marked !</source>
+        <translation>Jusqu’où va le repère qui bouge le plus ; à partir de 5 mm il est marqué !</translation>
+    </message>
+    <message>
+        <source>The largest force of any one tool</source>
+        <translation>La plus grande force d’un seul instrument</translation>
+    </message>
+    <message>
+        <source>The largest strain</source>
+        <translation>La plus grande déformation</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
     </message>
 </context>
 <context>

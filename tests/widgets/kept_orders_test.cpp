@@ -2,6 +2,7 @@
 
 #include <QLineEdit>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QTableWidget>
 #include <QToolButton>
 #include <QtTest>
@@ -13,7 +14,7 @@
 #include "report/patient_page.h"
 #include "run_test.h"
 #include "shown.h"
-#include "widgets/rehearse/kept_orders.h"
+#include "widgets/rehearse/rehearse_panel.h"
 
 namespace glisson::widgets {
 namespace {
@@ -35,7 +36,7 @@ class KeptOrdersTest : public QObject {
   void are_offered_where_steps_are_recorded() {
     QVERIFY(!fold()->isVisible());
     window_->rehearsal().set_touch(Touch::rigid);
-    push(0.05);
+    push(0.02);
     QVERIFY(fold()->isVisible());
     fold()->click();
     QTRY_VERIFY(child<QPushButton>("keep_order")->isVisible());
@@ -43,7 +44,7 @@ class KeptOrdersTest : public QObject {
 
   void are_kept_under_names_and_compared_by_what_they_ask() {
     keep("Gently");
-    push(0.1);
+    push(0.05);
     keep("Hard");
     QCOMPARE(table()->rowCount(), 2);
     QCOMPARE(text(0, KeptOrders::name_column), QString("Gently"));
@@ -51,9 +52,15 @@ class KeptOrdersTest : public QObject {
     press("compare_orders");
     settle();
     QTRY_VERIFY_WITH_TIMEOUT(text(1, KeptOrders::force_column) != "–", patience_ms);
-    QVERIFY(std::abs(text(0, KeptOrders::force_column).toDouble() - 0.05) < 0.01);
-    QVERIFY(std::abs(text(1, KeptOrders::force_column).toDouble() - 0.1) < 0.02);
+    // Along the push, and what the skin pulls sideways.
+    for (const auto& [row, pushed_N] : {std::pair{0, 0.02}, std::pair{1, 0.05}}) {
+      const double force_N = text(row, KeptOrders::force_column).toDouble();
+      QVERIFY2(force_N >= 0.99 * pushed_N && force_N < 1.3 * pushed_N, qPrintable(text(row, KeptOrders::force_column)));
+    }
     QVERIFY(text(1, KeptOrders::strain_column).toDouble() >= text(0, KeptOrders::strain_column).toDouble());
+    window_->findChild<RehearsePanel*>()->findChild<QScrollArea*>()->ensureWidgetVisible(
+        child<QPushButton>("drop_order"));
+    QTest::qWait(100);
     window_->grab().save(glisson::test::kept_picture("rehearse-orders.png"));
   }
 
@@ -97,7 +104,11 @@ class KeptOrdersTest : public QObject {
     LiveRehearsal& rehearsal = window_->rehearsal();
     rehearsal.hold(
         {"palpation-probe", test::small_middle_mm() + Eigen::Vector3d(0, -12, 0), {0, -1, 0}, 4, {0, 1, 0}, force_N});
-    QTRY_VERIFY_WITH_TIMEOUT(rehearsal.solving() == Solving::solved && rehearsal.force_N() == force_N, patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(rehearsal.solving() == Solving::solved && rehearsal.state() &&
+                                 rehearsal.state()->force_N.norm() > 0.99 * force_N,
+                             patience_ms);
+    QTest::qWait(600);  // a rest makes a step of undo of it
+    settle();
   }
   void keep(const char* name) {
     child<QLineEdit>("order_name")->setText(name);

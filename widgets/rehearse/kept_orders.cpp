@@ -52,10 +52,12 @@ KeptOrders::KeptOrders(QWidget* parent) : QWidget(parent) {
 }
 
 void KeptOrders::word() {
-  table_->setHorizontalHeaderLabels({tr("Order"), tr("Steps"), tr("Moves (mm)"), tr("Force (N)"), tr("Strain (%)")});
+  table_->setHorizontalHeaderLabels(
+      {tr("Order"), tr("Steps"), tr("mm"), tr("N"), "%"});  // units, so that names have room
   table_->horizontalHeaderItem(displacement_column)
-      ->setToolTip(tr("The landmark that moves most, at its farthest; 5 mm or more is marked !"));
-  table_->horizontalHeaderItem(force_column)->setToolTip(tr("The largest of any one tool"));
+      ->setToolTip(tr("How far the landmark goes that moves most; 5 mm or more is marked !"));
+  table_->horizontalHeaderItem(force_column)->setToolTip(tr("The largest force of any one tool"));
+  table_->horizontalHeaderItem(strain_column)->setToolTip(tr("The largest strain"));
   name_->setPlaceholderText(tr("Name of the order"));
   keep_->setText(tr("Keep these steps"));
   compare_->setText(tr("Compare"));
