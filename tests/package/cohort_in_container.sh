@@ -23,7 +23,7 @@ cat >"$folder/containers.conf" <<CONF
 default_ulimits = ["nofile=1024:1024", "nproc=4096:4096"]
 CONF
 export CONTAINERS_STORAGE_CONF=$folder/storage.conf CONTAINERS_CONF=$folder/containers.conf
-trap 'umount --recursive --lazy "$folder/images/overlay" "$folder/images" 2>/dev/null; rm -rf "$folder"' EXIT
+trap 'umount --recursive --lazy "$folder/images/overlay" "$folder/images" 2>/dev/null || true; rm -rf "$folder"' EXIT
 # Where control groups are of the older kind only runc runs containers.
 podman run --rm --rootfs /:O /bin/true 2>"$folder/why" || {
   echo '[engine]
