@@ -122,9 +122,7 @@ CellStiffness uniform_stiffness(std::size_t cells, double youngs_kPa) {
   return stiffness;
 }
 
-double population_shear_kPa(PopulationMean mean) {
-  return mean == PopulationMean::dissertation_cohort ? 2.1 : 2.6;
-}
+double population_shear_kPa(PopulationMean mean) { return mean == PopulationMean::dissertation_cohort ? 2.1 : 2.6; }
 
 double reference_youngs_kPa(PopulationMean mean, double poisson_ratio) {
   return units::youngs_from_shear(population_shear_kPa(mean), poisson_ratio);
