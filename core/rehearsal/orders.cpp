@@ -54,7 +54,7 @@ void count(const SessionState& state, std::size_t step, const RehearsalSetup& se
 
 }  // namespace
 
-Result<OrderOfSteps> run_order(RehearsalSetup setup, const std::vector<std::size_t>& vessels, std::string name,
+Result<OrderOfSteps> run_order(const RehearsalSetup& setup, const std::vector<std::size_t>& vessels, std::string name,
                                const Recording& recording, const Progress& progress) {
   auto engine = SessionEngine::create(setup, progress.part(0.0, 0.5), reference_in(recording));
   if (!engine) return failure(std::move(engine.error()));

@@ -41,7 +41,7 @@ struct OrderOfSteps {
 };
 
 // `vessels` says which of the setup's structures are vessels. Failures: those of SessionEngine::create; "cancelled".
-Result<OrderOfSteps> run_order(RehearsalSetup setup, const std::vector<std::size_t>& vessels, std::string name,
+Result<OrderOfSteps> run_order(const RehearsalSetup& setup, const std::vector<std::size_t>& vessels, std::string name,
                                const Recording& recording, const Progress& progress = {});
 
 // name, steps, landmarks[]: {id, largest_mm, at_step, end_mm}, largest_force_N, largest_strain, vessel_strain (null
