@@ -164,14 +164,13 @@ std::vector<std::string> names_of(const std::vector<std::string>& files) {
 }
 
 // As orders of steps of the case, named as their files; with the comparison, where they were compared.
-Result<void> keep_in_case(const SessionCommand& options, const std::vector<rehearsal::Recording>& recordings,
+Result<void> keep_in_case(const SessionCommand& options, const std::vector<rehearsal::NamedRecording>& recordings,
                           mechanics::MaterialLaw law, const std::vector<rehearsal::OrderOfSteps>& compared) {
   auto patient = casefile::Case::open(*options.source.case_folder);
   if (!patient) return failure(std::move(patient.error()));
-  const std::vector<std::string> names = names_of(options.commands_files);
   return patient->together([&]() -> Result<void> {
-    for (std::size_t r = 0; r < recordings.size(); ++r) {
-      if (auto kept = casefile::keep_order(*patient, {names[r], recordings[r], law}); !kept) return kept;
+    for (const auto& [name, recording] : recordings) {
+      if (auto kept = casefile::keep_order(*patient, {name, recording, law}); !kept) return kept;
     }
     if (compared.empty()) return {};
     return casefile::keep_comparison(*patient, {compared, law, casefile::model_remarks(*patient)});
@@ -234,7 +233,8 @@ Result<Outcome> run(const SessionCommand& options, const Progress& progress) {
                          file});
   }
   if (options.keep) {
-    if (auto kept = keep_in_case(options, {recording}, law, {}); !kept) return failure(std::move(kept.error()));
+    if (auto kept = keep_in_case(options, {{names_of(options.commands_files).front(), recording}}, law, {}); !kept)
+      return failure(std::move(kept.error()));
   }
   if (options.out) {
     outcome.document["out"] = *options.out;
@@ -247,46 +247,39 @@ Result<Outcome> run(const SessionCommand& options, const Progress& progress) {
 
 // Several recordings: what each asks of the liver.
 Result<Outcome> compare_orders(const SessionCommand& options, const Progress& progress) {
-  std::vector<rehearsal::Recording> recordings;
-  for (const std::string& file : options.commands_files) {
-    auto recording = recording_in(file);
+  const std::vector<std::string> names = names_of(options.commands_files);
+  std::vector<rehearsal::NamedRecording> recordings;
+  for (std::size_t r = 0; r < names.size(); ++r) {
+    auto recording = recording_in(options.commands_files[r]);
     if (!recording) return failure(std::move(recording.error()));
-    recordings.push_back(*std::move(recording));
+    recordings.push_back({names[r], *std::move(recording)});
   }
   progress.report(0.0, GLISSON_TEXT("Reading the model"));
   auto question = question_of(options.source, true);
   if (!question) return failure(std::move(question.error()));
-  auto models = rehearsal::rehearsal_models(question->setup, progress.part(0.0, 0.3));
-  if (!models) return failure(std::move(models.error()));
-  question->setup.models = *std::move(models);
+  const MaterialLaw law = question->setup.law.law;
+  const auto orders = rehearsal::run_orders(std::move(question->setup), question->vessels, recordings, progress);
+  if (!orders) return failure(orders.error());
 
   Outcome outcome{{{"orders", Json::array()}}, bullet_list(question->remarks)};
   if (!question->remarks.empty()) outcome.document["notes"] = question->remarks;
-  const std::vector<std::string> names = names_of(options.commands_files);
-  std::vector<rehearsal::OrderOfSteps> orders;
-  for (std::size_t r = 0; r < recordings.size(); ++r) {
-    const double begin = 0.3 + 0.7 * double(r) / double(recordings.size());
-    auto order = rehearsal::run_order(question->setup, question->vessels, names[r], recordings[r],
-                                      progress.part(begin, begin + 0.7 / double(recordings.size())));
-    if (!order) return failure(std::move(order.error()));
-    outcome.document["orders"].push_back(rehearsal::json_of(*order));
-    outcome.text += fmt::format("{}: {:.2f} N at most, strain {:.0f} % at most{}\n", order->name,
-                                order->largest_force_N.value, 100 * order->largest_strain.value,
-                                order->unusable.empty() ? "" : ", with steps that may not be used");
-    for (const rehearsal::LandmarkMove& landmark : order->landmarks)
+  for (const rehearsal::OrderOfSteps& order : *orders) {
+    outcome.document["orders"].push_back(rehearsal::json_of(order));
+    outcome.text += fmt::format("{}: {:.2f} N at most, strain {:.0f} % at most{}\n", order.name,
+                                order.largest_force_N.value, 100 * order.largest_strain.value,
+                                order.unusable.empty() ? "" : ", with steps that may not be used");
+    for (const rehearsal::LandmarkMove& landmark : order.landmarks)
       outcome.text += fmt::format("  {} moves by {:.1f} mm at most\n", landmark.id, landmark.largest_mm.value);
-    orders.push_back(*std::move(order));
   }
   if (options.keep) {
-    if (auto kept = keep_in_case(options, recordings, question->setup.law.law, orders); !kept)
-      return failure(std::move(kept.error()));
+    if (auto kept = keep_in_case(options, recordings, law, *orders); !kept) return failure(std::move(kept.error()));
   }
   if (!options.out) return outcome;
   const std::filesystem::path out(*options.out);
   outcome.document["files"] = {(out / "orders.json").string(), (out / "orders.html").string()};
   auto written = write_together([&] {
     return write_file(out / "orders.json", outcome.document.dump(1) + "\n").and_then([&] {
-      return report::write_html(out / "orders.html", report::orders_page(orders, question->origin, question->remarks));
+      return report::write_html(out / "orders.html", report::orders_page(*orders, question->origin, question->remarks));
     });
   });
   if (!written) return failure(std::move(written.error()));

@@ -148,16 +148,11 @@ Result<ComparedOrders> compare_orders(const Case& patient, const std::vector<Kep
                                   [](const KeptOrder& order) { return order.law != MaterialLaw::linear; });
   ComparedOrders compared{{}, large == orders.end() ? MaterialLaw::linear : large->law, std::move(question->remarks)};
   question->setup.law.law = compared.law;
-  auto models = rehearsal::rehearsal_models(question->setup, progress.part(0.0, 0.3));
-  if (!models) return failure(std::move(models.error()));
-  question->setup.models = *std::move(models);
-  for (std::size_t r = 0; r < orders.size(); ++r) {
-    const double begin = 0.3 + 0.7 * double(r) / double(orders.size());
-    auto order = rehearsal::run_order(question->setup, question->vessels, orders[r].name, orders[r].recording,
-                                      progress.part(begin, begin + 0.7 / double(orders.size())));
-    if (!order) return failure(std::move(order.error()));
-    compared.orders.push_back(*std::move(order));
-  }
+  std::vector<rehearsal::NamedRecording> recordings;
+  for (const KeptOrder& order : orders) recordings.push_back({order.name, order.recording});
+  auto run = rehearsal::run_orders(std::move(question->setup), question->vessels, recordings, progress);
+  if (!run) return failure(std::move(run.error()));
+  compared.orders = *std::move(run);
   return compared;
 }
 

@@ -75,6 +75,21 @@ Result<OrderOfSteps> run_order(const RehearsalSetup& setup, const std::vector<st
   return order;
 }
 
+Result<std::vector<OrderOfSteps>> run_orders(RehearsalSetup setup, const std::vector<std::size_t>& vessels,
+                                             const std::vector<NamedRecording>& orders, const Progress& progress) {
+  auto models = rehearsal_models(setup, progress.part(0.0, 0.3));
+  if (!models) return failure(std::move(models.error()));
+  setup.models = *std::move(models);
+  std::vector<OrderOfSteps> run;
+  for (const auto& [name, recording] : orders) {
+    const double begin = 0.3 + 0.7 * double(run.size()) / double(orders.size());
+    auto order = run_order(setup, vessels, name, recording, progress.part(begin, begin + 0.7 / double(orders.size())));
+    if (!order) return failure(std::move(order.error()));
+    run.push_back(*std::move(order));
+  }
+  return run;
+}
+
 Json json_of(const OrderOfSteps& order) {
   const auto put = [](Json& json, const std::string& name, const Worst& worst) {
     json[name] = worst.step == 0 ? Json() : Json(worst.value);

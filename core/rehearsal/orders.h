@@ -44,6 +44,14 @@ struct OrderOfSteps {
 Result<OrderOfSteps> run_order(const RehearsalSetup& setup, const std::vector<std::size_t>& vessels, std::string name,
                                const Recording& recording, const Progress& progress = {});
 
+struct NamedRecording {
+  std::string name;
+  Recording recording;
+};
+// One after the other, each from the liver at rest, on the same factors. Failures: as above.
+Result<std::vector<OrderOfSteps>> run_orders(RehearsalSetup setup, const std::vector<std::size_t>& vessels,
+                                             const std::vector<NamedRecording>& orders, const Progress& progress = {});
+
 // name, steps, landmarks[]: {id, largest_mm, at_step, end_mm}, largest_force_N, largest_strain, vessel_strain (null
 // where no vessel is known), open_mm2, bridge_mm2, refused[], unusable[], moves_mm[] and forces_N[] (a number a state,
 // null where it is unusable).
