@@ -14,14 +14,11 @@ namespace {
 studies::BatchPart chunk_of(std::string_view text) {
   studies::BatchPart part;
   const std::size_t slash = text.find('/');
-  const auto number = [](std::string_view digits, int& value) {
-    const auto read = read_whole_number<int>(digits);
-    value = read.value_or(0);
-    return read.has_value();
-  };
-  const bool read = slash != std::string_view::npos && number(text.substr(0, slash), part.chunk) &&
-                    number(text.substr(slash + 1), part.chunks);
-  if (!read || part.chunk < 1 || part.chunk > part.chunks || part.chunks > 100000)
+  if (slash != std::string_view::npos) {
+    part.chunk = read_whole_number<int>(text.substr(0, slash)).value_or(0);
+    part.chunks = read_whole_number<int>(text.substr(slash + 1)).value_or(0);
+  }
+  if (part.chunk < 1 || part.chunk > part.chunks || part.chunks > 100000)
     throw CLI::ValidationError("--chunk", "K/N, as 3/20: K from 1 to N, N at most 100000");
   return part;
 }

@@ -3,26 +3,17 @@
 #include "base/text.h"
 
 namespace glisson::cli {
-namespace {
-
-// False unless all of `text` is one finite number.
-bool take_number(std::string_view text, double& number) {
-  const auto read = read_number(text);
-  if (read) number = *read;
-  return read.has_value();
-}
-
-}  // namespace
-
 Result<Eigen::Vector3d> parse_position(const std::string& text, const std::string& option) {
   Eigen::Vector3d position;
   std::string_view rest = text;
   for (int axis = 0; axis < 3; ++axis) {
     const std::size_t comma = axis < 2 ? rest.find(',') : rest.size();
-    if (comma == std::string_view::npos || !take_number(rest.substr(0, comma), position[axis])) {
+    const auto number = comma == std::string_view::npos ? std::nullopt : read_number(rest.substr(0, comma));
+    if (!number) {
       return failure("position-invalid", GLISSON_TEXT("{0} wants a position X,Y,Z in mm, not \"{1}\"."),
                      {option, text});
     }
+    position[axis] = *number;
     if (axis < 2) rest.remove_prefix(comma + 1);
   }
   return position;
@@ -31,11 +22,12 @@ Result<Eigen::Vector3d> parse_position(const std::string& text, const std::strin
 Result<PictureSize> parse_size(const std::string& text) {
   constexpr double largest = 16384;  // what OpenGL implementations draw at once
   const std::size_t cross = text.find('x');
-  double width = 0;
-  double height = 0;
-  if (cross == std::string::npos || !take_number(std::string_view(text).substr(0, cross), width) ||
-      !take_number(std::string_view(text).substr(cross + 1), height) || width < 16 || height < 16 || width > largest ||
-      height > largest) {
+  double width = 0, height = 0;
+  if (cross != std::string::npos) {
+    width = read_number(std::string_view(text).substr(0, cross)).value_or(0);
+    height = read_number(std::string_view(text).substr(cross + 1)).value_or(0);
+  }
+  if (width < 16 || height < 16 || width > largest || height > largest) {
     return failure("size-invalid", GLISSON_TEXT("--size wants WxH in pixels, 16 to 16384 each, not \"{0}\"."), {text});
   }
   return PictureSize{static_cast<int>(width), static_cast<int>(height)};

@@ -2,7 +2,9 @@
 
 #include <sys/file.h>
 #include <sys/stat.h>
+#include <unistd.h>
 #include <cerrno>
+#include <system_error>
 
 namespace glisson {
 
@@ -18,6 +20,14 @@ bool stands_at(int descriptor, const std::filesystem::path& path) {
   }, named_file{};
   return ::fstat(descriptor, &open_file) == 0 && ::lstat(path.c_str(), &named_file) == 0 &&
          open_file.st_dev == named_file.st_dev && open_file.st_ino == named_file.st_ino;
+}
+
+void remove_if_abandoned(int descriptor, const std::filesystem::path& path) {
+  struct stat facts {};
+  const bool mine = ::fstat(descriptor, &facts) == 0 && facts.st_uid == ::geteuid();
+  if (!mine || ::flock(descriptor, LOCK_EX | LOCK_NB) != 0 || !stands_at(descriptor, path)) return;
+  std::error_code problem;
+  std::filesystem::remove_all(path, problem);
 }
 
 }  // namespace glisson

@@ -1,7 +1,6 @@
 #include "base/internal/parts.h"
 
 #include <fcntl.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 #include <algorithm>
@@ -171,11 +170,7 @@ void remove_what_was_left_beside(const fs::path& target) {
     if (!left.filename().string().starts_with(part_prefix)) continue;
     const int descriptor = ::open(left.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
     if (descriptor < 0) continue;
-    struct stat facts {};
-    const bool mine = ::fstat(descriptor, &facts) == 0 && facts.st_uid == ::geteuid();
-    // Where a file system knows no locks, nobody can tell.
-    const bool abandoned = mine && ::flock(descriptor, LOCK_EX | LOCK_NB) == 0 && stands_at(descriptor, left);
-    if (abandoned) fs::remove_all(left, problem);
+    remove_if_abandoned(descriptor, left);
     ::close(descriptor);
   }
 }

@@ -1,8 +1,6 @@
 // Temporary folders. A program that is killed leaves its own behind; the next program that asks for one removes them.
 
 #include <fcntl.h>
-#include <sys/file.h>
-#include <sys/stat.h>
 #include <unistd.h>
 #include <cerrno>
 #include <cstdlib>
@@ -10,9 +8,9 @@
 #include <mutex>
 #include <system_error>
 #include <utility>
-#include <vector>
 
 #include "base/files.h"
+#include "base/folder_contents.h"
 #include "base/internal/abandoned_folders.h"
 #include "base/internal/held_files.h"
 #include "base/write_file.h"
@@ -83,20 +81,12 @@ TemporaryFolder::~TemporaryFolder() {
 }
 
 void remove_abandoned_folders(const fs::path& place) {
-  std::vector<fs::path> folders;
-  std::error_code problem;
-  for (fs::directory_iterator entry(place, problem), end; !problem && entry != end; entry.increment(problem)) {
-    const std::string name = entry->path().filename().string();
-    if (name.size() == prefix.size() + drawn.size() && name.starts_with(prefix)) folders.push_back(entry->path());
-  }
-  for (const fs::path& folder : folders) {
+  for (const fs::path& folder : contents_of(place)) {
+    const std::string name = folder.filename().string();
+    if (name.size() != prefix.size() + drawn.size() || !name.starts_with(prefix)) continue;
     const int descriptor = opened_folder(folder);
     if (descriptor < 0) continue;
-    struct stat facts {};
-    const bool mine = ::fstat(descriptor, &facts) == 0 && facts.st_uid == ::geteuid();
-    // Where a file system knows no locks, nobody can tell.
-    const bool abandoned = mine && ::flock(descriptor, LOCK_EX | LOCK_NB) == 0 && stands_at(descriptor, folder);
-    if (abandoned) fs::remove_all(folder, problem);
+    remove_if_abandoned(descriptor, folder);
     ::close(descriptor);
   }
 }

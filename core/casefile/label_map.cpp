@@ -1,7 +1,6 @@
 // From values to names, and which maps belong to an anatomy.
 
 #include "casefile/label_map.h"
-#include "base/text.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -11,6 +10,7 @@
 #include <optional>
 #include <string_view>
 
+#include "base/text.h"
 #include "base/units.h"
 #include "imaging/label_names.h"
 #include "imaging/volume_file.h"

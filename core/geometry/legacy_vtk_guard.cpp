@@ -2,7 +2,6 @@
 // since 5.1.
 
 #include "geometry/legacy_vtk_guard.h"
-#include "base/text.h"
 
 #include <algorithm>
 #include <cctype>
@@ -14,6 +13,7 @@
 #include <vector>
 
 #include "base/files.h"
+#include "base/text.h"
 
 namespace glisson::geometry {
 namespace {

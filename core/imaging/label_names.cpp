@@ -1,7 +1,6 @@
 // Names of labels: from the header of the map, else from a description beside it.
 
 #include "imaging/label_names.h"
-#include "base/text.h"
 
 #include <zlib.h>
 #include <algorithm>
@@ -14,6 +13,7 @@
 
 #include "base/files.h"
 #include "base/folder_contents.h"
+#include "base/text.h"
 #include "imaging/internal/volume_header.h"
 
 namespace glisson::imaging {

@@ -2,12 +2,12 @@
 // with CSA header", "DICOM mosaic"), checked here against real mosaics.
 
 #include "imaging/mosaic.h"
-#include "base/text.h"
 
 #include <cmath>
 #include <cstring>
 #include <Eigen/Geometry>
 
+#include "base/text.h"
 #include "imaging/internal/dicom_fields.h"
 
 namespace glisson::imaging {

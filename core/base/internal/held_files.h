@@ -12,4 +12,8 @@ bool locked(int descriptor);
 // False where another file has the name by now, or none.
 bool stands_at(int descriptor, const std::filesystem::path& path);
 
+// Removes what is open there if it is this person's and nobody living holds it. Where a file system knows no locks,
+// nobody can tell, and it stays.
+void remove_if_abandoned(int descriptor, const std::filesystem::path& path);
+
 }  // namespace glisson

@@ -1,7 +1,6 @@
 // Values of DICOM elements: numbers read without regard to the locale, text brought to UTF-8.
 
 #include "imaging/internal/dicom_fields.h"
-#include "base/text.h"
 
 #include <dcmtk/dcmdata/dcistrmb.h>
 #include <dcmtk/oflog/oflog.h>
@@ -9,6 +8,8 @@
 #include <cctype>
 #include <cmath>
 #include <mutex>
+
+#include "base/text.h"
 
 namespace glisson::imaging {
 namespace {
