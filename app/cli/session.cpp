@@ -8,7 +8,6 @@
 #include "base/files.h"
 #include "base/write_file.h"
 #include "casefile/orders.h"
-#include "casefile/used_entries.h"
 #include "command.h"
 #include "evidence_answer.h"
 #include "one_of.h"
@@ -173,7 +172,7 @@ Result<void> keep_in_case(const SessionCommand& options, const std::vector<rehea
       if (auto kept = casefile::keep_order(*patient, {name, recording, law}); !kept) return kept;
     }
     if (compared.empty()) return {};
-    return casefile::keep_comparison(*patient, {compared, law, casefile::model_remarks(*patient)});
+    return casefile::keep_comparison(*patient, {compared, law, casefile::orders_remarks(*patient)});
   });
 }
 

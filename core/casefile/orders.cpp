@@ -1,15 +1,16 @@
 #include "casefile/orders.h"
 
 #include <algorithm>
-#include <array>
 
 #include "base/files.h"
 #include "base/json_reading.h"
 #include "base/write_file.h"
 #include "casefile/label_map.h"
 #include "casefile/model.h"
+#include "casefile/model_upkeep.h"
 #include "casefile/resection_folder.h"
 #include "casefile/used_entries.h"
+#include "mechanics/scenario/scenario_file.h"
 
 namespace glisson::casefile {
 namespace {
@@ -24,22 +25,8 @@ constexpr const char* name_option = "name";
 constexpr const char* material_option = "material";
 constexpr std::uint64_t largest_file = std::uint64_t{64} << 20;
 
-constexpr std::array<std::pair<const char*, MaterialLaw>, 4> law_words{
-    {{"linear", MaterialLaw::linear},
-     {"corotational", MaterialLaw::corotational},
-     {"neo-hookean", MaterialLaw::neo_hookean},
-     {"veronda-westmann", MaterialLaw::veronda_westmann}}};
-
-std::string word_of(MaterialLaw law) {
-  return std::find_if(law_words.begin(), law_words.end(), [&](const auto& one) { return one.second == law; })->first;
-}
-
 // Linear where nothing is said that is known.
-MaterialLaw law_of(const std::string& word) {
-  const auto found =
-      std::find_if(law_words.begin(), law_words.end(), [&](const auto& one) { return one.first == word; });
-  return found == law_words.end() ? MaterialLaw::linear : found->second;
-}
+MaterialLaw law_of(const std::string& name) { return mechanics::law_named(name).value_or(MaterialLaw::linear); }
 
 std::string option_of(const Entry& entry, const char* option) {
   const auto found = entry.made.options.find(option);
@@ -60,7 +47,7 @@ std::string order_id(const Case& patient, const std::string& name) {
 }
 
 Json comparison_json(const ComparedOrders& compared) {
-  Json json{{"format", orders_format}, {"material", word_of(compared.law)}, {"orders", Json::array()}};
+  Json json{{"format", orders_format}, {"material", mechanics::name_of(compared.law)}, {"orders", Json::array()}};
   for (const rehearsal::OrderOfSteps& order : compared.orders) json["orders"].push_back(rehearsal::json_of(order));
   return json;
 }
@@ -99,8 +86,11 @@ Result<void> keep_order(Case& patient, const KeptOrder& order) {
                          GLISSON_TEXT("Move a rigid tool or advance a cut first."),
                          {}});
   }
-  const Provenance made{
-      "session", {{name_option, order.name}, {material_option, word_of(order.law)}}, {"meshes/model"}, {}, {}};
+  const Provenance made{"session",
+                        {{name_option, order.name}, {material_option, mechanics::name_of(order.law)}},
+                        {"meshes/model"},
+                        {},
+                        {}};
   return patient.add(order_id(patient, order.name), ".json", made, [&](const fs::path& file) {
     return write_file(file, rehearsal::recording_text(order.recording));
   });
@@ -116,11 +106,16 @@ Result<void> drop_order(Case& patient, const std::string& name) {
   });
 }
 
+std::vector<Sentence> orders_remarks(const Case& patient) {
+  std::vector<Sentence> remarks = model_remarks(patient);
+  if (auto assumed = assumed_stiffness(patient)) remarks.push_back(*std::move(assumed));
+  return remarks;
+}
+
 Result<OrdersQuestion> orders_question(const Case& patient) {
   auto model = read_model(patient);
   if (!model) return failure(std::move(model.error()));
-  OrdersQuestion question{{}, {}, model_remarks(patient)};
-  if (model->assumed) question.remarks.push_back(*model->assumed);
+  OrdersQuestion question{{}, {}, orders_remarks(patient)};
   std::vector<geometry::Surface> structures;
   for (const StructureSurface& structure : model->structures) {
     if (resection_kind(structure.name) == rehearsal::StructureKind::vessel)
@@ -157,7 +152,8 @@ Result<ComparedOrders> compare_orders(const Case& patient, const std::vector<Kep
 }
 
 Result<void> keep_comparison(Case& patient, const ComparedOrders& compared) {
-  Provenance made{"session", {{material_option, word_of(compared.law)}}, {"meshes/model"}, {}, compared.remarks};
+  Provenance made{
+      "session", {{material_option, mechanics::name_of(compared.law)}}, {"meshes/model"}, {}, compared.remarks};
   for (const Entry& entry : patient.entries()) {
     if (is_order(entry)) made.from.push_back(entry.id);
   }

@@ -39,6 +39,9 @@ struct ComparedOrders {
   std::vector<Sentence> remarks;                                // what to know before trusting it
 };
 
+// What to know of the case's model before trusting orders that run on it.
+[[nodiscard]] std::vector<Sentence> orders_remarks(const Case& patient);
+
 // A rehearsal of the case with its structures, and which of them are vessels: what orders are run on.
 struct OrdersQuestion {
   rehearsal::RehearsalSetup setup;

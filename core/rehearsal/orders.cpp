@@ -112,16 +112,22 @@ Json json_of(const OrderOfSteps& order) {
 }
 
 OrderOfSteps order_from(const Json& json, const std::string& where) {
-  const auto worst = [](const Json& of, const std::string& name, const std::string& place) -> Worst {
+  const auto list_in = [&](const char* key) -> const Json& {
+    const Json& list = required(json, key, where);
+    if (!list.is_array()) refuse_at(where + ", " + key, GLISSON_TEXT("{0} must be a list in brackets."));
+    return list;
+  };
+  const auto step_in = [](const Json& step, const std::string& place) {
+    return static_cast<std::size_t>(std::min(positive_in(step, place), most_steps));
+  };
+  const auto worst = [&](const Json& of, const std::string& name, const std::string& place) -> Worst {
     const Json& step = required(of, (name + "_at_step").c_str(), place);
     if (step.is_null()) return {};
-    const double number = positive_in(step, place + ", " + name + "_at_step");
     return {number_in(required(of, name.c_str(), place), place + ", " + name),
-            static_cast<std::size_t>(std::min(number, most_steps))};
+            step_in(step, place + ", " + name + "_at_step")};
   };
   OrderOfSteps order{name_in(required(json, "name", where), where + ", name"), {}, {}, {}, {}, 0, 0, {}, {}, {}, {}};
-  const Json& landmarks = required(json, "landmarks", where);
-  if (!landmarks.is_array()) refuse_at(where + ", landmarks", GLISSON_TEXT("{0} must be a list in brackets."));
+  const Json& landmarks = list_in("landmarks");
   for (std::size_t l = 0; l < landmarks.size(); ++l) {
     const std::string place = where + ", " + item("landmark", l);
     order.landmarks.push_back({name_in(required(landmarks[l], "id", place), place + ", id"),
@@ -133,19 +139,19 @@ OrderOfSteps order_from(const Json& json, const std::string& where) {
   if (const Worst vessels = worst(json, "vessel_strain", where); vessels.step > 0) order.vessel_strain = vessels;
   order.open_mm2 = not_negative_in(required(json, "open_mm2", where), where + ", open_mm2");
   order.bridge_mm2 = not_negative_in(required(json, "bridge_mm2", where), where + ", bridge_mm2");
-  const auto numbers = [&](const char* key) {
-    const Json& list = required(json, key, where);
-    if (!list.is_array()) refuse_at(where + ", " + key, GLISSON_TEXT("{0} must be a list in brackets."));
-    std::vector<double> values;
-    for (const Json& one : list) {
-      values.push_back(one.is_null() ? std::numeric_limits<double>::quiet_NaN() : number_in(one, where + ", " + key));
-    }
+  const auto steps = [&](const char* key) {
+    std::vector<std::size_t> values;
+    for (const Json& one : list_in(key)) values.push_back(step_in(one, where + ", " + key));
     return values;
   };
-  for (const double step : numbers("refused"))
-    order.refused.push_back(static_cast<std::size_t>(std::clamp(step, 0.0, most_steps)));
-  for (const double step : numbers("unusable"))
-    order.unusable.push_back(static_cast<std::size_t>(std::clamp(step, 0.0, most_steps)));
+  const auto numbers = [&](const char* key) {
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    std::vector<double> values;
+    for (const Json& one : list_in(key)) values.push_back(one.is_null() ? unknown : number_in(one, where + ", " + key));
+    return values;
+  };
+  order.refused = steps("refused");
+  order.unusable = steps("unusable");
   order.largest_move_mm = numbers("moves_mm");
   order.force_N = numbers("forces_N");
   return order;

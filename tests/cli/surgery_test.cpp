@@ -367,6 +367,7 @@ TEST_F(SmallLiver, KeepsOrdersOfStepsWithWhatTheyAskAndShowsThemInTheReport) {
   // What was kept is what was printed, and each of them is a recording that can be run again.
   const auto read = casefile::kept_comparison(casefile::Case::open(kept).value());
   ASSERT_TRUE(read.has_value() && read->has_value());
+  EXPECT_FALSE((*read)->remarks.empty());  // that its stiffness is assumed
   for (std::size_t n = 0; n < 3; ++n) EXPECT_EQ(rehearsal::json_of((*read)->orders[n]), compared.at("orders")[n]);
   answer({"session", kept, "--commands", (fs::path(kept) / "orders" / "b.json").string()});
   answer({"report", kept, "--out", file("orders-report.html")});

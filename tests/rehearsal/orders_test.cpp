@@ -117,6 +117,15 @@ TEST_F(Ordering, AreReadBackAsTheyWereWritten) {
   }
 }
 
+TEST_F(Ordering, AStepThatIsNoNumberIsRefused) {
+  const Json written = json_of(run_order(setup, {}, "push", {{pushed(200), ""}}).value());
+  for (const Json& wrong : {Json(), Json(0), Json("1")}) {
+    Json broken = written;
+    broken["refused"] = Json::array({wrong});
+    EXPECT_FALSE(reading("orders-invalid", {}, [&] { return order_from(broken, "order 1"); }).has_value()) << wrong;
+  }
+}
+
 TEST_F(Ordering, TakesNoFigureFromAStateThatMayNotBeUsed) {
   const Recording recording{{pushed(100), ""}, {pushed(1e5), ""}};
   const OrderOfSteps order = run_order(setup, {}, "far too much", recording).value();

@@ -1,5 +1,6 @@
 #include "mechanics/scenario/scenario_file.h"
 
+#include <algorithm>
 #include <cmath>
 #include <initializer_list>
 #include <utility>
@@ -13,6 +14,13 @@ namespace glisson::mechanics {
 namespace {
 
 using Eigen::Vector3d;
+
+// As "material" says them.
+constexpr std::initializer_list<std::pair<const char*, MaterialLaw>> named_laws{
+    {"linear", MaterialLaw::linear},
+    {"corotational", MaterialLaw::corotational},
+    {"neo-hookean", MaterialLaw::neo_hookean},
+    {"veronda-westmann", MaterialLaw::veronda_westmann}};
 
 Scenario scenario_from(const Json& json);
 Support support_from(const Json& json, const std::string& where);
@@ -50,11 +58,20 @@ Result<std::vector<Support>> parse_supports(const Json& json, const std::string&
   return std::move(scenario->supports);
 }
 
+const char* name_of(MaterialLaw law) {
+  return std::find_if(named_laws.begin(), named_laws.end(), [&](const auto& one) { return one.second == law; })->first;
+}
+
+std::optional<MaterialLaw> law_named(std::string_view name) {
+  const auto found =
+      std::find_if(named_laws.begin(), named_laws.end(), [&](const auto& one) { return one.first == name; });
+  return found == named_laws.end() ? std::nullopt : std::optional(found->second);
+}
+
 std::string scenario_text(const Scenario& scenario) {
-  constexpr const char* materials[] = {"linear", "corotational", "neo-hookean", "veronda-westmann"};
   Json json;
   json["engine"] = scenario.engine == Engine::fem ? "fem" : "meshfree";
-  json["material"] = materials[static_cast<int>(scenario.material)];
+  json["material"] = name_of(scenario.material);
   if (scenario.material == MaterialLaw::veronda_westmann) json["strain_stiffening"] = scenario.strain_stiffening;
   json["poisson_ratio"] = scenario.poisson_ratio;
   json["density_kg_m3"] = units::kg_m3_from_kg_mm3(scenario.density_kg_mm3);
@@ -122,11 +139,7 @@ Scenario scenario_from(const Json& json) {
     scenario.engine = one_of<Engine>(json["engine"], "engine", {{"fem", Engine::fem}, {"meshfree", Engine::meshfree}});
   }
   if (json.contains("material")) {
-    scenario.material = one_of<MaterialLaw>(json["material"], "material",
-                                            {{"linear", MaterialLaw::linear},
-                                             {"corotational", MaterialLaw::corotational},
-                                             {"neo-hookean", MaterialLaw::neo_hookean},
-                                             {"veronda-westmann", MaterialLaw::veronda_westmann}});
+    scenario.material = one_of<MaterialLaw>(json["material"], "material", named_laws);
   }
   if ((scenario.material == MaterialLaw::veronda_westmann) != json.contains("strain_stiffening")) {
     refuse_at("strain_stiffening",

@@ -13,6 +13,7 @@
 //    "landmarks": [{"id": "tumour-1", "position_mm": [x,y,z]}]}
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,6 +31,10 @@ Result<Scenario> parse_scenario(std::string_view json, const std::filesystem::pa
 
 // A list of supports as a scenario has it, of another format: what is wrong in it is refused by that format's `code`.
 Result<std::vector<Support>> parse_supports(const Json& json, const std::string& code);
+
+// A law as a scenario's "material" says it, and back; nothing where no law is called so.
+[[nodiscard]] const char* name_of(MaterialLaw law);
+[[nodiscard]] std::optional<MaterialLaw> law_named(std::string_view name);
 
 // The same scenario as JSON text, which parse_scenario reads back.
 std::string scenario_text(const Scenario& scenario);
