@@ -12,9 +12,11 @@
 
 #include "base/files.h"
 #include "base/json.h"
+#include "support/data.h"
 #include "support/dicom_files.h"
 #include "support/process.h"
 #include "support/small_liver.h"
+#include "support/stereo_video.h"
 
 namespace glisson::test {
 namespace {
@@ -231,6 +233,105 @@ TEST_F(PlantedNames, StandInNothingThatIsWritten) {
       {"export", patient, "--format", "dicom-seg", "--study", out("nameless"), "--out", out("no.dcm"), "--quiet"});
   EXPECT_EQ(other.exit_code, 1);
   EXPECT_THAT(other.err, testing::HasSubstr("does not hold the images"));
+}
+
+// By these words elastography is recognised: what is planted there stands behind them.
+int plant_among_words(DcmDataset& data) {
+  std::vector<std::pair<DcmTagKey, std::string>> words;
+  for (const DcmTagKey& key : {DCM_SeriesDescription, DCM_ProtocolName, DCM_SequenceName, DCM_ImageComments}) {
+    OFString text;
+    if (data.findAndGetOFString(key, text).good()) words.emplace_back(key, text.c_str());
+  }
+  const int count = plant_everywhere(data);
+  for (const auto& [key, text] : words) data.putAndInsertString(key, (text + " " + planted).c_str());
+  return count;
+}
+
+// A measured brain's phase images, planted in every file.
+TEST_F(PlantedNames, StandInNothingThatIsMadeOfWaves) {
+  GLISSON_NEEDS_DATA("mre_brain_ir_charite");
+  int files = 0;
+  std::vector<std::string> uids;
+  for (const char* series : {"series_045_mre_noInv_mag", "series_046_mre_noInv_phase"}) {
+    fs::create_directories(disc_.path() / "SEKRET-Anna" / series);
+    for (const auto& entry : fs::directory_iterator(shared_data() / "mre_brain_ir_charite/volunteer_A" / series)) {
+      DcmFileFormat file;
+      if (!entry.is_regular_file() || file.loadFile(entry.path().c_str()).bad()) continue;
+      EXPECT_GT(plant_among_words(*file.getDataset()), 100);
+      save(file, disc_.path() / "SEKRET-Anna" / series / fmt::format("SEKRET-{:03}.dcm", files++));
+    }
+  }
+  ASSERT_GT(files, 2);
+  const Finished scan = glisson_cli({"scan", in("SEKRET-Anna"), "--json", "--quiet"});
+  const Json found = scan.json();
+  for (const Json& series : found.at("series")) uids.push_back(series.at("uid"));
+  ASSERT_EQ(uids.size(), 2u) << scan.out << scan.err;
+
+  const std::string brain = out("brain.glisson");
+  run({"import", in("SEKRET-Anna"), "--case", brain, "--magnitude", uids[0], "--phase", uids[1]});
+  run({"invert", brain, "--frequency-Hz", "20"});
+  for (const char* scene : {"waves", "stiffness", "confidence"}) {
+    run({"render", brain, "--scene", scene, "--size", "160x120", "--out", out(scene + std::string(".png"))});
+  }
+  run({"export", brain, "--format", "nrrd", "--out", out("nrrd")});
+  EXPECT_GT(expect_nothing_planted_in(out_.path()), 20);
+}
+
+TEST_F(PlantedNames, StandInNothingThatComparesTwoStudies) {
+  write_study(disc_.path() / "SEKRET-Anna/before");
+  write_study(disc_.path() / "SEKRET-Anna/after");
+  ASSERT_TRUE(write_small_liver(disc_.path()));
+  write("right.json", R"({"name": "right", "segments": [5, 6, 7, 8]})");
+  for (const std::string study : {"before", "after"}) {
+    const std::string patient = out(study + ".glisson");
+    run({"import", in("SEKRET-Anna/" + study), "--case", patient});
+    run({"segment", patient, "--structure", "liver", "--labels", in("liver.nrrd")});
+    run({"territories", patient, "--from", "prior", "--couinaud"});
+  }
+  run({"plan", out("before.glisson"), "--add", in("right.json")});
+  run({"growth", out("before.glisson"), out("after.glisson"), "--plan", "right", "--out", out("growth")});
+  EXPECT_GT(expect_nothing_planted_in(out_.path()), 10);
+}
+
+// A picture with a comment in it, as cameras and editors write them (a PNG's tEXt chunk behind its header).
+void note_in_png(const fs::path& file) {
+  std::string bytes = *read_text_file(file);
+  const std::string chunk = std::string("tEXtAuthor") + '\0' + planted;
+  const auto four = [](std::uint32_t value) {
+    return std::string{static_cast<char>(value >> 24), static_cast<char>(value >> 16), static_cast<char>(value >> 8),
+                       static_cast<char>(value)};
+  };
+  const auto sum = ::crc32(0, reinterpret_cast<const Bytef*>(chunk.data()), static_cast<uInt>(chunk.size()));
+  bytes.insert(33, four(static_cast<std::uint32_t>(chunk.size() - 4)) + chunk + four(static_cast<std::uint32_t>(sum)));
+  ASSERT_TRUE(write_text_file(file, bytes));
+}
+
+TEST_F(PlantedNames, StandInNothingThatIsMadeOfAVideo) {
+  GLISSON_NEEDS_DATA("hamlyn_heart_stereo");
+  const StereoVideo video(
+      vision::read_frame(shared_data() / "hamlyn_heart_stereo/f7_dynamic_deint_L_0100.png").value());
+  for (const char* eye : {"SEKRET-left", "SEKRET-right"}) fs::create_directories(disc_.path() / eye);
+  for (int t = 0; t < 6; ++t) {
+    const std::string name = fmt::format("SEKRET-{}.png", t);
+    ASSERT_TRUE(vision::write_frame(video.left(2 * t), disc_.path() / "SEKRET-left" / name));
+    ASSERT_TRUE(vision::write_frame(video.right(2 * t), disc_.path() / "SEKRET-right" / name));
+    note_in_png(disc_.path() / "SEKRET-left" / name);
+    note_in_png(disc_.path() / "SEKRET-right" / name);
+  }
+  ASSERT_TRUE(vision::write_stereo_calibration(disc_.path() / "SEKRET-camera.json", StereoVideo::calibration()));
+  Json camera = *parse_json(*read_text_file(disc_.path() / "SEKRET-camera.json"));
+  camera["hospital"] = planted;
+  write("SEKRET-camera.json", camera.dump());
+
+  run({"stereo", in("SEKRET-left/SEKRET-0.png"), in("SEKRET-right/SEKRET-0.png"), "--calibration",
+       in("SEKRET-camera.json"), "--out", out("cloud.ply"), "--picture", out("depth.png")});
+  run({"sequence", in("SEKRET-left"), in("SEKRET-right"), "--calibration", in("SEKRET-camera.json"), "--step", "8",
+       "--out", out("sequence")});
+  for (const std::string method : {"icp", "gnra"}) {
+    run({"sirgn", out("sequence/sequence.json"), "--method", method, "--pictures", "--out", out(method)});
+  }
+  run({"review", out("icp"), out("gnra"), "--out", out("review")});
+  EXPECT_GT(expect_nothing_planted_in(out_.path()), 20);
 }
 
 }  // namespace
