@@ -30,8 +30,8 @@ struct Meeting {
 // Along the tree from one node to another, and between different entries straight.
 [[nodiscard]] double path_mm(const VesselTree& tree, int from, int to);
 
-// Where two branches part, their walls touch: for a piece that begins this far along the tree from another, what of it
-// can be held against that other. As far as two branches at 30 degrees take to part; false if nothing is left.
+// Where two branches part, their walls touch. Of a piece that begins this far along the tree from another, this leaves
+// what can be held against that other. As far as two branches at 30 degrees take to part; false if nothing is left.
 bool trim_parting(Capsule& piece, double other_radius_mm, double path_mm);
 
 // The same within one tree, but for pieces that share a node and but for where branches part.

@@ -1,7 +1,7 @@
 #pragma once
-// Constrained constructive optimisation: a tree grows into an organ, one terminal branch after the other, each joined
-// where that adds the least volume of blood (Schreiner and Buxbaum 1993, IEEE Trans Biomed Eng 40:482; Karch et al.
-// 1999, Comput Biol Med 29:19, for three dimensions and organs that are not convex).
+// A tree grows into an organ, one terminal branch after the other (constrained constructive optimisation). Each branch
+// is joined where that adds the least volume of blood (Schreiner and Buxbaum 1993, IEEE Trans Biomed Eng 40:482; Karch
+// et al. 1999, Comput Biol Med 29:19, for three dimensions and organs that are not convex).
 //
 // Radii follow Murray's law throughout, all terminal branches carrying the same flow. A joint is refused where a
 // branch would leave the organ, run into a lesion or come near another branch.
@@ -15,9 +15,9 @@
 
 namespace glisson::anatomy {
 
-// About `count` places spread over the liver's tissue, nowhere crowded: random ones, each at least as far from the
-// others as lets that many in (Poisson discs: Cook 1986, ACM Trans Graph 5:51; random packing saturates at 0.38 of the
-// volume). In random order. None lies in a lesion or under `depth_mm`.
+// About `count` places spread over the liver's tissue, nowhere crowded. They are random ones, each at least as far from
+// the others as lets that many in (Poisson discs: Cook 1986, ACM Trans Graph 5:51; random packing saturates at 0.38 of
+// the volume). In random order. None lies in a lesion or under `depth_mm`.
 [[nodiscard]] std::vector<Eigen::Vector3d> spread_places(const LiverBody& liver, const std::vector<Lesion>& lesions,
                                                          int count, double depth_mm, std::uint64_t seed);
 

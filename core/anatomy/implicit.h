@@ -1,8 +1,8 @@
 #pragma once
 // Building blocks of implicit surfaces: about how far a point lies outside a shape, in mm, negative inside.
 //
-// Blends are the polynomial smooth minimum: min(a, b) - h^2 k / 4 with h = max(k - |a - b|, 0) / k, where k is the
-// width over which two surfaces run into each other (Bloomenthal (ed.) 1997, Introduction to implicit surfaces).
+// Blends are the polynomial smooth minimum: min(a, b) - h^2 k / 4 with h = max(k - |a - b|, 0) / k. Here k is the width
+// over which two surfaces run into each other. Source: Bloomenthal (ed.) 1997, Introduction to implicit surfaces.
 
 #include <Eigen/Geometry>
 #include <vector>

@@ -16,11 +16,18 @@ struct Landmark {
 
 // On the centre lines, at least 3 mm under the liver's surface; those that a patient has not, or not there, are absent.
 //
-// Portal vein: where the main branches part for right and left lobe (bifurcation), for the right sectors (right), for V
-// and VIII (right-anterior), VI and VII (right-posterior), II from the rest (left), III and IV (umbilical); and where
-// the largest branch leaves the pedicle of a segment (segment-1 to -8). Hepatic veins: where middle and left join
-// (confluence), and where the largest tributary joins each of the three, and the largest below that in the right and
-// the middle one (inferior).
+// Portal vein (portal-...), where branches part:
+//   bifurcation                 the right lobe from the left
+//   right-division              the right sectors
+//   right-anterior-division     V from VIII
+//   right-posterior-division    VI from VII
+//   left-division               II from III and IV
+//   umbilical-division          III from IV
+//   segment-N-division          where the largest branch leaves the pedicle of segment N, 1 to 8
+// Hepatic veins (hepatic-...), where they join:
+//   confluence                  the middle and the left one
+//   NAME-division               the largest tributary and the right, the middle or the left one
+//   NAME-inferior-division      the largest at least 15 mm below that, of the right and the middle one
 [[nodiscard]] std::vector<Landmark> landmarks_of(const Patient& patient);
 
 }  // namespace glisson::anatomy

@@ -32,9 +32,9 @@ struct Lesion {
   [[nodiscard]] double distance_mm(const Eigen::Vector3d& position_mm) const;  // to its wall, negative inside
 };
 
-// Each lies 3 mm under the surface at least (thinner tissue makes flat cells), clear of the others by 3 mm and of the
-// walls of vessels that serve several segments by 1 mm.
-// Those wished at a position lie there. Fails with anatomy-lesion-no-room.
+// Each lies at least 3 mm under the surface (thinner tissue makes flat cells) and 3 mm clear of the others. It is clear
+// by 1 mm of the walls of vessels that serve several segments. One wished at a position lies there, whatever vessels
+// are near. Fails with anatomy-lesion-no-room.
 Result<std::vector<Lesion>> place_lesions(const std::vector<LesionWish>& wishes, const LiverBody& liver,
                                           const Segments& segments, const std::vector<const VesselTree*>& trunks,
                                           std::uint64_t seed);

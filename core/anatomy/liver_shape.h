@@ -1,17 +1,17 @@
 #pragma once
 // The liver as an implicit surface of our own design, with what lies against it: gall bladder and vena cava.
 //
-// Frame: LPS axes (x to the patient's left, y to the back, z to the head), mm, origin on the body's midline in the
-// height of the portal vein's bifurcation. About 2300 ml at this size; a body scales it to its volume.
+// Frame: LPS axes (x to the patient's left, y to the back, z to the head), mm. The origin lies on the body's midline,
+// in the height of the portal vein's bifurcation. About 2300 ml at this size; a body scales it to its volume.
 //
-// Design. Right lobe, left lobe and the quadrate part between are ellipsoids that run into each other; what they lie
-// upon (stomach, kidney, duodenum and colon, spine) is taken away, and leaves the visceral surface with its impressions
-// and the sharp inferior margin. The caudate is added behind the porta; the fissures (ligamentum teres and
-// venosum), the porta, the fossa of the gall bladder and the groove of the vena cava are cut in.
+// Design. The right lobe, the left lobe and the quadrate part between them are ellipsoids that run into each other.
+// What they lie upon is taken away: stomach, kidney, duodenum and colon, spine. That leaves the visceral surface with
+// its impressions, and the sharp inferior margin. The caudate is added behind the porta. Then the fissures (ligamentum
+// teres and venosum), the porta, the gall bladder's fossa and the vena cava's groove are cut in.
 //
 // Proportions. Craniocaudal extent 140 mm (sd 17) in the midclavicular line (Kratzer et al. 2003, J Ultrasound Med
 // 22:1155). Right lobe 65 % of the volume (49 to 82), segments II and III 16 % (5 to 27) (Abdalla et al. 2004, Surgery
-// 135:404). Gall bladder 7 to 10 cm by 3 to 4 cm, 30 to 50 ml; vena cava 20 to 25 mm wide (Gray's Anatomy, 41st ed.).
+// 135:404). Gall bladder 7 to 10 cm by 3 to 4 cm, 30 to 50 ml. Vena cava 20 to 25 mm wide (Gray's Anatomy, 41st ed.).
 // The modes' widths are chosen, not fitted.
 
 #include <cstdint>

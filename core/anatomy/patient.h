@@ -26,7 +26,7 @@ struct TissueOptions {
 };
 
 // Mean shear stiffness at 60 Hz of a stage: the middles of the bands of Venkatesh et al. 2013 (J Magn Reson Imaging
-// 37:544): normal below 2.5 kPa, 2.9 to 3.5, 3.5 to 4, 4 to 5, above 5.
+// 37:544). These are: normal below 2.5 kPa, then 2.9 to 3.5, 3.5 to 4, 4 to 5, above 5.
 [[nodiscard]] double shear_kPa_of(int fibrosis_stage);
 // T1-weighted brightness with fat suppressed, against tissue without fat: the fat's share is gone.
 [[nodiscard]] double relative_t1_of(double fat_fraction);

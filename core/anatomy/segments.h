@@ -1,10 +1,11 @@
 #pragma once
 // Couinaud's eight segments of a generated liver (Couinaud 1957, Le foie; Strasberg 2000, HPB 2:333, for the names).
 //
-// The right and the middle hepatic vein's planes stand on the vena cava's axis; the umbilical fissure parts II and III
-// from IV; a plane through the left hepatic vein parts II from III, heights of the right portal branches VII from VI
-// and VIII from V. The middle plane runs through the gall bladder's fossa, the umbilical plane through the falciform
-// ligament: these follow from the shape. The other planes stand where each segment gets its share of its section.
+// The planes of the right and the middle hepatic vein stand on the vena cava's axis. The umbilical fissure parts II and
+// III from IV, a plane through the left hepatic vein II from III. Heights of the right portal branches part VII from
+// VI, and VIII from V. The middle plane runs through the gall bladder's fossa, the umbilical plane through the
+// falciform ligament: these follow from the shape. The other planes stand where each segment gets its share of its
+// section.
 
 #include <array>
 #include <cstdint>

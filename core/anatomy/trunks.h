@@ -1,9 +1,10 @@
 #pragma once
 // The named main branches, as anatomy books draw them, laid into one liver: what finer branches grow from.
 //
-// Portal vein: trunk to the porta, right branch with an anterior (V, VIII) and a posterior (VI, VII) pedicle, left
-// branch with transverse and umbilical parts and the branches of I, II, III and IV. Hepatic veins: right, middle and
-// left, each in its plane; middle and left join before the vena cava, as in most people; one vein of the caudate.
+// Portal vein: a trunk to the porta, then a right and a left branch. The right one has an anterior (V, VIII) and a
+// posterior (VI, VII) pedicle. The left one has transverse and umbilical parts, and the branches of I, II, III and IV.
+// Hepatic veins: right, middle and left, each in its plane, and one vein of the caudate. Middle and left join before
+// the vena cava, as in most people.
 
 #include "anatomy/segments.h"
 #include "anatomy/vessel_tree.h"

@@ -37,7 +37,7 @@ struct VesselBranch {
 };
 [[nodiscard]] std::vector<VesselBranch> branches_of(const VesselTree& tree);
 
-// Radii by Murray's law, r^3 of a parent is the sum of its children's (Murray 1926, PNAS 12:207): every terminal
+// Radii follow Murray's law: r^3 of a parent is the sum of its children's (Murray 1926, PNAS 12:207). Every terminal
 // branch carries the same flow, so r = root_radius (flow / whole flow)^(1/3). Sets flows, generations and radii.
 void set_radii(VesselTree& tree, double root_radius_mm);
 
