@@ -22,11 +22,10 @@ struct CsvTable {
   [[nodiscard]] Result<std::size_t> column(const std::string& name_or_number) const;
 };
 
-// Commas, semicolons or tabs, whichever the first row with numbers has; a dot in numbers; lines may end in CR LF and a
-// byte-order mark may lead. The header is the last line before the first row with numbers that has as many cells.
-// Rows that are shorter than the first end in NaN; longer ones are cut.
-// Refused: no row of numbers, more than 256 columns, files above the limit, long tables most of whose cells are
-// missing.
+// Cells are parted by commas, semicolons or tabs, whichever the first row with numbers has. Numbers have a dot. Lines
+// may end in CR LF, and a byte-order mark may lead. The header is the last line before the first row with numbers that
+// has as many cells. Rows that are shorter than the first end in NaN; longer ones are cut. Refused: no row of numbers,
+// more than 256 columns, files above the limit, long tables most of whose cells are missing.
 Result<CsvTable> read_csv(const std::filesystem::path& file, std::uint64_t limit_bytes = std::uint64_t{1} << 29);
 Result<CsvTable> parse_csv(std::string_view text, const std::filesystem::path& file = {});
 

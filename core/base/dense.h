@@ -1,6 +1,6 @@
 #pragma once
-// Decompositions of dense matrices of any size, compiled once here: each of Eigen's of a fixed size beyond four takes
-// the compiler some ten seconds wherever it is used. Not for inner loops: they allocate.
+// Decompositions of dense matrices of any size, compiled once here. Wherever one of Eigen's of a fixed size beyond four
+// is used, it takes the compiler some ten seconds. Not for inner loops: they allocate.
 
 #include <Eigen/Core>
 

@@ -41,8 +41,8 @@ class TemporaryFolder {
   std::filesystem::path path_;  // empty once moved from
 };
 
-// The folder with the shipped resources (demo patient, colour maps): $GLISSON_RESOURCES if set, else beside
-// the installed program, else the source tree that this was built from.
+// The folder with the shipped resources (demo patient, colour maps). It is $GLISSON_RESOURCES if set, else beside the
+// installed program, else in the source tree that this was built from.
 Result<std::filesystem::path> resource_folder();
 
 // The program's version, "0.1.0".

@@ -9,7 +9,7 @@
 
 namespace glisson {
 
-// Beside its place it is called `.part-NAME`, and a lock says that its maker lives: what a killed one left goes when
+// Beside its place it is called `.part-NAME`, and a lock says that its maker lives. What a killed one left goes when
 // somebody next begins one there. Without put_in_place nothing stays.
 class NewFolder {
  public:

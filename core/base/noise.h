@@ -1,6 +1,6 @@
 #pragma once
-// Randomness that depends only on a seed and a place, never on the order of computing, so that what is simulated comes
-// out bit for bit the same on any number of threads.
+// Randomness that depends only on a seed and a place, never on the order of computing. So a simulation comes out the
+// same, bit for bit, on any number of threads.
 
 #include <cstdint>
 #include <Eigen/Core>

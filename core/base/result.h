@@ -1,9 +1,9 @@
 #pragma once
 // What can go wrong outside us, said once, where it happened.
 //
-// A function that depends on anything from outside (a file, a header, a person's numbers, a solver
-// that may not converge) returns Result<T>: the value, or an Error that a person can act on.
-// Broken invariants of our own are not Errors: they assert (GLISSON_ASSERT).
+// A function that depends on anything from outside returns Result<T>: the value, or an Error that a person can act on.
+// From outside come files, headers, a person's numbers, and solvers that may not converge. Broken invariants of our own
+// are not Errors: they assert (GLISSON_ASSERT).
 
 #include <filesystem>
 #include <string>
@@ -13,9 +13,9 @@
 
 namespace glisson {
 
-// One failure. `text` says what is wrong and where, `hint` what to do; both are English sentences
-// with the placeholders {0}, {1}, ... for `arguments`, so that the desktop can translate the sentence
-// and keep the values. `code` is stable and meant for scripts ("dicom-truncated").
+// One failure. `text` says what is wrong and where, `hint` what to do. Both are English sentences with the placeholders
+// {0}, {1}, ... for `arguments`. So the desktop can translate the sentence and keep the values. `code` is stable and
+// meant for scripts ("dicom-truncated").
 struct Error {
   std::string code;
   std::string text;

@@ -9,8 +9,8 @@
 
 namespace glisson {
 
-// A command line as words: split at blanks, with "...", '...' and \ as in a POSIX shell, and nothing else of a shell
-// (no variables, pipes or patterns). Fails with "command-empty" and with "command-quote-open".
+// A command line as words, split at blanks, with "...", '...' and \ as in a POSIX shell. Nothing else of a shell is
+// known: no variables, pipes or patterns. Fails with "command-empty" and with "command-quote-open".
 [[nodiscard]] Result<std::vector<std::string>> words_of_command(const std::string& command);
 
 // Runs words[0], searched in PATH, with the other words, and waits for its end. Its standard output and error are read

@@ -20,10 +20,10 @@ Result<void> write_file(const std::filesystem::path& target, std::string_view by
 // The same with the content of another file.
 Result<void> write_copy(const std::filesystem::path& source, const std::filesystem::path& target);
 
-// Calls write(), whose files, as long as this thread writes them, all take their places together when it succeeds, and
-// none of them where it fails. A folder that was not there takes its place as a whole, by one rename. In a folder that
-// was there, a kill among the renames, which follow each other at once, is the only thing in between. Inside, no file
-// may be read back. A call inside of another joins it.
+// Calls write(). The files that it writes on this thread all take their places together when it succeeds, and none of
+// them where it fails. A folder that was not there takes its place as a whole, by one rename. In a folder that was
+// there, a kill among the renames, which follow each other at once, is the only thing in between. Inside, no file may
+// be read back. A call inside of another joins it.
 Result<void> write_together(const std::function<Result<void>()>& write);
 
 // Removes the file, as one of those that are written together where that is under way.
