@@ -1,13 +1,13 @@
 #pragma once
-// Whether images belong to the patient of a case. A case keeps no identifier in the clear: with its anatomy stand
+// Whether images belong to the patient of a case. A case keeps no identifier in the clear. With its anatomy stand
 // salted hashes (base/secret_hash.h) of the patient, the examination and the frame of reference that the images name.
 // Images of formats that name none (NIfTI, NRRD, MHA) are judged by their place alone.
 //
-// These hashes have a salt of their own in each case, so that no list of cases tells which are of one patient. For two
-// cases that a person puts side by side stand two numbers beside them: four hexadecimal digits of a hash of the patient
-// with the same salt everywhere (of a million patients some fifteen share them), and the examination's day, moved by
-// a number of days that follows from other digits of that hash: days between a patient's examinations are right,
-// and no date stands there.
+// These hashes have a salt of their own in each case, so that no list of cases tells which are of one patient. Beside
+// them stand two numbers for two cases that a person puts side by side. The first is four hexadecimal digits of a hash
+// of the patient, with the same salt everywhere. Some fifteen of a million patients share them. The second is the
+// examination's day, moved by a number of days that other digits of that hash give. So the days between a patient's
+// examinations are right, and no date stands there.
 
 #include <map>
 #include <optional>
@@ -29,9 +29,9 @@ struct SeriesRole {
 // The hashes for the options of an entry that is made from this series, with a salt of their own.
 [[nodiscard]] std::map<std::string, std::string> whose(const imaging::Series& series);
 
-// What speaks against these series being of the patient whose anatomy the case holds, each said once: another patient,
-// another examination, another frame of reference, another place (less than half of the smaller grid is shared).
-// Nothing where the case has no anatomy.
+// What speaks against these series being of the patient whose anatomy the case holds, each said once. It may be another
+// patient, another examination, another frame of reference or another place. Another place means that less than half of
+// the smaller grid is shared. Nothing where the case has no anatomy.
 [[nodiscard]] std::vector<Sentence> doubts_of_belonging(const Case& patient, const imaging::Study& study,
                                                         const std::vector<SeriesRole>& roles);
 

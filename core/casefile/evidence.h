@@ -1,7 +1,7 @@
 #pragma once
-// What measurements showed of a patient's tissue and a person accepted: evidence/model, the model.json of explain with
-// the effects that were wanted. read_model (model.h) puts it into the organ that is rehearsed, so that an accepted
-// effect changes what the surgeon sees; taken back, the organ is what it was, to the bit.
+// What measurements showed of a patient's tissue, and a person accepted. It is kept as evidence/model: the model.json
+// of explain with the effects that were wanted. `read_model` (model.h) puts it into the organ that is rehearsed, so
+// that an accepted effect changes what the surgeon sees. Once it is taken back, the organ is what it was, to the bit.
 //
 // What was measured must be this patient's tissue: the palpated mesh is this organ in this place, or the experiment's
 // title names the case. An effect that changes nothing in the rehearsal is not accepted.
@@ -28,10 +28,10 @@ enum class Tissue { shown_by_file, told_by_person };
 // Whether the specimen is this organ, or its title names the case (as a word of its own, in whatever case).
 [[nodiscard]] bool is_of_patient(const closedloop::Specimen& specimen, const std::string& case_name);
 
-// Accepts the effects of these kinds; where none is named, all that change the rehearsal. Refused: "case-lacks-entry"
-// before there is a model; "evidence-empty" where the model found nothing missing; "evidence-not-this-patient";
-// "evidence-without-effect" where a named kind, or every one, leaves the rehearsal as it is; those of
-// closedloop::learn_organ. Then the case is as it was.
+// Accepts the effects of these kinds; where none is named, all that change the rehearsal. Fails with "case-lacks-entry"
+// before there is a model, and with "evidence-empty" where the model found nothing missing. Fails with
+// "evidence-not-this-patient". Fails with "evidence-without-effect" where a named kind, or every one, leaves the
+// rehearsal as it is. Fails as closedloop::learn_organ does. Then the case is as it was.
 Result<Evidence> accept_evidence(Case& patient, const std::filesystem::path& model_file,
                                  const std::vector<std::string>& kinds = {}, Tissue tissue = Tissue::shown_by_file);
 

@@ -26,8 +26,8 @@ enum class ExportFormat {
 
 // What a DICOM SEG carries beside the labels.
 struct SegmentationExport {
-  // The images that the case was made from, whose identity the file is to carry (the patient's name and number, the
-  // study, each slice), so that an archive can put it to them; without them it names nobody.
+  // The images that the case was made from. The file carries their identity (the patient's name and number, the study,
+  // each slice), so that an archive can file it with them. Without them it names nobody.
   std::optional<std::filesystem::path> study = {};
   std::optional<std::string> plan = {};  // a plan of the case, whose "remnant" and "specimen" go along
 };

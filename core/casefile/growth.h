@@ -1,6 +1,7 @@
 #pragma once
-// Two cases of one patient, as before and after an embolisation, compared (planning/growth.h): what each case keeps of
-// segments, stiffness and plans, whether both are of one patient, and how many days lie between.
+// Two cases of one patient, as before and after an embolisation, compared (planning/growth.h). The segments, the
+// stiffness and the plans that each case keeps are compared. The answer says too whether both are of one patient, and
+// how many days lie between.
 
 #include <array>
 #include <optional>
@@ -15,8 +16,8 @@
 namespace glisson::casefile {
 
 struct GrowthQuestion {
-  // By its name: each case's own plan of that name. Where one case alone has it, the other takes it over if it goes by
-  // segments and territories; any other cut has its place in its own study.
+  // By its name: each case's own plan of that name. One that a single case has goes over to the other if it is made of
+  // segments and territories. Any other cut has its place in its own study.
   std::optional<std::string> plan;
   // days: where the images' dates do not tell. Errors: where absent, what was measured of segments found this way
   // (docs/territories.md).
@@ -39,9 +40,9 @@ struct ComparedStudies {
 };
 
 // Segments are those that the cases keep; nothing is found anew, and neither case is changed. Fails with
-// "growth-same-case", "growth-not-one-patient", "growth-order" (the second is the earlier one), "growth-days-differ"
-// (from what the dates say), "growth-segments-missing", "growth-segments-stale", "plan-unknown",
-// "growth-plan-in-one-study", and as planning::growth_between and open_planner do.
+// "growth-same-case", "growth-not-one-patient", "growth-order" (the second is the earlier one) or "growth-days-differ"
+// (from what the dates say). Fails with "growth-segments-missing", "growth-segments-stale", "plan-unknown" or
+// "growth-plan-in-one-study". Fails as planning::growth_between and open_planner do.
 Result<ComparedStudies> compare_studies(const Case& before, const Case& after, const GrowthQuestion& question,
                                         const Progress& progress = {});
 

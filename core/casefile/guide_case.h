@@ -12,7 +12,7 @@
 
 namespace glisson::casefile {
 
-// Where it begins: the frame that is answered first, and about where the liver lies in it (scan to camera); without a
+// Where it begins: the frame that is answered first, and about where the liver lies in it (scan to camera). Without a
 // pose it is searched for.
 struct GuidedFrom {
   std::size_t frame = 0;  // from 0

@@ -5,8 +5,9 @@
 
 namespace glisson::casefile {
 
-// As lines on the liver's surface, after its other structures: "planned-cut" where results/resection holds a cut that
-// was set on the liver at rest, "segments" where the case has Couinaud's segments. What cannot be read is left out.
+// They become lines on the liver's surface, after its other structures. The lines "planned-cut" are there where
+// results/resection holds a cut that was set on the liver at rest. The lines "segments" are there where the case has
+// Couinaud's segments. What cannot be read is left out.
 void add_plans(GuidedSequence& guided, const Case& patient);
 
 }  // namespace glisson::casefile

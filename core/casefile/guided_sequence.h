@@ -1,5 +1,5 @@
 #pragma once
-// A case on a laparoscope's video: what guidance needs of both, so that the patient's own tumours and vessels are
+// A case on a laparoscope's video: what guidance needs of both. With it the patient's own tumours and vessels are
 // found, and drawn, on each frame.
 
 #include <Eigen/Geometry>
@@ -21,7 +21,7 @@ struct GuidedSequence {
 };
 
 // `first_pose` takes the scan to the camera in `first_frame`, about; without it the pose is searched for. That frame is
-// answered first, then those after it, then those before it, backwards; each follows the one answered before, and the
+// answered first, then those after it, then those before it, backwards. Each follows the one answered before, and the
 // landmarks that were tracked. `noise_mm`: standard deviation of each coordinate of the clouds. Failures: those of
 // reading the clouds.
 Result<GuidedSequence> guided_sequence(const PatientModel& model, const registration_quality::SequenceFiles& sequence,

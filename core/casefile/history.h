@@ -10,8 +10,8 @@
 //   history/begun.json       while a change is under way: what the case was when it began
 //
 // A step is a difference, never a whole volume where runs of voxels say the same. Beyond the caps the oldest steps are
-// forgotten. Killed at any moment, case and history open together: a change that was recorded is there with its step,
-// one that was under way is there as far as it came, with a step that takes it back.
+// forgotten. If the program is killed at any moment, the case and its history open together. A change that was recorded
+// is there with its step. A change under way is there as far as it came, with a step that takes it back.
 //
 // One History at a time may be open on a case; it may be used from several threads, whose changes wait for each other.
 
@@ -63,8 +63,8 @@ class History {
     std::vector<ValueChange> values;   // `after` is what holds now
   };
 
-  // Takes up what was interrupted. Fails with "history-in-use" where another window has it open; a history that cannot
-  // be read is put aside (history.damaged) and begun anew, since it must not keep anybody from the case.
+  // Takes up what was interrupted. Fails with "history-in-use" where another window has it open. A history that cannot
+  // be read must not keep anybody from the case. It is put aside (history.damaged) and begun anew.
   static Result<std::unique_ptr<History>> open(const std::filesystem::path& case_folder, HistoryCaps caps = {});
 
   // Runs `change`, which may add, replace and remove entries of the case, and keeps what it did as one step under
@@ -74,8 +74,8 @@ class History {
   Result<void> record(const Sentence& name, const std::function<Result<void>()>& change,
                       const std::vector<std::string>& touches = {});
 
-  // The same for values. Within `joins`, a change of the same keys as the last step becomes part of that step, so that
-  // a slider that is dragged is one step.
+  // The same for values. Within `joins`, a change of the same keys as the last step becomes part of that step. So a
+  // slider that is dragged is one step.
   enum class Joins { no, last_of_same_keys };
   Result<void> record_values(const Sentence& name, const std::vector<ValueChange>& values, Joins joins = Joins::no,
                              const std::optional<RecordingBeside>& beside = {});
@@ -87,8 +87,8 @@ class History {
   [[nodiscard]] std::optional<Sentence> undo_name() const;
   [[nodiscard]] std::optional<Sentence> redo_name() const;
 
-  // Fails with "history-overtaken" where something else changed the same entries since (glisson-cli, another program):
-  // the history then ends here and is empty. "history-nothing-left" where there is no step.
+  // Fails with "history-overtaken" where something else (glisson-cli, another program) changed the same entries since.
+  // The history then ends here and is empty. Fails with "history-nothing-left" where there is no step.
   Result<Moved> undo();
   Result<Moved> redo();
 

@@ -52,8 +52,7 @@ struct Imported {
 //   volumes/stiffness        shear modulus in kPa
 //   volumes/confidence, volumes/magnitude, volumes/phase, volumes/wave      where the study has them; waves with what
 //                            they were encoded for, as far as the headers say
-//   labels/NAME              each segment of a DICOM SEG and each named value of a label map, on the grid of the
-//   anatomy
+//   labels/NAME              each segment of a DICOM SEG and each named value of a label map, on the anatomy's grid
 //
 // Fails with "import-no-anatomy" (unless the case has one), "import-ambiguous", "import-unknown-uid", as Replacing and
 // import_labels say, or as reading fails. What the case held before stays until each new volume is complete.
@@ -61,9 +60,10 @@ Result<Imported> import_study(Case& patient, const imaging::Study& study, const 
                               const Progress& progress = {}, Replacing replacing = Replacing::refused);
 
 // The same with every role chosen by a person: exactly these series, each as what it says (`other`: not at all). An
-// anatomy is not asked for: waves alone make a case whose elastography can be inverted. Fails with "import-nothing",
-// "import-unknown-uid", "import-role-twice" (only phases and segmentations may be several series), "case-lacks-entry"
-// where segmentations come and nothing that they could be drawn on, as Replacing says, or as reading fails.
+// anatomy is not asked for: waves alone make a case whose elastography can be inverted. Fails with "import-nothing" or
+// "import-unknown-uid". Fails with "import-role-twice": only phases and segmentations may be several series. Fails with
+// "case-lacks-entry" where segmentations have nothing that they could be drawn on. Fails also as Replacing says, or as
+// reading fails.
 Result<Imported> import_series_as(Case& patient, const imaging::Study& study, const std::vector<SeriesRole>& roles,
                                   const Progress& progress = {}, Replacing replacing = Replacing::refused);
 

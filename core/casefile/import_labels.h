@@ -25,8 +25,9 @@ struct ImportedStructure {
 };
 
 // Labels are drawn on `anatomy`'s grid: of another grid each voxel takes the value of the nearest one. Fails with
-// "labels-unnamed" where nothing names any structure, with the values there are; "labels-twice" where two files bring
-// the same structure; "labels-no-overlap" where none of it lies in the anatomy; or as reading fails.
+// "labels-unnamed" where nothing names any structure, and says which values there are. Fails with "labels-twice" where
+// two files bring the same structure. Fails with "labels-no-overlap" where none of it lies in the anatomy, or as
+// reading fails.
 Result<std::vector<ImportedStructure>> import_labels(Case& patient, const std::vector<WantedLabels>& wanted,
                                                      const imaging::Grid& anatomy, const Progress& progress);
 

@@ -1,9 +1,9 @@
 #pragma once
 // Label maps that other programs wrote, on their way to being structures of a case.
 //
-// A value's name comes from the person, else from the file (imaging/label_names.h), else, where the map holds one
-// value, from the file's own name ("liver.nii.gz"), else from TotalSegmentator's numbers where the map is plainly its.
-// Names that Glisson has another word for are given that: "portal_vein_and_splenic_vein" is "portal-vein".
+// A value's name comes from the person, else from the file (imaging/label_names.h). A map of one value may take it from
+// the file's own name ("liver.nii.gz"). Last come TotalSegmentator's numbers, where the map is plainly its. Names that
+// Glisson has another word for are given that: "portal_vein_and_splenic_vein" is "portal-vein".
 
 #include <filesystem>
 #include <map>

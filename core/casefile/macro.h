@@ -1,14 +1,14 @@
 #pragma once
-// What was done to a case in the window, as commands that do it again without one: on the case as it was before the
+// What was done to a case in the window, as commands that do it again without one. Run on the case as it was before the
 // first of them, they lead to the same files, byte for byte.
 //
-// A step of the history becomes the commands that computed its entries, where Glisson computed them from the case alone
-// (how an entry was made says from what, and with which options). What a hand drew or placed, and what came from
+// A step of the history becomes the commands that computed its entries, where Glisson computed them from the case
+// alone. How an entry was made says from what, and with which options. What a hand drew or placed, and what came from
 // outside, is taken over from the recorded history (`redo`, redo_step.h).
 //
-// What changed nothing in the case becomes the command that answers it: a tool on a patch a simulation; tools in
-// contact and cuts led on under them a session, which comes to the same digests as in the window or fails; a cut in the
-// making the answer to it as a plan; the liver laid by hand on a frame guidance that begins there.
+// What changed nothing in the case becomes the command that answers it. A tool on a patch becomes a simulation, a cut
+// in the making the answer to it as a plan. Tools in contact, and cuts led on under them, become a session. That comes
+// to the same digests as in the window, or fails. A liver laid by hand on a frame becomes guidance that begins there.
 
 #include <filesystem>
 #include <string>

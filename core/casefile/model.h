@@ -17,8 +17,9 @@
 
 namespace glisson::casefile {
 
-// Meshes labels/liver with the structures inside it: meshes/liver.vtu (cell field "region", point fields that name the
-// attachments of rehearsal/liver_supports.h) and surfaces/NAME.vtp of the liver and of each structure.
+// Meshes labels/liver with the structures inside it. The mesh is meshes/liver.vtu, with the cell field "region" and
+// point fields that name the attachments of rehearsal/liver_supports.h. The liver and each structure get
+// surfaces/NAME.vtp.
 Result<meshing::LiverMesh> mesh_liver(Case& patient, const meshing::MeshOptions& options = {},
                                       const Progress& progress = {});
 
@@ -35,9 +36,9 @@ struct FromPopulationMean {
 };
 using StiffnessChoice = std::variant<FromMre, Uniform, FromPopulationMean>;
 
-// Gives each cell of meshes/liver its Young's modulus and saves meshes/model.vtu with the cell fields
-// "youngs_modulus_kPa", "stiffness_source" (0 measured, 1 filled, 2 chosen) and, where they were made of shear moduli,
-// "poisson_ratio" (mechanics/scenario/mesh_moduli.h).
+// Gives each cell of meshes/liver its Young's modulus and saves meshes/model.vtu. The cell fields are
+// "youngs_modulus_kPa" and "stiffness_source" (0 measured, 1 filled, 2 chosen). Where they were made of shear moduli
+// there is "poisson_ratio" too (mechanics/scenario/mesh_moduli.h).
 Result<elastography::CellStiffness> assign_stiffness(Case& patient, const StiffnessChoice& choice,
                                                      const elastography::StiffnessOptions& options = {},
                                                      const Progress& progress = {});
@@ -83,17 +84,19 @@ Result<PatientModel> read_model_before_evidence(const Case& patient);
 // be compared with where its stiffness was measured.
 [[nodiscard]] rehearsal::RehearsalSetup rehearsal_setup(PatientModel model);
 
-// The same as the window rehearses it, to the bit: the surfaces of the liver and its structures move along, factors
-// take half the memory (answers are refined to the same residual), and landmarks outside of the model are left out.
+// The same as the window rehearses it, to the bit. The surfaces of the liver and its structures move along, and
+// landmarks outside of the model are left out. Factors take half the memory, and answers are refined to the same
+// residual.
 struct LiveSetup {
   rehearsal::RehearsalSetup setup;
   std::size_t lost_landmarks = 0;
 };
 [[nodiscard]] LiveSetup live_rehearsal_setup(PatientModel model);
 
-// What a case brings to a scenario: the modulus stands in the mesh, supports and landmarks where the scenario has none,
-// and what was accepted of the evidence. What the scenario says itself stands; what of the evidence is left out for
-// that, or because its engine or material cannot hold it, is answered, besides what is carried.
+// What a case brings to a scenario: the modulus in the mesh, and what was accepted of the evidence. Supports and
+// landmarks come where the scenario has none. What the scenario says itself stands. Of the evidence some is left out
+// for that, or because the scenario's engine or material cannot hold it. The answer says what is left out, and what is
+// carried.
 std::vector<Sentence> put_into(mechanics::Scenario& scenario, const PatientModel& model);
 
 }  // namespace glisson::casefile

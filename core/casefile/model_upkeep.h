@@ -1,6 +1,6 @@
 #pragma once
-// What there is to know of a case's model before it is trusted: its cells, its stiffness, what holds it, and whether it
-// still is what the case's outlines and maps make; and making it so again.
+// What there is to know of a case's model before it is trusted: its cells, its stiffness, what holds it. It says
+// whether the model still is what the case's outlines and maps make, and makes it so again.
 
 #include <optional>
 #include <string>
@@ -45,8 +45,8 @@ Result<ModelFacts> model_facts(const Case& patient, const Progress& progress = {
 // What stiffness the model assumes; nothing where it was measured, or where there is no model.
 [[nodiscard]] std::optional<Sentence> assumed_stiffness(const Case& patient);
 
-// Makes of the case's outlines and maps what has changed since: the mesh, where an outline has or another number of
-// cells is wanted, then the stiffness.
+// Makes of the case's outlines and maps what has changed since. That is the mesh, where an outline has or another
+// number of cells is wanted, then the stiffness.
 struct Upkeep {
   std::optional<int> target_cells;  // nothing: as many as there were
   StiffnessChoice stiffness;

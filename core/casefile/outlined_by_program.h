@@ -1,6 +1,6 @@
 #pragma once
-// Structures outlined by somebody else's program, such as a neural network: the case's anatomy is handed to it as a
-// file, and the label maps that it leaves become structures of the case.
+// Structures outlined by somebody else's program, such as a neural network. The case's anatomy is handed to it as a
+// file. The label maps that it leaves become structures of the case.
 
 #include <map>
 #include <string>
@@ -24,10 +24,9 @@ struct OutliningProgram {
 };
 
 // Runs it, and takes in what it outlined (import_labels.h); structures of the same names are replaced. Files whose
-// names say no structure that Glisson knows stay out.
-// Fails with "command-no-image" or "command-no-labels" where the command lacks a placeholder, "program-no-labels" where
-// no label map was left, or as run_program, words_of_command, Case::volume and import_labels do; the case is then as it
-// was.
+// names say no structure that Glisson knows stay out. Fails with "command-no-image" or "command-no-labels" where the
+// command lacks a placeholder. Fails with "program-no-labels" where no label map was left. Fails also as run_program,
+// words_of_command, Case::volume and import_labels do. Then the case is as it was.
 Result<std::vector<ImportedStructure>> outline_by_program(Case& patient, const OutliningProgram& program,
                                                           const Progress& progress = {});
 

@@ -4,7 +4,7 @@
 //   plans/NAME           glisson-plan/1 (planning/plan_file.h) with the answer of when it was kept
 //   results/resection    the plane or sheet that was kept last, with the liver divided by it (resection_folder.h)
 //
-// A plan is made from all that its answer rests on: where outlines, trees, territories or the stiffness map change, it
+// A plan is made from all that its answer rests on. Where outlines, trees, territories or the stiffness map change, it
 // is stale, as any entry is.
 
 #include <string>
@@ -20,9 +20,9 @@
 
 namespace glisson::casefile {
 
-// What plans rest on, read from the case and worked out where it is not kept: trees and territories where there are
-// any, else segments that are kept; tumours are the structures named so. Remarks: on what has changed since it was
-// made.
+// What plans rest on, read from the case and worked out where it is not kept. These are trees and territories where
+// there are any, else the segments that are kept. Tumours are the structures named so. Remarks: on what has changed
+// since it was made.
 struct OpenedPlanner {
   planning::Planner planner;
   std::vector<Sentence> remarks;

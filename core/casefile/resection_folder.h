@@ -1,6 +1,6 @@
 #pragma once
-// A planned resection in files: resection.json (the cut, so that it can be set again, and what came of it), parts.vtu
-// (the liver in its parts) and cut.vtp.
+// A planned resection in files. In resection.json stands the cut, so that it can be set again, and what came of it. The
+// liver in its parts is parts.vtu, and the cut cut.vtp.
 
 #include <filesystem>
 #include <string>

@@ -1,7 +1,7 @@
 #pragma once
-// A simulation's outcome as files: DIR/result.vtu (the rest mesh with point array displacement_mm and its cell
-// fields), DIR/result.json (what was reached and is worth, the landmarks; no displacements of an unusable answer) and
-// DIR/scenario.json (the question, in full).
+// A simulation's outcome as files: DIR/result.vtu is the rest mesh with the point array displacement_mm and its cell
+// fields. DIR/result.json says what was reached, what it is worth, and the landmarks. An unusable answer has no
+// displacements there. DIR/scenario.json is the question, in full.
 
 #include <filesystem>
 #include <optional>

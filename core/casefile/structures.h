@@ -25,7 +25,7 @@ struct SavedStructure {
 // Grows from points inside the structure (patient LPS, mm) on volumes/anatomy and saves the outcome. What is grown how
 // follows the name: vessels and lesions by what stands out from the tissue around (segmentation/grow_contrast.h),
 // organs as the liver is (grow.h). With `within`, the name of a structure of the case, a vessel or lesion stays inside
-// of it ("structure-unknown" where there is none of that name).
+// of it. Fails with "structure-unknown" where there is none of that name.
 Result<SavedStructure> grow_structure(Case& patient, const std::string& name,
                                       const std::vector<Eigen::Vector3d>& seeds_mm, const Progress& progress = {},
                                       const std::optional<std::string>& within = std::nullopt);
@@ -43,9 +43,9 @@ Result<SavedStructure> combine_structure(Case& patient, const std::string& name,
                                          const std::string& other);
 
 // Takes a structure from a label file (NRRD, NIfTI, MetaImage, DICOM SEG), carried to the grid of volumes/anatomy.
-// Without a label value the file must hold one structure only, or name one of them so (label_map.h); else it is refused
-// with the values there are ("labels-ambiguous"). Fails with "labels-no-overlap" where no labelled voxel lies in the
-// anatomy.
+// Without a label value the file must hold one structure only, or name one of them so (label_map.h). Else it fails with
+// "labels-ambiguous" and says which values there are. Fails with "labels-no-overlap" where no labelled voxel lies in
+// the anatomy.
 Result<SavedStructure> import_structure(Case& patient, const std::string& name, const std::filesystem::path& labels,
                                         std::optional<int> label_value, const Progress& progress = {});
 

@@ -11,8 +11,8 @@ namespace glisson::casefile {
 // One JSON object as text.
 [[nodiscard]] std::string record_of(const Entry& entry);
 
-// Fails with "case-invalid" where `text` is no entry, and with "case-path-outside" where it names a file outside the
-// case folder: a case may come from anywhere. `file` is where the text came from.
+// A case may come from anywhere. Fails with "case-invalid" where `text` is no entry, and with "case-path-outside" where
+// it names a file outside the case folder. `file` is where the text came from.
 [[nodiscard]] Result<Entry> entry_of(std::string_view text, const std::filesystem::path& file);
 
 }  // namespace glisson::casefile

@@ -23,7 +23,7 @@ class KeptFiles {
 };
 
 // How each side of a change can be made from the other; as JSON, which a step keeps. `runs_file` is written where the
-// content is a label whose sides differ by runs; else both sides are whole files, of which the earlier is kept already.
+// content is a label whose sides differ by runs. Else both sides are whole files, and the earlier one is kept already.
 struct Sides {
   std::optional<Entry> before;
   std::optional<Entry> after;
