@@ -1,5 +1,5 @@
 #pragma once
-// Places inside a guided organ whose truth is known, as of a phantom or a simulation: nothing is fitted to them, and
+// Places inside a guided organ whose truth is known, as of a phantom or a simulation. Nothing is fitted to them, and
 // models are judged by them.
 
 #include <vector>
@@ -11,7 +11,7 @@
 
 namespace glisson::closedloop {
 
-// How far each model is from the targets of all frames (mm; the vectors are the targets), in the models' order; empty
+// How far each model is from the targets of all frames (mm; the vectors are the targets), in the models' order. Empty
 // where the experiment has no targets. `noise` and `reduced_chi2` are of no use here. Failures: those of
 // guidance_model(), and of a prediction.
 Result<std::vector<ErrorFigures>> target_errors(const Guidance& experiment, const std::vector<BetterModel>& models,

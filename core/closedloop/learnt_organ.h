@@ -10,9 +10,9 @@
 // - preload: acts always, where the specimen was this organ.
 //
 // Nothing is dropped in silence: each effect of the model is listed with a sentence, carried over or not. Not carried:
-// strain-stiffening, softening, hysteresis and tension-compression-asymmetry, which linear elasticity cannot hold;
-// force-bias and frame-misalignment, which are faults of the measurement and leave the organ alone; a preload of a
-// material test, which is of the machine.
+// strain-stiffening, softening, hysteresis and tension-compression-asymmetry, which linear elasticity cannot hold.
+// Force-bias and frame-misalignment are faults of the measurement, and leave the organ alone. A preload of a material
+// test is of the machine.
 //
 // A capsule here is incompressible, in explain it has the specimen's Poisson's ratio: where that is 0.45, its stiffness
 // differs by 6 % at most.
@@ -62,8 +62,8 @@ struct LearntOrgan {
 Result<LearntOrgan> learn_organ(OrganModel declared, const geometry::TetMesh& mesh,
                                 const std::filesystem::path& model_file, const std::vector<std::string>& kinds = {});
 
-// Where a specimen was and how large, kept in its model.json: one is this organ in this place where its box and volume
-// are the organ's to a hundredth. Another mesh of the same organ is, then; another body practically never.
+// Where a specimen was and how large, kept in its model.json. A specimen is this organ in this place where its box and
+// volume are the organ's to a hundredth. Another mesh of the same organ is, then; another body practically never.
 struct SpecimenPlace {
   Eigen::Vector3d min_mm{0, 0, 0};
   Eigen::Vector3d max_mm{0, 0, 0};

@@ -18,8 +18,8 @@ struct PosteriorStep {
 using PosteriorHistory = std::vector<PosteriorStep>;  // each with more trials than the one before
 
 // That of an earlier report with this answer after it. What the earlier report did not know, or what knew a trial that
-// is gone, is left out; so is all of it where the file is no report. An answer on the same trials takes the place of
-// the last.
+// is gone, is left out. All of it is left out where the file is no report. An answer on the same trials takes the place
+// of the last.
 [[nodiscard]] PosteriorHistory history_after(const std::filesystem::path& earlier_report,
                                              const Explanation& explanation, const Observations& observations);
 

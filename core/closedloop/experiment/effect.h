@@ -28,8 +28,8 @@ struct Effect {
   std::vector<Parameter> parameters;
   std::string sentence;  // for a surgeon: what is going on in the specimen
 
-  // Where the search begins: one vector of parameters each, in bounds and away from a vanishing gradient (an amplitude
-  // of exactly no effect hides its time constant). A forward model may add better ones (ForwardModel::starts).
+  // Where the search begins: one vector of parameters each, in bounds. Each lies away from a vanishing gradient, as an
+  // amplitude of exactly no effect hides its time constant. A forward model may add better ones (ForwardModel::starts).
   std::vector<Eigen::VectorXd> starts;
 
   // A form whose fits are slow: tried only where another form of its kind does about as well as the best.

@@ -1,7 +1,7 @@
 #pragma once
-// What was done to a specimen and what was measured: the five sorts of experiment, as plain values in the units of
-// base/units.h (mm, mN, kPa, kg, s) and, for platforms, V, A, W, Wh, degrees Celsius. Read from JSON of the format
-// "glisson-experiment/1", which speaks N and kg/m3, and from the tables that it names.
+// What was done to a specimen and what was measured: the five sorts of experiment, as plain values. They are in the
+// units of base/units.h (mm, mN, kPa, kg, s). Platforms have V, A, W, Wh and degrees Celsius besides. Read from JSON of
+// the format "glisson-experiment/1", which speaks N and kg/m3, and from the tables that it names.
 
 #include <array>
 #include <Eigen/Core>
@@ -169,11 +169,12 @@ struct Experiment {
   std::variant<Palpation, Material, Hardware, Guidance, FullField> setup;
 };
 
-// Paths in the experiment are relative to its file. Refused, each with the file, where possible the line, and the
-// likely cause: a key that is not known or is missing, a table or mesh that is not there, a column that is not in its
-// table, a cell without a number, time that goes back, a trial without samples, two trials of one name, numbers that
-// cannot be in the stated unit (a liver of 17000 kPa, markers in metres), markers outside the specimen.
-// Codes: "experiment-invalid", "experiment-unit", "experiment-file-missing", and those of reading JSON and meshes.
+// Paths in the experiment are relative to its file. Refused are unknown or missing keys, tables or meshes that are not
+// there, columns that are not in their table, and cells without a number. Refused are time that goes back, trials
+// without samples, and two trials of one name. Refused are numbers that cannot be in the stated unit (a liver of 17000
+// kPa, markers in metres), and markers outside the specimen. Each refusal names the file, where possible the line, and
+// the likely cause. Codes: "experiment-invalid", "experiment-unit", "experiment-file-missing", and those of reading
+// JSON and meshes.
 Result<Experiment> read_experiment(const std::filesystem::path& file, Needs needs = Needs::measurements);
 
 }  // namespace glisson::closedloop

@@ -25,8 +25,8 @@ struct Linearisation {
   Eigen::MatrixXd derivatives;
 };
 
-// A trial that could still be made: for a person ("Press at (...) mm with 2 N."), and what is done in it, as a trial of
-// an experiment's file says it; nothing is measured yet.
+// A trial that could still be made; nothing is measured yet. The sentence is for a person ("Press at (...) mm with 2
+// N."). The conditions are what is done in it, as a trial of an experiment's file says it.
 struct FurtherTrial {
   Sentence sentence;
   std::shared_ptr<const Json> conditions;
@@ -69,14 +69,15 @@ class ForwardModel {
   // Whether a prediction takes so little that sets of effects may be tried by the score.
   [[nodiscard]] virtual bool predicts_quickly() const { return true; }
 
-  // Further trials that could be measured, the simplest first, and what settings predict there, in units of the noise:
+  // Further trials that could be measured, the simplest first. What settings predict there is in units of the noise:
   // the rows of all trials, one after the other. Derivatives by differences unless a model knows better.
   [[nodiscard]] virtual std::vector<FurtherTrial> further_trials() const { return {}; }
   [[nodiscard]] virtual Result<Eigen::VectorXd> predict_further(const Settings& settings) const;
   [[nodiscard]] virtual Result<Linearisation> linearise_further(const Settings& settings) const;
 
-  // Which of several things the numbers turned out to be (a measurement, a solution on the mesh itself): a word that
-  // model.json keeps, so that other trials are predicted as the same. Empty where there is nothing to tell apart.
+  // Which of several things the numbers turned out to be, such as a measurement or a solution on the mesh itself. The
+  // word is kept in model.json, so that other trials are predicted as the same. Empty where there is nothing to tell
+  // apart.
   [[nodiscard]] virtual std::string reading() const { return ""; }
   [[nodiscard]] virtual Result<Eigen::VectorXd> predict_as(const std::string& reading, const Settings& settings) const;
 

@@ -1,6 +1,6 @@
 #pragma once
-// What an experiment gives, whatever its sort: a long vector of measured numbers, each with its standard deviation and
-// with what is known about when, where and under which load it was taken. Everything that judges or selects is written
+// What an experiment gives, whatever its sort: a long vector of measured numbers. Each has its standard deviation. Each
+// says what is known about when, where and under which load it was taken. Everything that judges or selects is written
 // against this alone.
 
 #include <Eigen/Core>
@@ -43,8 +43,8 @@ struct Observations {
   Eigen::VectorXd time_s;
   Eigen::VectorXd load;      // what was done: force (N), strain, current (A)
   Eigen::MatrixXd place_mm;  // three columns; no rows where the experiment has no places
-  // Whatever else a smooth correction may depend on besides load and place (the tool's place, the strain rate,
-  // the charge drawn): a column each; may have no columns.
+  // What else a smooth correction may depend on besides load and place, such as the tool's place, the strain rate or
+  // the charge drawn. A column each; may have no columns.
   Eigen::MatrixXd conditions;
 
   [[nodiscard]] Eigen::Index rows() const { return measured.size(); }

@@ -1,6 +1,6 @@
 #pragma once
-// Is what a model leaves noise? Tests for what independent noise of the stated size would not do, each with a
-// probability; all assume that the noise is normal and known to within a twentieth.
+// Is what a model leaves noise? Tests, each with a probability, for what independent noise of the stated size would not
+// do. All assume that the noise is normal and known to within a twentieth.
 
 #include <Eigen/Core>
 #include <optional>
@@ -56,13 +56,14 @@ struct ResidualDiagnostics {
 [[nodiscard]] ResidualDiagnostics residual_diagnostics(const Observations& observations, const Eigen::VectorXd& white,
                                                        const Eigen::VectorXd& predicted);
 
-// How many neighbouring rows in time repeat each other: 1 + 2 sum of autocorrelations (to the first below 0.05) within
-// trials and directions, at least 1. n rows are worth n over this.
+// How many neighbouring rows in time repeat each other, at least 1. It is 1 + 2 sum of autocorrelations within trials
+// and directions, up to the first below 0.05. So n rows are worth n over this.
 [[nodiscard]] double correlation_length(const Observations& observations, const Eigen::VectorXd& white);
 
-// How many times as large as stated the noise is, where it cannot be as stated: from second differences in time (of the
-// median, so that few wild values count for nothing), which what is smooth or repeats itself can only make smaller; so
-// a noise that seems smaller must be so in all of the residual too. Nothing where there is no history of 30 samples.
+// How many times as large as stated the noise is, where it cannot be as stated. It is read from second differences in
+// time, by their median, so that few wild values count for nothing. A residual that is smooth or repeats itself can
+// only make them smaller. So a noise that seems smaller must be so in all of the residual too. Nothing where there is
+// no history of 30 samples.
 [[nodiscard]] std::optional<double> impossible_noise(const Observations& observations, const Eigen::VectorXd& residual);
 
 }  // namespace glisson::closedloop

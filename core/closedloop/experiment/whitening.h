@@ -1,8 +1,8 @@
 #pragma once
-// Residuals in units of what is to be expected of them: independent noise of each number, and what the prediction
-// itself may be off by (ForwardModel::systematic_uncertainty). With covariance C = N^2 + V V^T + U U^T, N the noise, V
-// what groups of rows share and U the directions, whiten() multiplies with a square root of C^-1, so that what it gives
-// is white with variance 1 where the model is right.
+// Residuals in units of what is to be expected of them: independent noise of each number, and the error of the
+// prediction itself (ForwardModel::systematic_uncertainty). The covariance is C = N^2 + V V^T + U U^T. N is the noise,
+// V what groups of rows share, and U the directions of that uncertainty. `whiten` multiplies with a square root of
+// C^-1, so that its result is white with variance 1 where the model is right.
 
 #include <Eigen/Core>
 #include <vector>
@@ -18,8 +18,8 @@ struct SystematicUncertainty {
   // How far the prediction is off if the error goes on as a finer solve began, of the declared model; empty where
   // nobody looked.
   Eigen::VectorXd expected;
-  // What changes the prediction by less than this (root mean square over rows, in units of the noise) cannot be told
-  // from the prediction's own error, whatever its shape.
+  // What changes the prediction by less than this cannot be told from the prediction's own error, whatever its shape.
+  // It is a root mean square over rows, in units of the noise.
   double indistinct = 0;
 };
 

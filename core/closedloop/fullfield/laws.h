@@ -1,16 +1,16 @@
 #pragma once
-// Hyperelastic laws in plane strain, as energies a volume at rest. With F the deformation gradient in the plane
-// (F33 = 1), J = det F, I1 = F:F + 1, I2 = I1 + J^2 - 1, and without their part of the volume K1 = I1 J^(-2/3) - 3,
-// K2 = I2 J^(-4/3) - 3, each law is
+// Hyperelastic laws in plane strain, as energies a volume at rest. F is the deformation gradient in the plane
+// (F33 = 1), J = det F, I1 = F:F + 1, I2 = I1 + J^2 - 1. Without their part of the volume they are K1 = I1 J^(-2/3) - 3
+// and K2 = I2 J^(-4/3) - 3. Each law is
 //   neo-hookean    C10 K1                                 mooney-rivlin  C10 K1 + C01 K2
 //   gent-thomas    C10 K1 + C2 ln((K2 + 3) / 3)           isihara        C10 K1 + C01 K2 + C20 K1^2
 //   yeoh           C10 K1 + C20 K1^2 + C30 K1^3           haines-wilson  C10 K1 + C01 K2 + C11 K1 K2 + C30 K1^3
 //   arruda-boyce   mu (five terms in I1 J^(-2/3), N)      gent           -mu Jm / 2 ln(1 - K1 / Jm)
 //   ogden          2 mu / alpha^2 (l1^alpha + l2^alpha + l3^alpha - 3), l the stretches times J^(-1/3)
-//   fibre          C10 K1 + k (Ia - 1)^2                  holzapfel      C10 K1 + k1 / (2 k2) sum (exp(k2 (Ia - 1)^2) -
-//   1)
-// and D (J - 1)^2, Ia = J^(-2/3) |F a|^2 along fibres a at `angle_deg` from x (fibre), at plus and minus that
-// (holzapfel); fibres act in compression as in tension.
+//   fibre          C10 K1 + k (Ia - 1)^2
+//   holzapfel      C10 K1 + k1 / (2 k2) sum (exp(k2 (Ia - 1)^2) - 1)
+// and D (J - 1)^2. Along fibres a, Ia = J^(-2/3) |F a|^2. They lie at `angle_deg` from x (fibre), or at plus and minus
+// that (holzapfel). Fibres act in compression as in tension.
 //
 // Treloar 1943; Mooney 1940; Isihara, Hashitsume and Tatibana 1951; Gent and Thomas 1958; Haines and Wilson 1979;
 // Yeoh 1993; Arruda and Boyce 1993; Gent 1996; Ogden 1972; Holzapfel, Gasser and Ogden 2000. As a library for

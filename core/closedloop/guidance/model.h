@@ -1,13 +1,13 @@
 #pragma once
-// The forward model of guidance: where the camera sees landmarks, and how far seen points lie from the surface, for the
-// declared organ and with effects switched on. The organ answers its tools as a palpated specimen does
-// (palpation/model.h: linear elasticity on quadratic tetrahedra), by unit responses of a kept factor; a frame is then a
+// The forward model of guidance, for the declared organ and with effects switched on. It says where the camera sees
+// landmarks, and how far seen points lie from the surface. The organ answers its tools as a palpated specimen does:
+// linear elasticity on quadratic tetrahedra (palpation/model.h). A kept factor gives unit responses. A frame is then a
 // sum of them, and one search for the nearest places of its points.
 //
-// Observations (mm, in the scan's frame, to which the declared pose brings what was seen): three rows a landmark, its
-// position less that at rest; one row a point of the surface, along the normal, from the rest place of what the
-// declared model puts there. A prediction of such a row is what was measured less the signed distance of the point from
-// the surface as predicted, so that the residual is that distance, with new nearest places for every set of effects.
+// Observations are in mm, in the scan's frame, to which the declared pose brings what was seen. A landmark has three
+// rows: its position less that at rest. A point of the surface has one: along the normal, from the rest place of what
+// the declared model puts there. A prediction of such a row is what was measured less the signed distance of the point
+// from the predicted surface. So the residual is that distance, with new nearest places for every set of effects.
 //
 // Effects, as a palpation has them: stiffness-scale, support-compliance, frame-misalignment (the camera's pose, alike
 // in all frames) and, where tools act, force-bias. The systematic uncertainty is the discretisation error

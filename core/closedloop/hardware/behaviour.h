@@ -1,18 +1,18 @@
 #pragma once
-// How a worn computer and its battery answer what is asked of them: section 6's constant-energy battery and simple
-// thermal model, and what may act on them. Every member stands at "does not act" until an effect
-// (effects.h) changes it.
+// How a worn computer and its battery answer what is asked of them. It has section 6's constant-energy battery and
+// simple thermal model, and what may act on them. Every member stands at "does not act" until an effect (effects.h)
+// changes it.
 //
 //   demand   P0 = idle + full load x load, or idle + V I where no load is recorded
 //   power    P = ((P0 + static) (1 + c (T - T_ambient))) / efficiency
 //   battery  V = V_nominal + curve(d) - I R until the capacity is spent, then 0; d: depth of discharge
 //            charge counts as I (I / I_rated)^(k - 1) (Peukert), I_rated emptying the battery in the rated hours
 //   heat     tau dT/dt = T_ambient + R_th P - T; without a time constant T follows P at once
-// At the temperature limit the power is what keeps it there; or, with steps, the computer works at a speed from 1 down
-// to 0.05 that falls steadily while it is above the limit and rises while it is below, so that it swings about the
-// limit (the step-wise governor of Linux, Documentation/driver-api/thermal): the load counts as load x speed. What
-// drives that is the temperature predicted, second by second. The temperature that power depends on is the measured one
-// where there is one; what heats is the power predicted, or the one measured where none is. Between samples power is as
+// At the temperature limit the power is what keeps it there. Or, with steps, the computer works at a speed from 1 down
+// to 0.05. The speed falls steadily above the limit and rises below it, so that it swings about the limit. This is the
+// step-wise governor of Linux (Documentation/driver-api/thermal). The load then counts as load x speed. What drives
+// that is the temperature predicted, second by second. The temperature that power depends on is the measured one where
+// there is one. What heats is the power predicted, or the one measured where none is. Between samples power is as
 // `hold` says.
 
 #include <Eigen/Core>

@@ -59,22 +59,22 @@ struct EvidenceOptions {
   double resampling_prior = 1e-6;  // weakest of priors: keeps a resampling solvable that drew one trial again and again
 };
 
-// What is believed before anything is measured, and how far evidence is carried. Probabilities that add up to 1:
-// nothing, something else, and the rest for known causes, of which each set of as many causes has as much as another,
-// and each form of a kind as much as another.
+// What is believed before anything is measured, and how far evidence is carried. Probabilities that add up to 1: of
+// nothing, of something else, and the rest of known causes. Sets of as many causes have equal shares, and so have the
+// forms of a kind.
 struct PosteriorOptions {
   double nothing_missing = 0.3;  // models are declared to be right, and a good third of them pass
   double something_else = 0.2;   // catalogues are never complete: of effects made outside of ours, about one in four
   double two_causes = 0.2;       // of the known: two that act at once are rarer than one, and far more numerous
   double three_causes = 0.03;    // ... three again
 
-  // An effect's parameters are normal about the middle of where a surgeon would expect them (Parameter::prior_low and
-  // prior_high), within the bounds of the search; half of that range is this many standard deviations.
+  // An effect's parameters are normal, within the bounds of the search. The mean is the middle of where a surgeon would
+  // expect them (Parameter::prior_low and prior_high). Half of that range is this many standard deviations.
   double deviations_to_prior_end = 1;
   // Standard deviation of the logarithm of the noise over the stated one: people know theirs to about a tenth.
   double noise_scale = 0.1;
-  // Beside something else the noise may be of any size (it may be what is wrong): half of the probability that it is
-  // within this logarithm of the stated one, and a Cauchy tail.
+  // Beside something else the noise may be of any size, for it may be what is wrong. With half of the probability it
+  // lies within this logarithm of the stated one; the tail is Cauchy's.
   double unknown_noise_scale = 0.5;
   // That errors repeat themselves from sample to sample, which nobody states; and how much of each the next one keeps.
   double noise_repeats = 0.2;
@@ -88,10 +88,10 @@ struct PosteriorOptions {
   double smooth_length_spread = 1;       // from ripples of half a spread to straight lines
   std::size_t smooth_rows = 240;         // its cost grows with their cube
 
-  // What looks like a cause may be something else that resembles it, as a job in the background resembles static power:
-  // odds against the likeliest cause, while its evidence over nothing is no more than so many nats, and as their
-  // inverse beyond. And beside nothing something may be too weak to show. Both chosen on generated cases
-  // (docs/closed-loop.md).
+  // What looks like a cause may be something else that resembles it, as a job in the background resembles static power.
+  // These are the odds against the likeliest cause, while its evidence over nothing is no more than so many nats.
+  // Beyond that they fall as its inverse. And beside nothing something may be too weak to show. Both chosen on
+  // generated cases (docs/closed-loop.md).
   double look_alike = 1;
   double look_alike_nats = 16;
   double too_weak_to_show = 0.1;

@@ -1,6 +1,6 @@
 #pragma once
-// What speaks for a set of effects: how well it fits for the freedom that it takes (BIC), and how well it predicts
-// trials that it was not fitted to.
+// What speaks for a set of effects. It is how well it fits for the freedom that it takes (BIC), and how well it
+// predicts trials that it was not fitted to.
 
 #include <Eigen/Core>
 #include <optional>
@@ -14,7 +14,7 @@
 namespace glisson::closedloop {
 
 // n rows count as n / correlation, where neighbours in time repeat each other. Noise is at least as large as stated,
-// and as large as the fit leaves it where that is more, so that a poor fit does not make small gains look certain:
+// and as large as the fit leaves it where that is more. So a poor fit does not make small gains look certain:
 //   BIC = m ln s2 + m (chi2 / n) / s2 + k ln m,   m = n / correlation, s2 = max(1, chi2 / n)
 // (Schwarz 1978; with the variance profiled and bounded below.)
 [[nodiscard]] double bic(double chi2, Eigen::Index rows, Eigen::Index parameters, double correlation);
@@ -44,8 +44,8 @@ struct LeftOut {
 };
 [[nodiscard]] LeftOut leave_out(const ForwardModel& model, const Fit& fit, const CrossValidationFolds& folds);
 
-// How much of an error of this shape the residual shows over these rows: a share from none to one and a half of it, for
-// its size is known roughly; none where BIC says that it does not pay.
+// How much of an error of this shape the residual shows over these rows. Its size is known roughly, so the share goes
+// from none to one and a half. It is none where BIC says that it does not pay.
 [[nodiscard]] double share_of(const Eigen::VectorXd& expected, const Eigen::VectorXd& residual,
                               const Eigen::VectorXd& noise, const std::vector<Eigen::Index>& rows,
                               const EvidenceOptions& options = {});
@@ -54,7 +54,7 @@ struct LeftOut {
 Result<LeftOut> leave_out_with_refits(const ForwardModel& model, const Fit& fit, const CrossValidationFolds& folds,
                                       const EvidenceOptions& options = {}, const Progress& progress = {});
 
-// Chi-squared of the trials under the largest load, predicted by a fit to the others that begins at `fit`; nothing
+// Chi-squared of the trials under the largest load, predicted by a fit to the others that begins at `fit`. Nothing
 // where all trials go about as far, or where that fit fails.
 [[nodiscard]] std::optional<double> largest_load_chi2(const ForwardModel& model, const Fit& fit,
                                                       const CrossValidationFolds& folds,

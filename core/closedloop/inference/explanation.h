@@ -127,8 +127,8 @@ struct Explanation {
   // For a person: what is undetermined, what was left out and why. Arguments name kinds and parameters as they are.
   std::vector<Sentence> notes;
   Eigen::VectorXd predicted_before;
-  // The share of SystematicUncertainty::expected that the measurements show after all effects, and that is taken off
-  // the better model's predictions; 0 where they do not show it.
+  // The share of SystematicUncertainty::expected that the measurements show after all effects; 0 where they do not show
+  // it. It is taken off the better model's predictions.
   double mesh_error_share = 0;
   Eigen::VectorXd predicted_after;  // with that, without the smooth correction
   std::string reading;              // ForwardModel::reading

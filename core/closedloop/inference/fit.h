@@ -32,8 +32,8 @@ Result<Fit> without_fitting(const ForwardModel& model, const Settings& settings,
 Result<Fit> fit(const ForwardModel& model, const Settings& start, const Whitening& whitening,
                 const FitOptions& options = {}, const Progress& progress = {});
 
-// (J^T C^-1 J)^-1 J^T C^-1 r over the rows of `whitening`: how the parameters of `fit` would change, to first order,
-// if those rows alone were measured. Directions that the rows do not determine stay as they are.
+// How the parameters of `fit` would change, to first order, if the rows of `whitening` alone were measured: (J^T C^-1
+// J)^-1 J^T C^-1 r over these rows. Directions that the rows do not determine stay as they are.
 [[nodiscard]] Eigen::VectorXd first_order_change(const Fit& fit, const Eigen::VectorXd& measured,
                                                  const Whitening& whitening);
 

@@ -1,7 +1,7 @@
 #pragma once
 // The evidence of a set of effects: how probable the measurements are, whatever its parameters and the noise's true
-// size may be, each weighed by what was believed of it before (PosteriorOptions). Parameters by Laplace's method about
-// a fit, the size of the noise by quadrature.
+// size may be. Each value of these is weighed by what was believed of it before (PosteriorOptions). Parameters by
+// Laplace's method about a fit, the size of the noise by quadrature.
 //
 // MacKay, Information Theory, Inference, and Learning Algorithms (2003), ch. 27 and 28; Kass and Raftery 1995, J. Am.
 // Stat. Assoc. 90:773, 4.1.
@@ -43,8 +43,8 @@ struct ParameterPrior {
 // Natural logarithm of the density that the noise is so many times as large as stated; over the factor's logarithm.
 [[nodiscard]] double log_density_of_noise_scale(double log_scale, const PosteriorOptions& options);
 
-// Natural logarithms. n rows count as n / correlation, where neighbours repeat each other; what all models of the same
-// rows share, (2 pi)^(-m/2) and the stated noise, is left out.
+// Natural logarithms. n rows count as n / correlation, where neighbours repeat each other. What all models of the same
+// rows share is left out: (2 pi)^(-m/2) and the stated noise.
 struct LogEvidence {
   double evidence = 0;
   double best = 0;  // of the fit's parameters alone, as if they had been known

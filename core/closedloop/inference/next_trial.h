@@ -31,10 +31,10 @@ struct ExpectedMeasurement {
 [[nodiscard]] double expected_information(const std::vector<double>& probability,
                                           const std::vector<ExpectedMeasurement>& expected, int draws);
 
-// Of the model's further trials those to make, one after the other, each given those before it: the one of the largest
-// expected information about which of the likeliest known explanations holds, the simplest of about as good ones.
-// Empty where there is no doubt among them (NextTrialOptions), or where no trial would lessen it.
-// Fails when cancelled; a trial or an explanation that cannot be solved is passed over.
+// Of the model's further trials those to make, one after the other, each given those before it. Each has the largest
+// expected information about which of the likeliest known explanations holds. Of about as good ones it is the simplest.
+// Empty where there is no doubt among them (NextTrialOptions), or where no trial would lessen it. Fails when cancelled;
+// a trial or an explanation that cannot be solved is passed over.
 Result<std::vector<NextMeasurement>> next_trials(const Weighing& weighing, const Posterior& posterior,
                                                  const DiagnosisOptions& options, const Progress& progress = {});
 

@@ -23,12 +23,12 @@ struct Weighing {
   double correlation = 1;
 };
 
-// `considered`: sets of effects near where they fit best; a set may stand there several times and counts once, sets
-// that are not there count as impossible. Of "something else" half is a smooth function in place of all known causes,
-// half one beside the likeliest of them, which is then as probable as they are; half of nothing where nothing is
-// likeliest. And what looks like the likeliest may be something else (PosteriorOptions::look_alike). What lies within
-// the prediction's own error (SystematicUncertainty::indistinct) is no better evidence than the declared model. Fails
-// where that cannot be solved, and when cancelled.
+// `considered` are sets of effects near where they fit best. A set may stand there several times and counts once; sets
+// that are not there count as impossible. Half of "something else" is a smooth function in place of all known causes.
+// The other half acts beside the likeliest of them, which keep their own prior probability. Where "nothing is missing"
+// is the likeliest, all of it is the smooth function. And what looks like the likeliest may be something else
+// (PosteriorOptions::look_alike). What lies within the prediction's own error (SystematicUncertainty::indistinct) is no
+// better evidence than the declared model. Fails where that cannot be solved, and when cancelled.
 Result<Posterior> posterior(const Weighing& weighing, std::vector<LocalFit> considered, const PosteriorOptions& options,
                             const Progress& progress = {});
 

@@ -1,7 +1,7 @@
 #pragma once
-// A smooth correction of what no known effect explains: a Gaussian process on load, place and the other conditions,
-// one for each direction with shared shape. It claims no cause; it is offered only where it predicts trials that were
-// left out whole better than doing without.
+// A smooth correction of what no known effect explains. It is a Gaussian process on load, place and the other
+// conditions, one for each direction with shared shape. It claims no cause; it is offered only where it predicts trials
+// that were left out whole better than doing without.
 //
 // Rasmussen and Williams, Gaussian Processes for Machine Learning (2006), ch. 2; kernel exp(-d^2 / 2), d in length
 // scales.
@@ -36,8 +36,8 @@ struct CorrectionFit {
 };
 
 // Fitted to `residual` (measured - predicted). Nothing where there are fewer than three trials, or where no length
-// scale makes the sum of squares over left-out trials, in units of the noise, at least a tenth smaller in all and
-// smaller in two trials of three.
+// scale makes left-out trials better. Better means that the sum of squares over them, in units of the noise, is at
+// least a tenth smaller in all. It must be smaller in two trials of three, too.
 [[nodiscard]] std::optional<CorrectionFit> fit_smooth_correction(const Observations& observations,
                                                                  const Eigen::VectorXd& residual,
                                                                  const Progress& progress = {});

@@ -1,6 +1,6 @@
 #pragma once
-// What an experiment could have shown: of each effect the smallest size that these trials, places and this noise would
-// have brought to light, so that "nothing is missing" can be read for what it is worth.
+// What an experiment could have shown, so that "nothing is missing" can be read for what it is worth. For each effect
+// it is the smallest size that these trials, places and this noise would have brought to light.
 
 #include <optional>
 #include <string>
@@ -13,12 +13,13 @@
 
 namespace glisson::closedloop {
 
-// For each effect of the catalogue and each of its parameters that alone switches it on, the others where they stand
-// without effect: the value from which the declared model would be found lacking in VisibleOptions::power of all
-// repetitions. Found lacking means, as in a diagnosis: the residual is no noise by its tests, the effect pays by BIC,
-// and it changes more than the prediction's own error. Of several forms of a kind the first that has such a parameter;
-// laws without a number that makes them vanish are left out. Values are looked for on the side on which a surgeon would
-// expect more of them. Fails where the declared model cannot be solved, and when cancelled.
+// One answer for each effect of the catalogue, and for each of its parameters that alone switches it on. Its other
+// parameters stand where they have no effect. The answer is the value from which the declared model would be found
+// lacking in VisibleOptions::power of all repetitions. Found lacking means, as in a diagnosis, that the residual is no
+// noise by its tests. The effect must also pay by BIC, and change more than the prediction's own error. Of several
+// forms of a kind the first that has such a parameter; laws without a number that makes them vanish are left out.
+// Values are looked for on the side on which a surgeon would expect more of them. Fails where the declared model cannot
+// be solved, and when cancelled.
 Result<std::vector<SmallestVisible>> smallest_visible(const ForwardModel& model,
                                                       const SystematicUncertainty& systematic,
                                                       const Whitening& whitening, const DiagnosisOptions& options,

@@ -16,9 +16,9 @@ namespace glisson::closedloop {
 //   yeoh          E/3 (l - l^-2) (1 + a (I - 3) + b (I - 3)^2)
 //   ogden         2 E / (3 a) (l^(a-1) - l^(-a/2-1))       mooney_rivlin  E/3 (l - l^-2) ((1 - a) + a / l)
 //   gent          E/3 (l - l^-2) / (1 - (I - 3) / a)
-// In simple shear by g = l - 1: E/3 in place of E and e = g for the laws in e; I - 3 = g^2 and E/3 g in place of
-// E/3 (l - l^-2) for the others; ogden and mooney_rivlin are there what neo_hookean is.
-// Holzapfel, Nonlinear Solid Mechanics (2000), ch. 6; Ogden, Non-linear Elastic Deformations (1984), ch. 7.
+// In simple shear by g = l - 1: E/3 in place of E and e = g for the laws in e; I - 3 = g^2 and E/3 g in place of E/3
+// (l - l^-2) for the others. There ogden and mooney_rivlin are what neo_hookean is. Holzapfel, Nonlinear Solid
+// Mechanics (2000), ch. 6; Ogden, Non-linear Elastic Deformations (1984), ch. 7.
 enum class ElasticLaw { linear, neo_hookean, quadratic, cubic, exponential, yeoh, ogden, mooney_rivlin, gent };
 
 struct PronyTerm {
@@ -63,7 +63,7 @@ struct MaterialBehaviour {
 [[nodiscard]] double elastic_stress_kPa(const MaterialBehaviour& behaviour, double stretch);
 
 // What the machine reads at each time. Relaxation acts on the elastic stress with its softening and hysteresis (Fung's
-// quasi-linear viscoelasticity), stress changing linearly between samples; what is there at the first sample came at
+// quasi-linear viscoelasticity). Stress changes linearly between samples. What is there at the first sample came at
 // once. Not finite where a law is used beyond its range (gent beyond its locking stretch).
 [[nodiscard]] Eigen::VectorXd reading_kPa(const MaterialBehaviour& behaviour, const Eigen::VectorXd& time_s,
                                           const Eigen::VectorXd& stretch);

@@ -14,8 +14,8 @@ struct MaterialEffect {
   std::function<void(const Eigen::VectorXd& parameters, MaterialBehaviour& behaviour)> apply;
 };
 
-// Those that the trials could show at all: no time constants without a range of times, no hysteresis without unloading,
-// no asymmetry where only one side was tested.
+// Those that the trials could show at all. There are no time constants without a range of times, no hysteresis without
+// unloading, no asymmetry where only one side was tested.
 [[nodiscard]] std::vector<MaterialEffect> material_effects(const Material& material);
 
 // Those, and the ones that other trials would show: a model learnt from such trials is applied to these.

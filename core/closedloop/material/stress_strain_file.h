@@ -9,8 +9,8 @@
 
 namespace glisson::closedloop {
 
-// A CSV with the columns "strain" and "stress_kPa" (nominal, compression negative), or an experiment of kind "material"
-// under compression or tension (JSON), all its trials together. Failures: those of reading either;
+// Reads a CSV with the columns "strain" and "stress_kPa" (nominal, compression negative). Reads also an experiment of
+// kind "material" under compression or tension (JSON), all its trials together. Failures: those of reading either;
 // "experiment-not-material"; "data-invalid" (shear, which says nothing about stretching).
 Result<std::vector<mechanics::StressStrain>> read_stress_strain(const std::filesystem::path& file);
 

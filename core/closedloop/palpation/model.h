@@ -1,15 +1,16 @@
 #pragma once
 // The forward model of a palpation: where each marker is seen, for the declared specimen and with effects switched on.
 //
-// Declared: linear elasticity at small strain with quadratic tetrahedra on the given mesh (its cells promoted, edges
-// straight), the supports' named points fixed with the mid-side nodes between them, the tool's force as a uniform dead
-// traction over the boundary faces whose centroid at rest lies within its radius, declared gravity in every measured
-// state. internal/effects.h says how each effect changes this; internal/state.h how they compose.
+// Declared is linear elasticity at small strain, with quadratic tetrahedra on the given mesh (its cells promoted, edges
+// straight). The supports' named points are fixed, with the mid-side nodes between them. The tool's force is a uniform
+// dead traction over the boundary faces whose centroid at rest lies within its radius. The declared gravity acts in
+// every measured state. How each effect changes this is said in internal/effects.h, how they compose in
+// internal/state.h.
 //
-// Assumptions that hold for all of it: strains and turns are small, so that the response is linear in the load (but
-// for strain-stiffening); what stiffens does so at small strain; everything creeps alike; preload and declared gravity
-// have acted since long before the first sample, and do not creep; markers move with the specimen's material and have
-// no size.
+// Assumptions that hold for all of it: strains and turns are small, so that the response is linear in the load (but for
+// strain-stiffening). What stiffens does so at small strain. Everything creeps alike. Preload and declared gravity have
+// acted since long before the first sample, and do not creep. Markers move with the specimen's material and have no
+// size.
 //
 // Observations are displacements, measured position minus rest (mm): three rows a marker and moment. Derivatives are
 // exact, with strain-stiffening to 1e-3 of themselves.

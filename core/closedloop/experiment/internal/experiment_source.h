@@ -42,8 +42,8 @@ Hardware hardware_from(const Json& json, const Source& source, Needs needs);
 Guidance guidance_from(const Json& json, const Source& source);
 FullField full_field_from(const Json& json, const Source& source, Needs needs);
 
-// Of a palpation and of guidance alike: the body (mesh, moduli, Poisson's ratio, density), what holds it, and a table
-// of markers, whose seen positions `to_rest` brings into the body's frame.
+// Of a palpation and of guidance alike: the body, what holds it, and a table of markers. The body has a mesh, moduli,
+// Poisson's ratio and density. `to_rest` brings the markers' seen positions into the body's frame.
 void read_specimen(const Json& json, const Source& source, Palpation& palpation);
 std::vector<mechanics::Support> supports_from(const Json& json);
 std::vector<Marker> markers_from(const std::filesystem::path& file, const Eigen::Isometry3d& to_rest,

@@ -21,8 +21,8 @@ enum class ElementOrder { linear, quadratic };
 class PlaneElements {
  public:
   // `fixed`: of each point and direction (2 point + direction), whether its displacement is prescribed. Points that no
-  // triangle uses must be fixed. Quadratic elements have further points after those of the mesh, in the middle of sides
-  // that are straight at rest; one is fixed where both ends of a side on the border are.
+  // triangle uses must be fixed. Quadratic elements have further points after those of the mesh: the middles of sides,
+  // which are straight at rest. Such a point is fixed where it lies on the border and both ends of its side are fixed.
   PlaneElements(const std::vector<Eigen::Vector2d>& points, const std::vector<std::array<int, 3>>& triangles,
                 const std::vector<bool>& fixed, ElementOrder order);
 

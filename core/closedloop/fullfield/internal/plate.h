@@ -21,7 +21,7 @@ class Plate {
   [[nodiscard]] const FullField& field() const { return field_; }
   [[nodiscard]] const PlaneElements& elements(ElementOrder order) const { return body(order).elements; }
 
-  // Displacements of at most so many points, and the reactions that are independent of each other: forces on all
+  // Displacements of at most so many points, and the reactions that are independent of each other. The forces on all
   // boundaries of a direction add up to nothing, which leaves one fewer. Trials one after the other.
   [[nodiscard]] const Observations& observations() const { return observations_; }
   [[nodiscard]] Eigen::Index first_row(std::size_t trial) const { return first_rows_[trial]; }

@@ -1,8 +1,8 @@
 #pragma once
-// What a plate's measurements say before any effect is fitted: a law near the best, the equilibrium of each trial at
-// it, and from there to first order, with each law's coefficients by linear least squares, where fits begin. (The weak
-// form of equilibrium weighed by the stiffness, as displacements; Flaschel, Kumar and De Lorenzis 2021 weigh it by
-// forces.)
+// What a plate's measurements say before any effect is fitted. A law near the best is found, then the equilibrium of
+// each trial at it. From there, to first order, each law's coefficients follow by linear least squares: there fits
+// begin. The weak form of equilibrium is weighed by the stiffness, so that its error is a displacement. Flaschel, Kumar
+// and De Lorenzis 2021 weigh it by forces.
 
 #include <string>
 #include <vector>
@@ -15,8 +15,8 @@
 
 namespace glisson::closedloop {
 
-// What the numbers are that were given: of a plate, which quadratic triangles follow; or in part or altogether of a
-// solution on the mesh's own linear triangles, as published data may be, whose error they carry.
+// What the given numbers are. Those of a plate follow quadratic triangles. Published data may be, in part or
+// altogether, a solution on the mesh's own linear triangles. Then they carry the error of those.
 enum class FieldReading { measured, reactions_of_linear_triangles, linear_triangles };
 [[nodiscard]] const char* name_of(FieldReading reading);  // "", "linear-reactions", "linear"
 
@@ -33,8 +33,8 @@ struct Reference {
 // Fails where no law of the library has an equilibrium.
 Result<Reference> find_reference(const Plate& plate, const Progress& progress);
 
-// Standard deviations of rows as stated, or as the data show them: of displacements by their roughness where that is
-// more, of reactions by what opposite ones lack to balance. `remarks` says what was assumed.
+// Standard deviations of rows as stated, or as the data show them. Displacements show more by their roughness,
+// reactions by what opposite ones lack to balance. `remarks` says what was assumed.
 [[nodiscard]] Eigen::VectorXd noise_of(const Plate& plate, std::vector<Sentence>& remarks);
 
 }  // namespace glisson::closedloop

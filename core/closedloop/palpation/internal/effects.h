@@ -49,8 +49,8 @@ inline const std::string form_gravity = "gravity", form_pressure = "pressure";
 // Springs as stiff as this are no springs: the upper bound of foundation_kPa_per_mm.
 [[nodiscard]] double fixed_from_kPa_per_mm(const SpecimenBody& specimen);
 
-// What the untouched load cells read (mN), averaged over the trials that say so: a first sample that was not watched,
-// or that shows less than a quarter of its trial's load.
+// What the untouched load cells read (mN), averaged over the trials that say so. Such a trial has a first sample that
+// was not watched, or that shows less than a quarter of the trial's load.
 [[nodiscard]] double untouched_reading_mN(const Palpation& experiment);
 
 }  // namespace glisson::closedloop

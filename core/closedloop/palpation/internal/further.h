@@ -1,6 +1,6 @@
 #pragma once
-// Trials that could still be made on a specimen: where, how hard and for how long, as sentences and as what the model
-// is asked to predict.
+// Trials that could still be made on a specimen: where, how hard and for how long. They are sentences, and what the
+// model is asked to predict.
 
 #include <vector>
 
@@ -15,8 +15,8 @@ struct FurtherPalpation {
   PalpationTrial trial;  // one sample with the markers of the experiment; their positions mean nothing
 };
 
-// Variations of the trial that went furthest: at the place of the surface that is furthest from all tools and looks the
-// same way, twice as hard, held ten times as long, pulled instead of pressed.
+// Variations of the trial that went furthest. One presses the place of the surface that is furthest from all tools and
+// looks the same way. The others press twice as hard, hold ten times as long, or pull.
 [[nodiscard]] std::vector<FurtherPalpation> further_palpations(const Palpation& experiment,
                                                                const std::vector<mechanics::BoundaryFace>& boundary);
 

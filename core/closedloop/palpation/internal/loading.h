@@ -1,6 +1,6 @@
 #pragma once
-// What acts on the specimen of a palpation: unit loads, the readings of the load cell, and how much of each load acts
-// whenever markers were seen.
+// What acts on the specimen of a palpation. There are unit loads, the readings of the load cell, and how much of each
+// load acts whenever markers were seen.
 
 #include <Eigen/Core>
 #include <vector>

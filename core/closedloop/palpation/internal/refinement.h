@@ -1,10 +1,10 @@
 #pragma once
-// How far the declared model's finite elements are from the exact solution of its equations, as a finer solve shows it:
-// every cell is divided into eight, the loads and supports stay on the same faces, and what that changes at the markers
+// How far the declared model's finite elements are from the exact solution of its equations, as a finer solve shows it.
+// Every cell is divided into eight, and the loads and supports stay on the same faces. What that changes at the markers
 // is taken for the error.
 //
-// The finer equations are solved roughly, by conjugate gradients whose preconditioner is the coarse factor and the
-// diagonal: what the coarse mesh cannot represent is short-ranged, so few steps show it to about a tenth of itself.
+// The finer equations are solved roughly, by conjugate gradients. The preconditioner is the coarse factor and the
+// diagonal. What the coarse mesh cannot represent is short-ranged, so few steps show it to about a tenth of itself.
 
 #include <Eigen/Core>
 #include <vector>
@@ -25,16 +25,17 @@ struct FaceLoad {
 [[nodiscard]] std::vector<FaceLoad> tool_loads(const Palpation& experiment, const std::vector<History>& histories,
                                                const mechanics::Body& body);
 
-// The change at the markers (mm, 3 rows a marker, a column a load), times what is still missing then: errors that fall
-// with the cells' size to the power of 1.4, as they do by the edges of tools and of clamps, are 1.6 times the first
-// step. No columns where the mesh has more than `maximum_cells_refined`: refining would take longer than all the rest.
+// The change at the markers (mm, 3 rows a marker, a column a load), times 1.6 for what is still missing then. By the
+// edges of tools and of clamps errors fall with the cells' size to the power of 1.4. So the whole error is 1.6 times
+// the first step. No columns where the mesh has more than `maximum_cells_refined`: refining would take longer than all
+// the rest.
 inline constexpr std::size_t maximum_cells_refined = 16000;
 [[nodiscard]] Eigen::MatrixXd discretisation_error_mm(const PalpationSolver& solver,
                                                       const std::vector<Eigen::Vector3d>& marker_places_mm,
                                                       const std::vector<FaceLoad>& loads);
 
-// Each cell divided into eight. The points are the nodes of the coarse layout, in its order: those of a quadratic
-// layout, whose displacements are then values at the fine mesh's points.
+// Each cell divided into eight. The points are the nodes of the coarse layout, in its order. In a quadratic layout
+// displacements are then values at the fine mesh's points.
 [[nodiscard]] geometry::TetMesh refined(const mechanics::Body& body);
 
 }  // namespace glisson::closedloop

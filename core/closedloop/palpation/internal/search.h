@@ -1,7 +1,7 @@
 #pragma once
-// Where to begin the search for an effect of a specimen's structure: by what small amounts of it would do to the
-// markers, which the factor at hand gives cheaply, held against what is left unexplained. A hidden inclusion is looked
-// for everywhere at once: adjoint solves (one a marker and direction) give each cell's influence on every marker, sums
+// Where to begin the search for an effect of a specimen's structure. The factor at hand gives cheaply what small
+// amounts of it would do to the markers. That is held against what is left unexplained. A hidden inclusion is looked
+// for everywhere at once. Adjoint solves, one a marker and direction, give each cell's influence on every marker. Sums
 // over spheres of cells give the influence of a lump (Born's approximation).
 
 #include <array>
@@ -56,8 +56,8 @@ struct Match {
 // A row a place's coordinate, a column a shot.
 [[nodiscard]] Match match(const ResidualField& left, const Eigen::MatrixXd& change_mm);
 
-// Whether what is left bends with the load: the part of it along the square of the load, besides a constant and what is
-// proportional, of each marker's coordinate in each trial, is more than noise would show.
+// Whether what is left bends with the load. Each marker's coordinate in each trial is split into a constant, a part
+// proportional to the load and one along its square. It bends where that last part is more than noise would show.
 [[nodiscard]] bool bends_with_the_load(const ResidualField& left, double noise_mm,
                                        const PalpationStartOptions& options = {});
 

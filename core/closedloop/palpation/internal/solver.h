@@ -1,6 +1,6 @@
 #pragma once
-// A specimen of any structure under unit loads: factorised once a structure, and remembered, because fits and
-// left-out trials ask for the same structures again and again.
+// A specimen of any structure under unit loads. It is factorised once a structure, and remembered: fits and left-out
+// trials ask for the same structures again and again.
 
 #include <Eigen/Core>
 #include <memory>

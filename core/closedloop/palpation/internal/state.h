@@ -11,12 +11,13 @@
 
 namespace glisson::closedloop {
 
-// How Young's modulus of the body grows with q = eps : C eps / E, the square of a strain (of the strain itself, where
-// a bar is pulled): sigma = E g(q) (C / E) eps. The energy E/2 integral of g makes it an elastic law, at small strain.
+// How Young's modulus of the body grows with q = eps : C eps / E, the square of a strain: sigma = E g(q) (C / E) eps.
+// Where a bar is pulled, it is the square of the strain itself. The energy E/2 integral of g makes it an elastic law,
+// at small strain.
 //
-// Tissue that stiffens is mostly strained far: two more laws are for large strain, by principal stretches
-// (stretch.h), under loads that keep the direction and the faces that they have at rest. They hold the
-// geometry's own nonlinearity too, and replace the declared small strain as soon as they are on at all.
+// Tissue that stiffens is mostly strained far, so two more laws are for large strain, by principal stretches
+// (stretch.h). Their loads keep the direction and the faces that they have at rest. They hold the geometry's own
+// nonlinearity too, and replace the declared small strain as soon as they are on at all.
 enum class StiffeningLaw {
   exponential,  // g = exp(b q): Fung's
   linear,       // g = 1 + b sqrt(q)

@@ -1,8 +1,8 @@
 #pragma once
-// Equilibrium of a specimen that stiffens with strain (state.h, StiffeningLaw), for many loads at once: by
-// Newton's method, whose steps are conjugate gradients on the exact tangent with the linear specimen's factor in
-// front; nothing is factorised anew. What an anisotropic structure adds to an isotropic one stays linear under the laws
-// for large strain.
+// Equilibrium of a specimen that stiffens with strain (state.h, StiffeningLaw), for many loads at once, by Newton's
+// method. Its steps are conjugate gradients on the exact tangent. The linear specimen's factor preconditions them;
+// nothing is factorised anew. What an anisotropic structure adds to an isotropic one stays linear under the laws for
+// large strain.
 
 #include <Eigen/Core>
 #include <vector>

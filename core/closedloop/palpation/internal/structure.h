@@ -4,8 +4,8 @@
 // - A stiff inclusion multiplies Young's modulus by `ratio` inside a sphere. So that the model changes smoothly with
 //   the sphere, the logarithm of the modulus goes over from outside to inside within about half a cell.
 // - Anisotropy is transverse isotropy about an axis, in one of the two laws of mechanics/materials/anisotropy.h.
-// - Compliant supports: springs under the boundary faces all of whose points a support holds, per unit area, equal in
-//   all directions, instead of holding them; a declared foundation gets the compliance in series.
+// - Compliant supports are springs per unit area, equal in all directions, in place of what is fixed. They lie under
+//   the boundary faces all of whose points a support holds. A declared foundation gets the compliance in series.
 // - A capsule is a membrane on the whole surface, without bending stiffness: Young's modulus times thickness (mN/mm),
 //   in plane stress with the specimen's Poisson's ratio.
 //
