@@ -20,10 +20,10 @@ struct StiffnessOptions {
   // E = 2 G (1 + nu).
   double poisson_ratio = usual_poisson_ratio;
 
-  // A voxel nearer than this to the organ's border is not trusted: the wave is reflected there, and the inversion
-  // differentiates over a window that reaches out of the organ. 5 mm is three voxels of the dissertation's scans
-  // (1.64 mm); reading guides ask for up to half a wavelength, which would be 12 mm at 60 Hz and 2.1 kPa (sqrt(G/rho)
-  // / f / 2) and leave little of a thin lobe. Without an organ mask nothing is done about the border.
+  // A voxel nearer than this to the organ's border is not trusted. The wave is reflected there, and the inversion
+  // differentiates over a window that reaches out of the organ. The 5 mm are three voxels of the dissertation's scans
+  // (1.64 mm). Reading guides ask for up to half a wavelength, sqrt(G/rho) / f / 2. That would be 12 mm at 60 Hz and
+  // 2.1 kPa, and leave little of a thin lobe. Without an organ mask nothing is done about the border.
   double unreliable_border_mm = 5;
 
   Filling filling = Filling::local_average;
@@ -51,13 +51,14 @@ struct CellStiffness {
   double mean_kPa = 0, sd_kPa = 0, min_kPa = 0, max_kPa = 0;  // of youngs_kPa, each cell counting once
 };
 
-// Each point (centroid of a cell, or node; patient LPS, mm) takes the voxel of the map whose centre is nearest in mm,
-// through the map's own geometry; of equally near ones the first in memory. A point more than half a voxel outside the
-// map has no voxel. Points without a reliable voxel are filled from the reliable ones and flagged.
+// Each point is the centroid of a cell, or a node (patient LPS, mm). It takes the voxel of the map whose centre is
+// nearest in mm, through the map's own geometry. Of equally near ones it takes the first in memory. A point more than
+// half a voxel outside the map has no voxel. Points without a reliable voxel are filled from the reliable ones and
+// flagged.
 //
-// Fails with stiffness-no-cells, stiffness-empty-map, stiffness-bad-grid (axes not at right angles),
-// stiffness-bad-options, stiffness-no-overlap (no point lies in the map; says how far apart the boxes are, as when two
-// frames of reference were confused), stiffness-nothing-reliable.
+// Fails with stiffness-no-cells, stiffness-empty-map, stiffness-bad-options or stiffness-nothing-reliable. Fails with
+// stiffness-bad-grid where axes are not at right angles. Fails with stiffness-no-overlap where no point lies in the
+// map. It says how far apart the boxes are, as when two frames of reference were confused.
 Result<CellStiffness> cell_stiffness(const std::vector<Eigen::Vector3d>& points_mm, const imaging::Volume& shear_kPa,
                                      const Reliability& reliability = {}, const StiffnessOptions& options = {});
 

@@ -5,9 +5,9 @@
 //
 // with the complex shear modulus G = storage + i loss (Oliphant, Manduca, Ehman and Greenleaf, Magnetic Resonance in
 // Medicine 45:299, 2001). Multiplied with conj(u) and summed over components, neighbours and, where several were
-// measured, frequencies, G is a quotient of two sums. Noise adds to both what can be computed from its variance, which
-// is taken off; without that the modulus comes out too small where the wave is weak. The equation does not hold across
-// borders of different tissue; there the result is a mixture, and the confidence falls.
+// measured, frequencies, G is a quotient of two sums. Noise adds to both what can be computed from its variance, and
+// that is taken off. Without that the modulus comes out too small where the wave is weak. The equation does not hold
+// across borders of different tissue; there the result is a mixture, and the confidence falls.
 
 #include <complex>
 #include <vector>
@@ -24,10 +24,10 @@ struct VoxelModulus {
 };
 
 // The confidence is the product of three numbers from 0 to 1:
-// - how nearly the Laplacian is proportional to the wave in the neighbourhood (their coherence), which falls where the
-//   equation does not hold;
-// - 1 / (1 + (e / 0.15)^2), with e the relative standard error of the modulus that the noise makes;
-// - how much of the fit's neighbourhood lies in the tissue, from 0 at an edge that stands out to 1 where 85 % do.
+// - Their coherence: how nearly the Laplacian is proportional to the wave in the neighbourhood. It falls where the
+//   equation does not hold.
+// - 1 / (1 + (e / 0.15)^2), with e the relative standard error of the modulus that the noise makes.
+// - How much of the fit's neighbourhood lies in the tissue, from 0 at an edge that stands out to 1 where 85 % do.
 //
 // smoothing_mm[f] is the standard deviation of the fit's weights for waves[f]. All waves lie on one grid.
 [[nodiscard]] VoxelModulus invert_helmholtz(const std::vector<Waves>& waves, const std::vector<double>& smoothing_mm,

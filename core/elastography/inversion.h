@@ -47,8 +47,8 @@ struct InversionOptions {
   double smoothing_wavelengths = 0.10;
   double minimum_smoothing_voxels = 0.8;
 
-  // Derivatives along the normal of the slices need some slices; below this many each slice is inverted by itself,
-  // which makes tissue look stiffer where waves cross the slice obliquely.
+  // Derivatives along the normal of the slices need some slices. Below this many each slice is inverted by itself. That
+  // makes tissue look stiffer where waves cross the slice obliquely.
   int minimum_slices_of_a_volume = 5;
 
   double minimum_confidence = 0.5;  // a voxel above it is confident
@@ -73,8 +73,8 @@ struct ModulusMap {
   std::vector<Sentence> notes;
 };
 
-// `organ` on any grid: only its voxels are inverted, and none from outside it is used for the direct method, because
-// another organ behind the border has another modulus. Without an organ the tissue that gave a signal is inverted.
+// `organ` may lie on any grid. Only its voxels are inverted, and the direct method uses none from outside it: another
+// organ behind the border has another modulus. Without an organ the tissue that gave a signal is inverted.
 //
 // Fails with waves-none, waves-empty-organ (organ and waves do not overlap), waves-no-curl, waves-nothing-confident
 // (there is only noise), or with "cancelled".

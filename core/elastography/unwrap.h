@@ -3,8 +3,8 @@
 //
 // The still part of the phase (coils, field) is of no use and often wrapped many times. It falls out of the differences
 // from one instant to the next, d[t] = phase[t + 1] - phase[t] around the period. A wave of A rad has differences of at
-// most 2 A sin(pi / instants), so that below A = 4.1 rad at eight instants each of them, taken into (-pi, pi], is
-// unwrapped already; larger waves need their neighbours in space too. Around a whole period the differences of one
+// most 2 A sin(pi / instants). Below A = 4.1 rad at eight instants each of them, taken into (-pi, pi], is therefore
+// unwrapped already. Larger waves need their neighbours in space too. Around a whole period the differences of one
 // voxel must come to nothing: where they do not, the voxel is not to be trusted.
 
 #include <cstdint>

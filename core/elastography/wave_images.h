@@ -1,6 +1,6 @@
 #pragma once
-// The phase images of an elastography scan, sorted: by frequency of the vibration, by direction of the motion that was
-// encoded, and by instant ("offset") within one period.
+// The phase images of an elastography scan, sorted. They go by frequency of the vibration, by direction of the motion
+// that was encoded, and by instant ("offset") within one period.
 
 #include <optional>
 #include <string>
@@ -48,9 +48,10 @@ struct SortedWaves {
 // Where the header gives neither direction nor instant, a series is taken to run through all instants of one direction,
 // then of the next. Wrapped phase without a unit is scaled so that its full range is one turn, and a note says so.
 //
-// Fails with waves-none, waves-grids-differ, waves-no-frequency (asks for it), waves-no-directions (asks how many,
-// where a series has more volumes than one direction is ever measured at), waves-uneven (directions with different
-// numbers of instants), waves-too-few-offsets (below four, which leave nothing to tell noise from).
+// Fails with waves-none or waves-grids-differ. Fails with waves-no-frequency, and asks for it. Fails with
+// waves-no-directions where a series has more volumes than one direction is ever measured at, and asks how many. Fails
+// with waves-uneven where directions have different numbers of instants. Fails with waves-too-few-offsets below four,
+// which leave nothing to tell noise from.
 Result<SortedWaves> sort_waves(std::vector<PhaseImage> images, const AskedFor& asked = {});
 
 }  // namespace glisson::elastography

@@ -1,5 +1,5 @@
-// The sums over a neighbourhood that the normal equations need, of Gaussian weights times powers of the coordinates,
-// are separable: three passes along the axes give those of all voxels at once.
+// The normal equations need sums over a neighbourhood, of Gaussian weights times powers of the coordinates. These are
+// separable: three passes along the axes give those of all voxels at once.
 
 #include "elastography/internal/local_fit.h"
 

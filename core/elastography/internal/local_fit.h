@@ -1,14 +1,14 @@
 #pragma once
-// The value and the Laplacian of a noisy field, from a quadratic polynomial fitted around each voxel with Gaussian
-// weights to the voxels of a mask and no others (normalised convolution with a polynomial basis: Knutsson and Westin,
-// CVPR 1993; Farneback, PhD thesis, Linkoping 2002).
+// The value and the Laplacian of a noisy field, from a quadratic polynomial fitted around each voxel. The weights are
+// Gaussian, over the voxels of a mask and no others (normalised convolution with a polynomial basis: Knutsson and
+// Westin, CVPR 1993; Farneback, PhD thesis, Linkoping 2002).
 //
 // With p the fitted polynomial and s the Gaussian's standard deviation, what is given is not p and its Laplacian but
 //
 //   value     = p(0) + s^2/2 laplacian p        laplacian = laplacian p
 //
-// which, where the whole neighbourhood is in the mask, are exactly g * u and laplacian(g * u) for the Gaussian g: the
-// smoothing damps both of a plane wave by the same factor, and their ratio is its wavenumber squared, without bias.
+// Where the whole neighbourhood is in the mask, these are exactly g * u and laplacian(g * u) for the Gaussian g. The
+// smoothing damps both of a plane wave by the same factor. So their ratio is its wavenumber squared, without bias.
 // Where the mask ends they stay consistent, as the fit does not look beyond it.
 
 #include <cstdint>

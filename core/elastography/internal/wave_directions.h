@@ -1,10 +1,10 @@
 #pragma once
-// Waves told apart by where they run (Manduca, Lake, Kruse and Ehman, "Spatio-temporal directional filtering for
-// improved inversion of MR elastography images", Medical Image Analysis 7:465, 2003). Where a wave meets its own
+// Waves told apart by where they run. Source: Manduca, Lake, Kruse and Ehman, "Spatio-temporal directional filtering
+// for improved inversion of MR elastography images", Medical Image Analysis 7:465, 2003. Where a wave meets its own
 // reflection the whole has nodes, in which noise is all that is left; neither of the two has.
 //
 // The spectrum of a slice or a volume is weighted with the squared cosine between its spatial frequency and a
-// direction, on the half in which that is positive.
+// direction. It is so on the half in which that is positive.
 
 #include <array>
 #include <vector>
@@ -32,7 +32,7 @@ struct SpectrumBlock {
 [[nodiscard]] ComplexField padded(const ComplexField& data, const std::vector<std::uint8_t>& signal,
                                   const SpectrumBlock& block, int number);
 
-// Each component as several, one a direction, which together are the component again times a factor; the noise is what
+// Each component as several, one a direction, which together are the component again times a factor. The noise is what
 // each of them keeps of it. Every one of them obeys the wave equation that the whole obeys.
 [[nodiscard]] Waves running_apart(const Waves& waves);
 
