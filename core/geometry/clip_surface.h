@@ -10,8 +10,8 @@ namespace glisson::geometry {
 
 enum class CutSide { above, below };  // of the cut, along its normal
 
-// Triangles that the cut crosses are divided along it, their edges where the height over it, taken as linear along the
-// edge, is zero: exact for a plane. The piece is open along the cut. Fields are left behind.
+// Triangles that the cut crosses are divided along it. Their edges are divided where the height over it, taken as
+// linear along the edge, is zero: exact for a plane. The piece is open along the cut. Fields are left behind.
 [[nodiscard]] Surface clipped(const Surface& surface, const CutSurface& cut, CutSide side);
 
 // The triangles that are kept, asked for by their number, with the points that they use. Fields are left behind.

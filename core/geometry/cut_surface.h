@@ -8,17 +8,18 @@
 
 namespace glisson::geometry {
 
-// A sheet is a height over its plane, height = a + b u + c v + sum of w_i r_i^2 log r_i with r_i the distance in the
-// plane from point i: the thin plate, which bends least among all that pass through the points (Duchon 1977; Wahba
-// 1990, Spline Models for Observational Data, 2.4). A plane is a sheet without points.
+// A sheet is a height over its plane, height = a + b u + c v + sum of w_i r_i^2 log r_i, with r_i the distance in the
+// plane from point i. That is the thin plate, which bends least among all that pass through the points (Duchon 1977;
+// Wahba 1990, Spline Models for Observational Data, 2.4). A plane is a sheet without points.
 class CutSurface {
  public:
   // Failure: "cut-invalid" (a number that is not finite, a normal without a length).
   static Result<CutSurface> plane(const Eigen::Vector3d& point_mm, const Eigen::Vector3d& normal);
 
-  // Through the points exactly, over the plane that fits them best. Failures: "cut-invalid": fewer than three points,
-  // one that is not finite, points that lie almost on a line (a line does not say which way to cut), or that no height
-  // over their plane can pass through (two almost above each other); more than 2000.
+  // Through the points exactly, over the plane that fits them best. Fails with "cut-invalid" where there are fewer than
+  // three points, more than 2000, or one that is not finite. It does so where they lie almost on a line, which does not
+  // say which way to cut. It does so where no height over their plane can pass through them, as when two lie almost
+  // above each other.
   static Result<CutSurface> through(const std::vector<Eigen::Vector3d>& points_mm);
 
   // How far above the surface (mm), along the plane's normal: for a plane the signed distance. Zero on the surface.

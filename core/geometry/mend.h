@@ -18,12 +18,12 @@ struct Mended {
   std::vector<Sentence> remarks;  // what was done; empty where nothing was
 };
 
-// Doubled and flat-cornered triangles are left out, points at the same place joined, triangles turned to fit their
-// neighbours (as most of their piece are), sheets that only touch parted, and loose points left out; where one piece is
-// wanted, crumbs too (pieces that have not a hundredth of the area together). Points keep their order; new ones stand
-// at the end. Orientation and splitting: CGAL's orient_polygon_soup (after Gueziec et al. 2001, "Cutting and
-// stitching"). Failures: those of check_surface; "surface-in-pieces" (how many, and what share the largest has);
-// "surface-flat" (no triangle has an area).
+// Doubled and flat-cornered triangles are left out, and points at the same place are joined. Triangles are turned to
+// fit their neighbours, as most of their piece are. Sheets that only touch are parted, and loose points left out. Where
+// one piece is wanted, crumbs are left out too: pieces that have not a hundredth of the area together. Points keep
+// their order; new ones stand at the end. Orientation and splitting: CGAL's orient_polygon_soup (after Gueziec et al.
+// 2001, "Cutting and stitching"). Failures: those of check_surface; "surface-in-pieces" (how many, and what share the
+// largest has); "surface-flat" (no triangle has an area).
 Result<Mended> mended(const Surface& surface, Pieces pieces = Pieces::one);
 
 // The given surface with its points where the mended one's were moved to; what was left out goes with the nearest point

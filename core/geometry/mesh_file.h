@@ -1,8 +1,8 @@
 #pragma once
 // Surfaces and tetrahedra in files. Lengths in files are mm, in patient coordinates (LPS), as in memory.
 //
-// Files come from anywhere and are not trusted: what a header announces is held against the file's size before memory
-// is asked for, and every index against the points there are. Writing is all or nothing (write_atomically).
+// Files come from anywhere and are not trusted. What a header announces is held against the file's size before memory
+// is asked for. Every index is held against the points there are. Writing is all or nothing (write_atomically).
 //
 // Failures: file-not-readable, mesh-format-unknown (by the name's extension), mesh-file-invalid (what the reader
 // found), mesh-cell-type, mesh-too-large, and those of check_surface.
@@ -15,9 +15,9 @@
 
 namespace glisson::geometry {
 
-// Reads .vtp, .vtk (polygons), .stl, .obj, .off or .ply. Points keep their order, except that the points which STL
-// repeats for every triangle are merged; polygons are cut into triangles; lines and loose vertices are left out. All
-// numeric point and cell arrays of the VTK formats become fields.
+// Reads .vtp, .vtk (polygons), .stl, .obj, .off or .ply. Points keep their order, but the points which STL repeats for
+// every triangle are merged. Polygons are cut into triangles. Lines and loose vertices are left out. All numeric point
+// and cell arrays of the VTK formats become fields.
 Result<Surface> read_surface(const std::filesystem::path& file);
 
 // Writes .vtp (with all fields, in double precision), or .stl, .obj or .ply (shape alone; STL and PLY in single

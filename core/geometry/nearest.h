@@ -52,8 +52,9 @@ class SurfaceDistance {
 
   [[nodiscard]] Closest closest(const Eigen::Vector3d& position_mm) const;
 
-  // Meaningful only when the surface is watertight: whether a ray from the position crosses it an odd number of times,
-  // by the majority of three rays, since one may graze an edge. Does not depend on how the triangles are turned.
+  // Whether a position is inside, which means something only for a watertight surface. A ray from inside crosses it an
+  // odd number of times. The majority of three rays decides, since one may graze an edge. Does not depend on how the
+  // triangles are turned.
   [[nodiscard]] bool is_inside(const Eigen::Vector3d& position_mm) const;
 
  private:

@@ -11,9 +11,9 @@
 
 namespace glisson::geometry {
 
-// The volume on each side (mm3). Exact for a plane. For a sheet each cell that it may cross is divided into 8^levels
-// with the sheet taken as flat in each, and `error_mm3` is how much the last division changed: the error that is left
-// is about a third of it, falling to a quarter with each level.
+// The volume on each side (mm3). Exact for a plane. For a sheet each cell that it may cross is divided into 8^levels,
+// with the sheet taken as flat in each. `error_mm3` is how much the last division changed. The error that is left is
+// about a third of it, and falls to a quarter with each level.
 struct DividedVolume {
   double above_mm3 = 0;
   double below_mm3 = 0;
@@ -21,14 +21,14 @@ struct DividedVolume {
 };
 [[nodiscard]] DividedVolume divided_volume(const TetMesh& mesh, const CutSurface& cut, int levels = 3);
 
-// The same of a body that is deformed: a cell is divided where it now lies, and counts with the volume given for it
-// (mm3, one a cell), that at rest. Exact for a plane, since within a cell the deformation is affine and keeps shares.
+// The same of a body that is deformed. A cell is divided where it now lies, and counts with its given volume at rest
+// (mm3, one a cell). Exact for a plane, since within a cell the deformation is affine and keeps shares.
 [[nodiscard]] DividedVolume divided_volume(const TetMesh& mesh, const CutSurface& cut,
                                            const std::vector<double>& cell_volumes_mm3, int levels = 3);
 
 struct SplitOptions {
-  // A point of the mesh nearer to the surface than this share of an edge that the surface crosses is taken to lie on
-  // it, so that no sliver is left: the cut then passes through it.
+  // Where the surface crosses an edge, a point of the mesh may be nearer to it than this share of the edge. It is then
+  // taken to lie on the surface. The cut then passes through the point, and no sliver is left.
   double snap = 0.15;
   // Whether the cut is open at a place; nothing: everywhere. Where it is closed the body still hangs together.
   std::function<bool(const Eigen::Vector3d&)> is_open;
@@ -44,11 +44,11 @@ struct SplitMesh {
   double largest_shift_mm = 0;  // how far the surface lies from a point that was taken to lie on it
 };
 
-// Each cell that the surface crosses is divided along it, neighbours alike (the pieces of a convex cell are cones over
-// the faces that do not hold its point of the smallest number). Fields of points are interpolated, but one that holds
-// only 0 and 1 names points, and a new point has a name only where both ends of its edge have it. Fields of cells are
-// the parent's; the cell field "cut_side" (1, -1) and the point field "on_cut" (0, 1) are added, or where present
-// replaced and joined. The mesh must have passed check_tetrahedra. A surface that crosses nothing leaves the mesh.
+// Each cell that the surface crosses is divided along it, neighbours alike. The pieces of a convex cell are cones over
+// the faces that do not hold its point of the smallest number. Fields of points are interpolated. One that holds only 0
+// and 1 names points: there a new point has a name only where both ends of its edge have it. Fields of cells are the
+// parent's. The cell field "cut_side" (1, -1) and the point field "on_cut" (0, 1) are added, or where present replaced
+// and joined. The mesh must have passed check_tetrahedra. A surface that crosses nothing leaves the mesh.
 [[nodiscard]] SplitMesh split_tetrahedra(const TetMesh& mesh, const CutSurface& cut, const SplitOptions& options = {});
 
 }  // namespace glisson::geometry

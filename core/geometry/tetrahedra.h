@@ -41,8 +41,9 @@ struct TetQuality {
 };
 [[nodiscard]] TetQuality quality(const TetMesh& mesh);
 
-// Refuses what no later stage can use: an index out of range, a point that is not finite, no cells, a cell of zero
-// or negative volume (the first is named), parts that do not hang together by faces (their number and sizes are named).
+// Refuses what no later stage can use: an index out of range, a point that is not finite, or no cells. Refuses a cell
+// of zero or negative volume, and names the first. Refuses parts that do not hang together by faces, and names their
+// number and sizes.
 Result<void> check_tetrahedra(const TetMesh& mesh);
 
 // The same, but that parts may hang apart: a body that was cut.

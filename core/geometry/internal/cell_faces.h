@@ -1,5 +1,5 @@
 #pragma once
-// A tetrahedron by its corners, and its faces by theirs: face i lies opposite corner i, and is seen counter-clockwise
+// A tetrahedron by its corners, and its faces by theirs. Face i lies opposite corner i. It is seen counter-clockwise
 // from outside of a cell whose volume is positive.
 
 #include <array>
