@@ -1,6 +1,7 @@
 #pragma once
-// Where an organ lies and how it is deformed, from what is seen of its surface: a pose and the displacement that forces
-// on its surface make (force_modes.h), with how far each place inside may be from where it is said to be.
+// Where an organ lies and how it is deformed, from what is seen of its surface. The answer is a pose, and the
+// displacement that forces on its surface make (force_modes.h). It says how far each place inside may be from where it
+// is said to be.
 //
 // First the pose alone, by points to planes with weights of Student's t; then pose and forces together. Forces stand
 // on what is not seen: what is seen is free, but for the tools. How large they may be is decided by the evidence

@@ -9,8 +9,8 @@
 // Wide patches are for what acts on large parts of the surface, narrow ones, of supported bodies, for a single tool or
 // neighbour.
 //
-// Forces rather than displacements are unknown because what moves a liver acts from outside, on a surface that is not
-// seen, while the seen one is free: the compliance K^-1 B B^T K^-1 is then the covariance of the displacement.
+// Forces are unknown rather than displacements. What moves a liver acts from outside, on a surface that is not seen,
+// while the seen one is free. The covariance of the displacement is then the compliance K^-1 B B^T K^-1.
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -54,12 +54,12 @@ class ForceModes {
   [[nodiscard]] bool is_supported() const;
   [[nodiscard]] const Eigen::Vector3d& centroid_mm() const;
 
-  // Displacements (mm, 3 a point) under a force of 1 mN in x, y and z, spread over the surface within the radius; and
-  // under the body's own weight together with what the supports prescribe.
+  // Displacements (mm, 3 a point) under a force of 1 mN in x, y and z, spread over the surface within the radius.
+  // `known_mm` are those under the body's own weight together with what the supports prescribe.
   [[nodiscard]] Eigen::MatrixXd under_tool_mm_mN(const Eigen::Vector3d& center_mm, double radius_mm) const;
   [[nodiscard]] Eigen::VectorXd known_mm(const Eigen::Vector3d& acceleration_mm_s2) const;
-  // The forces (mN, 3 a point) that make such displacements, a column each: those that moved a supported body, and what
-  // holds it where it is fixed.
+  // The forces (mN, 3 a point) that make such displacements, a column each. They are those that moved a supported body,
+  // and what holds it where it is fixed.
   [[nodiscard]] Eigen::MatrixXd forces_mN(const Eigen::MatrixXd& displacement_mm) const;
   [[nodiscard]] const mechanics::Body& body() const;
 

@@ -27,7 +27,7 @@ struct SeenTool {
 };
 
 // A feature of the surface that is followed through a video. The first frame that is answered says where on the organ
-// it is; from then on it tells how the surface slides, which a smooth cloud does not show.
+// it is. From then on it tells how the surface slides, which a smooth cloud does not show.
 struct TrackedPoint {
   std::string id;
   Eigen::Vector3d seen_mm{0, 0, 0};

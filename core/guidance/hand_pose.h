@@ -10,8 +10,9 @@
 
 namespace glisson::guidance {
 
-// Where to begin: seen from the front and a little from below, as through a port at the navel, its middle in the
-// middle of a picture of that size and three quarters of its width across. The scan's axes are the patient's (LPS).
+// Where to begin: seen from the front and a little from below, as through a port at the navel. The organ's middle lies
+// in the middle of a picture of that size. It takes three quarters of the picture's width. The scan's axes are the
+// patient's (LPS).
 [[nodiscard]] Eigen::Isometry3d pose_before_camera(const vision::Camera& camera, int width, int height,
                                                    const geometry::Surface& organ);
 
@@ -19,8 +20,8 @@ namespace glisson::guidance {
 [[nodiscard]] Eigen::Isometry3d shifted(const Eigen::Isometry3d& pose, const Eigen::Vector3d& about_mm,
                                         const vision::Camera& camera, const Eigen::Vector2d& by_px);
 
-// Turned about the place as if the hand held its front: about the picture's upright axis by what goes to the right,
-// about its level one by what goes down.
+// Turned about the place as if the hand held its front. What goes to the right turns about the picture's upright axis,
+// what goes down about its level one.
 [[nodiscard]] Eigen::Isometry3d turned(const Eigen::Isometry3d& pose, const Eigen::Vector3d& about_mm, double right_deg,
                                        double down_deg);
 

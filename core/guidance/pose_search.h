@@ -1,6 +1,6 @@
 #pragma once
-// The pose of an organ in the camera's frame without a first guess: from curves that are recognised on both sides, or,
-// where there are none, from the shape of what was seen.
+// The pose of an organ in the camera's frame without a first guess. It comes from curves that are recognised on both
+// sides. Where there are none, it comes from the shape of what was seen.
 //
 // Triples of seen points are laid on triples of the same curves at rest that have the same distances from each other
 // (random sampling: Fischler and Bolles 1981, Comm. ACM 24:381); the poses under which most of what was seen lies near
@@ -15,9 +15,9 @@
 
 namespace glisson::guidance {
 
-// Scan to camera. `surface` is the organ's at rest, its triangles counter-clockwise from outside. Failure:
-// "pose-not-found" (no pose under which what was seen lies near the organ; without five seen points on curves also
-// where poses in different places fit alike).
+// Scan to camera. `surface` is the organ's at rest, its triangles counter-clockwise from outside. Fails with
+// "pose-not-found" where under no pose what was seen lies near the organ. Without five seen points on curves it fails
+// also where poses in different places fit alike.
 Result<Eigen::Isometry3d> find_pose(const geometry::Surface& surface, const SeenFrame& frame);
 
 }  // namespace glisson::guidance

@@ -34,8 +34,8 @@ struct EvidenceFit {
 [[nodiscard]] EvidenceFit fit_weighed_by_evidence(const Eigen::MatrixXd& modes, const Eigen::MatrixXd& free,
                                                   const Eigen::VectorXd& rows, double count, double largest_variance);
 
-// By how much the log evidence of such a fit would grow with three more unknowns of unit variance each: one gain for
-// every three columns of `further`, which stand beside those that were fitted.
+// By how much the log evidence of such a fit would grow with three more unknowns of unit variance each. There is one
+// gain for every three columns of `further`, which stand beside those that were fitted.
 [[nodiscard]] Eigen::VectorXd evidence_gains(const EvidenceFit& fit, const Eigen::MatrixXd& modes,
                                              const Eigen::MatrixXd& free, const Eigen::VectorXd& rows,
                                              const Eigen::MatrixXd& further);

@@ -4,8 +4,8 @@
 //
 //   u(f) = u0 + K(u0)^-1 (f - r(u0))
 //
-// r is what the organ resists with, K the slope of it (its positive part where the slope itself is not positive
-// definite): a step of Newton's method, which repeated ends in equilibrium.
+// r is what the organ resists with, and K is its slope. K is the slope's positive part where the slope itself is not
+// positive definite. This is a step of Newton's method: repeated, it ends in equilibrium.
 
 #include <Eigen/Core>
 #include <memory>
@@ -33,8 +33,8 @@ class LargeDeformation {
   // After turn_to(): u under forces (mN, 3 a point), and what each column of further forces adds.
   [[nodiscard]] Eigen::VectorXd under(const Eigen::VectorXd& force_mN) const;
   [[nodiscard]] Eigen::MatrixXd moved_by(const Eigen::MatrixXd& forces_mN) const;
-  // How far the forces are from equilibrium at that displacement, where nothing is fixed, over the size of all of them
-  // (those that hold what is fixed too).
+  // How far the forces are from equilibrium at that displacement, where nothing is fixed. It is a share of the size of
+  // all of them, with those that hold what is fixed.
   [[nodiscard]] double off_equilibrium(const Eigen::VectorXd& force_mN) const;
 
  private:

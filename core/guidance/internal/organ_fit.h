@@ -1,7 +1,8 @@
 #pragma once
-// The state of one fit of an organ to a frame, and what every fit does: the pose alone, by points to planes with
-// weights of Student's t (iteratively reweighted), and the answer with its standard deviations. What is searched for
-// between them differs: elastic_registration.cpp for an organ that nothing is known to hold, supported_fit.h otherwise.
+// The state of one fit of an organ to a frame, and what every fit does. That is the pose alone, by points to planes
+// with weights of Student's t (iteratively reweighted), and the answer with its standard deviations. What is searched
+// for between them differs: elastic_registration.cpp for an organ that nothing is known to hold, supported_fit.h
+// otherwise.
 
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
-// What is seen of an organ, as linear equations: a row a seen point and direction, for its shift and turn, the forces
-// of tools, and the amounts of force modes. Each row is divided by its noise, and counts by its trust and share.
+// What is seen of an organ, as linear equations: a row a seen point and direction. Unknown are its shift and turn, the
+// forces of tools, and the amounts of force modes. Each row is divided by its noise, and counts by its trust and share.
 
 #include <array>
 #include <Eigen/Core>

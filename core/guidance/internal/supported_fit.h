@@ -1,5 +1,5 @@
 #pragma once
-// Elastic registration of an organ whose supports are known. They tie the pose to the displacement: an organ that a
+// Elastic registration of an organ whose supports are known. They tie the pose to the displacement. An organ that a
 // tool pulls is not where its visible part, laid over the cloud, would have it. So pose and forces are fitted together
 // from several starts, and the start is kept of which the evidence (Laplace's approximation) is largest.
 //
@@ -9,7 +9,7 @@
 // where the evidence grows much by it.
 //
 // Where linear elasticity would err by more than 1 mm in turning the organ, it is fitted by corotational elasticity too
-// (large_deformation.h): forces act about where the organ lies, anew every second round, and at last they are in
+// (large_deformation.h). Forces act about where the organ lies, anew every second round. At last they are in
 // equilibrium with it. Linear elasticity is kept only where the evidence says so very strongly.
 
 #include "guidance/elastic_registration.h"
