@@ -3,8 +3,8 @@
 //
 // It does 2 operations for each 4 bytes of A and so runs as fast as memory delivers A. The batch is stored tile by
 // tile, 16 blocks side by side: entry e of block k at ((k / 16) entries + e) 16 + k % 16. Every load is then a whole
-// vector whatever the width of the machine's (Highway chooses it at run time), every stream is read front to back, and
-// no lane is lost to the odd sizes 3 and 81.
+// vector, whatever width Highway chooses for the machine at run time. Every stream is read front to back, and no lane
+// is lost to the odd sizes 3 and 81.
 
 #include <cstddef>
 #include <memory>
@@ -54,10 +54,10 @@ void multiply_blocks(const TiledBatch& blocks, const TiledBatch& x, std::size_t 
 // "AVX3", "SSE4", ...: the instructions that multiply_blocks uses on this machine.
 [[nodiscard]] std::string vector_instructions();
 
-// Bytes a second that this machine's memory gives, over arrays far larger than its caches, on base's threads: the best
-// of a few rounds of y = x + s z, both reads and the write counted once (as STREAM's triad counts), and of reading
-// alone, which is most of what the product does. Three arrays are used; the default is several times the caches of
-// anything worn, and takes about a fifth of a second.
+// Bytes a second that this machine's memory gives, over arrays far larger than its caches, on base's threads. It is the
+// best of a few rounds, and the larger of two figures. One is of y = x + s z, both reads and the write counted once
+// (STREAM's triad). The other is of reading alone, which is most of what the product does. Three arrays are used; the
+// default is several times the caches of anything worn, and takes about a fifth of a second.
 [[nodiscard]] double memory_bandwidth_GB_s(std::size_t bytes_per_array = std::size_t{96} << 20);
 
 // What stays in the processors' last cache does not ask the memory; 0 where the system does not tell.

@@ -1,6 +1,6 @@
 #pragma once
-// One battery cell through a discharge: what its voltage and its temperature do, and a model set up from a few measured
-// discharges that predicts others.
+// One battery cell through a discharge: what its voltage and its temperature do. A model that is set up from a few
+// measured discharges predicts others.
 //
 // Over depth of discharge d (0 full, 1 empty at a slow discharge):
 //   V = U(d) - I R(d) exp(-b (T - 25 C)),     tau dT/dt = (T_ambient + R_th I (U - V)) - T

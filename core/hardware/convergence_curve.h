@@ -29,11 +29,11 @@ struct ConvergenceCurve {
 
 // {"format": "glisson-convergence/1", "source": "dissertation", "provenance": "...", "youngs_kPa": 12,
 //  "points": [{"resolution_mm3": 1.65, "error_mm": 1}, ...]}
-// Refused: fewer than two points, more than 10,000, figures that are not positive or do not increase together.
+// Refused are fewer than two points or more than 10,000, and figures that are not positive or do not increase together.
 Result<ConvergenceCurve> read_convergence_curve(const std::filesystem::path& file);
 
-// The curve in softer or stiffer tissue under the same load: what is missing is a part of the deflection, and that is
-// in inverse proportion to Young's modulus (linear elasticity, as eq. 6.6).
+// The curve in softer or stiffer tissue under the same load. What is missing is a part of the deflection. That is in
+// inverse proportion to Young's modulus (linear elasticity, as eq. 6.6).
 [[nodiscard]] ConvergenceCurve in_tissue(const ConvergenceCurve& curve, double youngs_kPa);
 
 // The coarsest resolution whose error is at most `accuracy_mm`; straight lines between the points in log-log.

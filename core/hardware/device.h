@@ -1,6 +1,6 @@
 #pragma once
-// A wearable computer as the plan sees it: what it draws when idle, what a block product costs it in time and energy,
-// its battery, how it warms, and how it is worn. Every figure carries its source.
+// A wearable computer as the plan sees it: its draw when idle, its battery, how it warms, and how it is worn. A block
+// product costs it time and energy. Every figure carries its source.
 
 #include <optional>
 #include <string>
@@ -14,8 +14,8 @@
 
 namespace glisson::hardware {
 
-// The least obtrusive first: nothing between the surgeon and the patient, one cable to the hip, a load on the back
-// that restricts movement (section 6.1).
+// The least obtrusive comes first: nothing between the surgeon and the patient. Then come one cable to the hip, and a
+// load on the back that restricts movement (section 6.1).
 enum class Worn { head, belt, back };
 
 // The kernel as it was timed on the device (platform measure).

@@ -2,9 +2,9 @@
 // What this machine says about the energy it uses: processor counters (RAPL), current sensors on the board (INA), the
 // battery's gauge. Where it says nothing, the survey says why.
 //
-// RAPL: Intel's Software Developer's Manual, volume 3B, "Platform specific power management support": a counter for
-// each package, renewed about every millisecond, which contains the cores ("core", "uncore"); the memory ("dram") has
-// one of its own beside it. Linux shows them in /sys/class/powercap (kernel documentation, power/powercap) and, since
+// RAPL: Intel's Software Developer's Manual, volume 3B, "Platform specific power management support". Each package has
+// a counter, renewed about every millisecond, which contains the cores ("core", "uncore"). The memory ("dram") has one
+// of its own beside it. Linux shows them in /sys/class/powercap (kernel documentation, power/powercap) and, since
 // CVE-2020-8694, to root alone. Batteries: kernel documentation, ABI/testing/sysfs-class-power.
 
 #include <filesystem>
@@ -65,9 +65,9 @@ struct EnergyUse {
 };
 
 // What the machine used while `work` ran on this thread. The meter is read every 20 ms on another thread, so that a
-// counter may wrap as often as it likes.
-// Refused: a meter that stops answering ("meter-lost"); a battery that stops discharging ("meter-charging"); a counter
-// that did not move ("meter-too-coarse"); a failure of the work itself.
+// counter may wrap as often as it likes. Fails with "meter-lost" where the meter stops answering, and with
+// "meter-charging" where a battery stops discharging. Fails with "meter-too-coarse" where a counter did not move, and
+// as the work itself does.
 Result<EnergyUse> energy_during(const EnergyMeter& meter, const std::function<Result<void>()>& work);
 
 }  // namespace glisson::hardware

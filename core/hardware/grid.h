@@ -1,6 +1,7 @@
 #pragma once
-// A device over liver volume x resolution, as figures 6.7 and 6.9 draw it: a surface of power, frame rate or
-// temperature on a grid of 10 x 10 problems, the contour at which a constraint is just met, and the hot spots.
+// A device over liver volume x resolution, as figures 6.7 and 6.9 draw it. It is a surface of power, frame rate or
+// temperature on a grid of 10 x 10 problems. With it go the contour at which a constraint is just met, and the hot
+// spots.
 
 #include <array>
 #include <vector>
@@ -14,8 +15,8 @@ struct ProblemGrid {
   std::vector<double> resolutions_mm3;  // increasing, at least two
 };
 
-// Figure 6.4's 10 x 10 problems: resolutions evenly from 1.65 to 165 mm3; volumes evenly from 900 to 2700 cm3, which is
-// assumed (the figure's own limits are not in the text): healthy adult livers.
+// Figure 6.4's 10 x 10 problems: resolutions evenly from 1.65 to 165 mm3, volumes evenly from 900 to 2700 cm3. The
+// volumes are assumed, as those of healthy adult livers: the figure's own limits are not in the text.
 [[nodiscard]] ProblemGrid dissertation_grid();
 
 // A value for each problem; at(v, r) belongs to volumes_cm3[v] and resolutions_mm3[r].
@@ -42,17 +43,17 @@ struct DeviceSurfaces {
 // refuse.
 Result<DeviceSurfaces> surfaces_over(const ProblemGrid& grid, const Device& device, const PlanRequest& request);
 
-// A piece of the line on which a surface has one value, in (volume cm3, resolution mm3); found in each grid cell by
-// straight lines along its edges (marching squares; saddles are cut by the mean of the corners).
+// A piece of the line on which a surface has one value, in (volume cm3, resolution mm3). In each grid cell it is found
+// by straight lines along its edges (marching squares). The mean of the corners decides how a saddle is cut.
 struct ContourSegment {
   std::array<double, 2> from;
   std::array<double, 2> to;
 };
 [[nodiscard]] std::vector<ContourSegment> contour(const GridSurface& surface, double level);
 
-// A problem at which the surface is higher than at all problems beside it, by more than `minimum_rise`: one whose
-// neighbours, smaller and larger, do better. A problem on the grid's edge is compared with those it has, but a corner
-// never counts: a surface that only rises ends there.
+// A problem at which the surface is higher than at all problems beside it, by more than `minimum_rise`. Its neighbours,
+// smaller and larger, do better. A problem on the grid's edge is compared with those it has, but a corner never counts:
+// a surface that only rises ends there.
 struct HotSpot {
   std::size_t volume = 0;
   std::size_t resolution = 0;

@@ -3,8 +3,8 @@
 //
 //   tau dT/dt = (T_ambient + R P) - T
 //
-// T being the surface that a person touches. It leaves out the blood that cools skin and what clothes keep in, and it
-// holds while R is constant: no fan that changes speed, no covering.
+// T being the surface that a person touches. It leaves out the blood that cools skin and what clothes keep in. It holds
+// while R is constant: no fan that changes speed, no covering.
 
 namespace glisson::hardware {
 
@@ -23,8 +23,8 @@ struct HeatModel {
 [[nodiscard]] double time_to_reach_s(const HeatModel& model, double start_C, double power_W, double ambient_C,
                                      double limit_C);
 
-// The largest constant power for which a surface that starts at ambient stays at or below `limit_C` for `elapsed_s`;
-// 0 if the room itself is as hot.
+// The largest constant power for which a surface that starts at ambient stays at or below `limit_C` for `elapsed_s`. 0
+// if the room itself is as hot.
 [[nodiscard]] double largest_power_W(const HeatModel& model, double ambient_C, double limit_C, double elapsed_s);
 
 }  // namespace glisson::hardware

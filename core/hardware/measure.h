@@ -1,6 +1,6 @@
 #pragma once
-// This machine as a device to plan with: the block product timed over the grid of problems, its energy where a meter
-// tells, and what nobody can measure from inside marked as assumed.
+// This machine as a device to plan with. The block product is timed over the grid of problems, with its energy where a
+// meter tells. What nobody can measure from inside is marked as assumed.
 
 #include <optional>
 #include <string>
@@ -72,8 +72,8 @@ struct Measurement {
 Result<Measurement> measure(ProductKernel& kernel, const EnergyMeter* meter, const std::vector<Sentence>& missing,
                             const MeasureOptions& options = {}, const Progress& progress = {});
 
-// The power that a recording from outside shows, in place of what was assumed or metered: idle from its pauses, active
-// from the median of its runs above idle. For a kernel that was timed on the recorded machine.
+// The power that a recording from outside shows takes the place of what was assumed or metered. Idle comes from its
+// pauses, active from the median of its runs above idle. For a kernel that was timed on the recorded machine.
 void take_power_from(const TraceRuns& runs, Measurement& measurement);
 void take_power_from(const TraceRuns& runs, Device& device);
 

@@ -1,10 +1,10 @@
 #pragma once
-// What a surgeon can wear for this case: for each platform whether it holds, why not, what would have to give; and the
-// least obtrusive one that holds.
+// What a surgeon can wear for this case: the least obtrusive platform that holds. For each platform it says whether it
+// holds, why not, and what would have to give.
 //
-// Sanity comes first: what the battery allows over the operation against what the device draws when it does nothing
-// (table 6.2: 3.0 W against 2.8 W for the headset GPU; 1.7 W against 5.5 W for the headset FPGA; 30.8 W against 30 W
-// for the backpacks). A plan never hides that this headroom is nearly nil.
+// Sanity comes first: what the battery allows over the operation, against what the device draws when it does nothing.
+// In table 6.2 that is 3.0 W against 2.8 W for the headset GPU, and 1.7 W against 5.5 W for the headset FPGA. For the
+// backpacks it is 30.8 W against 30 W. A plan never hides that this headroom is nearly nil.
 
 #include <optional>
 #include <string>

@@ -2,8 +2,8 @@
 // Power as an oscilloscope or a power analyser recorded it: reading the file, finding the runs in it, and what each run
 // drew above idle.
 //
-// The dissertation's set-up: contact-free current clamps on each supply of the device, an oscilloscope's
-// log, the mean static power subtracted; 100 traces a device, one for each problem (section 6.4, figure 6.4).
+// The dissertation's set-up (section 6.4, figure 6.4): contact-free current clamps on each supply of the device, and an
+// oscilloscope's log. The mean static power is subtracted. There are 100 traces a device, one for each problem.
 
 #include <filesystem>
 #include <optional>
@@ -42,8 +42,8 @@ struct TraceFormat {
   std::optional<double> missing_marker;  // a value that means "no reading", such as an analyser's -2
 };
 
-// Refused: no such column ("csv-no-such-column"), time that goes back ("trace-time-goes-back"), fewer than ten samples
-// or every tenth row without numbers ("trace-too-poor"), factors of 0 or that are not finite ("trace-format-invalid").
+// Fails with "csv-no-such-column", or "trace-time-goes-back". Fails with "trace-too-poor" below ten samples, or where
+// every tenth row lacks numbers. Fails with "trace-format-invalid" for factors of 0 or that are not finite.
 Result<PowerTrace> read_power_trace(const std::filesystem::path& file, const TraceFormat& format);
 // The same of a table that was read from there (recording.h).
 Result<PowerTrace> power_trace(const CsvTable& table, const TraceFormat& format, const std::filesystem::path& file);

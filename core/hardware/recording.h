@@ -1,6 +1,6 @@
 #pragma once
-// A recording of power as it lies in a file, before anybody says which column is what: the table of an oscilloscope, a
-// logger or a battery tester, or the log of a power analyser.
+// A recording of power as it lies in a file, before anybody says which column is what. It is the table of an
+// oscilloscope, a logger or a battery tester, or the log of a power analyser.
 //
 // The analyser's log is that of SPEC's PTDaemon, one reading a line, -2 where there was none:
 //   Time,02-16-2022 08:59:37.009,Watts,2.304000,Volts,250.920000,Amps,0.027860,PF,0.329600,Mark,...
@@ -17,7 +17,7 @@ namespace glisson::hardware {
 // Refused: as read_csv refuses, and a log whose first line has no time ("recording-without-time").
 Result<CsvTable> read_recording(const std::filesystem::path& file);
 
-// Which column is the time and which the power, as far as names, units and numbers tell; what it says of a file that
+// Which column is the time and which the power, as far as names, units and numbers tell. What it says of a file that
 // nobody labelled is a proposal.
 //   time    a name such as "time", "t (ms)"; else the first column that only grows; else none: rows follow each other
 //           every second

@@ -3,7 +3,7 @@
 // workload.h's block product; these stand beside it: a live frame of the rehearsal, a frame of the guidance, a
 // registration.
 //
-// What memory decides was timed on a machine whose memory was measured: bytes = seconds x bandwidth, so that a device
+// What memory decides was timed on a machine whose memory was measured: bytes = seconds x bandwidth. A device then
 // takes as long in proportion to what its memory gives. What arithmetic decides is counted. Either is an estimate of a
 // program that nobody has run on that device, and a plan says so.
 

@@ -1,11 +1,12 @@
 #pragma once
-// How sure a plan's answer is: every figure of a device is drawn again and again about its value, as widely as its
-// source deserves, and the share of the draws in which the platform holds is told.
+// How sure a plan's answer is. Every figure of a device is drawn again and again about its value, as widely as its
+// source deserves. The answer is the share of the draws in which the platform holds.
 //
-// A figure's logarithm is drawn from a normal distribution about its own: sd 5 % where it was measured or stands in the
-// dissertation, 10 % where it was computed, 30 % where it is assumed. The widths are our judgement, the same for all;
-// figures that are limits or counts (throttling, tiles, the battery's exponents) and those that stand for "ideal" stay.
-// What the convergence curve or a task's transfer to another machine may be wrong by is not in it.
+// A figure's logarithm is drawn from a normal distribution about its own. Its sd is 5 % where it was measured or stands
+// in the dissertation. It is 10 % where the figure was computed, 30 % where it is assumed. The widths are our
+// judgement, the same for all. Figures that are limits or counts (throttling, tiles, the battery's exponents) stay, and
+// so do those that stand for "ideal". What the convergence curve or a task's transfer to another machine may be wrong
+// by is not in it.
 
 #include <cstdint>
 

@@ -1,16 +1,16 @@
 #pragma once
 // What a case asks of a computer: nodes, block products, and the work and memory traffic of one frame.
 //
-// Section 6.3.1: every node has its local stiffness matrix A_k, and the product of the global matrix with the degrees
-// of freedom is the batch A_k x_k, k = 1..N (eqs. 6.1 to 6.5); 200 iterations of conjugate gradients make a frame
-// (figure 6.9). A has as many rows as there are degrees of freedom, N n with n = 3, so A_k has three rows. How many
-// nodes its columns couple is left open there:
+// Section 6.3.1: every node has its local stiffness matrix A_k. The product of the global matrix with the degrees of
+// freedom is the batch A_k x_k, k = 1..N (eqs. 6.1 to 6.5). A frame is 200 iterations of conjugate gradients (figure
+// 6.9). A has as many rows as there are degrees of freedom, N n with n = 3, so A_k has three rows. How many nodes its
+// columns couple is left open there:
 //   1   A_k is 3 x 3: the blocks of eq. 6.1 as its sizes are written, and the only choice for which the batteries of
 //       table 6.2 leave frame rates of 10 or more over three hours (figures 6.9c and 6.9d). The default.
 //   27  A_k is 3 x 81: all nodes of the cube around the node, as figure 6.3b draws in two dimensions; what a coupled
 //       simulation moves.
-// Counted is the product alone, as the dissertation's benchmark does, each number fetched or stored once: the vector
-// updates of conjugate gradients come on top (about 10 vectors, 120 bytes a node and iteration in single precision).
+// Counted is the product alone, as the dissertation's benchmark does, each number fetched or stored once. The vector
+// updates of conjugate gradients come on top: about 10 vectors, 120 bytes a node and iteration in single precision.
 
 #include "base/result.h"
 #include "hardware/convergence_curve.h"
