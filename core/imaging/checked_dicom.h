@@ -1,10 +1,10 @@
 #pragma once
 // The gate that every DICOM file passes before a library sees a byte of it.
 //
-// DCMTK follows nested sequences by recursion and trusts declared lengths far enough to be hurt by them, so the
-// structure of the file is walked here first: without recursion, with every length compared in 64 bits with what
-// encloses it. What is let through is the data set up to the pixels, held in memory, so that what was checked is what
-// is parsed even if the file changes meanwhile. The pixels stay in the file; here they are only located.
+// DCMTK follows nested sequences by recursion and trusts declared lengths far enough to be hurt by them. So the
+// structure of the file is walked here first, without recursion. Every length is compared in 64 bits with what encloses
+// it. What is let through is the data set up to the pixels, held in memory. So what was checked is what is parsed, even
+// if the file changes meanwhile. The pixels stay in the file; here they are only located.
 
 #include <cstdint>
 #include <filesystem>
@@ -44,9 +44,10 @@ struct CheckedDicom {
   std::uint64_t file_bytes = 0;
 };
 
-// Fails with one sentence naming the file: "file-not-readable", "file-empty", "not-dicom", "dicom-truncated" (it ends
-// inside something), "dicom-length" (a length leaves what encloses it), "dicom-nesting" (more than 32 sequences deep),
-// "dicom-header-too-large" (64 MiB or two million elements), "dicom-damaged", "dicom-deflated".
+// Fails with one sentence naming the file: "file-not-readable", "file-empty", "not-dicom", "dicom-damaged" or
+// "dicom-deflated". Fails with "dicom-truncated" where it ends inside something, and with "dicom-length" where a length
+// leaves what encloses it. Fails with "dicom-nesting" beyond 32 sequences deep, and with "dicom-header-too-large"
+// beyond 64 MiB or two million elements.
 [[nodiscard]] Result<CheckedDicom> check_dicom_file(const std::filesystem::path& file);
 
 }  // namespace glisson::imaging

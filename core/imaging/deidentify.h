@@ -1,15 +1,15 @@
 #pragma once
 // Taking a patient's identity out of DICOM files so that they can leave the hospital.
 //
-// Follows the Basic Application Level Confidentiality Profile of DICOM PS3.15, Annex E, with the Clean Descriptors
-// Option (a series' description becomes its role, "MRE stiffness 60 Hz", without which nobody could use an elastography
-// study again) and the Retain Safe Private Option (three private numbers of GE and Siemens, written anew); the files
-// say so (0012,0064). It goes further where that is safer: what is not known to be harmless goes, at every level of
-// nesting. Numbers stay where they are numbers, terms where they are the standard's, codes where they are known here,
-// and only under the kind that the dictionary gives their tag; texts, names, dates, times, overlays, palettes, colour
-// profiles, preambles and private elements go. Pixels are written uncompressed, as many as rows and columns ask for.
-// Identifiers (UIDs) are replaced consistently, so that series, references and the frame of reference still belong
-// together.
+// Follows the Basic Application Level Confidentiality Profile of DICOM PS3.15, Annex E, with two options; the files say
+// so (0012,0064). By the Clean Descriptors Option a series' description becomes its role ("MRE stiffness 60 Hz").
+// Without that nobody could use an elastography study again. By the Retain Safe Private Option three private numbers of
+// GE and Siemens are written anew. It goes further where that is safer: what is not known to be harmless goes, at every
+// level of nesting. Numbers stay where they are numbers, terms where they are the standard's, codes where they are
+// known here. They stay only under the kind that the dictionary gives their tag. Texts, names, dates, times, overlays,
+// palettes, colour profiles, preambles and private elements go. Pixels are written uncompressed, as many as rows and
+// columns ask for. Identifiers (UIDs) are replaced consistently, so that series, references and the frame of reference
+// still belong together.
 //
 // What it cannot see: identity burned into the picture, a face in a head scan, 3-D reconstructions, or a number that
 // means somebody. It warns where the headers hint at the first.

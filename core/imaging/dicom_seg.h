@@ -1,8 +1,8 @@
 #pragma once
 // DICOM Segmentation objects: structures drawn on a series, as other hospitals' systems exchange them.
 //
-// Positions are patient coordinates, LPS, mm. Binary and fractional segmentations are read (half of the maximum or
-// more counts as inside); labels of overlapping segments stay apart because each is a mask of its own.
+// Positions are patient coordinates, LPS, mm. Binary and fractional segmentations are read; half of the maximum or more
+// counts as inside. Labels of overlapping segments stay apart because each is a mask of its own.
 
 #include <filesystem>
 #include <string>
@@ -35,11 +35,11 @@ struct SegmentationSource {
   std::string content_time;
 };
 
-// One mask a segment, all on one grid: the planes of the frames, evenly spaced, the first axis along a row, the third
-// along the normal. A plane that only some segments (or none) have a frame for is empty in the others, since writers
-// leave empty frames out. label_value is the segment's number where that is at most 255.
-// Fails with what check_dicom_file says, and dicom-seg-not-a-segmentation, -compressed (or big endian),
-// -bad-geometry, -truncated, -too-large (more than 4 GiB of masks).
+// One mask a segment, all on one grid of the frames' planes, evenly spaced. Its first axis goes along a row, the third
+// along the normal. Writers leave empty frames out. So where only some segments (or none) have a frame for a plane, it
+// is empty in the others. `label_value` is the segment's number where that is at most 255. Fails with what
+// check_dicom_file says, and dicom-seg-not-a-segmentation, -compressed (or big endian), -bad-geometry, -truncated,
+// -too-large (more than 4 GiB of masks).
 [[nodiscard]] Result<std::vector<SegmentedMask>> read_dicom_seg(const std::filesystem::path& file);
 
 // All masks on the same grid, with axes at right angles and right-handed (dicom-seg-grids-differ, -bad-geometry).

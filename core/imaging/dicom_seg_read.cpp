@@ -1,5 +1,5 @@
-// Reading DICOM SEG from its data set directly: what dcmseg refuses for a formal fault (and it refuses much that
-// other programs write) is read all the same, as long as it says where the voxels are.
+// Reading DICOM SEG from its data set directly. For formal faults dcmseg refuses much that other programs write. Here
+// it is read all the same, as long as it says where the voxels are.
 
 #include "imaging/dicom_seg.h"
 

@@ -1,5 +1,5 @@
-// Reading a file piece by piece, with the system's pread: no position to share between threads, and a file that
-// shrinks meanwhile gives fewer bytes where a memory map would end the program.
+// Reading a file piece by piece, with the system's pread. Threads share no position. A file that shrinks meanwhile
+// gives fewer bytes, where a memory map would end the program.
 
 #include "imaging/file_bytes.h"
 

@@ -37,8 +37,8 @@ class FileBytes {
   [[nodiscard]] std::uint64_t end() const { return file_.bytes() - left_out_; }
   [[nodiscard]] std::uint64_t offset(std::uint64_t index) const { return index + left_out_; }
 
-  // `count` bytes from `index`, valid until the next call; null beyond the end. view() keeps all that was read,
-  // view_far() keeps only what it returns and is for the pixels, far behind the header.
+  // `count` bytes from `index`, valid until the next call; null beyond the end. `view` keeps all that was read.
+  // `view_far` keeps only what it returns: it is for the pixels, far behind the header.
   [[nodiscard]] const std::uint8_t* view(std::uint64_t index, std::uint64_t count) const;
   [[nodiscard]] const std::uint8_t* view_far(std::uint64_t index, std::uint64_t count) const;
 

@@ -14,8 +14,8 @@ namespace glisson::imaging {
 // below a third of the spacing, or where it has fewer than four voxels.
 [[nodiscard]] std::vector<float> gaussian_blur(std::vector<float> values, const Grid& grid, double sd_mm);
 
-// For each voxel the squared distance in mm2 from its centre to the centre of the nearest voxel of the mask, 0 inside
-// it; infinite where the mask is empty. Exact (Maurer, Qi and Raghavan, IEEE PAMI 25:265, 2003).
+// For each voxel the squared distance in mm2 from its centre to the centre of the nearest voxel of the mask. It is 0
+// inside the mask, and infinite where the mask is empty. Exact (Maurer, Qi and Raghavan, IEEE PAMI 25:265, 2003).
 [[nodiscard]] std::vector<float> squared_distances_mm2(const Mask& mask);
 // The same to the nearest voxel that is not of the mask, 0 outside it; infinite where the mask is all of the image.
 [[nodiscard]] std::vector<float> squared_depths_mm2(const Mask& mask);

@@ -1,5 +1,5 @@
 // The layout of the CSA header and the shift of the first tile are as nibabel documents them ("Siemens format DICOM
-// with CSA header", "DICOM mosaic"), checked here against real mosaics.
+// with CSA header", "DICOM mosaic"). They were checked here against real mosaics.
 
 #include "imaging/mosaic.h"
 

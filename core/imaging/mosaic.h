@@ -24,8 +24,8 @@ struct MosaicFacts {
 [[nodiscard]] std::optional<MosaicFacts> mosaic_facts_in_csa_header(std::string_view csa_header);
 
 // The tiles as pictures of their own, given the mosaic as one picture. The tiles lie in a square, row by row. Siemens
-// writes the position that the first slice would have if it were as large as the whole mosaic, about the same centre;
-// so the first tile begins half the difference of the sizes further in. The next slices follow along the normal.
+// writes the position that the first slice would have if it were as large as the whole mosaic, about the same centre.
+// So the first tile begins half the difference of the sizes further in. The next slices follow along the normal.
 // Nothing when the square does not divide the picture.
 [[nodiscard]] std::optional<std::vector<Picture>> unpack_mosaic(const Picture& mosaic, const MosaicFacts& facts,
                                                                 double slice_spacing_mm);

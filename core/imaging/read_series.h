@@ -14,8 +14,8 @@ namespace glisson::imaging {
 // spacing is uneven, the values in between are interpolated linearly along the normal, as series.problems says.
 //
 // Fails, naming the file, when one has vanished, shrunk or changed since the scan ("file-not-readable",
-// "dicom-truncated", "dicom-changed"), when its pixels cannot be decoded ("dicom-pixels-damaged",
-// "dicom-compression-unknown"), holds colour ("dicom-colour"), or with "cancelled".
+// "dicom-truncated", "dicom-changed"). Fails when its pixels cannot be decoded ("dicom-pixels-damaged",
+// "dicom-compression-unknown") or hold colour ("dicom-colour"). Fails with "cancelled".
 [[nodiscard]] Result<Volume> read_series(const Series& series, int volume = 0, const Progress& progress = {});
 
 }  // namespace glisson::imaging

@@ -29,8 +29,8 @@ struct Stacks {
 };
 [[nodiscard]] Stacks part_into_stacks(const std::vector<DicomImage>& images);
 
-// The volumes of one stack: pictures at the same positions, told apart by a header field that takes as many values as
-// there are pictures at each position, or else by their order of acquisition.
+// The volumes of one stack: pictures at the same positions. What tells them apart is a header field with as many values
+// as there are pictures at each position. Where there is none, it is their order of acquisition.
 struct Volumes {
   std::vector<double> positions_mm;                // along the normal, ascending
   std::vector<std::vector<PictureRef>> of_volume;  // [volume][position]

@@ -2,9 +2,9 @@
 // Volumes, label maps and masks in files that 3D Slicer and ITK-SNAP open: NIfTI, NRRD, MetaImage.
 //
 // Reads .nii .nii.gz .nrrd .nhdr .mha .mhd, three-dimensional (a fourth axis of length one is dropped), one value a
-// voxel. Positions come out in patient coordinates, LPS, mm; what a file says in RAS is turned.
-// The size that a header declares is compared, in 64 bits, with the size of the file before memory is asked for; the
-// voxels that come are counted, and compressed ones must end where they should with the right checksum.
+// voxel. Positions come out in patient coordinates, LPS, mm; what a file says in RAS is turned. The size that a header
+// declares is compared, in 64 bits, with the size of the file before memory is asked for. The voxels that come are
+// counted. Compressed ones must end where they should, with the right checksum.
 
 #include <filesystem>
 

@@ -1,5 +1,5 @@
-// Decoders have crashed on hostile streams before. What can be checked without decoding is checked first; each frame
-// is then decoded by itself, out of a data set made here, so that nothing else of the file reaches the decoder.
+// Decoders have crashed on hostile streams before. What can be checked without decoding is checked first. Each frame is
+// then decoded by itself, out of a data set made here. So nothing else of the file reaches the decoder.
 
 #include "imaging/internal/compressed_frame.h"
 

@@ -1,5 +1,5 @@
 // The attributes of MR, CT and segmentations (PS3.3 A.2 to A.4, A.36, A.38, A.51) that say how an image was acquired,
-// where it lies and how its pixels are stored, one set for each way of handling them.
+// where it lies and how its pixels are stored. There is one set for each way of handling them.
 
 #include "imaging/internal/confidentiality.h"
 

@@ -2,8 +2,8 @@
 // Which attributes of an image may leave the hospital, and in what form.
 //
 // The Basic Application Level Confidentiality Profile (DICOM PS3.15, Annex E, table E.1-1) lists what must go. Here it
-// is turned round: what is not known to be harmless goes, so that an attribute of a newer edition, or one whose value
-// is not what its kind promises, goes too. The kind is the dictionary's, never the one that a file claims.
+// is turned round: what is not known to be harmless goes. So an attribute of a newer edition goes too, or one whose
+// value is not what its kind promises. The kind is the dictionary's, never the one that a file claims.
 
 #include <algorithm>
 #include <string>
@@ -54,7 +54,7 @@ enum class Handling {
 // The name where it is made of anatomical words and short numbers ("liver", "tumour-2"), else "segment".
 [[nodiscard]] std::string known_segment_name(std::string_view name);
 
-// A code's meaning is the one that is known for it here, whatever the file says; a code that is not known here becomes
+// A code's meaning is the one that is known for it here, whatever the file says. A code that is not known here becomes
 // (removed, 99GLISSON).
 void clean_code(DcmItem& item);
 

@@ -85,8 +85,8 @@ struct DicomImage {
   std::vector<std::string> problems;  // of this file alone
 };
 
-// Fails as check_dicom_file does, and with "dicom-no-image" (a report, a plan, ...), "dicom-size" (the sizes do not fit
-// together), "dicom-truncated" (fewer pixels than the sizes ask for).
+// Fails as check_dicom_file does, and with "dicom-no-image" (a report, a plan, ...). Fails with "dicom-size" (the sizes
+// do not fit together) or "dicom-truncated" (fewer pixels than the sizes ask for).
 [[nodiscard]] Result<DicomImage> read_dicom_image_header(const std::filesystem::path& file);
 
 // The files that a DICOMDIR names, as paths beside it.

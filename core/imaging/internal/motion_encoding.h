@@ -11,11 +11,11 @@
 namespace glisson::imaging {
 
 // Read from
-// - ImageComments of the Charité's sequence for Siemens scanners, "MRE: fI[0]dI[2]az[180]po[88]tI[7]VP[50000]": index
-// of
-//   the frequency, of the direction and of the time step, azimuth and polar angle of the direction in degrees in a
-//   frame whose x runs against the patient's (found by comparing all three directions of a measured series with its
-//   ImageOrientationPatient, which they match to the rounding of the angles), and the period of the vibration in us;
+// - ImageComments of the Charité's sequence for Siemens scanners, "MRE: fI[0]dI[2]az[180]po[88]tI[7]VP[50000]". These
+//   are the index of the frequency, of the direction and of the time step. Then come the direction's azimuth and polar
+//   angle in degrees, and the period of the vibration in us. The angles' x runs against the patient's. That was found
+//   by comparing all three directions of a measured series with its ImageOrientationPatient. They match to the rounding
+//   of the angles;
 // - "60 Hz" in a description, a protocol's name or the comments;
 // - TemporalPositionIndex, as the offset;
 // - VelocityEncodingDirection of an enhanced image's frames, which are read as classic images are otherwise, comments

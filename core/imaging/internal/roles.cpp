@@ -1,11 +1,10 @@
 // The rules, in the order in which they are tried. Where the facts come from:
 //
 // - Units and ImageType: PS3.3 C.11.1.1.2 and C.7.6.1.1.2.
-// - GE: the private pulse sequence name (0019,xx9c) is "fgremre" or "epimre"; derived series end in 01 (stiffness in
-// Pa,
-//   window centre 4000 or more), 05 (processed waves) and 07 (confidence 0 to 999, window 950 / 100; with several
-//   phases waves again); coloured "SCREEN SAVE" copies of all of them are sent along. After the hepatosplenic MRE
-//   tools of M. Yin, Mayo Clinic, which sort GE's elastography series by these.
+// - GE: the private pulse sequence name (0019,xx9c) is "fgremre" or "epimre". Derived series end in 01 (stiffness in
+//   Pa, window centre 4000 or more), 05 (processed waves) and 07 (confidence 0 to 999, window 950 / 100). With several
+//   phases 07 are waves again. Coloured "SCREEN SAVE" copies of all of them are sent along. After the hepatosplenic
+//   MRE tools of M. Yin, Mayo Clinic, which sort GE's elastography series by these.
 // - Siemens: ImageType has M or P third; the elastograms, wave and confidence series say so in their descriptions.
 //   Measured series of the Charité have ImageComments that begin with "MRE:".
 // - Philips: ImageType has M, P, R or I fourth ("M_FFE", "PHASE MAP"); maps name themselves in the description.

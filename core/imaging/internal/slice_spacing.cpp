@@ -1,5 +1,5 @@
-// ITK and DCMTK spread a gap over all slices (1.5 mm became 1.515 mm where one of 100 slices was absent); here the
-// spacing stays what it is and the gap is named and filled.
+// ITK and DCMTK spread a gap over all slices (1.5 mm became 1.515 mm where one of 100 slices was absent). Here the
+// spacing stays what it is, and the gap is named and filled.
 
 #include "imaging/internal/slice_spacing.h"
 

@@ -30,8 +30,8 @@ struct EvenSlices {
 // Gaps wider than this many spacings part a stack in two rather than being filled.
 constexpr double widest_gap_in_spacings = 5;
 
-// Positions along the normal, ascending, no two the same, at least two. The spacing is that of most slices (the lower
-// median gap, made to fit first and last exactly); a slice counts as standing on the grid within a twentieth of it.
+// Positions along the normal, ascending, no two the same, at least two. The spacing is that of most slices: the lower
+// median gap, made to fit first and last exactly. A slice counts as standing on the grid within a twentieth of it.
 [[nodiscard]] EvenSlices even_slices(const std::vector<double>& positions_mm);
 
 // The lower median of the gaps; 0 for fewer than two positions.

@@ -10,8 +10,8 @@ class DcmItem;
 namespace glisson::imaging {
 
 // The mapping that one functional group (or the data set of a classic image) states. A real-world-value mapping wins
-// over a rescale when its unit is one that we know, since it is the one that was written for measuring (PS3.3
-// C.7.6.16.2.11); of several, the first with a known unit. Tables are not applied: then `stated` stays false.
+// over a rescale when its unit is one that we know. It is the one that was written for measuring (PS3.3 C.7.6.16.2.11).
+// Of several, the first with a known unit wins. Tables are not applied: then `stated` stays false.
 [[nodiscard]] ValueMapping rescale_of(DcmItem& item);
 [[nodiscard]] ValueMapping real_world_mapping_of(DcmItem& item);
 [[nodiscard]] ValueMapping preferred(const ValueMapping& rescale, const ValueMapping& real_world);

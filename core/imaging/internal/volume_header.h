@@ -1,8 +1,8 @@
 #pragma once
 // What the header of a NIfTI, NRRD or MetaImage file says, believed as far as it can be checked.
 //
-// The headers are read here and not by a library: of a file that anybody may have made, every field is doubted before
-// it is used, and each format's promise of where its voxels lie is needed to compare them with what is there.
+// The headers are read here and not by a library. Anybody may have made the file, so every field is doubted before it
+// is used. Each format promises where its voxels lie, and that is compared with what is there.
 
 #include <cstdint>
 #include <filesystem>

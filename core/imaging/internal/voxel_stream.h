@@ -11,11 +11,11 @@
 
 namespace glisson::imaging {
 
-// Calls take(values, count) for one block after the other, in the order of the file, rescaled by the header; together
-// as many as the grid has. Memory for one block is all that is asked for. Compressed streams must end where the voxels
-// do, with the right checksum. Fails with volume-file-truncated, volume-file-longer (a row of voxels or more behind the
-// last one: then the sizes are not those that the file was written with), volume-file-damaged (decompression,
-// checksum), -unreadable.
+// Calls take(values, count) for one block after the other, in the order of the file, rescaled by the header. Together
+// they are as many as the grid has. Memory for one block is all that is asked for. Compressed streams must end where
+// the voxels do, with the right checksum. Fails with volume-file-truncated, -damaged (decompression, checksum) or
+// -unreadable. Fails with volume-file-longer where a row of voxels or more lies behind the last one. Then the sizes are
+// not those that the file was written with.
 [[nodiscard]] Result<void> read_voxels(const VolumeHeader& header, const std::filesystem::path& file,
                                        const std::function<void(const double* values, std::size_t count)>& take);
 
