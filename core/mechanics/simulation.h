@@ -49,8 +49,8 @@ struct SimulationOptions {
   // finite elements.
   std::optional<MaterialData> data = std::nullopt;
 
-  // The system of each step of a motion is solved on the first OpenCL device whose name contains this, "" for any: a
-  // motion by finite elements, linear or corotational, without tools.
+  // The first OpenCL device whose name contains this solves the system of each step of a motion; "" takes any. The
+  // motion is by finite elements, linear or corotational, without tools.
   std::optional<std::string> device = std::nullopt;
 };
 
@@ -69,9 +69,9 @@ struct Simulation {
 // Of a motion the worst of its steps.
 [[nodiscard]] Validity validity_of(const Simulation& simulation);
 
-// Failures: those of StaticModel; "landmark-outside"; "modulus-missing" (no such cell field, or one of the wrong
-// size; the fields there are named); "cut-invalid", "cut-misses"; those of ContactBody; "not-available" (data in
-// motion, in the meshfree engine, in a capsule or on a foundation).
+// Failures: those of StaticModel and of ContactBody; "landmark-outside", "cut-invalid", "cut-misses". Fails with
+// "modulus-missing" where there is no such cell field, or one of the wrong size (the fields there are named). Fails
+// with "not-available" for data in motion, in the meshfree engine, in a capsule or on a foundation.
 Result<Simulation> simulate(const geometry::TetMesh& mesh, const Scenario& scenario,
                             const SimulationOptions& options = {}, const Progress& progress = {});
 

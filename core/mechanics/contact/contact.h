@@ -1,13 +1,13 @@
 #pragma once
-// Rigid tools that touch a linear elastic body: no penetration beyond a tolerance, no friction, several at once, each
-// held in place or pushed by a force; and graspers, which hold a patch of the surface.
+// Rigid tools that touch a linear elastic body, several at once, without friction. None enters it by more than a
+// tolerance. Each is held in place or pushed by a force. Graspers hold a patch of the surface.
 //
-// The factor of the static model is kept: a unit force on a point of the surface is solved for once and remembered (in
-// fixed groups of neighbours, so that what is remembered does not depend on who asked first). Which points touch, and
-// how hard, is then a small dense problem (contact_forces.h) on the compliance of the points that may touch, solved
-// again as the surface moves under the tool until neither changes. The surface is the triangles of the body's boundary
-// moved by their corners, on which the distance to a rod or a ball is exact. Self-contact of the walls of cuts is part
-// of that problem.
+// The factor of the static model is kept. A unit force on a point of the surface is solved for once and remembered.
+// That is done in fixed groups of neighbours, so that what is remembered does not depend on who asked first. Which
+// points touch, and how hard, is then a small dense problem on the compliance of the points that may touch
+// (contact_forces.h). It is solved again as the surface moves under the tool, until neither changes. The surface is the
+// triangles of the body's boundary moved by their corners, on which the distance to a rod or a ball is exact.
+// Self-contact of the walls of cuts is part of that problem.
 //
 // Lengths mm, forces mN, patient coordinates (LPS). Valid as far as small strain is.
 
@@ -105,17 +105,17 @@ struct ContactState {
 class ContactBody {
  public:
   // The model's mutual points are those on walls of cuts (points_on), which slide along each other and do not pass
-  // through; none: nothing keeps walls apart. Failures: those of StaticModel::solve; "not-converged" where that may not
-  // be used.
+  // through. Without any, nothing keeps walls apart. Failures: those of StaticModel::solve; "not-converged" where that
+  // may not be used.
   static Result<ContactBody> create(StaticModel model, const Loads& standing_loads, std::vector<PointInMesh> watched);
 
   // Under the standing loads alone. With walls it may not have converged.
   [[nodiscard]] const ContactState& untouched() const;
 
   // With the tools, beginning from another state (its forces and advances are a guess). The same beginning and tools
-  // give the same bits. A state that did not converge says so and must not be shown as right. Failures: "tool-invalid",
-  // "tool-touches-nothing" (a pushed tool that meets no surface on its way; jaws that hold no point), "not-converged"
-  // (a solve that may not be used), "not-available" (a force spread over a patch).
+  // give the same bits. A state that did not converge says so and must not be shown as right. Fails with
+  // "tool-invalid". Fails with "tool-touches-nothing" where a pushed tool meets no surface on its way, or jaws hold no
+  // point. Fails with "not-converged" (a solve that may not be used) or "not-available" (a force spread over a patch).
   [[nodiscard]] Result<ContactState> solve(const ContactState& from, const std::vector<ContactTool>& tools,
                                            const ContactOptions& options = {}) const;
 

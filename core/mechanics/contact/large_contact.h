@@ -1,17 +1,17 @@
 #pragma once
-// Rigid tools that press on a body at large deformation, of any material and with all that is around it: no deeper than
-// a tolerance, with friction or without, several at once, held in place or pushed by a force; and graspers that pull
-// with a force or hold their patch's mean at a displacement. The counterpart of contact.h, a factorisation a Newton
-// step and therefore far from live.
+// Rigid tools that press on a body at large deformation, of any material and with all that is around it. None enters by
+// more than a tolerance. Several act at once, with friction or without, held in place or pushed by a force. Graspers
+// pull with a force, or hold their patch's mean at a displacement. The counterpart of contact.h, a factorisation a
+// Newton step and therefore far from live.
 //
 // Contacts are at the same places of the surface as there, each an augmented Lagrangian of the gap g to a tool's rod
 // (e.g. Wriggers, Computational Contact Mechanics, 6.3). The term (max(0, p - k g)^2 - p^2) / (2 k) joins the body's
 // potential energy (newton.h). The multiplier p is updated to max(0, p - k g) until neither p nor the surface changes.
 //
 // Coulomb's friction joins in the same way (ibid., 6.3.3; Simo and Laursen 1992, Comput. Struct. 42:97). Its multiplier
-// is t, |t| <= mu p; s is the slip since the station before; y = t - k s. The term is |y|^2 / (2 k) while the place
-// sticks, |y| <= mu p, and (mu p |y| - (mu p)^2 / 2) / k while it slips. p, mu p and the normal are of the round
-// before.
+// is t, |t| <= mu p; s is the slip since the station before; y = t - k s. While the place sticks, |y| <= mu p, the term
+// is |y|^2 / (2 k). While it slips, it is (mu p |y| - (mu p)^2 / 2) / k. The values of p, mu p and the normal are of
+// the round before.
 //
 // Jaws that prescribe a displacement are the term (|p - k d|^2 - |p|^2) / (2 k), d being how far their patch is off.
 // The advance of a pushed tool is found by secants on the force that it meets.
@@ -29,13 +29,13 @@ struct LargeContact {
   ContactReport report;
 };
 
-// The tools go through the stations, one set of the same tools after the other; between two none should move by more
+// The tools go through the stations, one set of the same tools after the other. Between two none should move by more
 // than half its rods' radius. The result did not converge where a station was not reached, and `why_stopped` says
 // which. Failures: those of find_equilibrium; "tool-invalid", "tool-touches-nothing".
 //
-// `walls`, those of a body's cuts, slide along each other without passing through by more than the tolerance, by the
-// same springs between each of their points and the triangle across from it. The way begins at rest then, with the
-// loads growing from station to station.
+// `walls`, those of a body's cuts, slide along each other without passing through by more than the tolerance. The same
+// springs act between each of their points and the triangle across from it. The way begins at rest then, with the loads
+// growing from station to station.
 Result<LargeContact> find_equilibrium_in_contact(const Body& body, const std::vector<Material>& materials,
                                                  const AppliedLoads& loads,
                                                  const std::vector<std::vector<ContactTool>>& stations,

@@ -1,36 +1,37 @@
 #pragma once
-// A hyperelastic body under rigid tools and jaws at the speed of a hand: at large deformation, with all that is around
-// it (supports, foundations, ligaments, capsule, gas, gravity), with Coulomb's friction, and with cuts that open. The
-// fast counterpart of large_contact.h: the same energy, whose minimum is not found by factors of each new tangent but
-// by a few conjugate gradients a picture from the picture before.
+// A hyperelastic body under rigid tools and jaws at the speed of a hand, at large deformation. Around it are supports,
+// foundations, ligaments, capsule, gas and gravity. There is Coulomb's friction, and cuts open. The fast counterpart of
+// large_contact.h, with the same energy. Its minimum is not found by factors of each new tangent, but by a few
+// conjugate gradients a picture, from the picture before.
 //
 // A step looks for the places that touch, and moves on by truncated Newton (Nocedal and Wright, Numerical Optimization,
-// 7.1): the tangent's products are differences of the force, which costs two milliseconds for 20,000 cells, and two
-// levels precondition it (spline_levels.h). How many gradients a step takes is a rule and never a clock. What is then
-// left of the balance says how far the judged places are from where they will come to rest: the residual times what
-// the body answered to unit forces there, by a factor that is kept (a dual weighted residual: Becker and Rannacher
-// 2001, Acta Numerica 10:1), with what the tools keep from moving taken off. `error_bound_mm` is that with a safety
-// found on other paths (docs/performance.md): an estimate that holds there, not a proof. Where the body slips off a
-// tool to another rest, no residual foresees it.
+// 7.1). The tangent's products are differences of the force, which costs two milliseconds for 20,000 cells. Two levels
+// precondition it (spline_levels.h). How many gradients a step takes is a rule and never a clock. What is then left of
+// the balance says how far the judged places are from where they will come to rest. It is the residual times what the
+// body answered to unit forces there, by a factor that is kept (a dual weighted residual: Becker and Rannacher 2001,
+// Acta Numerica 10:1), with what the tools keep from moving taken off. `error_bound_mm` is that with a safety found on
+// other paths (docs/performance.md): an estimate that holds there, not a proof. Where the body slips off a tool to
+// another rest, no residual foresees it.
 //
-// A tool presses by p = max(0, m - k g) at each place with gap g, as in large_contact.h; a step moves the multipliers m
-// on once, settling until no tool enters the surface by more than the tolerance. A pushed tool's advance is one unknown
-// more. A force spread over a patch is a dead load, as in statics.
+// A tool presses by p = max(0, m - k g) at each place with gap g, as in large_contact.h. A step moves the multipliers m
+// on once. Settling moves them on until no tool enters the surface by more than the tolerance. A pushed tool's advance
+// is one unknown more. A force spread over a patch is a dead load, as in statics.
 //
-// Friction is elastic and perfectly plastic with return mapping (Wriggers, Computational Contact Mechanics, 5.2): a
-// place sticks to an anchor that goes with the tool, by a spring of stiffness k along the surface, and slips where the
+// Friction is elastic and perfectly plastic with return mapping (Wriggers, Computational Contact Mechanics, 5.2). A
+// spring of stiffness k along the surface ties a place to an anchor that goes with the tool. The place slips where the
 // spring would pull with more than mu p; then the anchor is drawn along. What first presses in a step is anchored where
-// it was, as the tool saw it, when the step began. p and the normal are those at the beginning of each round of
-// Newton's method, so that a round has a potential energy, and those of the rest once it is found (lagged, as in Li et
-// al. 2020, Incremental Potential Contact, ACM TOG 39:49). The spring gives by mu p / k, some hundredths of a
-// millimetre. Anchors move from one step to the next: settling looks for the rest of the step under way.
+// it was, as the tool saw it, when the step began. The values of p and the normal are those at the beginning of each
+// round of Newton's method. So a round has a potential energy. Once the rest is found they are those of the rest
+// (lagged, as in Li et al. 2020, Incremental Potential Contact, ACM TOG 39:49). The spring gives by mu p / k, some
+// hundredths of a millimetre. Anchors move from one step to the next: settling looks for the rest of the step under
+// way.
 //
-// A cut opens as at small strain (cutting/opening.h): the same cells are open, by jumps that follow the nodes among the
-// unknowns, the same springs bridge what the front has not passed. Nodes stay, and so does every level but one that is
-// made for the cut. Walls do not pass through each other: a point's jump is kept from closing beyond zero along the
-// wall's normal as it has turned, by multipliers as for tools, which holds while walls slide along each other by less
-// than a cell. Gas follows the walls. Tools touch the outer surface, by the triangles that it had before: none reaches
-// between the walls, and what is stretched over the gap still takes a tool.
+// A cut opens as at small strain (cutting/opening.h). The same cells are open, by jumps that follow the nodes among the
+// unknowns. The same springs bridge what the front has not passed. Nodes stay, and so does every level but one that is
+// made for the cut. Walls do not pass through each other. Multipliers as for tools keep a point's jump from closing
+// beyond zero along the wall's normal as it has turned. That holds while walls slide along each other by less than a
+// cell. Gas follows the walls. Tools touch the outer surface, by the triangles that it had before. None reaches between
+// the walls, and what is stretched over the gap still takes a tool.
 //
 // Lengths mm, forces mN, patient coordinates (LPS).
 
@@ -66,8 +67,8 @@ struct LivePlace {
   std::array<int, 3> points;  // of the surface
   Eigen::Vector3d weights;
   double multiplier_mN = 0;
-  // Where it sticks to a tool with friction, in the tool's frame: as the step began, and, of what presses, where it is
-  // drawn to by now.
+  // Where it sticks to a tool with friction, in the tool's frame. The first is as the step began, the second where what
+  // presses is drawn to by now.
   std::optional<Eigen::Vector3d> anchor_before_mm = std::nullopt, anchor_mm = std::nullopt;
 };
 
@@ -98,9 +99,9 @@ struct LiveState {
 class LiveBody {
  public:
   // Neo-Hookean or Veronda-Westmann. The model is of small strain, on the same mesh, with the same supports but for
-  // ligaments, and gives the answers that errors are weighted by; the first `judged` of the watched places are those
-  // that the bound is of. Failures: "not-available" (a law or cells that this does not know, a grain), "not-converged"
-  // (the standing loads alone find no rest), those of applied_loads.
+  // ligaments. It gives the answers that errors are weighted by. The bound is of the first `judged` of the watched
+  // places. Failures: "not-available" (another law, linear cells, an anisotropic body), "not-converged" (the standing
+  // loads alone find no rest), those of applied_loads.
   static Result<LiveBody> create(StaticModel model, const ChosenLaw& law, const std::vector<Support>& supports,
                                  const Loads& standing_loads, std::vector<PointInMesh> watched, std::size_t judged);
 

@@ -8,8 +8,8 @@
 // 3.2). S is dense and small. An advance costs three solves with K's factor for each point that begins to open; nothing
 // else is solved again.
 //
-// The front runs through cells. Where part of a point's share of the wall is still whole, springs of `bridge_stiffness`
-// times Young's modulus over the mean edge, per area of that part, hold its jump back.
+// The front runs through cells. Where part of a point's share of the wall is still whole, springs hold its jump back.
+// Per area of that part they are `bridge_stiffness` times Young's modulus over the mean edge.
 //
 // Lengths mm, forces mN, patient coordinates (LPS) at rest. A value: an advance gives a new one, and shares with the
 // old what is the same.
@@ -42,13 +42,13 @@ struct SeenPart {
   std::vector<Place> places;
 };
 
-// Chosen on a hanging block (60 x 30 x 30 mm) of five sizes of cells with fronts at three depths: with 1.5 to 3 its end
-// comes within 2 % of the block meshed with the cut in most of the fifteen.
+// Chosen on a hanging block (60 x 30 x 30 mm) of five sizes of cells, with fronts at three depths. With 1.5 to 3 its
+// end comes within 2 % of the block meshed with the cut, in most of the fifteen.
 inline constexpr double bridge_stiffness = 2.0;
 
 // A cell that is open, wholly or in part. On the side `s` (1 above, 0 below) the corner i is displaced by u_i + (s -
-// H_i) times the jump of that number in Opening::points(), -1 being none; H_i is 1 where the corner's height is above
-// zero.
+// H_i) times its jump. `jump` has that one's number in Opening::points(), -1 for none. H_i is 1 where the corner's
+// height is above zero.
 struct OpenCell {
   int cell;
   std::array<int, 4> jump;
@@ -74,14 +74,15 @@ class Opening {
   // Nothing is open yet. Failures: those of load_vector; "not-converged".
   static Result<Opening> of(StaticModel model, Loads standing_loads, SeenPart seen);
 
-  // Opens a strip. Points that are fixed stay together. Failures: "cut-invalid" (a strip without a length along its
-  // surface), "cut-misses" (it opens nothing that was not open), "cuts-meet" (it crosses cells that a cut along another
-  // surface has opened), "cut-frees-part" (nothing would hold what is cut off), "not-available" (a capsule),
-  // "not-converged".
+  // Opens a strip. Points that are fixed stay together. Fails with "cut-invalid" (a strip without a length along its
+  // surface) or "cut-misses" (it opens nothing that was not open). Fails with "cuts-meet" (it crosses cells that a cut
+  // along another surface has opened). Fails with "cut-frees-part" (nothing would hold what is cut off),
+  // "not-available" (a capsule) or "not-converged".
   [[nodiscard]] Result<Opening> advanced(const CutStrip& strip) const;
 
-  // Solves for some of the points that such an advance would open, a tenth of a second's work on a liver, so that it
-  // need not; false where all of them are known. What is opened stays as it is, to the bit. Failure: "not-converged".
+  // Solves ahead for some of the points that such an advance would open, so that the advance need not. On a liver that
+  // is a tenth of a second's work. False where all of them are known. What is opened stays as it is, to the bit.
+  // Failure: "not-converged".
   [[nodiscard]] Result<bool> prepare(const CutStrip& ahead) const;
 
   // Points of the mesh whose jump is open, in the order of `jumps_mm`, and the normals of their walls, to above.
@@ -89,22 +90,24 @@ class Opening {
   [[nodiscard]] const std::vector<Eigen::Vector3d>& normals() const;
   [[nodiscard]] std::vector<OpenCell> cells() const;
 
-  // For those who put a jump's functions together anew, L_i (H - H_i) at each of points(): what is more than the cells'
-  // own; dead loads on them (mN, 3 a jump; gas as at rest); and of places the jumps that are seen, with their values.
+  // For those who put a jump's functions together anew: L_i (H - H_i) at each of points(). `springs` are what is more
+  // than the cells' own, `force_on_jumps_mN` the dead loads on them (mN, 3 a jump; gas as at rest). `jumps_at` gives,
+  // of places, the jumps that are seen, with their values.
   [[nodiscard]] JumpSprings springs() const;
   [[nodiscard]] Eigen::VectorXd force_on_jumps_mN(const Loads& loads) const;
   using JumpValues = std::vector<std::pair<int, double>>;
   [[nodiscard]] std::vector<JumpValues> jumps_at(const std::vector<PointInMesh>& places) const;
   [[nodiscard]] std::vector<CutFront> fronts() const;
 
-  // The loads on the jumps, g - B^T K^-1 f (mN, 3 a point): of the standing loads; of a force (mN) on the point of the
-  // mesh that is seen in three rows from `row`; of 1 mN that pushes the walls apart at a point, along the direction.
+  // The loads on the jumps, g - B^T K^-1 f (mN, 3 a point). The first are of the standing loads. The second are of a
+  // force (mN) on the point of the mesh that is seen in three rows from `row`. The third are of 1 mN that pushes the
+  // walls apart at a point, along the direction.
   [[nodiscard]] const Eigen::VectorXd& standing_load() const;
   [[nodiscard]] Eigen::VectorXd load_of_force(Eigen::Index row, const Eigen::Vector3d& force_mN) const;
   [[nodiscard]] Eigen::VectorXd load_of_push(std::size_t point, const Eigen::Vector3d& direction) const;
 
-  // The jumps (mm, 3 a point) under loads on them, and by how much what is seen moves because of those: all of it, or
-  // its first rows alone.
+  // The jumps (mm, 3 a point) under loads on them. `seen_mm` is how much what is seen moves because of those: all of
+  // it, or its first rows alone.
   [[nodiscard]] Eigen::MatrixXd jumps_mm(const Eigen::MatrixXd& load) const;
   [[nodiscard]] Eigen::VectorXd seen_mm(const Eigen::VectorXd& jumps_mm) const;
   [[nodiscard]] Eigen::VectorXd seen_mm(const Eigen::VectorXd& jumps_mm, Eigen::Index rows) const;
@@ -113,8 +116,8 @@ class Opening {
   [[nodiscard]] double open_mm2() const;
   [[nodiscard]] double whole_mm2() const;  // what still bridges them
 
-  // What the jumps push on the body's nodes with: with the loads, these are the forces under which the whole body has
-  // the displacements of the cut one at its points.
+  // What the jumps push on the body's nodes with. Under these forces and the loads, the whole body has the
+  // displacements of the cut one at its points.
   [[nodiscard]] Eigen::VectorXd force_on_nodes_mN(const Eigen::VectorXd& jumps_mm) const;
 
   [[nodiscard]] double relative_residual() const;  // the worst of its solves

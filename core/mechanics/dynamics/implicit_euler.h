@@ -3,10 +3,10 @@
 //
 // A step h from u, v solves eq. 4.3 of the dissertation for the change of velocity dv, then v += dv, u += h v:
 //   (M - h C - h^2 K) dv = h (f + h K v),   K = df/du,   C = df/dv = -(alpha M) + beta K,
-// where f is all forces at u and v, M the mass lumped at the nodes, and K the warped stiffness of corotational.h with
-// its sign. One linear solve a step: unconditionally stable at small rotations per step, and it damps motion faster
+// where f is all forces at u and v. M is the mass lumped at the nodes, and K the warped stiffness of corotational.h
+// with its sign. A step is one linear solve, unconditionally stable at small rotations per step. It damps motion faster
 // than some tens of steps by itself (Baraff and Witkin 1998). The solve is conjugate gradients in single precision,
-// started from the step before; its residual is formed in double precision without the matrix, and refined until that
+// started from the step before. Its residual is formed in double precision without the matrix. It is refined until that
 // is within the tolerance. Every step says whether it was.
 //
 // Lengths mm, velocities mm/s, forces mN, energies uJ; values of nodes are 3 a mesh point that cells use, in the order

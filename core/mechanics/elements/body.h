@@ -30,9 +30,9 @@ struct Body {
 // Must the supports take all six rigid motions? For equilibrium they must; a moving body may fly.
 enum class Holding { required, optional };
 
-// Failures: those of check_tetrahedra; "too-large"; "modulus-invalid" (the first cell is named), "poisson-invalid",
-// "density-invalid"; those of resolve_supports; "not-available" (a prescribed displacement where the options know
-// none); "body-free" where holding is required (the free motion is named).
+// Failures: those of check_tetrahedra and of resolve_supports; "too-large", "poisson-invalid", "density-invalid". Fails
+// with "modulus-invalid" (the first cell is named), or "not-available" (a prescribed displacement where the options
+// know none). Fails with "body-free" where holding is required (the free motion is named).
 Result<Body> prepare_body(geometry::TetMesh mesh, std::vector<double> youngs_kPa, std::vector<Support> supports,
                           const StaticOptions& options, Holding holding);
 

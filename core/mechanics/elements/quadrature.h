@@ -1,5 +1,5 @@
 #pragma once
-// Points and weights for integrals over tetrahedra and triangles, in barycentric coordinates; weights sum to 1, so an
+// Points and weights for integrals over tetrahedra and triangles, in barycentric coordinates. Weights sum to 1, so an
 // integral is the volume (or area) times the weighted sum.
 
 #include <array>

@@ -1,7 +1,7 @@
 #pragma once
-// Shape functions of straight-edged tetrahedra and triangles in barycentric coordinates L: linear ones are L itself;
-// quadratic ones are L_i (2 L_i - 1) at corners and 4 L_i L_j at the middle of the edge i-j.
-// Source: any text, e.g. Zienkiewicz and Taylor, The Finite Element Method, 8.10. Node order: node_layout.h.
+// Shape functions of straight-edged tetrahedra and triangles in barycentric coordinates L. The linear ones are L
+// itself. The quadratic ones are L_i (2 L_i - 1) at corners and 4 L_i L_j at the middle of the edge i-j. Source: any
+// text, e.g. Zienkiewicz and Taylor, The Finite Element Method, 8.10. Node order: node_layout.h.
 
 #include <cmath>
 #include <Eigen/Core>

@@ -35,16 +35,16 @@ struct ResolvedSupports {
   std::vector<LigamentSpring> ligaments;
 };
 
-// Failures: "support-empty" (a support that names no point, or a foundation that covers no face, or a ligament
-// that names no point of the surface), "array-unknown", "support-invalid" (a number that is not finite or not
-// positive), "support-contradicts" (two supports prescribe different displacements of one node).
+// Fails with "support-empty": a support names no point, a foundation covers no face, or a ligament names no point of
+// the surface. Fails with "array-unknown", or "support-invalid" (a number that is not finite or not positive). Fails
+// with "support-contradicts" where two supports prescribe different displacements of one node.
 Result<ResolvedSupports> resolve_supports(const geometry::TetMesh& mesh, const NodeLayout& layout,
                                           const std::vector<BoundaryFace>& boundary,
                                           const std::vector<Support>& supports);
 
-// What the supports leave free, as English ("can turn about the axis through (0.0, 0.0, 0.0) mm along x"), or
-// nothing where the body can be in equilibrium: the null space of the supports on the six rigid motions. Ligaments,
-// which only pull, do not count. The body must hang together.
+// What the supports leave free, as English ("can turn about the axis through (0.0, 0.0, 0.0) mm along x"). It is the
+// null space of the supports on the six rigid motions. Nothing where the body can be in equilibrium. Ligaments, which
+// only pull, do not count. The body must hang together.
 std::string free_motion(const NodeLayout& layout, const std::vector<BoundaryFace>& boundary,
                         const ResolvedSupports& supports);
 

@@ -24,8 +24,8 @@ struct TransverseIsotropy {
   double ratio = 1;               // of Young's modulus along the axis to that across it
 };
 
-// Refused with "fibre direction-invalid": an axis of no length, a ratio that is not above zero, and one so low that the
-// body would give energy back when it is strained.
+// Fails with "grain-invalid": an axis of no length, or a ratio that is not above zero. A ratio is refused too that is
+// so low that the body would give energy back when it is strained.
 Result<void> check_anisotropy(const TransverseIsotropy& anisotropy, double poisson_ratio);
 
 // Stress by displacement gradient, per unit of Young's modulus across the fibres.

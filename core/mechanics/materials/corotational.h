@@ -1,7 +1,7 @@
 #pragma once
 // Linear elasticity in the frame that turns with the material. With F = R S (deformation.h):
 //   energy = mu |S - I|^2 + lambda/2 tr(S - I)^2,   P = 2 mu (F - R) + lambda tr(S - I) R.
-// On a linear tetrahedron its force is that of warped stiffness, R K (R^T x - X), with R from the polar decomposition
+// On a linear tetrahedron its force is that of warped stiffness, R K (R^T x - X). R comes from the polar decomposition
 // (Mueller and Gross 2004, Interactive Virtual Materials; Sifakis and Barbic, SIGGRAPH 2012 course, 3.4). Good for
 // large rotations at moderate strain; it resists compression to nothing with a finite stress only.
 

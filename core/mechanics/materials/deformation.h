@@ -1,6 +1,6 @@
 #pragma once
-// The calculus of the deformation gradient F that the materials share. 3x3 matrices are seen as vectors of nine, column
-// after column, so that the derivative of one matrix by another is 9x9.
+// The calculus of the deformation gradient F that the materials share. A 3x3 matrix is seen as a vector of nine, column
+// after column. So the derivative of one matrix by another is 9x9.
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>

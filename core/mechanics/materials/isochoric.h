@@ -20,8 +20,8 @@ struct NeoHookean {
   [[nodiscard]] Matrix9d tangent_kPa(const Eigen::Matrix3d& f) const;
 };
 
-// w = c1 (exp(c2 (I1 - 3)) - 1) - c1 c2 / 2 (I2 - 3). Its shear modulus at rest is c1 c2, which is what is given here;
-// c2 (`stiffening`) alone says how soon it stiffens: by 10 % where I1 - 3 is about 0.1 / c2. In uniaxial strain beyond
+// w = c1 (exp(c2 (I1 - 3)) - 1) - c1 c2 / 2 (I2 - 3). Its shear modulus at rest is c1 c2, which is what is given here.
+// `stiffening`, c2, alone says how soon it stiffens: by 10 % where I1 - 3 is about 0.1 / c2. In uniaxial strain beyond
 // that it grows without bound.
 struct VerondaWestmann {
   double shear_kPa = 0;  // at rest

@@ -1,7 +1,7 @@
 #pragma once
-// What a body may be made of. Each material is its constants and three functions of the deformation gradient F: the
-// energy per rest volume (kPa, which is uJ/mm3), the first Piola-Kirchhoff stress P = d energy / dF (kPa), and the
-// tangent dP/dF (kPa, 9x9 in the order of deformation.h). A file each; this one chooses between them.
+// What a body may be made of. Each material is its constants and three functions of the deformation gradient F. They
+// are the energy per rest volume (kPa, which is uJ/mm3) and the first Piola-Kirchhoff stress P = d energy / dF (kPa).
+// The third is the tangent dP/dF (kPa, 9x9 in the order of deformation.h). A file each; this one chooses between them.
 
 #include <variant>
 

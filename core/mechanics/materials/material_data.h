@@ -4,10 +4,10 @@
 // Appl. Mech. Eng. 363, 2020). No law is fitted: where a state (strain, stress) would lie according to the data is
 // found by its nearest measurements and their convex hull.
 //
-// A uniaxial test measures one curve. In a body of three dimensions the tissue is taken as isotropic: volume change is
-// linear, with the bulk modulus K of the data's initial slope and of Poisson's ratio, and the curve says how the
-// deviator of stress grows with that of strain, both along one direction. With the axial nominal strain e and stress s
-// of the test, the lengths of the two deviators are
+// A uniaxial test measures one curve. In a body of three dimensions the tissue is taken as isotropic. Volume change is
+// linear, with the bulk modulus K of the data's initial slope and of Poisson's ratio. The curve says how the deviator
+// of stress grows with that of strain, both along one direction. With the axial nominal strain e and stress s of the
+// test, the lengths of the two deviators are
 //
 //   sqrt(3/2) (e - s / (9 K))   and   sqrt(2/3) s,
 //

@@ -1,9 +1,9 @@
 #pragma once
-// How far two places of a body are from each other, as its material sees it: the compliance distance of F. Faure,
-// B. Gilles, G. Bousquet, D. K. Pai, Sparse Meshless Models of Complex Deformable Solids, ACM Trans. Graph. 30(4),
-// 2011. It is the shortest integral of 1/E along any path inside the body (mm/kPa): what is stiff is short, because it
-// passes motion on, and what is soft is long. On a grid of voxels, by fast marching (J. A. Sethian, A fast marching
-// level set method for monotonically advancing fronts, PNAS 93, 1996): first order, |grad d| = 1/E.
+// How far two places of a body are from each other, as its material sees it: the compliance distance of F. Faure, B.
+// Gilles, G. Bousquet, D. K. Pai, Sparse Meshless Models of Complex Deformable Solids, ACM Trans. Graph. 30(4), 2011.
+// It is the shortest integral of 1/E along any path inside the body (mm/kPa). What is stiff is short, because it passes
+// motion on, and what is soft is long. On a grid of voxels, by fast marching (J. A. Sethian, A fast marching level set
+// method for monotonically advancing fronts, PNAS 93, 1996): first order, |grad d| = 1/E.
 //
 // A cut is a surface that no path may cross. Nothing else of the body changes with it.
 
@@ -24,15 +24,16 @@ struct VoxelBody {
   std::vector<float> youngs_kPa;
 };
 
-// A voxel is inside where its centre lies in a tetrahedron, or where it holds a point of the mesh, so that thin parts
-// are not lost. The grid is axis-aligned, its voxels cubes of the given edge, with an empty layer all around. The mesh
-// must have passed check_tetrahedra, and the grid must not exceed 2^31 voxels.
+// A voxel is inside where its centre lies in a tetrahedron. So that thin parts are not lost, it is also inside where it
+// holds a point of the mesh. The grid is axis-aligned, its voxels cubes of the given edge, with an empty layer all
+// around. The mesh must have passed check_tetrahedra, and the grid must not exceed 2^31 voxels.
 [[nodiscard]] VoxelBody voxelise(const geometry::TetMesh& mesh, const std::vector<double>& youngs_kPa,
                                  double spacing_mm);
 
-// Voxels waiting with their distances, taken out by and by from near to far: in the order of buckets of one width, and
-// within a bucket in any (L. Yatziv, A. Bartesaghi, G. Sapiro, O(N) implementation of the fast marching algorithm, J.
-// Comput. Phys. 212, 2006), five times as fast as a heap. What is put in is no nearer than what was taken out last.
+// Voxels waiting with their distances, taken out by and by from near to far. They come in the order of buckets of one
+// width, and within a bucket in any (L. Yatziv, A. Bartesaghi, G. Sapiro, O(N) implementation of the fast marching
+// algorithm, J. Comput. Phys. 212, 2006), five times as fast as a heap. What is put in is no nearer than what was taken
+// out last.
 class Front {
  public:
   struct Waiting {
@@ -60,16 +61,16 @@ class ComplianceDistance {
 
   static constexpr float unreached = std::numeric_limits<float>::infinity();
 
-  // Which of the seeds each voxel is nearest to, and how far (mm/kPa); -1 and `unreached` outside the body and where
-  // no seed can be reached from. Seeds stand in voxels of the body.
+  // Which of the seeds each voxel is nearest to, and how far (mm/kPa). It is -1 and `unreached` outside the body, and
+  // where no seed can be reached from. Seeds stand in voxels of the body.
   struct Voronoi {
     std::vector<int> owner;
     std::vector<float> distance;
   };
   [[nodiscard]] Voronoi voronoi(const std::vector<Eigen::Vector3d>& seeds_mm) const;
 
-  // Every voxel (by its offset in the grid) within `limit` of one seed, from near to far but for 1/8 of what it costs
-  // to cross the stiffest voxel. `workspace` belongs to one thread and is kept from call to call.
+  // Every voxel (by its offset in the grid) within `limit` of one seed. They come from near to far, but for 1/8 of what
+  // it costs to cross the stiffest voxel. `workspace` belongs to one thread and is kept from call to call.
   struct Reached {
     std::size_t voxel;
     float distance;

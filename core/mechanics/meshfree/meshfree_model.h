@@ -1,8 +1,8 @@
 #pragma once
 // Equilibrium by the meshfree engine: one body, prepared once, solved for as many loads as one likes. The counterpart
-// of static_model.h (law linear) and equilibrium.h (the others), with far fewer unknowns: what a few hundred handles
-// cannot follow of a deformation is missing, and the body is that much too stiff, never too soft, but for the springs
-// that hold it (meshfree_body.h).
+// of static_model.h (law linear) and equilibrium.h (the others), with far fewer unknowns. What a few hundred handles
+// cannot follow of a deformation is missing. The body is that much too stiff, never too soft, but for the springs that
+// hold it (meshfree_body.h).
 
 #include <cstdint>
 #include <memory>

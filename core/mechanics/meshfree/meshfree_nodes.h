@@ -2,19 +2,19 @@
 // The nodes of the meshfree engine and their shape functions, made offline from a body and its stiffness.
 //
 // Nodes stand at the centroids of a Voronoi decomposition of the body (section 4.2 of the dissertation;
-// voronoi_nodes.h) and each takes the modulus of the voxel that it stands in. Shape functions follow Faure et al. 2011
-// (see compliance_distance.h): they depend on the compliance distance d_i to the nodes, so that a stiff part moves as
-// one and deformation gathers where the body is soft, whatever the number of nodes:
+// voronoi_nodes.h). Each takes the modulus of the voxel that it stands in. Shape functions follow Faure et al. 2011
+// (see compliance_distance.h). They depend on the compliance distance d_i to the nodes. So a stiff part moves as one,
+// and deformation gathers where the body is soft, whatever the number of nodes:
 //
 //   w_i = psi(d_i / r_i) / sum over k of psi(d_k / r_k),   psi(t) = 1 - t for t < 1, else 0
 //
-// r_i is `overlap` times the distance to the farthest place where node i's cell, in the Voronoi decomposition by
-// compliance, meets another's (and more than reaches its own cell): twice that is where the farthest neighbour stands.
-// The weights are not negative, sum to 1, are continuous, and reach about as far as the nodes around; along a bar
-// between two nodes they fall straight with the compliance distance, which is how a bar of any stiffness stretches.
-// They are kept as values at the points of the mesh, linear between (the mesh is the background over which is
-// integrated; no unknown is tied to it). Smoother psi were tried on the cantilever of table 6.1 and were up to 4 % less
-// exact.
+// Node i's cell, in the Voronoi decomposition by compliance, meets others' cells. The reach r_i is `overlap` times the
+// distance to the farthest place where it does, and more than reaches its own cell. Twice that distance is where the
+// farthest neighbour stands. The weights are not negative, sum to 1, are continuous, and reach about as far as the
+// nodes around. Along a bar between two nodes they fall straight with the compliance distance. That is how a bar of any
+// stiffness stretches. They are kept as values at the points of the mesh, linear between. The mesh is the background
+// over which is integrated; no unknown is tied to it. Smoother psi were tried on the cantilever of table 6.1 and were
+// up to 4 % less exact.
 
 #include <Eigen/Core>
 #include <vector>

@@ -1,7 +1,7 @@
 #pragma once
-// Energy, forces and stiffness of a body at large deformation: its material's functions of F, integrated over the
-// cells (one point in a linear cell, four in a quadratic one).
-// `u_mm` has 3 values a node; forces are in mN, 3 a node.
+// Energy, forces and stiffness of a body at large deformation. Its material's functions of F are integrated over the
+// cells, with one point in a linear cell, four in a quadratic one. `u_mm` has 3 values a node; forces are in mN, 3 a
+// node.
 
 #include <vector>
 

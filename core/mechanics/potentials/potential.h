@@ -1,6 +1,6 @@
 #pragma once
 // One term of a body's potential energy: its material, a support, a load, inertia, a contact. `u_mm` is the
-// displacement of the body's nodes, 3 values a node in the order of NodeLayout; forces are in mN, 3 a node, energies in
+// displacement of the body's nodes, 3 values a node in the order of NodeLayout. Forces are in mN, 3 a node, energies in
 // uJ. A new support or contact is one class of these; tests/mechanics/potentials_test.cpp judges it by differences.
 
 #include <memory>

@@ -9,8 +9,8 @@
 
 namespace glisson::mechanics {
 
-// How much force (per volume of a cell) a displacement of b puts on a, from the gradients of their shape functions: by
-// the body's isotropic material, and its fibres where it has any.
+// How much force (per volume of a cell) a displacement of b puts on a, from the gradients of their shape functions. It
+// comes by the body's isotropic material, and by its fibres where it has any.
 class PairStiffness {
  public:
   explicit PairStiffness(const Body& body);

@@ -1,6 +1,6 @@
 #pragma once
-// A cut through a body: along a plane, or along a smooth sheet through points that somebody drew; open everywhere, or
-// within a ball, where the rest still hangs together.
+// A cut through a body, along a plane, or along a smooth sheet through points that somebody drew. It is open
+// everywhere, or within a ball, where the rest still hangs together.
 
 #include <Eigen/Core>
 #include <limits>
@@ -54,15 +54,15 @@ struct OpenedBody {
 [[nodiscard]] std::vector<int> points_on(const std::vector<OpenedBody::Wall>& walls);
 
 // How far a point of the mesh is taken onto the surface (geometry::SplitOptions::snap). Exactly along it there are
-// small tetrahedra: poor for finite elements, harmless to the meshfree engine, which only integrates over them and
-// needs the walls to be where its cut is.
+// small tetrahedra, which are poor for finite elements. They are harmless to the meshfree engine, which only integrates
+// over them, and which needs the walls where its cut is.
 enum class Along { nearly, exactly };
 
 // Failures: "cut-misses" (one that opens nothing, by its number), "cut-invalid".
 Result<OpenedBody> open_cuts(const geometry::TetMesh& mesh, const std::vector<Cut>& cuts, Along along);
 
-// Between points that were one: how far apart they are, and how far the walls have passed through each other, were they
-// flat and had they not slid. Zeros without walls.
+// `largest_opening_mm` is how far apart points are that were one. `largest_overlap_mm` is how far the walls have passed
+// through each other, were they flat and had they not slid. Zeros without walls.
 struct CutOpening {
   double largest_opening_mm = 0;
   double largest_overlap_mm = 0;

@@ -1,6 +1,6 @@
 #pragma once
-// How the patient lies on the table, and where gravity then points in patient coordinates (LPS: x to the left, y to the
-// back, z to the head).
+// How the patient lies on the table, and where gravity then points. Directions are in patient coordinates (LPS: x to
+// the left, y to the back, z to the head).
 
 #include <cmath>
 #include <Eigen/Core>
@@ -18,7 +18,7 @@ struct PatientPosition {
 };
 inline constexpr PatientPosition supine{};
 
-// Towards the feet when the head is up, towards the left when the left side is down, else towards the back; the length
+// Towards the feet when the head is up, towards the left when the left side is down, else towards the back. The length
 // is standard gravity.
 inline Eigen::Vector3d gravity_mm_s2(const PatientPosition& position) {
   const double tip = position.reverse_trendelenburg_deg * std::numbers::pi / 180.0;

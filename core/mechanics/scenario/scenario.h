@@ -1,7 +1,7 @@
 #pragma once
-// What is asked of a body: what it is made of, what holds it, what pulls at it, and which points are followed.
-// Plain values in the units of base/units.h (mm, mN, kPa, kg); positions are patient coordinates (LPS) at rest.
-// scenario_file.h reads them from JSON, which speaks N and kg/m3.
+// What is asked of a body: what it is made of, what holds it, what pulls at it, and which points are followed. Plain
+// values are in the units of base/units.h (mm, mN, kPa, kg). Positions are patient coordinates (LPS) at rest. JSON
+// speaks N and kg/m3, and scenario_file.h reads it.
 
 #include <array>
 #include <Eigen/Core>
@@ -51,15 +51,15 @@ struct Fixed {
   Eigen::Vector3d displacement_mm{0, 0, 0};
 };
 
-// A spring per unit area under the boundary faces all three of whose points are named; it pushes back equally in
-// all directions with `stiffness_kPa_per_mm` times the displacement.
+// A spring per unit area under the boundary faces all three of whose points are named. It pushes back equally in all
+// directions with `stiffness_kPa_per_mm` times the displacement.
 struct Foundation {
   double stiffness_kPa_per_mm = 0;
 };
 
-// A band from the named part of the surface to a fixed place in the body wall: a fan of springs that pull and never
-// push, one from each named point of the surface, which share the stiffness by the area around them. Each begins to
-// pull when it is `slack_mm` longer than at rest. It alone holds no body.
+// A band from the named part of the surface to a fixed place in the body wall. It is a fan of springs that pull and
+// never push, one from each named point of the surface. They share the stiffness by the area around them. Each begins
+// to pull when it is `slack_mm` longer than at rest. It alone holds no body.
 struct Ligament {
   Eigen::Vector3d anchor_mm{0, 0, 0};
   double stiffness_mN_per_mm = 0;  // of the whole band
@@ -93,7 +93,7 @@ using Load = std::variant<ToolLoad, PressureLoad, GravityLoad>;
 using Loads = std::vector<Load>;
 
 // A tool in contact (contact.h). A rigid one begins at its position and goes along the direction, by an advance or
-// until the body pushes back with a force; jaws hold a patch of the surface and draw it by a displacement or with a
+// until the body pushes back with a force. Jaws hold a patch of the surface and draw it, by a displacement or with a
 // force.
 struct ScenarioRigidTool {
   ToolShape shape;

@@ -1,6 +1,6 @@
 #pragma once
-// Scenarios as JSON, read strictly: a key that is not known, a number that is not finite or out of range, a shape
-// that is not understood and whatever this version cannot compute yet are refused, never passed over.
+// Scenarios as JSON, read strictly: nothing is passed over. Refused are a key that is not known, a number that is not
+// finite or out of range, and a shape that is not understood. So is whatever this version cannot compute yet.
 //
 //   {"engine": "fem", "material": "linear", "poisson_ratio": 0.45, "density_kg_m3": 1000,
 //    "youngs_modulus_kPa": 5.0 or "name of a cell array",

@@ -1,6 +1,6 @@
 #pragma once
-// K u = f where some of u is given: factorised once, solved for many f, with iterative refinement that brings the
-// residual down to what was asked or says that it could not.
+// K u = f where some of u is given: factorised once, solved for many f. Iterative refinement brings the residual down
+// to what was asked, or says that it could not.
 
 #include <cstdint>
 #include <Eigen/SparseCore>
@@ -14,9 +14,9 @@
 
 namespace glisson::mechanics {
 
-// Refinement goes on while it gains and the residual is above `target`; what it reaches counts as converged when it
-// is within `tolerance`. The two differ because rounding sets a floor of about 1e-16 |K| |u| / |f|, which a body near
-// incompressibility or a slender one meets above the target.
+// Refinement goes on while it gains and the residual is above `target`; what it reaches counts as converged when it is
+// within `tolerance`. The two differ because rounding sets a floor of about 1e-16 |K| |u| / |f|. A slender body, or one
+// near incompressibility, meets that above the target.
 struct Refinement {
   double target = 1e-10;
   double tolerance = 1e-6;
@@ -49,8 +49,8 @@ class ConstrainedSystem {
   void keep_factor_in_single_precision();
 
   // By the factor alone (refined where that is in single precision), nothing given. `relative_residual` is of a sum of
-  // the columns with signs that look random: it costs one product, not one a column, and no column's error hides in it
-  // but by chance.
+  // the columns with signs that look random. It costs one product, not one a column. No column's error hides in it but
+  // by chance.
   struct Response {
     Eigen::MatrixXd u;
     double relative_residual = 0;

@@ -5,10 +5,10 @@
 
 namespace glisson::mechanics {
 
-// `exact` is the slope of the force, and may not be positive definite; `positive` drops the negative curvature of
-// each material point, which leaves a direction of descent (Teran et al. 2005, Robust Quasistatic Finite Elements).
-// `warped` is the small-strain stiffness turned with each point, R C R^T, as in corotational.h: it leaves out what
-// stress adds, which a step in time that is solved once would take for a brake on turning.
+// `exact` is the slope of the force, and may not be positive definite; `positive` drops the negative curvature of each
+// material point, which leaves a direction of descent (Teran et al. 2005, Robust Quasistatic Finite Elements). `warped`
+// is the small-strain stiffness turned with each point, R C R^T, as in corotational.h. It leaves out what stress adds.
+// A step in time that is solved once would take that for a brake on turning.
 enum class Tangent { exact, positive, warped };
 
 // Unknowns in mm, energies in uJ, forces in mN.

@@ -8,8 +8,8 @@
 //            stiffness of the energy norm's metric, which is factorised once.
 //
 // Small strain, quadratic tetrahedra, one material. The metric only weighs and says where to start; a law of the tissue
-// enters nowhere. A foundation's springs keep their own law t = k u: their states (u, t) lie on that line, in the norm
-// k |u|^2 / 2 + |t|^2 / (2 k), and take part in both steps.
+// enters nowhere. A foundation's springs keep their own law t = k u. Their states (u, t) lie on that line, in the norm
+// k |u|^2 / 2 + |t|^2 / (2 k). They take part in both steps.
 
 #include "base/progress.h"
 #include "base/result.h"
@@ -20,7 +20,7 @@ namespace glisson::mechanics {
 
 struct DataDrivenOptions {
   double relative_tolerance = 1e-5;  // of the displacements' change from one round to the next
-  // Nor does a state look farther when all of them lie this near to the data (of their size, in the energy norm): noisy
+  // Nor does a state look farther when all of them lie this near to the data (of their size, in the energy norm). Noisy
   // measurements lie apart by more.
   double close_enough = 1e-3;
   int max_rounds = 1000;  // they gain a factor of 2 a round where the data have the metric's slope, less where they are

@@ -1,11 +1,11 @@
 #pragma once
-// The strain of a body whose displacements are linear in one force, exactly and in microseconds: what strain_range
-// would say of the whole solve, at small strain, over the corners of all cells.
+// The strain of a body whose displacements are linear in one force, exactly and in microseconds. It is what
+// `strain_range` would say of the whole solve, at small strain, over the corners of all cells.
 //
-// So is the strain: at each corner eps(F) = eps_0 + sum over axes of F_a eps_a. Its largest eigenvalue
-// in magnitude is at most |eps_0| + |F| k, k^2 being the largest eigenvalue of the 3x3 products eps_a : eps_b, so that
-// the corners that may be the worst are a few hundred of tens of thousands, and only their eigenvalues are computed.
-// Nor can a cell be turned inside out where no strain reaches 1.
+// So is the strain: at each corner eps(F) = eps_0 + sum over axes of F_a eps_a. Its largest eigenvalue in magnitude is
+// at most |eps_0| + |F| k, with k^2 the largest eigenvalue of the 3x3 products eps_a : eps_b. So of tens of thousands
+// of corners a few hundred may be the worst. Only their eigenvalues are computed. Nor can a cell be turned inside out
+// where no strain reaches 1.
 
 #include <array>
 #include <Eigen/Core>

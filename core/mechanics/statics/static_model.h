@@ -42,11 +42,12 @@ struct NodalLoad {
 class StaticModel {
  public:
   // Checks everything, assembles and factorises. `youngs_kPa` has one value a cell. Failures: those of
-  // check_tetrahedra; "modulus-invalid" (the first cell is named), "poisson-invalid", "support-empty" (a support
-  // that names nothing), "body-free" (not fixed enough to be in equilibrium; the free motion is named),
-  // "too-large" (the factor would not fit the memory limit), "factorisation-failed", "cancelled"; "not-available" (a
-  // ligament, which only pulls: find_equilibrium knows it); "fibre direction-invalid". `mutual_points` are points of
-  // the mesh whose answers to each other are wanted (mutual_compliance), each once.
+  // check_tetrahedra; "modulus-invalid" (the first cell is named), "poisson-invalid", "support-empty" (a support that
+  // names nothing), "grain-invalid". Fails with "body-free" where it is not fixed enough to be in equilibrium (the free
+  // motion is named). Fails with "too-large" where the factor would not fit the memory limit. Fails with
+  // "factorisation-failed" or "cancelled". Fails with "not-available" for a ligament, which only pulls:
+  // find_equilibrium knows it. `mutual_points` are points of the mesh whose answers to each other are wanted
+  // (mutual_compliance), each once.
   static Result<StaticModel> create(geometry::TetMesh mesh, std::vector<double> youngs_kPa,
                                     std::vector<Support> supports, const StaticOptions& options = {},
                                     const Progress& progress = {}, const std::vector<int>& mutual_points = {});
@@ -66,8 +67,9 @@ class StaticModel {
   [[nodiscard]] Result<std::vector<StaticResult>> solve_each(const std::vector<Loads>& cases) const;
   [[nodiscard]] Result<StaticResult> solve_nodal(const NodalLoad& load) const;
 
-  // The displacements of all nodes (mm, 3 a node) under each column of forces (mN), fixed nodes still: for callers that
-  // ask often and sum up. Solved once, unrefined; what that left is in `relative_residual`, the worst of the columns.
+  // The displacements of all nodes (mm, 3 a node) under each column of forces (mN), fixed nodes still. They are for
+  // callers that ask often and sum up. Solved once, unrefined; what that left is in `relative_residual`, the worst of
+  // the columns.
   struct Responses {
     Eigen::MatrixXd displacement_mm;
     double relative_residual = 0;
@@ -77,8 +79,8 @@ class StaticModel {
 
   // As they were given.
   [[nodiscard]] const std::vector<int>& mutual_points() const;
-  // How the mutual points move (mm) by a force of 1 mN on each, 3 rows and 3 columns a point: what `respond` would give
-  // for 3 loads a point, at the cost of inverting a dense matrix of that size, 8 bytes an entry.
+  // How the mutual points move (mm) by a force of 1 mN on each, 3 rows and 3 columns a point. It is what `respond`
+  // would give for 3 loads a point. It costs the inverse of a dense matrix of that size, 8 bytes an entry.
   [[nodiscard]] Eigen::MatrixXd mutual_compliance() const;
 
   [[nodiscard]] const Body& body() const;

@@ -19,7 +19,7 @@ enum class AnswerState {
   not_converged,         // no equilibrium
 };
 
-// Where small strain ends to describe soft tissue: at 20 % Green's strain and the small one differ by a tenth, as
+// Where small strain ends to describe soft tissue. At 20 % Green's strain and the small one differ by a tenth, as
 // (lambda^2 - 1)/2 and lambda - 1 say.
 inline constexpr double small_strain_limit = 0.2;
 // Of each law; the hyperelastic ones have none.

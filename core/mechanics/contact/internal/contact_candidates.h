@@ -23,8 +23,8 @@ struct ContactCandidate {
   Eigen::Vector3d place_mm;  // on the moved surface
 };
 
-// The same place of the surface as it moves on: kept from round to round, so that pushing the surface out of the tool
-// at one place cannot let it in again at another that was left a round before.
+// The same place of the surface as it moves on, kept from round to round. Else pushing the surface out of the tool at
+// one place could let it in again at another that was left a round before.
 struct TrackedContact {
   std::size_t tool, rod;
   std::array<int, 3> points;

@@ -1,7 +1,7 @@
 #pragma once
-// The rounds that bring a linear body in contact to rest (contact.h): find the places that touch, solve for their
-// forces on the body's remembered answers, move the surface and the pushed tools on, and look again. Inside of this
-// room.
+// The rounds that bring a linear body in contact to rest (contact.h). Each finds the places that touch, and solves for
+// their forces on the body's remembered answers. Then it moves the surface and the pushed tools on, and looks again.
+// Inside of this room.
 
 #include <set>
 

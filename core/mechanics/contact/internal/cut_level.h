@@ -1,12 +1,12 @@
 #pragma once
-// What a live cut adds to the levels that precondition conjugate gradients (spline_levels.h): the wide splines around
-// the cut once more, times a function H that jumps across it, with the jumps that go with them:
+// What a live cut adds to the levels that precondition conjugate gradients (spline_levels.h). The wide splines around
+// the cut come once more, times a function H that jumps across it. The jumps of those come too:
 //   r -> Y (Y^T A Y)^-1 Y^T r + D^-1 r on the jumps,
 // Y the splines times H at the nodes, and at the jumps the splines themselves. Parts that the cut has separated then
-// move apart in few steps. H = 1/2 + theta / 2 pi, theta the angle around the front from straight ahead (as the first
-// branch function of a crack's tip in linear elasticity behaves: Moes, Dolbow and Belytschko 1999, Int. J. Numer. Meth.
-// Eng. 46:131), is 1 above and 0 below far behind the front and continuous ahead of it. Y^T A Y is that at rest, with a
-// point for each side of a cell: it need not be exact to precondition.
+// move apart in few steps. H = 1/2 + theta / 2 pi, with theta the angle around the front from straight ahead. It is 1
+// above and 0 below far behind the front, and continuous ahead of it. So behaves the first branch function of a crack's
+// tip in linear elasticity (Moes, Dolbow and Belytschko 1999, Int. J. Numer. Meth. Eng. 46:131). Y^T A Y is that at
+// rest, with a point for each side of a cell: it need not be exact to precondition.
 
 #include <Eigen/Core>
 #include <utility>

@@ -40,8 +40,8 @@ class CutSelfContact {
   CutSelfContact(const geometry::Surface& surface, const std::vector<int>& node_of_point,
                  const std::vector<int>& wall_points);
 
-  // Finds the contacts with the body moved by u: points nearer than 1 mm to a triangle that faces them, or up to 5 mm
-  // behind it. A multiplier stays with its point.
+  // Finds the contacts with the body moved by u. These are points nearer than 1 mm to a triangle that faces them, or up
+  // to 5 mm behind it. A multiplier stays with its point.
   // - anew: contacts found now alone.
   // - again: a point that is found nowhere keeps its last contact.
   // - more: earlier contacts stay beside those found now. A point over an edge or a rim would else change triangles

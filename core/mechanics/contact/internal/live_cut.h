@@ -1,7 +1,7 @@
 #pragma once
-// What a live body has more of where a cut has opened: its jumps' cells, a level for conjugate gradients, and the
-// judged places' answers to unit forces at small strain, by which the bound is weighted. Made anew with each advance;
-// the body's other parts stay.
+// What a live body has more of where a cut has opened: its jumps' cells, a level for conjugate gradients, and answers
+// to unit forces. The answers are those of the judged places at small strain, and weight the bound. Made anew with each
+// advance; the body's other parts stay.
 
 #include <cstdint>
 #include <Eigen/Core>
@@ -40,8 +40,8 @@ struct LiveCut {
   std::uint64_t number_;  // of all that were made of a body
 };
 
-// The answers of one cut, that of the last step: some 15 MB of a liver, which advances that undo goes back to need not
-// hold each; solved for again they are the same bits.
+// The answers of one cut, that of the last step: some 15 MB of a liver. Advances that undo goes back to need not hold
+// each. Solved for again they are the same bits.
 struct KeptAdjoints {
   std::mutex mutex;
   std::uint64_t cuts = 0, of_cut = 0;

@@ -1,6 +1,6 @@
 #pragma once
-// The parts of a live body, and one step of it: places that touch, conjugate gradients, the estimate of what is left
-// (live_body.h says how they go together).
+// The parts of a live body, and one step of it. A step is places that touch, conjugate gradients, and the estimate of
+// what is left (live_body.h says how they go together).
 
 #include <algorithm>
 #include <limits>

@@ -1,8 +1,8 @@
 #pragma once
 // Cells that a live cut has opened, at large deformation. On the side s of the cut (1 above, 0 below) the displacement
-// is u + sum over corners of (s - H_i) L_i a_i with the jump a_i of the corner i and H_i 1 where the corner lies above
-// (cutting/internal/jump_functions.h), so that F is the nodes' and a constant of each side. The cells' two sides are
-// divided into tetrahedra and integrated there, at four points each, in double precision and on one thread.
+// is u + sum over corners of (s - H_i) L_i a_i. Here a_i is the jump of the corner i, and H_i is 1 where the corner
+// lies above (cutting/internal/jump_functions.h). So F is the nodes' and a constant of each side. The cells' two sides
+// are divided into tetrahedra and integrated there, at four points each, in double precision and on one thread.
 //
 // Jumps follow the nodes among the unknowns: 3 values a node, then 3 a jump (mm, mN).
 
@@ -19,12 +19,12 @@ namespace glisson::mechanics {
 class OpenCells {
  public:
   // What bridges the walls, and foundations under them, are springs beside the cells. Gas at `pressure_kPa` presses on
-  // the walls too: over a closed surface its energy is p times the volume inside, so that it joins the cells' stress by
-  // p cof F less what the boundary's part of it counts of these cells. The body and its materials must outlive it.
+  // the walls too. Over a closed surface its energy is p times the volume inside. So it adds p cof F to the cells'
+  // stress, less what the boundary's part of it counts of these cells. The body and its materials must outlive it.
   OpenCells(const Body& body, const std::vector<Material>& materials, const Opening& opening, double pressure_kPa);
 
-  // Takes what they resist with off the forces. Back come the points that are inside out, of sides that are more than a
-  // twentieth of their cell: what is thinner has no energy to speak of.
+  // Takes what they resist with off the forces. Back comes how many points are inside out, of sides that are more than
+  // a twentieth of their cell. What is thinner has no energy to speak of.
   int add_force(const Eigen::VectorXd& x_mm, Eigen::VectorXd& force_mN) const;
   // How far the principal stretches differ from 1 at most, over the same points.
   [[nodiscard]] double largest_strain(const Eigen::VectorXd& x_mm) const;

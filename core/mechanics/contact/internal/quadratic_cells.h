@@ -1,7 +1,7 @@
 #pragma once
-// The forces of a body of quadratic tetrahedra at large deformation, eight cells at a time, one a lane of the vectors
-// that the machine has (Google Highway): what a live body asks for several times a picture. The same integral as
-// potentials/elastic.h, at the same four points.
+// The forces of a body of quadratic tetrahedra at large deformation: what a live body asks for several times a picture.
+// Eight cells are worked on at a time, one a lane of the vectors that the machine has (Google Highway). The same
+// integral as potentials/elastic.h, at the same four points.
 //
 // With w_kq the displacement of corner k where q = k and of the edge k-q otherwise, the displacement's derivative by
 // the barycentric coordinate L_k is linear in the cell: (4b - 1) u_k + 4b sum_q w_kq + 4 (a - b) w_kq at point q, whose

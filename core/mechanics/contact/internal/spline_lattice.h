@@ -9,9 +9,9 @@
 
 namespace glisson::mechanics {
 
-// Quadratic B-splines over a regular lattice, and the nodes among them; those twice as wide. Values are 3 a node, and 4
-// a point of the narrow lattice, the last of which is nothing, with one point more at the end; 3 a point of the wide
-// one.
+// Quadratic B-splines over a regular lattice, and the nodes among them; those twice as wide. Values are 3 a node, and 3
+// a point of the wide lattice. A point of the narrow lattice has 4, the last of which is nothing, and there is one
+// point more at the end.
 class SplineLattice {
  public:
   using Values = std::vector<Eigen::Vector4f>;

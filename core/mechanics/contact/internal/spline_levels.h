@@ -3,7 +3,7 @@
 //   r -> D^-1 r + P (w B^-1 + Q (Q^T P^T A P Q)^-1 Q^T) P^T r,
 // an additive method of three levels (Toselli and Widlund 2005, Domain Decomposition Methods, 2.5 and 3). D is the 3x3
 // blocks of A's diagonal. P takes the nodes' displacements from quadratic B-splines over a narrow regular lattice laid
-// through the body, and Q those from splines twice as wide, which narrow ones add up to exactly. B is the diagonal
+// through the body. Q takes them from splines twice as wide, which narrow ones add up to exactly. B is the diagonal
 // blocks of P^T A P; the wide lattice's inverse is kept, dense. Splines of the second degree bend and turn without
 // locking, which trilinear ones do not near incompressibility.
 //

@@ -1,11 +1,11 @@
 #pragma once
 // What a linear body answers to forces on its surface. A unit force on a point is solved for once by the kept factor
-// and remembered, in fixed groups of neighbours, so that what is remembered does not depend on who asked first; what
-// the model's mutual points (of the walls of cuts) answer to each other is known from the start, and forces on them are
-// solved for anew each time that all is seen under them.
+// and remembered. That is done in fixed groups of neighbours, so that what is remembered does not depend on who asked
+// first. What the model's mutual points (of the walls of cuts) answer to each other is known from the start. Forces on
+// them are solved for anew each time that all is seen under them.
 //
-// Where a cut has opened, what the opening adds is apart from what is remembered of the whole body (opening.h): the
-// loads that forces put on its jumps, and what follows from those.
+// Where a cut has opened, what the opening adds is kept apart from what is remembered of the whole body (opening.h).
+// That is the loads that forces put on its jumps, and what follows from those.
 //
 // What is seen: the surface, the watched places, and the inner points of the mesh, in this order, 3 values each (mm).
 
@@ -59,8 +59,8 @@ class SurfaceResponses {
   [[nodiscard]] const Eigen::VectorXd& standing_seen_mm() const { return standing_seen_mm_; }
   // The jumps of the opening (mm, 3 a point) under such forces; none: without values.
   [[nodiscard]] Eigen::VectorXd jumps_under(const PointForces& force_mN, const WallForces& wall_mN) const;
-  // Where what is seen is under forces on points that are remembered or mutual, and on walls; of the surface alone the
-  // other values are those of the standing loads, and it costs a fraction. Failure: "not-converged".
+  // Where what is seen lies under forces on points that are remembered or mutual, and on walls. For the surface alone
+  // it costs a fraction, and the other values are those of the standing loads. Failure: "not-converged".
   enum class Part { surface, all };
   [[nodiscard]] Result<Eigen::VectorXd> seen_under(const PointForces& force_mN, const WallForces& wall_mN,
                                                    Part part = Part::all) const;

@@ -22,7 +22,7 @@ struct CellDivision {
 // Heights (mm) none of which is zero, and not all of one sign.
 [[nodiscard]] CellDivision divide(const Eigen::Vector4d& height_mm);
 
-// The same as tetrahedra, each by the barycentric coordinates of its corners, one a column; its determinant is its
+// The same as tetrahedra, each by the barycentric coordinates of its corners, one a column. The determinant is its
 // share of the cell's volume, but for the sign.
 struct CellPiece {
   Eigen::Matrix4d corners;
@@ -45,8 +45,8 @@ struct Crossing {
   std::vector<std::vector<int>> cells_of_point;  // of each point of the mesh, as numbers in `cells`
 };
 
-// A point nearer to the surface than a hundredth of the mean edge is taken to lie that far above it: what is cut off of
-// a cell is never much thinner.
+// A point nearer to the surface than a hundredth of the mean edge is taken to lie that far above it. So what is cut off
+// of a cell is never much thinner.
 [[nodiscard]] Crossing crossing_of(const geometry::TetMesh& mesh, const geometry::CutSurface& surface);
 
 // Places spread evenly over a cell's wall: barycentric, with the area (mm2) that each stands for.

@@ -1,11 +1,11 @@
 #pragma once
-// What a jump of the displacement across a cut adds to a body's equations: its coupling to the nodes, its own
+// What a jump of the displacement across a cut adds to a body's equations. That is its coupling to the nodes, its own
 // stiffness, and the work of standing loads on it.
 //
 // A point i of a crossed cell carries a jump a_i by the function L_i (H - H_i): L_i is the point's linear shape
-// function, H is 1 above the surface and 0 below, H_i its value at the point (Moes, Dolbow and Belytschko 1999,
+// function. H is 1 above the surface and 0 below, and H_i its value at the point (Moes, Dolbow and Belytschko 1999,
 // Int. J. Numer. Meth. Eng. 46:131; shifted: Zi and Belytschko 2003, ibid. 57:2221). The sum over points of L_i a_i is
-// then the jump from below to above, and a node's own displacement stays what it was without the cut.
+// then the jump from below to above. A node's own displacement stays what it was without the cut.
 //
 // Gradients of quadratic cells are linear and those of L_i constant, so that the centroids of a cell's two parts
 // integrate their products exactly.
@@ -27,8 +27,8 @@ namespace glisson::mechanics {
 [[nodiscard]] Eigen::MatrixXd stiffness_between(const Body& body, const Crossing& crossing,
                                                 const std::vector<int>& rows, const std::vector<int>& columns);
 
-// What of that is the foundations' (mN/mm along each axis): one row a node and one column a jump, `number` being of
-// each point of the mesh its jump, -1: none.
+// What of that is the foundations' (mN/mm along each axis): one row a node and one column a jump. `number` is the jump
+// of each point of the mesh, -1 for none.
 void add_foundation_springs(const Body& body, const Crossing& crossing, const std::vector<int>& number,
                             std::vector<Eigen::Triplet<double>>& with_nodes,
                             std::vector<Eigen::Triplet<double>>& between);

@@ -25,7 +25,7 @@ struct SolvedPoint {
 };
 
 // One surface wherever it crosses the body. Its candidates are the points that may open, in the order in which the
-// first strip's front comes to them; they are solved for in fixed groups, so that what is solved does not depend on who
+// first strip's front comes to them. They are solved for in fixed groups, so that what is solved does not depend on who
 // asked first.
 struct SurfaceInBody {
   geometry::CutSurface surface;

@@ -10,8 +10,8 @@
 
 namespace glisson::mechanics {
 
-// The part of a crossed cell's wall that is still whole: integrals over it of the corners' linear shape functions and
-// of their products, and of the functions over all of the wall (mm2).
+// The part of a crossed cell's wall that is still whole (mm2). Of the corners' linear shape functions `whole_mm2` has
+// the integrals over it, `products_mm2` those of their products. `all_mm2` has the integrals over all of the wall.
 struct WholeWall {
   Eigen::Vector4d all_mm2 = Eigen::Vector4d::Zero(), whole_mm2 = Eigen::Vector4d::Zero();
   Eigen::Matrix4d products_mm2 = Eigen::Matrix4d::Zero();

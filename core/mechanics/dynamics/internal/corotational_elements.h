@@ -1,10 +1,10 @@
 #pragma once
-// The linear tetrahedra of a moving body, each with the rotation it has turned by: forces in double precision without
-// any matrix, and the same stiffness as blocks of one.
+// The linear tetrahedra of a moving body, each with the rotation it has turned by. They give forces in double precision
+// without any matrix, and the same stiffness as blocks of one.
 //
 // The force is that of warped stiffness (corotational.h): R C : sym(R^T grad w - I), with R kept. Nodes are numbered
-// anew, along the body's longest side, and cells go through in slabs along it, every other one at a time: two slabs
-// that are worked on together share no node, and every sum is made in the same order with any number of threads.
+// anew, along the body's longest side. Cells go through in slabs along it, every other one at a time, so that two slabs
+// worked on together share no node. Every sum is made in the same order with any number of threads.
 
 #include <Eigen/Core>
 #include <vector>

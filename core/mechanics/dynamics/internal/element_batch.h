@@ -1,7 +1,7 @@
 #pragma once
-// Linear tetrahedra eight at a time, one a lane of the vectors that the machine has (Google Highway: compiled for every
-// instruction set that the compiler knows, chosen when the program runs): what CorotationalElements does with them at
-// every step. Another instruction set rounds otherwise, in the last digit.
+// Linear tetrahedra eight at a time, one a lane of the vectors that the machine has: what CorotationalElements does
+// with them at every step. Google Highway compiles this for every instruction set that the compiler knows, and chooses
+// when the program runs. Another instruction set rounds otherwise, in the last digit.
 
 #include <array>
 #include <cstdint>
@@ -28,8 +28,8 @@ struct CellKernels {
   // rotation is asked of `slow_rotation` (F in, R out, [row][column]).
   Turned (*turn)(ElementBatch* begin, const ElementBatch* end, const double* u, bool fixed,
                  void (*slow_rotation)(const double f[3][3], double r[3][3]));
-  // Adds `factor` times the forces R C : sym(R^T (rest I + grad w) - rest I), with rest 1 for those of a displacement w
-  // and 0 for their change by w. No two batches in the range may be worked on elsewhere with a node in common.
+  // Adds `factor` times the forces R C : sym(R^T (rest I + grad w) - rest I). `rest` is 1 for those of a displacement
+  // w, and 0 for their change by w. No two batches in the range may be worked on elsewhere with a node in common.
   void (*add_forces)(const ElementBatch* begin, const ElementBatch* end, const double* w, double rest, double factor,
                      double* forces);
 };

@@ -4,15 +4,15 @@
 //
 //   u(x) = sum over nodes of w_i(x) (t_i + B_i (x - X_i) / l_i),     q = (t, B's three columns) of all nodes in turn
 //
-// X_i being the node, l_i its size (mm). Affine rather than rigid handles, because then any uniform strain and any
-// rotation is in the space exactly, whatever the weights (they sum to 1): that passes the patch test and turns without
-// growing, and it leaves mass and stiffness constant in q, so that they are assembled offline. Weights being linear in
-// each cell of the background mesh, u is quadratic in each: its values at the corners and mid-side nodes of quadratic
+// X_i being the node, l_i its size (mm). Handles are affine rather than rigid. Then any uniform strain and any rotation
+// is in the space exactly, whatever the weights (they sum to 1). So the engine passes the patch test, and the body
+// turns without growing. Mass and stiffness are constant in q, and are assembled offline. The weights are linear in
+// each cell of the background mesh, so u is quadratic there. Its values at the corners and mid-side nodes of quadratic
 // tetrahedra say all, and integrals over cells are exact.
 //
-// At a point p of the mesh the handles blend to one affine field of its own, A_p = sum of w_i times handle i, and u is
-// A_p at the point and the mean of two such fields in the middle of an edge. So handles speak to points, of which there
-// are few, and points to the places of a quadratic layout.
+// At a point p of the mesh the handles blend to one affine field of its own: A_p = sum of w_i times handle i. At the
+// point, u is A_p. In the middle of an edge it is the mean of two such fields. So handles speak to points, of which
+// there are few, and points to the places of a quadratic layout.
 
 #include <Eigen/Core>
 #include <functional>
@@ -64,8 +64,8 @@ class AffineBasis {
   [[nodiscard]] Eigen::VectorXd follow(const HandleLead& lead, const Eigen::VectorXd& leaders) const;
   [[nodiscard]] Eigen::VectorXd gather(const HandleLead& lead, const Eigen::VectorXd& handles) const;
 
-  // What a handle gives to the field at a point x of the mesh: weight * t + B * arm to its value, slope * B to its
-  // slope. For a handle of its own, w, w (x - X) / l and w / l.
+  // What a handle gives to the field at a point x of the mesh. It gives weight * t + B * arm to its value, and slope *
+  // B to its slope. For a handle of its own, w, w (x - X) / l and w / l.
   struct Share {
     int handle;
     double weight;

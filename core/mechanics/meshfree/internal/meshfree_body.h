@@ -2,10 +2,10 @@
 // A body made ready for the meshfree engine, offline: nodes, shape functions, and the stiffness at rest over handles
 // (reduced_matrix.h). Equilibrium and motion both start from one.
 //
-// Fixed points are fixed by a penalty, because no unknown stands at them: a spring in each fixed direction of a place,
+// Points are fixed by a penalty, because no unknown stands at them. A place has a spring in each fixed direction,
 // `penalty_factor` times as stiff as the body itself is there. They give way by about that part of a cell's
 // deformation, and results say by how much. Points fixed in all directions have a node of their own, one in each part
-// of the body that has any; else the nodes that reach them would be fixed with them.
+// of the body that has any. Else the nodes that reach them would be fixed with them.
 
 #include <memory>
 #include <vector>

@@ -2,8 +2,8 @@
 // The meshfree engine in motion: implicit Euler over handles (eq. 4.3 of the dissertation; implicit_euler.h says how),
 // conjugate gradients in double precision (eqs. 4.7-4.10). With law linear, mass, stiffness and damping are constant: A
 // is assembled and factorised once, offline, and steps need one or two iterations. With the others the stiffness is
-// assembled anew each step (warped, see objective.h), and the factor of an older step serves until it costs
-// more than 30 iterations.
+// assembled anew each step (warped, see objective.h). The factor of an older step serves until it costs more than 30
+// iterations.
 
 #include <functional>
 #include <memory>

@@ -1,7 +1,7 @@
 #pragma once
 // A matrix over handles, P^T K P, in either of two forms. Few handles: assembled, to be factorised. Many: never formed.
-// A handle meets some 170 others, in blocks of 1.2 kB, so that 20,000 handles would take 3.9 GB and each product read
-// all of it; K over the places of the mesh below them takes a tenth of that, and P next to nothing. The sum of a
+// A handle meets some 170 others, in blocks of 1.2 kB. So 20,000 handles would take 3.9 GB, and each product would read
+// all of it. K over the places of the mesh below them takes a tenth of that, and P next to nothing. The sum of a
 // conjugate gradient's products may be rough, in single precision, since residuals are formed in double. Inside of this
 // room.
 

@@ -5,12 +5,11 @@
 //   r -> D^-1 r + R (R^T A R)^-1 R^T r
 //
 // D is the 12x12 blocks of the diagonal. R leads the handles by some hundred coarse ones on a lattice, which hold the
-// smooth motions; since handles that follow affine fields blend to a blend of these, R^T A R is exactly the engine's
-// own matrix over the leaders, and small enough to be factorised (any text on domain decomposition, e.g. Toselli and
-// Widlund 2005, 2.5 and 3). Handles may describe one motion in two ways, so that A is semi-definite; conjugate
-// gradients never enter what A does not see, and factorisations are of A with its diagonal raised by as little as makes
-// it definite: each digit less saves iterations by the factor (500 handles, to 1e-6: 193 of them with 1e-9, 3 with
-// 1e-13).
+// smooth motions. Handles that follow affine fields blend to a blend of these. So R^T A R is exactly the engine's own
+// matrix over the leaders, and small enough to be factorised (any text on domain decomposition, e.g. Toselli and
+// Widlund 2005, 2.5 and 3). Handles may describe one motion in two ways, so that A is semi-definite. Conjugate
+// gradients never enter what A does not see. What is factorised is A with its diagonal raised by as little as makes it
+// definite. Each digit less saves iterations: with 500 handles, to 1e-6, there are 193 with 1e-9 and 3 with 1e-13.
 
 #include <Eigen/Core>
 #include <memory>

@@ -30,7 +30,7 @@ class BlockMatrix {
   [[nodiscard]] std::vector<Scalar>& values() { return values_; }
   [[nodiscard]] const std::vector<Scalar>& values() const { return values_; }
 
-  // y = mask * (A x), 3 values a row; gives back x . y. x and y must have one value more than the rows need.
+  // y = mask * (A x), 3 values a row; gives back x . y. Both vectors must have one value more than the rows need.
   double multiply(const std::vector<Scalar>& x, const std::vector<Scalar>& mask, std::vector<Scalar>& y) const;
 
   // What one multiplication reads and writes in memory at least: blocks, column numbers, x and y.

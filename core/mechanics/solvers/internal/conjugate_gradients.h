@@ -19,8 +19,8 @@ struct GradientBuffers {
         preconditioned(3 * nodes + 1) {}
 };
 
-// Solves A e = `buffers.residual` (zero where fixed) into `buffers.solution`, until the recurrence's residual is at
-// most `target_norm` or the iterations are spent; gives back how many it took.
+// Solves A e = `buffers.residual` (zero where fixed) into `buffers.solution`. It goes on until the recurrence's
+// residual is at most `target_norm` or the iterations are spent, and gives back how many it took.
 int conjugate_gradients(const BlockCsr& matrix, const std::vector<float>& mask, LatticePreconditioner& preconditioner,
                         double target_norm, int max_iterations, GradientBuffers& buffers);
 

@@ -1,6 +1,6 @@
 #pragma once
-// Conjugate gradients on an OpenCL device, in single precision, preconditioned by the inverses of the diagonal 3x3
-// blocks (Saad, Iterative Methods for Sparse Linear Systems, 9.2 and 10.2). More iterations than with the lattices of
+// Conjugate gradients on an OpenCL device, in single precision. The inverses of the diagonal 3x3 blocks precondition
+// them (Saad, Iterative Methods for Sparse Linear Systems, 9.2 and 10.2). More iterations than with the lattices of
 // conjugate_gradients.h, each far shorter.
 //
 // Vectors stay on the device; of the scalars only the residual's norm comes back, every `iterations_between_looks`.

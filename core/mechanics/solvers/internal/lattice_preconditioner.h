@@ -1,12 +1,11 @@
 #pragma once
-// What makes conjugate gradients fast on a moving body: r -> D^-1 r + P (w B^-1 + Q (Q^T P^T A P Q)^-1 Q^T) P^T r, an
-// additive method of three levels. D is the 3x3 blocks of A's diagonal. P interpolates trilinearly from a regular
-// lattice laid through the body, a few nodes to its cell, and B is the diagonal blocks of P^T A P; Q interpolates from
-// every other point of that lattice. The few unknowns of the widest hold the smooth motions, turning and bending among
-// them, which D alone leaves to hundreds of iterations, and are solved for exactly; the lattice between passes on what
-// is too wide for D and too narrow for them (Bramble, Pasciak and Xu 1990, Math. Comp. 55:1; Toselli and Widlund
-// 2005, Domain Decomposition Methods, 2.5 and 3). The lattices may lag behind A: that costs iterations, never
-// exactness.
+// What makes conjugate gradients fast on a moving body: an additive method of three levels, r -> D^-1 r + P (w B^-1 + Q
+// (Q^T P^T A P Q)^-1 Q^T) P^T r. D is the 3x3 blocks of A's diagonal. P interpolates trilinearly from a regular lattice
+// laid through the body, a few nodes to its cell. B is the diagonal blocks of P^T A P. Q interpolates from every other
+// point of that lattice. The few unknowns of the widest hold the smooth motions, turning and bending among them, and
+// are solved for exactly. D alone leaves these to hundreds of iterations. The lattice between passes on what is too
+// wide for D and too narrow for them (Bramble, Pasciak and Xu 1990, Math. Comp. 55:1; Toselli and Widlund 2005, Domain
+// Decomposition Methods, 2.5 and 3). The lattices may lag behind A: that costs iterations, never exactness.
 
 #include <array>
 #include <Eigen/Core>

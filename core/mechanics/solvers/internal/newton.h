@@ -1,6 +1,6 @@
 #pragma once
-// Newton's method on an energy, with a line search (Nocedal and Wright, Numerical Optimization, 3.1 and 3.4): on the
-// exact tangent where that is positive definite and on its positive part where it is not.
+// Newton's method on an energy, with a line search (Nocedal and Wright, Numerical Optimization, 3.1 and 3.4). It takes
+// the exact tangent where that is positive definite, and its positive part where it is not.
 
 #include <cstdint>
 #include <Eigen/SparseCore>

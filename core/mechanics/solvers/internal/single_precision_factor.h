@@ -1,8 +1,8 @@
 #pragma once
-// A supernodal Cholesky factor with its numbers rounded to single precision: half the memory, and
-// half the time of a solve, which waits for memory; the upper triangles, which CHOLMOD stores as zeros, are left out
-// but for narrow ones. A solution carries about four digits, and is refined by residuals in double precision
-// (constrained_system.h; Higham, Accuracy and Stability of Numerical Algorithms, chapter 12).
+// A supernodal Cholesky factor with its numbers rounded to single precision. It takes half the memory and half the time
+// of a solve, which waits for memory. The upper triangles, which CHOLMOD stores as zeros, are left out but for narrow
+// ones. A solution carries about four digits, and is refined by residuals in double precision (constrained_system.h;
+// Higham, Accuracy and Stability of Numerical Algorithms, chapter 12).
 
 #include <cholmod.h>
 
@@ -17,7 +17,7 @@ namespace glisson::mechanics {
 class SinglePrecisionFactor {
  public:
   // `factor` is supernodal, L L^T of a permuted matrix. Its numbers are rounded where they lie, so that both never
-  // stand side by side, and are no longer its own; the rest may be freed.
+  // stand side by side. They are then no longer its own; the rest may be freed.
   explicit SinglePrecisionFactor(cholmod_factor& factor);
 
   // One column a right-hand side. Safe from several threads at once.

@@ -1,6 +1,6 @@
 #pragma once
-// CHOLMOD stores a supernode's columns as one rectangle, and the upper triangle of its square in
-// zeros: of the last separators of a body in three dimensions that is a quarter of the whole factor.
+// CHOLMOD stores a supernode's columns as one rectangle, and so the upper triangle of its square in zeros. Of the last
+// separators of a body in three dimensions that is a quarter of the whole factor.
 
 #include <cholmod.h>
 
