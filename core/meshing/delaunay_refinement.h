@@ -1,6 +1,6 @@
 #pragma once
-// Tetrahedra that conform to all boundaries between labels: restricted Delaunay refinement (CGAL's Mesh_3), kept behind
-// a plain interface since the library takes a minute and gigabytes to compile.
+// Tetrahedra that conform to all boundaries between labels, by restricted Delaunay refinement (CGAL's Mesh_3). A plain
+// interface hides the library, which takes a minute and gigabytes to compile.
 //
 // Sequential and without time limits: the same labels and sizes give the same mesh.
 

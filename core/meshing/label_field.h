@@ -10,12 +10,12 @@
 
 namespace glisson::meshing {
 
-// A point belongs to the piece of which it sees most through a small window: the indicator of each piece (1 in its
-// voxels, 0 elsewhere) is blurred with the weights 1/4, 1/2, 1/4 along each axis and interpolated linearly.
+// A point belongs to the piece of which it sees most through a small window. The indicator of each piece is 1 in its
+// voxels and 0 elsewhere. It is blurred with the weights 1/4, 1/2, 1/4 along each axis, and interpolated linearly.
 //
 // Blurring alone would shrink what is small (a sphere of 5 voxels by 8 % of its volume) and lose what is one voxel
-// thin. So each inner piece is weighted by (1 - level) / level, where `level` is that value of its blurred indicator
-// which as much volume lies above as the piece has. A plane boundary stays where it is, midway between voxel centres.
+// thin. So each inner piece is weighted by (1 - level) / level. `level` is a value of its blurred indicator: as much
+// volume lies above it as the piece has. A plane boundary stays where it is, midway between voxel centres.
 class LabelField {
  public:
   explicit LabelField(const PieceMap& map);
@@ -26,8 +26,8 @@ class LabelField {
   [[nodiscard]] const PieceMap& map() const { return *map_; }
 
  private:
-  // The pieces seen from a point and how much of each; a window of 64 voxels never shows this many in real anatomy,
-  // and what comes after them is not counted.
+  // The pieces seen from a point and how much of each. A window of 64 voxels never shows more than these in real
+  // anatomy; what comes after them is not counted.
   struct View {
     std::array<std::uint16_t, 8> piece;
     std::array<double, 8> share;

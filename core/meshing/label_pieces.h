@@ -19,7 +19,7 @@ struct Piece {
   double face_area_mm2 = 0;  // of the voxel faces towards other pieces and the outside
 
   // About the radius of a long piece, two thirds of the radius of a round one. A cylinder has volume/area = r/2 and a
-  // sphere r/3; voxel faces have 1.5 times the area of a smooth surface, on average over its directions.
+  // sphere r/3. Voxel faces have 1.5 times the area of a smooth surface, on average over its directions.
   [[nodiscard]] double thickness_mm() const { return 3.0 * volume_mm3 / face_area_mm2; }
 };
 

@@ -8,8 +8,8 @@
 namespace glisson::meshing {
 
 struct MaskSurfaceOptions {
-  // Iterations and pass band of the windowed-sinc smoothing (Taubin, Zhang and Golub 1996), which takes the voxels'
-  // stairs away and hardly shrinks what is thicker than a few voxels. These keep vessels of two voxels.
+  // Iterations and pass band of the windowed-sinc smoothing (Taubin, Zhang and Golub 1996). It takes the voxels' stairs
+  // away and hardly shrinks what is thicker than a few voxels. These keep vessels of two voxels.
   int smoothing_iterations = 20;
   double pass_band = 0.1;
 };

@@ -16,15 +16,15 @@
 namespace glisson::meshing {
 
 struct MeshOptions {
-  // Reached within 15 %, or `notes` says why not: a structure inside needs some 100 cells to keep its shape. 20,000
-  // cells of a whole liver have edges of about 9 mm, which a factorisation of the elastic problem takes seconds for.
+  // Reached within 15 %, or `notes` says why not: a structure inside needs some 100 cells to keep its shape. The edges
+  // of 20,000 cells of a whole liver are about 9 mm. A factorisation of the elastic problem then takes seconds.
   int target_cells = 20000;
 
   // What the labels are called, for the notes.
   std::vector<LabelName> names = {};
 
-  // Of the target, what inner structures may cost. They get finer cells, of about their own thickness; those for which
-  // that would cost more than this share (vessel trees, as a rule) get no cells of their own, the thinnest first, and
+  // Of the target, what inner structures may cost. They get finer cells, of about their own thickness. Those for which
+  // that would cost more than this share (vessel trees, as a rule) get no cells of their own, the thinnest first.
   // `notes` says so. The liver itself must keep enough to bend.
   double inner_share = 0.5;
 };
@@ -42,8 +42,8 @@ struct LiverMesh {
   geometry::TetQuality quality;
 
   // Between the surface and the boundary of the labelled voxels (the faces between the body and the outside, steps and
-  // all), both ways. Voxel faces rather than a smoothed surface, because they are the label map's own boundary and need
-  // no choice of ours; a perfect surface is still up to half a voxel's diagonal away from them.
+  // all), both ways. Voxel faces are taken, not a smoothed surface. They are the label map's own boundary and need no
+  // choice of ours. A perfect surface is still up to half a voxel's diagonal away from them.
   double hausdorff_mm = 0;
   double mean_distance_mm = 0;
 

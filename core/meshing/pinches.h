@@ -7,9 +7,9 @@
 
 namespace glisson::meshing {
 
-// Takes away the fewest cells found that leave one part whose surface is a watertight manifold: at each pinch, all
-// but the largest group of cells that hang together by faces there, and at the end all but the largest part. Returns
-// how many cells went.
+// Takes away the fewest cells found that leave one part whose surface is a watertight manifold. At each pinch all cells
+// go but the largest group that hangs together by faces there. At the end all go but the largest part. Returns how many
+// cells went.
 std::size_t remove_pinches(geometry::TetMesh& mesh);
 
 }  // namespace glisson::meshing
