@@ -1,7 +1,7 @@
 #pragma once
-// One OpenCL device, the kernels of one source compiled for it, and one queue that runs them in the order of the calls
-// (OpenCL 1.2; a GPU, or the processors through PoCL). Which device there is shows when the program runs. Built without
-// OpenCL (GLISSON_OPENCL off), opening is refused and nothing else is reached.
+// One OpenCL device (OpenCL 1.2; a GPU, or the processors through PoCL). It has the kernels of one source compiled for
+// it, and one queue that runs them in the order of the calls. Which device there is shows when the program runs. Built
+// without OpenCL (GLISSON_OPENCL off), opening is refused and nothing else is reached.
 //
 //   auto session = Session::open(source);                     // kernels as OpenCL C
 //   Buffer x = session->buffer(sizeof(float) * n);
@@ -63,9 +63,9 @@ struct Range {
 class Session {
  public:
   // On the first device whose name contains `device_name`. The first session of a source takes a tenth of a second or
-  // so to compile it, later ones share what it made. Refused: "opencl-not-built"; no such device
-  // ("opencl-no-device", with those there are); what the driver refuses ("opencl-failed", with its number), and a
-  // source that it cannot compile ("opencl-source", with its first lines of complaint).
+  // so to compile it, later ones share what it made. Fails with "opencl-not-built". Fails with "opencl-no-device" where
+  // there is no such device, and says which there are. Fails with "opencl-failed" and a number where the driver
+  // refuses. Fails with "opencl-source" and its first lines of complaint where it cannot compile a source.
   static Result<Session> open(const std::string& source, const std::string& device_name = {});
   Session(Session&&) noexcept;
   Session& operator=(Session&&) noexcept;
