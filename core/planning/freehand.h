@@ -1,6 +1,6 @@
 #pragma once
-// A cut drawn freehand: a line over the liver as it is seen from somewhere, and the sheet that parts the liver under
-// it, straight away from the eye.
+// A cut drawn freehand: a line over the liver as it is seen from somewhere. The sheet parts the liver under it,
+// straight away from the eye.
 //
 // Frame: patient coordinates, LPS, mm.
 
@@ -19,10 +19,10 @@ struct SightLine {
   Eigen::Vector3d towards{0, 0, -1};  // away from the eye, any length but zero
 };
 
-// Through where the lines of sight enter the liver first and leave it last, and half-way between, at 4 to 10 places
-// evenly along the drawn line. Of a line that begins or ends beside the liver, what lies over it counts. Failures:
-// "line-misses" (less than 10 mm of it lie over the liver), "line-turns-back" (no sheet has two heights at one place),
-// and those of geometry::CutSurface::through.
+// The sheet goes through where the lines of sight enter the liver first and leave it last, and half-way between. It
+// does so at 4 to 10 places evenly along the drawn line. Of a line that begins or ends beside the liver, what lies over
+// it counts. Failures: "line-misses" (less than 10 mm of it lie over the liver), "line-turns-back" (no sheet has two
+// heights at one place), and those of geometry::CutSurface::through.
 [[nodiscard]] Result<SheetCut> sheet_under(const geometry::Surface& liver, const std::vector<SightLine>& line);
 
 }  // namespace glisson::planning

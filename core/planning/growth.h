@@ -1,15 +1,16 @@
 #pragma once
-// Two studies of one liver compared, as before and after the embolisation of portal branches: by how much each segment
-// and the future remnant of a plan grew or shrank.
+// Two studies of one liver compared, as before and after the embolisation of portal branches. The answer is by how much
+// each segment and the future remnant of a plan grew or shrank.
 //
 // All tissue is without tumours. The degree of hypertrophy is the remnant's share of the liver after less its share
-// before, in percentage points (Ribero et al. 2007, Br J Surg 94:1386); by the week it is the kinetic growth rate
-// (Shindoh et al. 2013, J Am Coll Surg 216:201). Both papers take for the liver its standard volume, estimated from
-// body size and the same in both studies (Vauthey et al. 2002, Liver Transpl 8:233: -794.41 + 1267.28 x body surface in
-// m2, ml). Where that is not given, each study's own liver is the whole: what shrinks then makes the share larger too.
+// before, in percentage points. Source: Ribero et al. 2007, Br J Surg 94:1386. By the week it is the kinetic growth
+// rate (Shindoh et al. 2013, J Am Coll Surg 216:201). Both papers take for the liver its standard volume, estimated
+// from body size and the same in both studies. That is -794.41 + 1267.28 x body surface in m2, in ml (Vauthey et al.
+// 2002, Liver Transpl 8:233). Where that is not given, each study's own liver is the whole: what shrinks then makes the
+// share larger too.
 //
-// Nothing is matched voxel by voxel: volumes are as right as outlines and borders of segments are, and a change within
-// what the same liver's volumes differ by when it is parted anew may be none.
+// Nothing is matched voxel by voxel, so volumes are as right as outlines and borders of segments are. The same liver's
+// volumes differ somewhat when it is parted anew. A change within that may be none.
 
 #include <optional>
 #include <vector>

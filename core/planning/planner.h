@@ -1,9 +1,9 @@
 #pragma once
 // What a plan takes out of a liver and what it leaves, fast enough for a cut that is being dragged.
 //
-// Opened once a liver: every voxel then knows its segment, the point of the portal and of the hepatic tree that it
-// hangs on, its tumour and its stiffness. An answer passes over the voxels once. Tissue is perfused where no portal
-// branch on its way from the stem is cut, and drained where no hepatic one is; remnants counted so differ from plain
+// Opened once a liver. Every voxel then knows its segment, its tumour and its stiffness, and the point of the portal
+// and of the hepatic tree that it hangs on. An answer passes over the voxels once. Tissue is perfused where no portal
+// branch on its way from the stem is cut, and drained where no hepatic one is. Remnants counted so differ from plain
 // volumes by 20 to 43 % in a third of patients (Lang et al. 2005, Arch Surg 140:629).
 //
 // Frame: patient coordinates, LPS, mm. Volumes are counts of voxels.

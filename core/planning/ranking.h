@@ -17,8 +17,9 @@ enum class RankBy { margin, living, branches };
 // Places in `answers`, the best first; equals stay in their order.
 [[nodiscard]] std::vector<std::size_t> ranked(const std::vector<PlanAnswer>& answers, RankBy by);
 
-// Of each answer the places of those that beat it: no worse in tumours cleared, smallest margin and living tissue, and
-// better in one (Pareto dominance). Margins within half a millimetre and volumes within a millilitre are the same.
+// Of each answer the places of those that beat it (Pareto dominance). These are no worse in tumours cleared, smallest
+// margin and living tissue, and better in one. Margins within half a millimetre and volumes within a millilitre are the
+// same.
 [[nodiscard]] std::vector<std::vector<std::size_t>> beaten_by(const std::vector<PlanAnswer>& answers);
 
 }  // namespace glisson::planning

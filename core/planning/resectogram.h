@@ -8,7 +8,7 @@
 
 namespace glisson::planning {
 
-// Places step_mm apart along two axes across the surface's normal (u along a row, v from row to row); a sheet's bend is
+// Places step_mm apart along two axes across the surface's normal: u along a row, v from row to row. A sheet's bend is
 // not unrolled, so that lengths along it are somewhat short.
 struct Resectogram {
   double step_mm = 1;

@@ -1,10 +1,11 @@
 #pragma once
 // Two stages: portal branches are embolised first, what they feed shrinks, the rest grows; weeks later the cut is made.
 //
-// What keeps its portal inflow grows by one share everywhere. How much is the surgeon's to set: on average the future
-// remnant grew by 37.9 % after embolisation of portal branches (1791 patients in 44 studies: van Lienden et al. 2013,
-// Cardiovasc Intervent Radiol 36:25), less in a cirrhotic liver. What was embolised and stays is told by itself, as it
-// is now, and counts as nothing afterwards. Where and when tissue grows is not foreseen, nor how well it works.
+// What keeps its portal inflow grows by one share everywhere. How much is the surgeon's to set. On average the future
+// remnant grew by 37.9 % after embolisation of portal branches, less in a cirrhotic liver. Those were 1791 patients in
+// 44 studies (van Lienden et al. 2013, Cardiovasc Intervent Radiol 36:25). What was embolised and stays is told by
+// itself, as it is now, and counts as nothing afterwards. Where and when tissue grows is not foreseen, nor how well it
+// works.
 
 #include <string>
 #include <vector>

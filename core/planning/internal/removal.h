@@ -44,8 +44,8 @@ struct PreparedCut {
   std::optional<AblationCut> ablation = {};
 };
 
-// Why a voxel goes, bit by bit: by a cut that spares no vessel (plane, sheet, margin), by one along the anatomy
-// (segments, territory), which spares those that only run through, or by an ablation, which spares wide ones.
+// Why a voxel goes, bit by bit. A cut by plane, sheet or margin spares no vessel. One along the anatomy (segments,
+// territory) spares those that only run through. An ablation spares wide ones.
 inline constexpr std::uint8_t goes_with_vessels = 1, goes_by_anatomy = 2, goes_by_ablation = 4;
 
 struct Removal {
