@@ -1,7 +1,7 @@
 #pragma once
-// GEO: non-rigid correspondence of two surfaces by geodesic distances alone, after Chen and Koltun 2015 ("Robust
-// nonrigid registration by convex optimization") as the dissertation uses it (section 3.2): points of both surfaces are
-// matched so that distances along the surface are kept. Here they are spread evenly; how is not said there.
+// GEO: non-rigid correspondence of two surfaces by geodesic distances alone. Points of both surfaces are matched so
+// that distances along the surface are kept. It follows Chen and Koltun 2015 ("Robust nonrigid registration by convex
+// optimization"), as the dissertation uses it (section 3.2). Here they are spread evenly; how is not said there.
 //
 // Distances along a surface do not tell it from its mirror image. Orientation does: a matching that turns neighbours
 // the wrong way round, seen from outside, is a mirrored one, and the other is looked for.
@@ -55,8 +55,8 @@ struct SurfaceMatch {
 Result<SurfaceMatch> match_surfaces(const geometry::Surface& source, const geometry::Surface& target,
                                     const GeoOptions& options = {}, const Progress& progress = {});
 
-// A target point for each point of the source: the one whose distances from the matches nearby are most like its own,
-// among those around where the nearest match leads. (The expansion step of the dissertation's baseline.)
+// A target point for each point of the source. It is the one whose distances from the matches nearby are most like its
+// own, among those around where the nearest match leads. (The expansion step of the dissertation's baseline.)
 std::vector<int> densify(const SurfaceMatch& match);
 
 }  // namespace glisson::registration

@@ -1,11 +1,11 @@
 #pragma once
-// All frames of a sequence brought to one model at once by landmarks that were followed through them: global non-rigid
-// alignment (GNRA) after Brown and Rusinkiewicz, "Global non-rigid alignment of 3-D scans", SIGGRAPH 2007, as the
-// dissertation uses it (section 2.2.1: ALG, M and S).
+// Global non-rigid alignment (GNRA): all frames of a sequence are brought to one model at once, by landmarks that were
+// followed through them. It follows Brown and Rusinkiewicz, "Global non-rigid alignment of 3-D scans", SIGGRAPH 2007,
+// as the dissertation uses it (section 2.2.1: ALG, M and S).
 //
-// 1. Each frame gets a rigid motion and each landmark one place in the model's space, so that the landmarks as moved
-//    lie nearest to their places, in the sense of iteratively reweighted least squares (a sighting that stays far from
-//    its landmark's place counts less, and in the end nothing). Model space is that of a reference frame.
+// 1. Each frame gets a rigid motion, and each landmark one place in the model's space. The landmarks as moved then lie
+//    nearest to their places, by iteratively reweighted least squares. A sighting that stays far from its landmark's
+//    place counts less, and in the end nothing. Model space is that of a reference frame.
 // 2. The warp S(.; t) of each frame leads its sightings to the landmarks' places: a smoothing thin-plate spline.
 //    It is made stiffer until it folds nowhere that it was looked at: S is then one to one there.
 
@@ -54,15 +54,15 @@ struct GlobalAlignment {
   std::vector<std::string> notes;
 };
 
-// Failures: "alignment-too-few-frames" (fewer than two), "alignment-sizes" (landmarks with different numbers of
-// frames), "alignment-too-few-landmarks" (no two frames share four landmarks that do not lie in one plane);
-// "cancelled".
+// Fails with "alignment-too-few-frames" (fewer than two), "alignment-sizes" (landmarks with different numbers of
+// frames) or "cancelled". Fails with "alignment-too-few-landmarks" where no two frames share four landmarks that do not
+// lie in one plane.
 Result<GlobalAlignment> align_globally(const Sightings& sightings, const GlobalAlignmentOptions& options = {},
                                        const Progress& progress = {});
 
-// The model M: the reference frame's surface in model space, each point moved to the mean of where all warped frames
-// have the surface near it (along the lines to their nearest points, at most `reach_mm` away), so that the noise of a
-// single frame goes. surfaces_mm holds each frame's surface in its own space.
+// The model M is the reference frame's surface in model space. Each point is moved to the mean of where all warped
+// frames have the surface near it. So the noise of a single frame goes. Near means along the lines to their nearest
+// points, at most `reach_mm` away. `surfaces_mm` holds each frame's surface in its own space.
 geometry::Surface merged_model(const std::vector<geometry::Surface>& surfaces, const GlobalAlignment& alignment,
                                double reach_mm = 3);
 

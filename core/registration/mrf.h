@@ -1,7 +1,8 @@
 #pragma once
 // Matching sampled points of one surface to sampled points of another by their geodesic distances, as a Markov random
-// field (Chen and Koltun 2015; sections 3.2 and 3.2.3 of the dissertation). A node is a point of the source, a label is
-// a point of the target, and every pair of nodes is joined: giving node i the label k and node j the label l costs
+// field. Source: Chen and Koltun 2015; sections 3.2 and 3.2.3 of the dissertation. A node is a point of the source, a
+// label is a point of the target, and every pair of nodes is joined. To give node i the label k and node j the label l
+// costs
 //
 //   E(x, y) = q exp(-min(x, y) / sigma) min(|x - y|, tau),   x = source_mm(i, j),  y = target_mm(k, l)     (eq. 3.1)
 //           = max(q exp(-x / sigma), q exp(-y / sigma)) min(|x - y|, tau)                                  (eq. 3.2)
@@ -30,9 +31,10 @@ struct MatchingProblem {
   [[nodiscard]] std::size_t pairs_of_nodes() const;
 };
 
-// Refuses matrices that are not square, symmetric, finite and nonnegative with a zero diagonal ("matching-distances"),
-// fewer than two nodes or labels ("matching-too-few-points"), more than 4096 ("matching-too-many-points"), a seed of
-// another shape or not finite ("matching-seed"), and constants that are not positive ("matching-constants").
+// Fails with "matching-distances" where a matrix is not square, symmetric, finite and nonnegative with a zero diagonal.
+// Fails with "matching-too-few-points" below two nodes or labels, and with "matching-too-many-points" above 4096. Fails
+// with "matching-seed" for a seed of another shape or not finite, and with "matching-constants" for constants that are
+// not positive.
 Result<void> check(const MatchingProblem& problem);
 
 // A label for each node.
@@ -53,7 +55,7 @@ class MatchingEnergy {
   Eigen::MatrixXd target_weight_;  // b = q exp(-y / sigma)
 };
 
-// The field written out, as general solvers want it: one matrix of labels x labels for every pair of nodes i < j, with
+// The field written out, as general solvers want it. Every pair of nodes i < j has one matrix of labels x labels, with
 // the label of i as its row. Takes 8 nodes^2 labels^2 / 2 bytes.
 struct StoredMrf {
   int nodes = 0;

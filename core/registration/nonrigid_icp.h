@@ -1,7 +1,7 @@
 #pragma once
-// Non-rigid registration by optimal steps (Amberg, Romdhani, Vetter 2007): each point of the source gets an affine map
-// of its own; neighbours' maps are held alike by a stiffness that is lowered step by step, and for each nearest-point
-// pairing the optimal maps are found exactly, by one sparse solve.
+// Non-rigid registration by optimal steps (Amberg, Romdhani, Vetter 2007). Each point of the source gets an affine map
+// of its own, and a stiffness holds neighbours' maps alike. The stiffness is lowered step by step. For each
+// nearest-point pairing one sparse solve finds the optimal maps exactly.
 
 #include <Eigen/Core>
 #include <vector>
@@ -43,10 +43,10 @@ struct NonrigidIcpResult {
 };
 
 // From where the surfaces lie. Where the target is a part of the source, its points look for partners on the source,
-// each of which they surely have, and the rest of the source follows by stiffness. Otherwise the source's points look
-// for partners on the target; one whose nearest point lies on the border of an open target has none.
-// Failures: those of check_surface; "registration-no-pairs" (no point has a partner);
-// "landmark-unknown" (names a point that is not there, or a place that is not finite); "registration-singular".
+// each of which they surely have. The rest of the source follows by stiffness. Otherwise the source's points look for
+// partners on the target; one whose nearest point lies on the border of an open target has none. Failures: those of
+// check_surface; "registration-no-pairs" (no point has a partner), "registration-singular". Fails with
+// "landmark-unknown" where one names a point that is not there, or a place that is not finite.
 Result<NonrigidIcpResult> nonrigid_icp(const geometry::Surface& source, const geometry::Surface& target,
                                        const NonrigidIcpOptions& options = {}, const Progress& progress = {});
 

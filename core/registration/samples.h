@@ -17,11 +17,10 @@ struct GeodesicSamples {
   double covering_radius_mm = 0;  // no point of the surface lies farther than this from its nearest sample
 };
 
-// Farthest-point sampling (Eldar et al. 1997; Moenning and Dodgson 2003): each sample lies as far as can be from those
-// before it, so that the first k samples are even for any k, and extremities come first. `start` is any point of the
-// surface; the first sample is the point farthest from it. Distances by the heat method.
-// Failures: those of HeatGeodesics::prepare; "too-few-points" where the surface has fewer points than samples are
-// asked for; "cancelled".
+// Farthest-point sampling (Eldar et al. 1997; Moenning and Dodgson 2003). Each sample lies as far as can be from those
+// before it. So the first k samples are even for any k, and extremities come first. `start` is any point of the
+// surface; the first sample is the point farthest from it. Distances by the heat method. Failures: those of
+// HeatGeodesics::prepare; "too-few-points" where the surface has fewer points than samples are asked for; "cancelled".
 Result<GeodesicSamples> sample_surface(const geometry::Surface& surface, int count, int start = 0,
                                        const Progress& progress = {});
 

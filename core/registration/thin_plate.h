@@ -8,15 +8,15 @@
 
 namespace glisson::registration {
 
-// f(p) = affine(p) + sum over i of w_i |p - p_i|, which minimises the bending energy of a warp of space (Bookstein
-// 1989; the kernel in three dimensions is the distance).
+// f(p) = affine(p) + sum over i of w_i |p - p_i|, which minimises the bending energy of a warp of space. Source:
+// Bookstein 1989; the kernel in three dimensions is the distance.
 class ThinPlateSpline {
  public:
-  // Leads from_mm[i] to to_mm[i]. stiffness_mm >= 0 trades closeness for smoothness (Wahba 1990): 0 interpolates; s
-  // adds s to the kernel's diagonal, so that a lone displaced point is followed the less the larger s is compared with
-  // the distance to its neighbours. Duplicated source points are merged to their mean.
-  // Failures: "spline-sizes" (of different counts, or not finite); "spline-too-few-points" (fewer than four, or all in
-  // one plane); "spline-too-many-points" (above 6000: the system is dense).
+  // Leads from_mm[i] to to_mm[i]. `stiffness_mm` >= 0 trades closeness for smoothness (Wahba 1990): 0 interpolates, s
+  // adds s to the kernel's diagonal. A lone displaced point is followed the less the larger s is compared with the
+  // distance to its neighbours. Duplicated source points are merged to their mean. Failures: "spline-sizes" (of
+  // different counts, or not finite); "spline-too-few-points" (fewer than four, or all in one plane);
+  // "spline-too-many-points" (above 6000: the system is dense).
   static Result<ThinPlateSpline> fit(std::vector<Eigen::Vector3d> from_mm, std::vector<Eigen::Vector3d> to_mm,
                                      double stiffness_mm = 0);
 

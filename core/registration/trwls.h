@@ -1,12 +1,12 @@
 #pragma once
-// TRWL-S: the matching field solved without ever being written out (algorithm 1 of the dissertation). The same passes
-// as `trws`, but a slice of the field (all costs of one pair of nodes) is made from the two matrices of distances at
-// the moment when a message needs it, with the maximum of precomputed exponentials (eq. 3.2), in 16-bit fixed point,
-// with the widest vectors that the machine has, on all threads.
+// TRWL-S: the matching field solved without ever being written out (algorithm 1 of the dissertation). The passes are
+// those of `trws`, with the widest vectors that the machine has, on all threads. A slice of the field is all costs of
+// one pair of nodes. It is made from the two matrices of distances at the moment when a message needs it. It takes the
+// maximum of precomputed exponentials (eq. 3.2), in 16-bit fixed point.
 //
-// What differs from `trws` is rounding alone: costs are quantised to about tau / 16000, or more coarsely where the
-// largest distance exceeds three times tau; a belief is divided among messages in whole steps, what is left over goes
-// to the last of them. Answers do not depend on the number of threads nor on the instructions.
+// What differs from `trws` is rounding alone. Costs are quantised to about tau / 16000, or more coarsely where the
+// largest distance exceeds three times tau. A belief is divided among messages in whole steps, and what is left over
+// goes to the last of them. Answers do not depend on the number of threads nor on the instructions.
 
 #include <optional>
 #include <string>
@@ -55,10 +55,10 @@ struct TrwlsOptions : SolverOptions {
 };
 
 // Energies are evaluated in double precision by eq. 3.2 for each pass's labelling. The lower bound is the fixed-point
-// one less all that rounding may have added to it, so that it is below the true least energy.
-// Fails as check() does, and where a device is asked for as opencl::Session::open does, with "opencl-failed" where its
-// memory does not suffice (2 nodes^2 labels bytes). Cancelling ends it in the midst of a pass, with the best labelling
-// of the passes that were done; before the first, with each node's cheapest seed.
+// one less all that rounding may have added to it, so that it is below the true least energy. Fails as check() does,
+// and where a device is asked for as opencl::Session::open does. Fails with "opencl-failed" where the device's memory
+// does not suffice (2 nodes^2 labels bytes). Cancelling ends it in the midst of a pass, with the best labelling of the
+// passes that were done. Before the first pass it ends with each node's cheapest seed.
 Result<MatchingSolution> trwls(const MatchingProblem& problem, const TrwlsOptions& options = {},
                                const Progress& progress = {});
 

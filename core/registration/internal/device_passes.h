@@ -1,5 +1,5 @@
 #pragma once
-// Passes of messages on an OpenCL device: the same sums and differences of 16-bit words as on the processors, so that
+// Passes of messages on an OpenCL device. The sums and differences of 16-bit words are those of the processors, so that
 // the answer is the same to the bit. A node's messages go out together, one work-group for a few of them; nodes take
 // their turns, two launches each.
 

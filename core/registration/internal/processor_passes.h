@@ -22,7 +22,7 @@ inline std::uint32_t quotient_of(std::uint32_t whole, std::uint32_t divisor) {
 enum class Direction { forth, back };
 inline Direction direction_of(int sweep) { return sweep % 2 == 0 ? Direction::forth : Direction::back; }
 
-// Helpers wait longest while a pass's labelling is read and polished, a tenth of a pass; half a pass is waited for, and
+// Helpers wait longest while a pass's labelling is read and polished, a tenth of a pass. Half a pass is waited for, and
 // a little more where passes are short. A cost takes about 0.02 ns in vectors.
 inline std::chrono::microseconds patience(const MatchingProblem& problem) {
   const double costs = std::pow(problem.nodes(), 2) * std::pow(problem.labels(), 2);
@@ -170,8 +170,8 @@ void ProcessorPasses<Word>::gather(int sweep, int position) {
   node_bounds_[sweep % 2][static_cast<std::size_t>(position)] = static_cast<Bound>(minimum);
 }
 
-// gamma (belief - minimum), so that all chains through the node together get what there is: what a division in whole
-// numbers leaves over goes in ones to the last of them. Cut at twice the largest cost; so is the padding.
+// gamma (belief - minimum), so that all chains through the node together get what there is. A division in whole numbers
+// leaves something over, which goes in ones to the last of them. Cut at twice the largest cost; so is the padding.
 template <typename Word>
 void ProcessorPasses<Word>::share_belief(const Total* belief, Total minimum, int node, Word* share,
                                          std::uint16_t* one_more_from) const {

@@ -1,7 +1,7 @@
 #pragma once
-// Where else a solver of the matching field may begin: matchings of a few nodes that lie as far apart as can be, good
-// in different ways. Passes that begin from nothing may settle on the body turned the wrong way round, and no number of
-// further passes leaves that again.
+// Where else a solver of the matching field may begin. These are matchings of a few nodes that lie as far apart as can
+// be, good in different ways. Passes that begin from nothing may settle on the body turned the wrong way round, and no
+// number of further passes leaves that again.
 
 #include <vector>
 

@@ -1,16 +1,16 @@
 #pragma once
 // Which messages are sent when, and by which thread: the rescheduled pass of the dissertation (section 3.2.2).
 //
-// A sweep visits the nodes by position. The node at position p sends to all later positions, and may do so once its
+// A sweep visits the nodes by position. The node at position p sends to all later positions. It may do so once its
 // belief is gathered, which needs the messages from all earlier positions. Each node's messages are cut into chunks;
-// the first, the head, holds the message to the next node. Threads claim chunks in order, heads first, so that the
-// next node's belief is gathered while the rest of this node's messages are still on their way: nobody waits long.
-// Sweeps follow one another without a gap. Every wait is for a chunk claimed earlier, hence there is no deadlock, even
-// with a single thread.
+// the first, the head, holds the message to the next node. Threads claim chunks in order, heads first. So the next
+// node's belief is gathered while the rest of this node's messages are still on their way: nobody waits long. Sweeps
+// follow one another without a gap. Every wait is for a chunk claimed earlier, hence there is no deadlock, even with a
+// single thread.
 //
-// On a busy machine a thread that holds a chunk may be off the processor for longer than the whole work takes, and that
-// again and again. Once anybody has waited so long that this must be so, the helpers claim no more and one thread goes
-// on.
+// On a busy machine a thread that holds a chunk may be off the processor for longer than the whole work takes. That
+// happens again and again. Once anybody has waited so long that this must be so, the helpers claim no more and one
+// thread goes on.
 
 #include <algorithm>
 #include <atomic>
@@ -123,8 +123,8 @@ class Schedule {
       if (sweep == 0) return true;
       const bool back = sweep % 2 == 1;
       if (back && passes_read_.load(std::memory_order_acquire) < sweep / 2) return false;
-      // The last belief of a sweep has no messages that wait for it: without this a thread may still be at it when the
-      // next sweep ends, and both write in the same place.
+      // No messages wait for the last belief of a sweep. Without this a thread may still be at it when the next sweep
+      // ends, and both write in the same place.
       return all_done(sweep - 1, nodes_ - 2) && gathered_[count() - 1].load(std::memory_order_acquire) >= sweep;
     }
     if (order_ == Order::naive) return all_done(sweep, position - 1);

@@ -1,17 +1,17 @@
 #pragma once
 // The fixed-point field of TRWL-S and what is computed from it a slice at a time, for each width of word.
 //
-// Ranges, which is why nothing saturates. Let C be the largest cost. Costs lie in 0..C by construction, so a message,
-// which is a minimum over one index of something plus a cost, varies by at most C, and less its minimum lies in 0..C.
-// A belief (the sum of messages) less its minimum is divided among chains and cut at 2 C. The offset of a message is
-// its share of the belief - reverse message, in -C..2C. Its minimum is at most 0 (at the label whose belief is 0),
-// hence a label with offset >= C never wins, and cutting the belief, which lets its offset stay >= 2C - C, changes
-// nothing. Less its minimum the offset lies in 0..3C, and with a cost added in 0..4C. So with 2C below the signed half
-// of the word's range and 4C below its whole range every step is exact. Distances may fill the word up to its range
-// less tau: a difference that leaves the signed half comes out wrong, but as tau or more, which is where it is cut
-// anyway. What is not exact is dividing a belief among the chains that run through the node. What is left over is dealt
-// out, one step a message, to the messages that are sent last (error feedback): all shares together are the belief, so
-// that the bound stays one.
+// Ranges, which is why nothing saturates. Let C be the largest cost. Costs lie in 0..C by construction. A message is a
+// minimum over one index of something plus a cost, so it varies by at most C. Less its minimum it lies in 0..C. A
+// belief (the sum of messages) less its minimum is divided among chains and cut at 2 C. The offset of a message is its
+// share of the belief - reverse message, in -C..2C. Its minimum is at most 0, at the label whose belief is 0. Hence a
+// label with offset >= C never wins. Cutting the belief lets its offset stay >= 2C - C, and so changes nothing. Less
+// its minimum the offset lies in 0..3C, and with a cost added in 0..4C. So with 2C below the signed half of the word's
+// range and 4C below its whole range every step is exact. Distances may fill the word up to its range less tau. A
+// difference that leaves the signed half comes out wrong, but as tau or more, which is where it is cut anyway. What is
+// not exact is dividing a belief among the chains that run through the node. What is left over is dealt out, one step a
+// message, to the messages that are sent last (error feedback). All shares together are the belief, so that the bound
+// stays one.
 
 #include <algorithm>
 #include <cstdint>
