@@ -1,7 +1,8 @@
 #pragma once
 // What a registration is judged against, whatever algorithm it is: the global alignment of all frames by their
-// landmarks (GNRA; section 2.2.1 of the dissertation: ALG, M and S). On disk a table, landmark,frame,x_mm,y_mm,z_mm,
-// where `frame` is "model" for the landmark's place on M, and a number for where S^-1 has that place in the frame.
+// landmarks (GNRA; section 2.2.1 of the dissertation: ALG, M and S). On disk it is a table,
+// landmark,frame,x_mm,y_mm,z_mm. There `frame` is "model" for the landmark's place on M, and a number for where S^-1
+// has that place in the frame.
 
 #include <filesystem>
 

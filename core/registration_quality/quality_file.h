@@ -1,6 +1,7 @@
 #pragma once
-// SIRGn's judgement on disk: a folder with quality.vtp (the correlation mesh; its point fields frame_000_mm, ... say
-// where each point is in each frame) and sirgn.json (what was judged, and the figures a frame).
+// SIRGn's judgement on disk: a folder with quality.vtp and sirgn.json. The first is the correlation mesh; its point
+// fields frame_000_mm, ... say where each point is in each frame. The second says what was judged, and the figures a
+// frame.
 
 #include <filesystem>
 #include <string>

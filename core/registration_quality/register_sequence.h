@@ -21,11 +21,12 @@ inline constexpr SequenceMethod sequence_methods[] = {SequenceMethod::icp, Seque
 // "given", "icp", "geo", "gnra".
 [[nodiscard]] std::string_view name_of(SequenceMethod method);
 
-// What gnra does to a landmark was not fitted to that landmark: an alignment that is judged by landmarks which it was
-// fitted to would agree with itself. It is judged without the sequence's benchmark, which is a gnra of its own.
-// Failures: "sequence-not-registered" (given, and the sequence names no registered clouds), "sequence-no-model" (icp or
-// geo, and it names no model), "sequence-frame-not-aligned" (gnra), those of read_cloud, read_surface,
-// register_surfaces and align_globally, with the frame's file; "cancelled".
+// What gnra does to a landmark was not fitted to that landmark. An alignment that is judged by landmarks which it was
+// fitted to would agree with itself. It is judged without the sequence's benchmark, which is a gnra of its own. Fails
+// with "sequence-not-registered" where the method is `given` and the sequence names no registered clouds. Fails with
+// "sequence-no-model" where it is `icp` or `geo` and the sequence names no model. Fails with
+// "sequence-frame-not-aligned" (gnra). Fails as read_cloud, read_surface, register_surfaces and align_globally do, with
+// the frame's file, and with "cancelled".
 Result<RegisteredSequence> register_sequence(const SequenceFiles& files, SequenceMethod method,
                                              const Progress& progress = {});
 

@@ -1,6 +1,6 @@
 #pragma once
-// A sequence on disk: a JSON document that names the frames' images and clouds, the landmarks' tracks, the model, and,
-// where somebody else registered the clouds, the clouds as registered.
+// A sequence on disk is a JSON document that names the frames' images and clouds, the landmarks' tracks and the model.
+// Where somebody else registered the clouds, it names those as registered.
 //
 //   {"frames": [{"image": "f000.png", "cloud": "f000.ply"}, ...], "landmarks": "tracks.csv", "model": "model.ply",
 //    "camera": {"matrix": [3x3], "distortion": [..]}, "registered": ["r000.ply", ...], "benchmark": "benchmark.csv",
@@ -33,7 +33,7 @@ struct SequenceFiles {
 };
 
 // Failures: file-not-readable, json-..., "sequence-invalid" (what is missing, or of which kind), "tracks-invalid"
-// (which line), those of read_benchmark, "sequence-frame-missing" (a file that is named is not there).
+// (which line), those of read_benchmark. Fails with "sequence-frame-missing" where a file that is named is not there.
 Result<SequenceFiles> read_sequence(const std::filesystem::path& file);
 
 // A folder that a sequence is written into. It must not exist or be empty ("sequence-folder-not-empty"), and unless

@@ -2,19 +2,18 @@
 // SIRGn: how good a registration of a video is, triangle by triangle (section 2.2 of the dissertation; Barrow, Ho,
 // Althoff, Tueller, Kastner, ISVC 2019). It needs no truth but landmarks G that were followed through the sequence.
 //
-// Model M, the landmarks' places on it and the warps S are the benchmark's (2.1), made by a global alignment of all
-// frames, whatever algorithm is under test (benchmark.h). What the text leaves open is settled so:
+// Model M, the landmarks' places on it and the warps S are the benchmark's (2.1). A global alignment of all frames
+// makes them, whatever algorithm is under test (benchmark.h). What the text leaves open is settled so:
 // - The most heavily warped point of a triangle (2.3) is sought among 15 places evenly over it, by the benchmark's S.
-// Its
-//   distance vector is taken "identically": from where the benchmark has the point in the frame to where the
+//   Its distance vector is taken "identically": from where the benchmark has the point in the frame to where the
 //   registration under test puts it on the model.
-// - A sequence without a benchmark is judged against itself, which cannot see a fault that never changes, and a note
-//   says so. S is then fitted to the registration under test: S^-1(.; t), from the model's space to frame t, is a
-//   thin-plate spline through control points spread over where the registration put the frames' clouds. The centres are
-//   the same for all frames, so that one factorisation serves them all. The landmarks are no centres. A landmark on the
-//   model is the mean of where the registration put it (M holds "the average location of all the landmarks"), brought
-//   to the model's surface where one is given.
-// - In (2.4), c_k,t of each frame t gives one vector omega_k,t over all frames; the correlations with the mean of the
+// - A sequence without a benchmark is judged against itself. That cannot see a fault that never changes, and a note
+//   says so. S is then fitted to the registration under test. S^-1(.; t), from the model's space to frame t, is a
+//   thin-plate spline through control points spread over where the registration put the frames' clouds. The centres
+//   are the same for all frames, so that one factorisation serves them all. The landmarks are no centres. A landmark
+//   on the model is the mean of where the registration put it: M holds "the average location of all the landmarks".
+//   Where a surface of the model is given, it is brought to that.
+// - In (2.4), c_k,t of each frame t gives one vector omega_k,t over all frames. The correlations with the mean of the
 //   corners' landmark vectors are averaged over t.
 
 #include <Eigen/Core>
@@ -79,23 +78,24 @@ struct Quality {
   std::vector<double> correlation;  // eq. 2.4, -1..1, one a triangle
   std::vector<double> error_mm;     // mean distance of the corners, as registered, from where they are on the model
   // Not the dissertation's: (1 - correlation) times the motion that the registration leaves unexplained around the
-  // triangle. That is how far landmarks wander on the model (the median of the triangle's and its neighbours', which
-  // one that jumps does not sway) joined in squares with how far S^-1 is from moving the neighbourhood as one rigid
-  // body. It ranks triangles as correlation does where faults come and go, and better where a fault never changes and
-  // landmarks are dense enough to show its slope. To be compared within one sequence; it is no error in mm.
+  // triangle. That motion has two parts, joined in squares. One is how far landmarks wander on the model: the median of
+  // the triangle's and its neighbours', which one that jumps does not sway. The other is how far S^-1 is from moving
+  // the neighbourhood as one rigid body. It ranks triangles as correlation does where faults come and go. It ranks them
+  // better where a fault never changes and landmarks are dense enough to show its slope. To be compared within one
+  // sequence; it is no error in mm.
   std::vector<double> doubt_mm;
   std::vector<int> frames_seen;         // n of eq. 2.4: frames that hold all three corners
   std::vector<TriangleCourse> courses;  // one a triangle
 
-  // [frame][point of the mesh]: where S^-1 puts the mesh in each frame, that is, where the registration says that the
-  // landmarks' places are: in the frame's space, for drawing over its picture.
+  // [frame][point of the mesh]: where S^-1 puts the mesh in each frame. So it is where the registration says that the
+  // landmarks' places are. It is in the frame's space, for drawing over its picture.
   std::vector<std::vector<Eigen::Vector3d>> mesh_in_frames_mm;
 
   double mean_correlation = 0;            // over the triangles
   std::vector<double> rejected_fraction;  // of the triangles, a tolerance each: error_mm >= it
 
-  // The traditional figures, one a frame: distance of the registered cloud from the model (none without a model), and
-  // of the registered landmarks from where they are on the model.
+  // The traditional figures, one a frame. They are the distance of the registered cloud from the model (none without a
+  // model), and of the registered landmarks from where they are on the model.
   std::vector<double> rmse_mm;
   std::vector<double> tre_mm;
 
@@ -103,11 +103,12 @@ struct Quality {
   std::vector<Sentence> notes;     // what was left out, and why
 };
 
-// Failures: "sirgn-too-few-frames" (fewer than three), "sirgn-too-few-landmarks" (fewer than four seen in three frames,
-// or all on a line), "sirgn-landmarks-off" (fewer than four, since the others' median distance from the points of their
-// frames is above half of these points' reach), "sirgn-not-point-for-point" (a frame's cloud and its registered cloud
-// differ in number), "sirgn-tracks" (a track, of the sequence or of its benchmark, that does not have an entry a
-// frame), "sirgn-empty-frame", "sirgn-tolerance", "cancelled".
+// Fails with "sirgn-too-few-frames" (fewer than three) or "sirgn-too-few-landmarks" (fewer than four seen in three
+// frames, or all on a line). Fails with "sirgn-landmarks-off" where fewer than four are left. The others' median
+// distance from the points of their frames is then above half of these points' reach. Fails with
+// "sirgn-not-point-for-point" where a frame's cloud and its registered cloud differ in number. Fails with
+// "sirgn-tracks" where a track, of the sequence or of its benchmark, does not have an entry a frame. Fails with
+// "sirgn-empty-frame", "sirgn-tolerance" or "cancelled".
 Result<Quality> sirgn(const RegisteredSequence& sequence, const SirgnOptions& options = {},
                       const Progress& progress = {});
 

@@ -1,6 +1,6 @@
 #pragma once
-// A stereo video to a sequence on disk that SIRGn judges: a cloud a frame, landmarks tracked through all of them, and
-// the model that they are all aligned to.
+// A stereo video to a sequence on disk that SIRGn judges. It has a cloud a frame, landmarks tracked through all of
+// them, and the model that they are all aligned to.
 
 #include <filesystem>
 #include <optional>
@@ -40,11 +40,11 @@ struct VideoSequence {
 // Writes folder/sequence.json, f000.png, f000.ply, ..., tracks.csv and model.ply; where the model is the frames' own
 // and the landmarks are the tracked ones, benchmark.csv too (benchmark.h). A given model lies in no space that the
 // alignment knows, so that such a sequence has no benchmark, and a note says so. Every cloud is the largest piece that
-// hangs together. The folder must not exist or be empty ("sequence-folder-not-empty"). Failures: those of FrameSource,
-// StereoMatcher, check_against_pictures and LandmarkTracker; "sequence-lengths" (one video ends before the other);
-// "sequence-too-few-frames" (fewer than three frames show anything); "sequence-no-landmarks" (no
-// model is given, and nothing could be followed to align the frames by); those of align_globally; "cancelled". After a
-// failure the folder is gone, or as empty as it was.
+// hangs together. The folder must not exist or be empty ("sequence-folder-not-empty"). Fails as FrameSource,
+// StereoMatcher, check_against_pictures, LandmarkTracker and align_globally do, and with "cancelled". Fails with
+// "sequence-lengths" (one video ends before the other) or "sequence-too-few-frames" (fewer than three frames show
+// anything). Fails with "sequence-no-landmarks" where no model is given, and nothing could be followed to align the
+// frames by. After a failure the folder is gone, or as empty as it was.
 Result<VideoSequence> make_sequence(vision::FrameSource& left, vision::FrameSource& right,
                                     const vision::StereoCalibration& calibration, const std::filesystem::path& folder,
                                     const VideoSequenceOptions& options = {}, const Progress& progress = {});
