@@ -1,5 +1,5 @@
 #pragma once
-// Two results of the same body side by side: how far apart do they put the same point? 5 mm and more matters to a
+// Two results of the same body side by side: how far apart do they put the same point? From 5 mm on it matters to a
 // surgeon (section 4.4 of the dissertation, after its reference [44]).
 
 #include <Eigen/Core>

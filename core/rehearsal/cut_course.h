@@ -1,5 +1,5 @@
 #pragma once
-// How a planned cut is led through the liver while it is rehearsed: its front goes straight along the plane, from the
+// How a planned cut is led through the liver while it is rehearsed. Its front goes straight along the plane, from the
 // liver's lower front edge towards the upper back. A way of ours that suits most resections from the front and below;
 // nothing is computed with it but where each advance begins and ends.
 

@@ -9,9 +9,9 @@
 
 namespace glisson::rehearsal {
 
-// The instrument of that preset (tool_presets.h; another name: the probe), its working end at `touch_mm` (patient LPS,
-// mm), its shaft along `into`, the unit direction from the hand to the tissue. Up to `bare_mm` from the end the shaft
-// is a thin rod, so that an arrow can be seen around it.
+// The instrument of that preset (tool_presets.h; another name: the probe). Its working end is at `touch_mm` (patient
+// LPS, mm). Its shaft lies along `into`, the unit direction from the hand to the tissue. Up to `bare_mm` from the end
+// the shaft is a thin rod, so that an arrow can be seen around it.
 [[nodiscard]] mechanics::ToolShape instrument(const std::string& preset, const Eigen::Vector3d& touch_mm,
                                               const Eigen::Vector3d& into, double bare_mm);
 

@@ -23,9 +23,9 @@ namespace glisson::rehearsal {
 // lobe); not a segmentation. Fails with "liver-no-attachment" where no face has all its points in the bare area.
 Result<void> mark_attachments(geometry::TetMesh& liver);
 
-// bare_area held; diaphragm on a foundation. Table 4.1 of the dissertation gives the abdominal wall 22 kPa; as a layer
-// on a stiff ground it is a spring of E / thickness per unit area, and 20 mm is taken for its thickness (our
-// assumption: an abdominal wall with diaphragm measures 15 to 30 mm), which makes 1.1 kPa/mm.
+// bare_area held; diaphragm on a foundation. Table 4.1 of the dissertation gives the abdominal wall 22 kPa. As a layer
+// on a stiff ground it is a spring of E / thickness per unit area. For its thickness 20 mm is assumed, which makes 1.1
+// kPa/mm: an abdominal wall with diaphragm measures 15 to 30 mm.
 [[nodiscard]] std::vector<mechanics::Support> usual_supports();
 
 }  // namespace glisson::rehearsal

@@ -52,9 +52,9 @@ struct NamedRecording {
 Result<std::vector<OrderOfSteps>> run_orders(RehearsalSetup setup, const std::vector<std::size_t>& vessels,
                                              const std::vector<NamedRecording>& orders, const Progress& progress = {});
 
-// name, steps, landmarks[]: {id, largest_mm, at_step, end_mm}, largest_force_N, largest_strain, vessel_strain (null
-// where no vessel is known), open_mm2, bridge_mm2, refused[], unusable[], moves_mm[] and forces_N[] (a number a state,
-// null where it is unusable).
+// The keys: name, steps, landmarks[], largest_force_N, largest_strain, vessel_strain (null where no vessel is known).
+// Then open_mm2, bridge_mm2, refused[], unusable[]. Then moves_mm[] and forces_N[]: a number a state, null where it is
+// unusable. A landmark is {id, largest_mm, at_step, end_mm}.
 [[nodiscard]] Json json_of(const OrderOfSteps& order);
 // Back, from whatever stands there: to be called within reading() (base/json_reading.h).
 [[nodiscard]] OrderOfSteps order_from(const Json& json, const std::string& where);

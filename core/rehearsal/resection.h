@@ -1,6 +1,6 @@
 #pragma once
-// A planned resection: a surface divides the liver, and what is on which side, how much of it, how near to the tumours,
-// and which vessels it meets.
+// A planned resection: a surface divides the liver. The answer is what is on which side, how much of it, how near to
+// the tumours, and which vessels it meets.
 
 #include <Eigen/Core>
 #include <optional>
@@ -36,11 +36,11 @@ struct StructureSide {
 };
 
 // Hepatic veins reach 15 mm at their mouths where blood is held up in them (Henriksson et al., Acta Med Scand 211,
-// 1982); what is wider under their name is the vena cava that they open into.
+// 1982). What is wider under their name is the vena cava that they open into.
 inline constexpr double widest_hepatic_vein_mm = 20.0;
 
 // One outline that the cut leaves on a vessel. Of an oblique cut the diameter is the narrow one, that of the vessel
-// itself: 4 sqrt of the smaller principal second moment per area, which is exact for an ellipse.
+// itself. It is 4 sqrt of the smaller principal second moment per area, which is exact for an ellipse.
 struct VesselCrossing {
   std::string name;
   Eigen::Vector3d center_mm{0, 0, 0};
@@ -78,14 +78,14 @@ Result<Resection> plan_resection(const geometry::TetMesh& liver, const geometry:
                                  const std::vector<NamedStructure>& structures,
                                  const std::optional<Eigen::Vector3d>& specimen_mm = {});
 
-// The same of a liver that is held aside: cut, point and structures are where it lies now, and so are margins, widths,
+// The same of a liver that is held aside. Cut, point and structures are where it lies now. So are margins, widths,
 // areas and the parts (put_to_rest takes those back); volumes are those at rest.
 Result<Resection> plan_resection(const LyingLiver& liver, const geometry::CutSurface& cut,
                                  const std::vector<NamedStructure>& structures,
                                  const std::optional<Eigen::Vector3d>& specimen_mm = {});
 
-// The two parts of a liver of that volume, each by its share of the mesh, and what is uncertain of them: a mesh is one
-// or two per cent off the outline that it was made from, and a liver has one volume.
+// The two parts of a liver of that volume, each by its share of the mesh, and what is uncertain of them. A mesh is one
+// or two per cent off the outline that it was made from, while a liver has one volume.
 void measure_as(Resection& plan, double liver_ml);
 
 }  // namespace glisson::rehearsal

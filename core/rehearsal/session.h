@@ -6,17 +6,17 @@
 // same to the bit. LiveSession runs one on a thread of its own and never keeps its caller waiting.
 //
 // At small strain (RehearsalSetup::law is linear) a state is at rest. At large strain (mechanics/contact/live_body.h) a
-// command gives a first picture with a bound of how far its landmarks are from rest, and Settle brings it nearer; a
-// LiveSession does so by itself while nobody asks for more, and records that it did; a Settle under way is given up for
+// command gives a first picture, with a bound of how far its landmarks are from rest. Settle brings it nearer. A
+// LiveSession settles by itself while nobody asks for more, and records that it did. A Settle under way is given up for
 // what is asked, and is in no recording.
 //
 // A LiveSession answers of the patient alone while the reference body is still being made, and then compares.
 //
-// The phases, and what can be asked in each: a session is `preparing` (nothing to show yet), `ready` (the latest state
-// is of all that was asked, and stays), `settling` (it is of all that was asked, and is brought nearer to rest),
-// `comparing` (it is of all that was asked, and of the patient alone: the reference body is on its way), `stepping` (it
-// is of what came before) or `failed` (it never came to be, and says why). A force without a tool, a tool without a
-// pose or a state before the model cannot be said.
+// The phases, and what can be asked in each. A session is `preparing` while there is nothing to show yet, and `failed`
+// where it never came to be, and says why. `ready` means that the latest state is of all that was asked, and stays.
+// `settling` means that it is of all that was asked, and is brought nearer to rest. `comparing` means that it is of all
+// that was asked, and of the patient alone: the reference body is on its way. `stepping` means that it is of what came
+// before. A force without a tool, a tool without a pose or a state before the model cannot be said.
 
 #include <cstdint>
 #include <filesystem>
@@ -79,8 +79,8 @@ struct SessionState {
   bool settled = true;                          // both
   std::vector<LandmarkDifference> differences;  // those of 5 mm and more are significant()
   double max_difference_mm = 0;                 // over the surface
-  // Empty where the last command was carried out. Otherwise why it was not: the state then shows what was before it,
-  // and says so here; a shape that did not converge is never shown.
+  // Empty where the last command was carried out. Otherwise why it was not. The state then shows what was before it,
+  // and says so here. A shape that did not converge is never shown.
   std::string refused;
   double step_ms = 0;
   std::string digest;  // SHA-256 of every displacement and force: two states of the same digest are the same bits

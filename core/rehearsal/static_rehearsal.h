@@ -3,9 +3,9 @@
 // under the same tool. Moving the tool costs a solve; turning it or changing its force is a superposition, well under 1
 // ms.
 //
-// There is no state in which a force could be set and no tool be there: create() gives the rehearsal, place_tool()
-// gives a tool placed, and only that answers. All of it is immutable: the window may place a tool on a worker
-// thread while it draws the answers of the one before.
+// There is no state in which a force could be set and no tool be there. create() gives the rehearsal, place_tool()
+// gives a tool placed, and only that answers. All of it is immutable: the window may place a tool on a worker thread
+// while it draws the answers of the one before.
 
 #include <Eigen/Core>
 #include <memory>
@@ -105,8 +105,8 @@ class PlacedTool {
   // The bodies under that force (N, patient LPS). The force must be finite.
   [[nodiscard]] RehearsalState answer(const Eigen::Vector3d& force_N) const;
 
-  // The largest force (N, to a thousandth of `maximum_N`) along that unit direction which stays within the model; at
-  // most `maximum_N`. 0 where the standing loads leave it already.
+  // The largest force (N, to a thousandth of `maximum_N`) along that unit direction which stays within the model. It is
+  // at most `maximum_N`, and 0 where the standing loads leave it already.
   [[nodiscard]] double force_within_the_model_N(const Eigen::Vector3d& direction, double maximum_N) const;
 
   // Displacement of every mesh point of the patient's body (mm), for saving a result.

@@ -34,9 +34,9 @@ struct ToolPlacement {
 // The load of that placement for a force (N) along its direction.
 [[nodiscard]] mechanics::ToolLoad tool_load(const ToolPlacement& placement, double force_N);
 
-// Hoisting segment VI: the right, inferior, posterior part of the liver in Couinaud's numbering is lifted towards
-// the front and the head to bare the organ's rear (the retraction of section 4.4 of the dissertation).
-// The rule, on the liver's boundary in LPS (x to the left, y to the back, z to the head; the patient supine):
+// Hoisting segment VI lifts the right, inferior, posterior part of the liver in Couinaud's numbering. It goes towards
+// the front and the head, to bare the organ's rear (the retraction of section 4.4 of the dissertation). The rule, on
+// the liver's boundary in LPS (x to the left, y to the back, z to the head; the patient supine):
 //   1. each boundary triangle's centroid is placed in the liver's bounding box: r, p, i from 0 to 1 towards the
 //      right, the back and the feet;
 //   2. the triangles of the under-surface, whose normals point down or back, are scored r + p + i;
