@@ -11,9 +11,9 @@
 
 namespace glisson::report {
 
-// The folder is made where absent; files of these names are replaced, each whole; how probabilities went since trials
-// were fewer is taken over from a report that is there (closedloop/posterior_history.h). The page speaks `words`; the
-// files for programs speak English. Fails with "file-not-writable".
+// The folder is made where absent, and files of these names are replaced, each whole. How probabilities went since
+// trials were fewer is taken over from a report that is there (closedloop/posterior_history.h). The page speaks
+// `words`; the files for programs speak English. Fails with "file-not-writable".
 Result<void> write_explanation(const std::filesystem::path& folder, const closedloop::Explained& explained,
                                const Words& words = {});
 

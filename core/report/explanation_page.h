@@ -1,6 +1,6 @@
 #pragma once
-// What closing the loop found, as a report for a person: the residual before, the suspects with their evidence, the
-// residual after, the parameters with their uncertainty, and what to measure next.
+// What closing the loop found, as a report for a person. It shows the residual before, the suspects with their
+// evidence, the residual after, the parameters with their uncertainty, and what to measure next.
 
 #include <string>
 

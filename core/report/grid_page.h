@@ -1,6 +1,6 @@
 #pragma once
-// Figures 6.7 to 6.9 of the dissertation as a page: a device over liver volume and resolution, and what an iteration
-// costs each device over the nodes.
+// Figures 6.7 to 6.9 of the dissertation as a page. They show a device over liver volume and resolution, and what an
+// iteration costs each device over the nodes.
 
 #include <vector>
 

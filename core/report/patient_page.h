@@ -1,7 +1,8 @@
 #pragma once
-// What was done for a patient, the answer first: pictures, the planned cut with margins, vessels and remnant, what the
-// tools do to the landmarks, the structures; then, from the next page on, how it came about: images, model, evidence,
-// and where each file of the case comes from. Read from the case; what the case does not hold is given.
+// What was done for a patient, the answer first. There are pictures, the planned cut with margins, vessels and remnant,
+// what the tools do to the landmarks, and the structures. From the next page on stands how it came about: images,
+// model, evidence, and where each file of the case comes from. Read from the case; what the case does not hold is
+// given.
 //
 // The patient's name and the case's own folder stay out of it unless the name is given.
 

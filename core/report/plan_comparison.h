@@ -1,6 +1,6 @@
 #pragma once
 // Plans side by side: a page, and the same as CSV. Each plan is an object with its name and the fields of
-// planning::answer_json; where a plan no longer holds, "failed" says why and no figure stands.
+// planning::answer_json. Where a plan no longer holds, "failed" says why and no figure stands.
 
 #include <string>
 #include <vector>
