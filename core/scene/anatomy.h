@@ -13,9 +13,9 @@ struct Appearance {
   Finish finish = Finish::solid;
 };
 
-// By the structure's name as it stands in a case ("liver", "tumour-1", "portal-vein", "hepatic-veins", "arteries",
-// "gallbladder", "cyst-2", "bile-ducts"); a calm grey-blue for a name not known. Colour is never the only way to tell
-// two apart: they differ in lightness too, and lists show the name.
+// By the structure's name as it stands in a case, and a calm grey-blue for a name not known. Names are "liver",
+// "tumour-1", "portal-vein", "hepatic-veins", "arteries", "gallbladder", "cyst-2", "bile-ducts". Colour is never the
+// only way to tell two apart: they differ in lightness too, and lists show the name.
 [[nodiscard]] Appearance appearance_of(std::string_view structure);
 
 }  // namespace glisson::scene

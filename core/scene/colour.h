@@ -1,9 +1,9 @@
 #pragma once
 // Colours, and the colour maps that turn a number into one.
 //
-// The maps are even to the eye and to be told apart by people with any of the common colour-vision deficiencies;
-// a rainbow is not on offer. viridis: van der Walt and Smith 2015 (CC0). cividis: Nunez, Anderton and Renslow,
-// PLoS ONE 13(7), 2018 (CC0). magma, plasma: Smith and van der Walt 2015 (CC0).
+// The maps are even to the eye. People with any of the common colour-vision deficiencies can tell them apart; a rainbow
+// is not on offer. viridis: van der Walt and Smith 2015 (CC0). cividis: Nunez, Anderton and Renslow, PLoS ONE 13(7),
+// 2018 (CC0). magma, plasma: Smith and van der Walt 2015 (CC0).
 
 #include <array>
 #include <string>

@@ -22,8 +22,8 @@ struct Comparison {
   std::string agreement_label;  // "Purple: both agree"
 };
 
-// Draws both with the same camera (in_blue's, or one that fits it), joins them, and writes in_blue's titles, warning
-// and landmark names over the outcome, with a key of the three colours. Failures: those of draw().
+// Draws both with the same camera: in_blue's, or one that fits it. Joins them, and writes in_blue's titles, warning and
+// landmark names over the outcome, with a key of the three colours. Failures: those of draw().
 Result<Picture> draw_red_blue(const Comparison& comparison, int width, int height);
 
 }  // namespace glisson::scene

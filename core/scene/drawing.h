@@ -1,6 +1,6 @@
 #pragma once
-// What is drawn over the slices while a person works on them: lines and coloured cells as values, which a
-// view takes (view_changes.h), and Drawing, which shows them in VTK's renderer.
+// What is drawn over the slices while a person works on them. Lines and coloured cells are values, which a view takes
+// (view_changes.h). Drawing shows them in VTK's renderer.
 
 #include <array>
 #include <cstdint>
@@ -29,7 +29,7 @@ struct DrawnCells {
   std::vector<std::array<std::uint8_t, 4>> colours;
 };
 
-// The outline of a mask in one layer of its grid, half-way between voxels inside and outside; where the mask reaches
+// The outline of a mask in one layer of its grid, half-way between voxels inside and outside. Where the mask reaches
 // the grid's border it is closed half a voxel beyond. Two ends a piece, patient LPS, mm, in the plane of the layer.
 [[nodiscard]] std::vector<Eigen::Vector3d> outline_in_layer(const imaging::Mask& mask, int axis, int layer);
 

@@ -1,11 +1,12 @@
 #pragma once
-// Predicted landmarks over the grey scan: circles where the scan has them and where a simulation brings them, with the
-// patient's stiffness and with an atlas's (the dissertation's figure 4.16d projects its simulation onto a grey scan of
-// what was pressed; here the scan is the one before the operation, so that it shows the liver at rest).
+// Predicted landmarks over the grey scan: circles where the scan has them and where a simulation brings them. They are
+// drawn with the patient's stiffness and with an atlas's. The dissertation's figure 4.16d projects its simulation onto
+// a grey scan of what was pressed. Here the scan is the one before the operation, so that it shows the liver at rest.
 //
-// A picture for each group of landmarks ("tumour", "hepatic-vein"): the slice through that one of the group which the
-// atlas misplaces most, or which moves most, across the patient axis along which it moves least. Circles are projected
-// onto the slice along that axis; landmarks farther than `slab_mm` from it at rest are left out, and counted.
+// Each group of landmarks ("tumour", "hepatic-vein") has a picture: the slice through one of the group. That is the one
+// which the atlas misplaces most, or which moves most. The slice lies across the patient axis along which it moves
+// least. Circles are projected onto the slice along that axis; landmarks farther than `slab_mm` from it at rest are
+// left out, and counted.
 
 #include <filesystem>
 #include <memory>

@@ -21,7 +21,7 @@ struct DrawnFrame {
 };
 
 // How clear surfaces that overlap are put together: `exact` sorts every pixel; `quick` draws them in the scene's order
-// over what is solid, several times faster, and is hard to tell from it for one clear organ that comes last.
+// over what is solid, several times faster. It is hard to tell from `exact` for one clear organ that comes last.
 enum class Transparency { exact, quick };
 
 class Painter {

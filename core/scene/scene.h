@@ -1,8 +1,8 @@
 #pragma once
 // What a picture shows, as values, and the function that draws it.
 //
-// Positions are patient coordinates (LPS, mm). Whatever takes part in several pictures (a surface, a volume) is held
-// by a shared pointer to const: scenes are cheap to copy and to hand between threads. Drawing needs no screen.
+// Positions are patient coordinates (LPS, mm). Whatever takes part in several pictures (a surface, a volume) is held by
+// a shared pointer to const. So scenes are cheap to copy and to hand between threads. Drawing needs no screen.
 
 #include <array>
 #include <Eigen/Core>
@@ -20,10 +20,10 @@
 
 namespace glisson::scene {
 
-// How a surface takes the light. `solid` is opaque tissue with a soft sheen. `glass` is clear where it faces the
-// viewer and denser towards its rim, so that what lies inside stays readable; `opacity` scales it. `light` adds its
-// colour to what lies behind, whatever the order, as in an x-ray: a red and a blue body are purple where they coincide
-// (on a dark background only).
+// How a surface takes the light. `solid` is opaque tissue with a soft sheen. `glass` is clear where it faces the viewer
+// and denser towards its rim, so that what lies inside stays readable; `opacity` scales it. `light` adds its colour to
+// what lies behind, whatever the order, as in an x-ray. A red and a blue body are purple where they coincide, on a dark
+// background only.
 enum class Finish { solid, glass, light };
 
 // A quantity shown by colour, with its legend.
@@ -152,13 +152,13 @@ struct Scene {
 // The camera that looks from that side and shows everything, as large as the picture allows.
 [[nodiscard]] Camera fit(const Scene& scene, PatientView view, double aspect);
 
-// Refuses what cannot be drawn: a missing surface or volume, an index out of range, a position that is not finite, an
-// unknown field, an empty range ("scene-invalid", saying which item).
+// Fails with "scene-invalid", saying which item, where something cannot be drawn. That is a missing surface or volume,
+// an index out of range, a position that is not finite, an unknown field, or an empty range.
 Result<void> check_scene(const Scene& scene);
 
 // Draws off screen, anti-aliased, with or without an X server: the same picture bit for bit either way. Sizes from 16
-// to 8192 pixels a side. Fails when the scene is invalid, the size is out of range ("picture-size"), or the machine
-// has no OpenGL 3.2 at all, not even in software ("drawing-unavailable").
+// to 8192 pixels a side. Fails when the scene is invalid, or with "picture-size" when the size is out of range. Fails
+// with "drawing-unavailable" when the machine has no OpenGL 3.2 at all, not even in software.
 Result<Picture> draw(const Scene& scene, int width, int height);
 
 }  // namespace glisson::scene

@@ -1,7 +1,7 @@
 #pragma once
-// What a live picture shows: a scene, and the quick changes that it needs from frame to frame (points that move, a
-// camera that turns) without building anything again. Values alone: nothing is drawn here. What changed is handed to a
-// Painter (scene/painter.h), which may be on another thread; where things are in the picture is known here at once.
+// What a live picture shows: a scene, and the quick changes that it needs from frame to frame. Points move or a camera
+// turns, and nothing is built again. Values alone: nothing is drawn here. What changed is handed to a Painter
+// (scene/painter.h), which may be on another thread. Where things are in the picture is known here at once.
 
 #include <array>
 #include <Eigen/Core>
@@ -64,8 +64,8 @@ class View {
   // The first shown surface under a device pixel (from the top left), or none.
   [[nodiscard]] std::optional<Pick> pick(double x, double y) const;
 
-  // Where the line of sight through a device pixel meets the plane through the focus: in a slice view, the point of
-  // the slice under the pointer.
+  // Where the line of sight through a device pixel meets the plane through the focus. In a slice view that is the point
+  // of the slice under the pointer.
   [[nodiscard]] Eigen::Vector3d position_in_focal_plane(double x, double y) const;
   // Where it meets the plane through that place, parallel to the picture.
   [[nodiscard]] Eigen::Vector3d position_beside(const Eigen::Vector3d& place_mm, double x, double y) const;

@@ -53,8 +53,8 @@ struct ViewChanges {
   std::optional<double> pixel_scale;
   std::optional<Detail> detail;
 
-  // Of every frame. `shrink` 2: drawn at half that size each way, to be enlarged by whoever shows it; everything that
-  // is said in pixels stays in those of the full size.
+  // Of every frame. At `shrink` 2 it is drawn at half that size each way, to be enlarged by whoever shows it.
+  // Everything that is said in pixels stays in those of the full size.
   Viewport viewport;
   int shrink = 1;
 };

@@ -1,6 +1,6 @@
 #pragma once
-// A backdrop in a window: rays through the scan in a layer below what the renderer draws, so that it shines through
-// what is clear and covers nothing. The half before a plane is cut away.
+// A backdrop in a window: rays through the scan in a layer below what the renderer draws. So it shines through what is
+// clear and covers nothing. The half before a plane is cut away.
 
 #include <vtkNew.h>
 #include <vtkPlane.h>

@@ -9,9 +9,9 @@
 
 namespace glisson::scene {
 
-// An OpenGL window of that size in memory: through EGL without any display where the machine has it (Mesa's surfaceless
-// platform, or a graphics card's own), else through the X server of $DISPLAY. "drawing-unavailable" when neither is
-// there. It belongs to the calling thread until it is destroyed there.
+// An OpenGL window of that size in memory. Where the machine has EGL it needs no display (Mesa's surfaceless platform,
+// or a graphics card's own). Else it goes through the X server of $DISPLAY. Fails with "drawing-unavailable" when
+// neither is there. It belongs to the calling thread until it is destroyed there.
 Result<vtkSmartPointer<vtkRenderWindow>> open_offscreen_window(int width, int height);
 
 }  // namespace glisson::scene
