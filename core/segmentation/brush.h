@@ -23,7 +23,7 @@ struct Dab {
   Eigen::Vector3d from_mm{0, 0, 0};
   Eigen::Vector3d to_mm{0, 0, 0};
   double radius_mm = 5;
-  // A ball reaches into the neighbouring slices; a disc stays in the layer of voxels that `to_mm` lies in, counted
+  // A ball reaches into the neighbouring slices. A disc stays in the layer of voxels that `to_mm` lies in, counted
   // along this axis of the grid.
   std::optional<int> layer_axis;
   // A disc in a slice that is tilted against the grid: round the voxels that the plane through `to_mm` with this unit
@@ -37,10 +37,10 @@ struct GreyRange {
   double high = 0;
 };
 
-// The grey values that are like those under a click: the median of the voxels within `around_mm` of it, and `spread`
-// times their robust standard deviation (1.4826 times the median deviation) both ways, but at least `minimum_share` of
-// the image's own range from its 1st to its 99th hundredth, since a dozen even voxels say little of an organ. Absent
-// where the click is outside of the image.
+// The grey values that are like those under a click. Their middle is the median of the voxels within `around_mm` of it.
+// They reach `spread` times the robust standard deviation of these both ways (1.4826 times the median deviation). They
+// reach at least `minimum_share` of the image's own range from its 1st to its 99th hundredth. A dozen even voxels say
+// little of an organ. Absent where the click is outside of the image.
 struct LikenessOptions {
   double around_mm = 2.5;
   double spread = 2.5;
@@ -54,9 +54,9 @@ enum class Paint { add, take_away };
 // How far from a plane the centre of a voxel may lie that the plane still goes through, in mm.
 [[nodiscard]] double half_extent_mm(const imaging::Grid& grid, const Eigen::Vector3d& unit_normal);
 
-// Sets or clears the voxels whose centre lies within the radius of the way from `from_mm` to `to_mm`, and returns the
-// box of those looked at. With `only`, those of them alone whose grey value in `image` (same grid: asserts) lies in
-// the range: the smart brush.
+// Sets or clears the voxels whose centre lies within the radius of the way from `from_mm` to `to_mm`. Returns the box
+// of those looked at. With `only`, those of them alone whose grey value in `image` (same grid: asserts) lies in the
+// range: the smart brush.
 struct Only {
   const imaging::Volume& image;
   GreyRange range;

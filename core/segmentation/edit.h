@@ -1,5 +1,5 @@
 #pragma once
-// Correcting a mask by hand. Each operation takes a mask and gives the edited one back on the same grid; a caller who
+// Correcting a mask by hand. Each operation takes a mask and gives the edited one back on the same grid. A caller who
 // no longer needs the old one moves it in: mask = paint(std::move(mask), ball). Lengths are mm in patient LPS, so that
 // a ball is a ball on any grid.
 
@@ -58,17 +58,18 @@ using imaging::fill_holes;
 // Keeps the piece (26 neighbours) that a place lies in. Fails with "edit-no-piece-there".
 [[nodiscard]] Result<imaging::Mask> keep_piece_at(imaging::Mask mask, const Eigen::Vector3d& place_mm);
 
-// Fills the layers along an axis of the grid (0, 1, 2) that hold nothing, between layers that do: where the distances
-// to the outlines in the layer before and the one after, negative inside, mixed by how near each layer is, are at most
-// 0 (shape-based interpolation: Raya and Udupa, IEEE Trans Med Imaging 9:32, 1990). Drawn layers stay as they are.
+// Fills the layers along an axis of the grid (0, 1, 2) that hold nothing, between layers that do. The distances to the
+// outlines in the layer before and the one after, negative inside, are mixed by how near each layer is. What is at most
+// 0 is filled (shape-based interpolation: Raya and Udupa, IEEE Trans Med Imaging 9:32, 1990). Drawn layers stay as they
+// are.
 [[nodiscard]] imaging::Mask fill_between_layers(imaging::Mask mask, int axis);
 
 // Rounds what is smaller than about radius_mm: the half level of the mask blurred with a Gaussian of that standard
 // deviation. Volume is nearly kept where the surface is flat on that scale; thinner parts vanish.
 [[nodiscard]] imaging::Mask smooth(imaging::Mask mask, double radius_mm);
 
-// Grows (positive) or shrinks (negative) by a margin: every voxel whose centre is at most that far from the centre of
-// a voxel inside joins, or of one outside leaves. The image's border does not count as outside.
+// Grows (positive) or shrinks (negative) by a margin. A voxel joins whose centre is at most that far from the centre of
+// one inside. A voxel leaves that lies so near to one outside. The image's border does not count as outside.
 [[nodiscard]] imaging::Mask with_margin(imaging::Mask mask, double margin_mm);
 
 // Voxel by voxel; the other mask must be on the same grid (asserts).

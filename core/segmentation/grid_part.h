@@ -16,8 +16,8 @@ struct Part {
   imaging::Grid grid;
 };
 
-// What lies within `reach_mm` of any of the points along each axis; what the mask holds, with a rim of voxels (a mask
-// that holds nothing: its first voxel).
+// The first part is what lies within `reach_mm` of any of the points along each axis. The second is what the mask
+// holds, with a rim of voxels (a mask that holds nothing: its first voxel).
 [[nodiscard]] Part part_around(const std::vector<Eigen::Vector3d>& points_mm, double reach_mm,
                                const imaging::Grid& grid);
 [[nodiscard]] Part part_around(const imaging::Mask& mask, int rim);

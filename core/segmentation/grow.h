@@ -70,12 +70,13 @@ struct GrowResult {
 };
 
 // Grows from the seeds (patient LPS, mm) over connected tissue of the seeds' brightness. In rounds: a voxel is tissue
-// when its surroundings are bright as expected and even; narrow bridges to heart, stomach, kidney and muscle are cut by
-// an opening; what holds the seeds is kept, and from it the expected brightness and its drift are learnt anew. In the
-// end vessels and tumours are closed, the outline is smoothed, and its border put where both sides' brightness, learnt
-// near by, divides best (outline_border.h). Where some of that border is unsure, wider tolerances are tried, and taken
-// if they come to a fifth more volume, to nearly the same at still wider ones, to a surer border, and to no sign of a
-// leak: the liver of a CT that is darker between the arms. Deterministic, whatever the number of threads.
+// when its surroundings are even and as bright as expected. An opening cuts narrow bridges to heart, stomach, kidney
+// and muscle. What holds the seeds is kept, and from it the expected brightness and its drift are learnt anew. In the
+// end vessels and tumours are closed and the outline is smoothed. Its border is put where both sides' brightness,
+// learnt near by, divides best (outline_border.h). Where some of that border is unsure, wider tolerances are tried: the
+// liver of a CT may be darker between the arms. They are taken if they come to a fifth more volume, and to nearly the
+// same at still wider ones. They must come to a surer border too, and to no sign of a leak. Deterministic, whatever the
+// number of threads.
 //
 // Fails with grow-no-seeds, grow-bad-options, grow-bad-image (an axis shorter than three voxels), grow-seed-outside
 // (which, and how far), grow-seed-on-nothing (no finite value around it), grow-constant-image, grow-nothing-found,

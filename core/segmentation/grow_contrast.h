@@ -36,14 +36,14 @@ struct ContrastGrowth {
 };
 
 // Grows from the seeds (patient LPS, mm) over connected voxels that are nearer in brightness to the seeds than to the
-// tissue around them: the border lies half-way, where partial volume puts it. The tissue around is the mode of the
+// tissue around them. The border lies half-way, where partial volume puts it. The tissue around is the mode of the
 // differing values that are nearest to the seeds' (half-sample mode, Robertson and Cryer 1974). A vessel loses parts
-// thicker than a vessel is, and what only hangs on them; a lesion what hangs on it by a thin neck. With `within`
-// (same grid: asserts) nothing outside of it is looked at. Deterministic.
+// thicker than a vessel is, and what only hangs on them; a lesion what hangs on it by a thin neck. With `within` (same
+// grid: asserts) nothing outside of it is looked at. Deterministic.
 //
-// Fails with grow-no-seeds, grow-bad-image, grow-seed-outside, grow-seed-on-nothing (no finite value at it, or not
-// within), grow-no-contrast (nothing around the seeds differs from them), grow-only-thick (a vessel's seed lies in
-// something thicker than a vessel), cancelled.
+// Fails with grow-no-seeds, grow-bad-image, grow-seed-outside or cancelled. Fails with grow-seed-on-nothing (no finite
+// value at it, or not within) or grow-no-contrast (nothing around the seeds differs from them). Fails with
+// grow-only-thick where a vessel's seed lies in something thicker than a vessel.
 Result<ContrastGrowth> grow_contrast(const imaging::Volume& image, const std::vector<Eigen::Vector3d>& seeds_mm,
                                      Contrast kind, const imaging::Mask* within = nullptr,
                                      const ContrastOptions& options = {}, const Progress& progress = {});

@@ -7,8 +7,8 @@
 
 namespace glisson::segmentation {
 
-// Adults' livers hold about -794 + 1267 BSA ml (Vauthey et al., Liver Transplantation 8:233, 2002): 0.7 l at 1.2 m2 of
-// body surface, 2.5 l at 2.6 m2. Wider on both sides for small remnants and large, fatty livers.
+// Adults' livers hold about -794 + 1267 BSA ml (Vauthey et al., Liver Transplantation 8:233, 2002). That is 0.7 l at
+// 1.2 m2 of body surface, 2.5 l at 2.6 m2. Wider on both sides for small remnants and large, fatty livers.
 constexpr double smallest_liver_ml = 500;
 constexpr double largest_liver_ml = 3500;
 

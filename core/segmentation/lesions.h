@@ -14,9 +14,9 @@ struct WithLesions {
   std::vector<std::string> added;  // names of the lesions that were not wholly inside before
 };
 
-// The liver with the tumours and cysts among `structures` that touch it or lie within `gap_mm` of it, and with the
-// cleft between them and the tissue closed: partial volume makes the rim of a lesion look like neither. Vessels are
-// left as they are, since their trunks run out of the organ. Masks on other grids are left out.
+// The liver with the tumours and cysts among `structures` that touch it or lie within `gap_mm` of it. The cleft between
+// them and the tissue is closed: partial volume makes the rim of a lesion look like neither. Vessels are left as they
+// are, since their trunks run out of the organ. Masks on other grids are left out.
 [[nodiscard]] WithLesions with_lesions(imaging::Mask liver, const std::vector<Structure>& structures,
                                        double gap_mm = 6);
 

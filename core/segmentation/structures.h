@@ -20,10 +20,11 @@ struct Structure {
 // Where a structure belongs with respect to the liver.
 enum class Place { liver, inside, beside, unknown };
 
-// What is known of a structure by its name: "liver", "tumour", "cyst", "portal-vein", "hepatic-vein", "artery",
-// "biliary-tract", "gallbladder", "gastric-vein" and a few organs around, with or without a number or a side at the end
-// ("tumour-2", "kidney-left"); vessels count as inside, since their greater part runs in the liver. The colours are
-// those of 3D Slicer's table GenericAnatomyColors; an unknown name gets that table's grey-blue for "unknown".
+// What is known of a structure by its name, with or without a number or a side at the end ("tumour-2", "kidney-left").
+// The names are "liver", "tumour", "cyst", "portal-vein", "hepatic-vein", "artery", "biliary-tract", "gallbladder",
+// "gastric-vein" and a few organs around. Vessels count as inside, since their greater part runs in the liver. The
+// colours are those of 3D Slicer's table GenericAnatomyColors; an unknown name gets that table's grey-blue for
+// "unknown".
 struct KnownStructure {
   std::array<double, 3> color_rgb;
   Place place;
@@ -47,10 +48,10 @@ struct ComposedLabels {
   std::vector<std::string> names;  // names[label - 1]; the liver, where there is one, is label 1
 };
 
-// One label map of several masks. The liver is label 1 and gives way to all others; where two others share a voxel
-// the smaller structure wins, so that a small tumour at a vessel is not lost. The remaining labels follow the order
-// given. A structure that keeps no voxel still has its label.
-// Fails with labels-no-structures, labels-grids-differ, labels-no-liver (Extent::liver) and labels-liver-empty.
+// One label map of several masks. The liver is label 1 and gives way to all others. Where two others share a voxel the
+// smaller structure wins, so that a small tumour at a vessel is not lost. The remaining labels follow the order given.
+// A structure that keeps no voxel still has its label. Fails with labels-no-structures, labels-grids-differ,
+// labels-no-liver (Extent::liver) and labels-liver-empty.
 Result<ComposedLabels> compose_labels(const std::vector<Structure>& structures, Extent extent);
 
 // The voxels with one label, or with any.

@@ -23,8 +23,8 @@ struct LikelihoodOptions {
   double most = 3;  // of the logarithm: one voxel does not outvote its surroundings
 };
 
-// The natural logarithm of how likely each voxel's value is beyond the border over how likely it is within, both by
-// histograms learnt near by; 0 where the value is not finite, and farther than `band_mm` from the border.
+// The natural logarithm of how likely each voxel's value is beyond the border over how likely it is within. Both come
+// by histograms learnt near by. It is 0 where the value is not finite, and farther than `band_mm` from the border.
 // `border_mm` is the signed distance from the border, one a voxel, negative inside. `tissue` is the organ on the
 // image's grid: its drift is taken off before anything is counted.
 [[nodiscard]] std::vector<float> log_likelihood_ratio(const imaging::Image<float>& image,

@@ -16,8 +16,8 @@ struct BorderOptions {
     double spacing_mm, band_mm;
   };
   std::vector<Round> rounds{{2.5, 5}, {1.25, 3}};
-  // How much a voxel's likelihood counts against the border's area, in 1/mm. Where both sides are 20 times as likely on
-  // their own as on the other, bays and bumps of less than about 3 mm are smoothed away.
+  // How much a voxel's likelihood counts against the border's area, in 1/mm. Bays and bumps of less than about 3 mm are
+  // smoothed away. That holds where both sides are 20 times as likely on their own as on the other.
   double likelihood_per_mm = 0.2;
   LikelihoodOptions likelihood;
 };
@@ -28,10 +28,10 @@ struct OrganLook {
   double smallest_sd = 0;  // what a noise-free image is taken to have, as in learn_tissue()
 };
 
-// The outline with its border where it divides best what looks like the organ from what looks like its neighbours, both
-// learnt near by, and is no longer than that asks for: the relaxed cut (relaxed_cut.h) of the likelihood ratio
-// (likelihood_ratio.h) in a band about the border. An outline without a voxel deeper than a round's band is left as it
-// is: a mouse's liver is smaller than the bumps that are smoothed away. Deterministic.
+// The outline with its border put where it divides best what looks like the organ from what looks like its neighbours.
+// Both are learnt near by, and the border is no longer than that asks for. It is the relaxed cut (relaxed_cut.h) of the
+// likelihood ratio (likelihood_ratio.h), in a band about the border. An outline without a voxel deeper than a round's
+// band is left as it is. A mouse's liver is smaller than the bumps that are smoothed away. Deterministic.
 [[nodiscard]] imaging::Mask with_border_refined(imaging::Mask outline, const imaging::Volume& image,
                                                 const OrganLook& look, const BorderOptions& options = {});
 

@@ -18,8 +18,8 @@ struct RelaxedCutOptions {
 };
 
 // Minimises the integral of |grad u| + cost u over 0 <= u <= 1, where u is 0 outside and 1 inside. `cost_per_mm`, one a
-// voxel, is what a voxel inside costs more than one outside, against 1 for each mm2 of border. What u is at least 0.5
-// in is one of the regions of minimum cost, whatever the start (Nikolova, Esedoglu and Chan, SIAM J Appl Math 66:1632,
+// voxel, is what a voxel inside costs more than one outside, against 1 for each mm2 of border. Where u is at least 0.5
+// is one of the regions of minimum cost, whatever the start (Nikolova, Esedoglu and Chan, SIAM J Appl Math 66:1632,
 // 2006). By the primal-dual steps of Chambolle and Pock (J Math Imaging Vis 40:120, 2011). The image's border is free.
 // Gives u, one a voxel. Deterministic, whatever the number of threads.
 [[nodiscard]] std::vector<float> relaxed_cut(const imaging::Grid& grid, const std::vector<float>& cost_per_mm,

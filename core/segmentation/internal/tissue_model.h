@@ -10,8 +10,9 @@
 
 namespace glisson::segmentation {
 
-// The value that most of the values lie around: the half of them that lie closest together, and again of that half
-// (half-sample mode, Robertson and Cryer 1974). Some of a ball's voxels being vessel or fat does not move it.
+// The value that most of the values lie around. It is sought in the half of them that lie closest together, and again
+// in that half (half-sample mode, Robertson and Cryer 1974). Some of a ball's voxels being vessel or fat does not move
+// it.
 [[nodiscard]] double mode_of(std::vector<float> values);
 
 // `image` smoothed with weights that leave out what is not finite and what lies beyond the image; NaN where nothing is
