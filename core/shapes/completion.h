@@ -8,15 +8,16 @@
 namespace glisson::shapes {
 
 struct Completion {
-  // Closed, in the patient's frame, with the model's points; point fields "sd_mm" (of the place across the surface) and
-  // "seen" (1: led by what was seen, which lies there; 0: by the model alone).
+  // Closed, in the patient's frame, with the model's points. The point field "sd_mm" is of the place across the
+  // surface. The point field "seen" is 1 where the surface is led by what was seen, which lies there. It is 0 where the
+  // model alone leads.
   geometry::Surface surface;
   ShapeFit fit;
   double seen_fraction = 0;  // of the area
 };
 
-// Refuses with "shapes-outside" what is not as the model's livers are (more than 8 mm left between both, or
-// coefficients far outside): what the model would add to that is worth nothing.
+// Fails with "shapes-outside" where more than 8 mm are left between both, or coefficients lie far outside. That is not
+// as the model's livers are, and what the model would add to it is worth nothing.
 Result<void> check_inside(const ShapeModel& model, const ShapeFit& fit);
 
 // Refuses with "shapes-mirrored" where the model comes nearer to the mirror image of what is seen than `fit` came to

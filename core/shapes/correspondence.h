@@ -8,8 +8,8 @@
 
 namespace glisson::shapes {
 
-// The surface whose points every liver is described by: a SIMULATED liver (anatomy/patient.h), so that no patient's
-// details are in the triangles, and no liver that a model is judged on has shaped them.
+// The surface whose points every liver is described by: a SIMULATED liver (anatomy/patient.h). So no patient's details
+// are in the triangles, and no liver that a model is judged on has shaped them.
 Result<geometry::Surface> reference_liver(double spacing_mm = 7);
 
 struct Corresponding {

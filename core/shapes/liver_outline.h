@@ -25,8 +25,8 @@ struct LiverOutline {
 // "shapes-volume" (not 400 to 5000 ml, which no adult's liver is).
 Result<LiverOutline> outline_of(const imaging::LabelMap& labels, const OutlineOptions& options = {});
 
-// A closed surface without its flat ends: triangles within 1 mm of its highest or lowest place that face it, where
-// together they are more than 3 % of the area. That is how a surface looks that an image cut off.
+// A closed surface without its flat ends. These are triangles within 1 mm of its highest or lowest place that face it.
+// They count where together they are more than 3 % of the area. That is how a surface looks that an image cut off.
 [[nodiscard]] geometry::Surface without_flat_ends(const geometry::Surface& surface);
 
 }  // namespace glisson::shapes

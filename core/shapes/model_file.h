@@ -1,6 +1,6 @@
 #pragma once
-// A shape model in a file that ParaView and 3D Slicer open: the mean as .vtp, with each mode as displacements of its
-// points by one standard deviation.
+// A shape model in a file that ParaView and 3D Slicer open. It is the mean as .vtp, with each mode as displacements of
+// its points by one standard deviation.
 
 #include <filesystem>
 

@@ -1,12 +1,12 @@
 #pragma once
-// A model laid onto what is seen of a liver: where the liver lies, which of the model's livers it is, and how sure each
-// point of it is.
+// A model laid onto what is seen of a liver. The answer is where the liver lies, which of the model's livers it is, and
+// how sure each point of it is.
 //
 // The posterior of a Gaussian model given seen points (Albrecht, Lüthi, Gerig and Vetter, "Posterior shape models",
-// Medical Image Analysis 17:959, 2013): with the mean m, modes Q, seen rows s and noise N, the coefficients have the
+// Medical Image Analysis 17:959, 2013). It has the mean m, modes Q, seen rows s and noise N. The coefficients have the
 // covariance C = (I + Q_s' N^-1 Q_s)^-1 and the mean C Q_s' N^-1 (seen - m_s). Here a small rigid motion is part of Q,
-// with a wide prior, so that not knowing where the liver lies widens the answer too; the noise along the surface is
-// wider than across it, since a nearest place says little of where along the surface a point belongs.
+// with a wide prior. So not knowing where the liver lies widens the answer too. A nearest place says little of where
+// along the surface a point belongs: the noise is wider along it than across it.
 
 #include <Eigen/Geometry>
 #include <optional>

@@ -2,8 +2,8 @@
 // How livers differ: a mean surface and the principal components of what corresponding surfaces differ by, rigid
 // motions taken out (Cootes et al. 1995; Gower 1975 for the alignment of all to their mean). Size stays in.
 //
-// Gaussian: a liver is mean + sum over modes of b_k mode_k + rest, with b_k standard normal and the rest, at each point
-// and along each axis, normal with residual_sd_mm.
+// Gaussian: a liver is mean + sum over modes of b_k mode_k + rest. The b_k are standard normal. The rest, at each point
+// and along each axis, is normal with residual_sd_mm.
 
 #include <Eigen/Core>
 #include <vector>
@@ -49,14 +49,14 @@ struct RanksJudged {
   std::vector<RankJudged> by_modes;  // by_modes[k - 1]
   // The honest rank: the fewest modes with which left-out livers lie within 2 % as near as with the best number.
   int rank = 0;
-  // At that rank, a column a liver, each by the model of the others: what is left at each point (mean square over x, y
-  // and z), and the squares of the coefficients over the modes' variances.
+  // At that rank, a column a liver, each by the model of the others. The first is what is left at each point (mean
+  // square over x, y and z). The second is the squares of the coefficients over the modes' variances.
   Eigen::MatrixXd rest_mm2, squared_coefficients;
 };
 RanksJudged judge_ranks(const AlignedShapes& shapes, const Progress& progress = {});
 
-// A sample of few livers holds directions of single ones, along which the next liver hardly differs: each mode's
-// variance becomes the mean square that left-out livers showed along it and the three on either side of it, and the
+// A sample of few livers holds directions of single ones, along which the next liver hardly differs. So each mode's
+// variance becomes the mean square that left-out livers showed along it and the three on either side of it. The
 // residual is theirs. `without`: a liver whose own figures stay out.
 ShapeModel calibrated(ShapeModel model, const RanksJudged& judged, int without = -1);
 
