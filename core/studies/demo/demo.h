@@ -1,6 +1,6 @@
 #pragma once
-// The main job, end to end, on the demo patient: a DICOM study is written, read back, segmented, meshed, given its own
-// stiffness, and pulled aside by a retractor; the report compares it with the atlas. SIMULATED throughout.
+// The main job, end to end, on the demo patient. A DICOM study is written, read back, segmented, meshed, given its own
+// stiffness, and pulled aside by a retractor. The report compares it with the atlas. SIMULATED throughout.
 
 #include <filesystem>
 #include <string>

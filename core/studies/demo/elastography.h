@@ -33,11 +33,11 @@ struct WaveOptions {
   double body_size = 1;         // as DemoAnatomy's: the driver lies on the skin
 };
 
-// Displacement along the slices' normal, um, one volume a phase offset. Each of several wave fronts (the driver on the
-// right front of the chest, and two weaker ones that scatter back) is u = A exp(-zeta phi) cos(omega t - phi) with the
-// phase phi = omega T and T the first arrival through the tissue at c = sqrt(G / rho): high-frequency (WKB) theory,
-// so that the local wavelength is c / f, except within a fraction of a wavelength of abrupt changes, where the true
-// field would bend and this one does not. T solves |grad T| = 1 / c by fast sweeping (Zhao 2005, Math. Comp. 74, 603).
+// Displacement along the slices' normal, um, one volume a phase offset. There are several wave fronts: the driver on
+// the right front of the chest, and two weaker ones that scatter back. Each is u = A exp(-zeta phi) cos(omega t - phi)
+// with the phase phi = omega T. T is the first arrival through the tissue at c = sqrt(G / rho). This is high-frequency
+// (WKB) theory, so that the local wavelength is c / f. Within a fraction of a wavelength of abrupt changes the true
+// field would bend, and this one does not. T solves |grad T| = 1 / c by fast sweeping (Zhao 2005, Math. Comp. 74, 603).
 struct Waves {
   std::vector<imaging::Volume> displacement_um;
   imaging::Volume amplitude_um;

@@ -46,15 +46,16 @@ struct DemoPatient {
   std::vector<DemoLandmark> landmarks;
   std::vector<DemoSeeds> seeds;
 
-  // truth.json (landmarks, seeds, volumes, options), the true masks on the anatomy's grid (liver.nrrd, tumour-1.nrrd,
-  // cyst.nrrd, gallbladder.nrrd; portal-vein.nrrd and hepatic-vein.nrrd from 1.8 mm radius on) and shear_kPa.nrrd, the
-  // true shear modulus on the elastography's grid.
+  // truth.json has landmarks, seeds, volumes and options. The true masks lie on the anatomy's grid: liver.nrrd,
+  // tumour-1.nrrd, cyst.nrrd, gallbladder.nrrd. From 1.8 mm radius on there are portal-vein.nrrd and hepatic-vein.nrrd.
+  // The true shear modulus, shear_kPa.nrrd, lies on the elastography's grid.
   std::filesystem::path truth_folder;
 };
 
-// The grids: 256 x 208 x 70 axial voxels of 1.6 x 1.6 x 3.3 mm (slices of 3 mm with gaps), the whole liver; and
-// 232 x 196 x 28 voxels of 1.64 x 1.64 x 6 mm (slices of 5 mm with gaps), turned by 9 degrees against them, which leave
-// out the top of the dome and the lowest tip, as elastography does. 1.64 mm is section 4.3's.
+// The first grid has the whole liver: 256 x 208 x 70 axial voxels of 1.6 x 1.6 x 3.3 mm (slices of 3 mm with gaps). The
+// second has 232 x 196 x 28 voxels of 1.64 x 1.64 x 6 mm (slices of 5 mm with gaps). It is turned by 9 degrees against
+// the first. It leaves out the top of the dome and the lowest tip, as elastography does. The figure of 1.64 mm is
+// section 4.3's.
 [[nodiscard]] imaging::Grid demo_anatomy_grid();
 [[nodiscard]] imaging::Grid demo_elastography_grid();
 

@@ -1,7 +1,6 @@
 #pragma once
-// A computation over many patients that can be stopped and taken up again: each patient's row is a file of its own, or
-// one of a chunk's, and one that fails does not stop the rest. Processes that share the folder may each take another
-// part.
+// A computation over many patients that can be stopped and taken up again. Each patient's row is a file of its own, or
+// one of a chunk's. One that fails does not stop the rest. Processes that share the folder may each take another part.
 
 #include <filesystem>
 #include <functional>
@@ -31,8 +30,8 @@ struct BatchRow {
   bool reused = false;  // from an earlier run
 };
 
-// What one job of many computes: everybody, one patient, or the chunk-th of `chunks` runs of patients that follow each
-// other and are as long as each other, or longer by one.
+// What one job of many computes: everybody, one patient, or the chunk-th of `chunks` runs. The runs are of patients
+// that follow each other, and as long as each other, or longer by one.
 struct BatchPart {
   std::optional<std::string> patient;
   int chunk = 0, chunks = 0;  // 1 <= chunk <= chunks; 0: no chunk
@@ -40,9 +39,9 @@ struct BatchPart {
 };
 
 // Rows of the part in the order of the patients. Those that lie in `out`, whole and with the same fingerprint, are
-// reused; those that failed are tried again. A row is out/patients/ID.json as soon as it is made; those of a chunk are
-// columns of out/chunks/K-of-N.json as soon as all of them are, so that a chunk that is stopped begins again. Fails
-// with "batch-unknown-patient", "batch-no-patients", with "cancelled" (rows that are written stay), or with
+// reused; those that failed are tried again. A row is out/patients/ID.json as soon as it is made. The rows of a chunk
+// are columns of out/chunks/K-of-N.json as soon as all of them are made. So a chunk that is stopped begins again. Fails
+// with "batch-unknown-patient", "batch-no-patients", or "cancelled" (rows that are written stay). Fails with
 // "file-not-writable" where the disk takes no row, or nothing of what is computed beside it.
 Result<std::vector<BatchRow>> run_batch(const std::filesystem::path& out, const std::vector<BatchPatient>& patients,
                                         const std::function<Result<NamedNumbers>(std::size_t patient)>& compute,

@@ -1,11 +1,11 @@
 #pragma once
-// Does one stiffness serve a whole liver? Section 4.4 of the dissertation (figures 4.9, 4.13; table 4.1): beams of
-// tissue, cut where a liver is softest, stiffest and most uneven, are hoisted, and compared with a beam of the liver's
-// mean.
+// Does one stiffness serve a whole liver? Beams of tissue are cut where a liver is softest, stiffest and most uneven.
+// They are hoisted, and compared with a beam of the liver's mean. Source: section 4.4 of the dissertation (figures 4.9,
+// 4.13; table 4.1).
 //
 // A beam is 50 x 10 x 10 mm at 997 kg/m3 and lifted by 0.05 N at its middle. It hangs between two ends on the abdominal
-// wall: 22 kPa, taken as a layer of 20 mm as for whole livers (rehearsal/liver_supports.h), so 1.1 kPa/mm. The table
-// says neither where the wall nor where the force acts: both are our assumption. Meshfree engine, corotational,
+// wall. The wall has 22 kPa as a layer of 20 mm, as for whole livers (rehearsal/liver_supports.h), so 1.1 kPa/mm. The
+// table says neither where the wall nor where the force acts: both are our assumption. Meshfree engine, corotational,
 // Poisson's ratio 0.45.
 
 #include <array>
@@ -25,8 +25,8 @@ namespace glisson::studies {
 struct BeamOptions {
   double force_N = 0.05;
   double foundation_kPa_per_mm = 1.1;
-  // Linear finite elements answer for many beams: within a tenth of the meshfree engine for a beam of 3.5 kPa, which is
-  // lifted by 20 mm, and some hundred times faster.
+  // Linear finite elements answer for many beams. They come within a tenth of the meshfree engine for a beam of 3.5
+  // kPa, which is lifted by 20 mm. They are some hundred times faster.
   mechanics::Engine engine = mechanics::Engine::meshfree;
   int nodes = 60;  // a beam takes seconds with them, and minutes with 120
   double significant_mm = 5.0;
@@ -42,8 +42,9 @@ struct BeamPlace {
   double mean_kPa = 0, sd_kPa = 0;     // Young's modulus over the beam
 };
 
-// Where in a liver of tetrahedra, among all places on a grid of 2.5 mm that lie wholly inside, a beam would have the
-// lowest mean modulus, the highest, and the largest standard deviation. Failures: "liver-too-small" (no beam fits).
+// Where in a liver of tetrahedra a beam would have the lowest mean modulus, the highest, and the largest standard
+// deviation. All places on a grid of 2.5 mm that lie wholly inside are compared. Failures: "liver-too-small" (no beam
+// fits).
 Result<std::array<BeamPlace, 3>> beam_places(const geometry::TetMesh& liver, const std::vector<double>& youngs_kPa);
 
 // The same in tissue given as voxels of that size.

@@ -1,7 +1,7 @@
 #pragma once
-// How stiffness varies between patients and within them, over a cohort of MRE maps (dissertation, section 4.3): the
-// distribution of the patients' means against the atlas (fig. 4.6) and the spread within a patient against the mean
-// (fig. 4.7). All moduli are shear moduli in kPa.
+// How stiffness varies between patients and within them, over a cohort of MRE maps (dissertation, section 4.3). The
+// distribution of the patients' means is held against the atlas (fig. 4.6), the spread within a patient against the
+// mean (fig. 4.7). All moduli are shear moduli in kPa.
 
 #include <filesystem>
 #include <optional>
@@ -44,9 +44,9 @@ struct CohortSummary {
   std::vector<CohortBin> bins;
 };
 
-// Patients are the stiffness maps under a folder (files that imaging::scan gives that role; all positive voxels count)
-// and the cases in it (NAME.glisson: volumes/stiffness, inside labels/liver where there is one). Into `out`:
-// patients/ID.json or chunks/K-of-N.json, cohort.csv, summary.json, report.html.
+// Patients are the stiffness maps under a folder and the cases in it. The maps are files that imaging::scan gives that
+// role; all positive voxels count. A case (NAME.glisson) has volumes/stiffness, which counts inside labels/liver where
+// there is one. Into `out`: patients/ID.json or chunks/K-of-N.json, cohort.csv, summary.json, report.html.
 //
 // Fails as run_batch does, and with "cohort-all-failed".
 Result<CohortSummary> run_cohort(const std::filesystem::path& folder, const std::filesystem::path& out,
@@ -58,12 +58,12 @@ Result<std::vector<std::string>> cohort_patients(const std::filesystem::path& fo
 // What summary.json holds, as JSON text.
 Json summary_json(const CohortSummary& summary);
 
-// Writes a SIMULATED cohort of liver maps as NRRD into the folder: a generated liver each (anatomy/patient.h; by seed 1
-// they are the generator's seeds from 1 on), slices 10 mm apart, stiffness drawn so that 64 % of the patients lie
-// within 0.5 kPa of 2.1 kPa and the upper 95 % limit is 4.8 times the atlas's, with the spread within a liver growing
-// from 0.95 kPa in proportion to the mean. The shares, the limit and the spread are section 4.3's; its 64 % however lie
-// about the atlas's mean, 2.6 kPa, and its cohort's mean is 2.1: here the typical patient has 2.1. The same seed gives
-// the same cohort.
+// Writes a SIMULATED cohort of liver maps as NRRD into the folder, slices 10 mm apart. Each has a generated liver
+// (anatomy/patient.h); by seed 1 they are the generator's seeds from 1 on. Stiffness is drawn so that 64 % of the
+// patients lie within 0.5 kPa of 2.1 kPa. The upper 95 % limit is 4.8 times the atlas's. The spread within a liver
+// grows from 0.95 kPa in proportion to the mean. The shares, the limit and the spread are section 4.3's. Its 64 %
+// however lie about the atlas's mean, 2.6 kPa, while its cohort's mean is 2.1. Here the typical patient has 2.1. The
+// same seed gives the same cohort.
 Result<void> write_simulated_cohort(const std::filesystem::path& folder, int patients, unsigned seed = 1);
 
 // One such SIMULATED map of shear stiffness within a liver of any shape: mean and spread drawn as above.

@@ -2,11 +2,11 @@
 // How much of a deflection is missing at which resolution: section 6.3.2 and figure 6.5 of the dissertation, with this
 // project's own meshfree engine.
 //
-// The cantilever of table 6.1 (50 x 10 x 10 mm, 12 kPa, 997 kg/m3), under a load spread evenly along it, at volumes
-// of 1.65 to 165 mm3 a node. Theory is eq. 6.6, w(x) = f x^2 (6 L^2 - 4 L x + x^2) / (24 E I), with Timoshenko's
-// deflection by shear added, f (L x - x^2 / 2) / (kappa G A), which eq. 6.6 leaves out and which is 3 % here: a
-// three-dimensional body converges to the sum. The table does not say the load or Poisson's ratio: the load is the
-// beam's own weight, and the ratio 0, at which the wall has no end effect. Small strain, as in the theory.
+// The cantilever of table 6.1 (50 x 10 x 10 mm, 12 kPa, 997 kg/m3) carries a load spread evenly along it. It is
+// computed at volumes of 1.65 to 165 mm3 a node. Theory is eq. 6.6, w(x) = f x^2 (6 L^2 - 4 L x + x^2) / (24 E I).
+// Timoshenko's deflection by shear is added, f (L x - x^2 / 2) / (kappa G A). Eq. 6.6 leaves that out, and it is 3 %
+// here: a three-dimensional body converges to the sum. The table does not say the load or Poisson's ratio. The load is
+// the beam's own weight, and the ratio 0, at which the wall has no end effect. Small strain, as in the theory.
 
 #include <filesystem>
 #include <vector>
@@ -19,8 +19,8 @@ namespace glisson::studies {
 struct ConvergenceOptions {
   double finest_mm3 = 1.65;  // a voxel of MR images: the dissertation's
   // The dissertation ends at 165 mm3, after ten resolutions. These are ten as far, evenly spaced in the logarithm, and
-  // four more at the same ratio, up to some five nodes in the beam: so that coarse accuracies have a resolution of
-  // their own.
+  // four more at the same ratio, up to some five nodes in the beam. So coarse accuracies have a resolution of their
+  // own.
   double coarsest_mm3 = 1277.53;
   int resolutions = 14;
 };

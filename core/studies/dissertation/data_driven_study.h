@@ -1,10 +1,10 @@
 #pragma once
-// Chapter 5 and figure 5.3 of the dissertation: a liver retracted straight from measured strain and stress, beside
-// the same liver by a linear law fitted to the measurements.
+// Chapter 5 and figure 5.3 of the dissertation: a liver retracted straight from measured strain and stress. Beside it
+// stands the same liver by a linear law fitted to the measurements.
 //
-// Measurements are SIMULATED: uniaxial tests of a tissue that stiffens (its stress over strain has doubled at 20 %
-// strain), with noise and with outliers, and the truth is that tissue's own law on the same mesh. Or they are
-// somebody's own; then there is no truth, and the two answers stand beside each other.
+// Measurements are SIMULATED uniaxial tests of a tissue that stiffens, with noise and with outliers. Its stress over
+// strain has doubled at 20 % strain. The truth is that tissue's own law on the same mesh. Or they are somebody's own;
+// then there is no truth, and the two answers stand beside each other.
 //
 // The liver is generated (patient 1 of anatomy), on its usual supports, lifted at segment VI. Small strain throughout,
 // as the solver has it (mechanics/statics/data_driven.h).
@@ -40,8 +40,8 @@ struct DataDrivenRow {
   int measurements = 0;
   double noise = 0;  // of the largest stress
   int outliers = 0;
-  // Measurements that the line of the linear region fits: through the origin, fitted up to 5 % strain, to within 5 % of
-  // the largest stress and three standard deviations of the noise.
+  // Measurements that the line of the linear region fits. The line goes through the origin and is fitted up to 5 %
+  // strain. It must come within 5 % of the largest stress and three standard deviations of the noise.
   int on_the_line = 0;
   double slope_kPa = 0;         // of the line through all measurements
   double slope_region_kPa = 0;  // of the line through those of the linear region

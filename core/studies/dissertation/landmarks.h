@@ -1,8 +1,8 @@
 #pragma once
-// How far an atlas or a single stiffness misplaces what a surgeon looks for, over a cohort (dissertation, section 4.4):
-// between patients, a retracted liver as measured against the atlas (figures 4.8, 4.10 and 4.12); within a liver, beams
-// of its softest, stiffest and most uneven tissue against a beam of its mean (figures 4.9, 4.13 and 4.14).
-// The rules by which real livers are judged stand in docs/validation.md.
+// How far an atlas or a single stiffness misplaces what a surgeon looks for, over a cohort (dissertation, section 4.4).
+// Between patients, a retracted liver as measured is held against the atlas (figures 4.8, 4.10 and 4.12). Within a
+// liver, beams of its softest, stiffest and most uneven tissue are held against a beam of its mean (figures 4.9, 4.13
+// and 4.14). The rules by which real livers are judged stand in docs/validation.md.
 
 #include <filesystem>
 #include <optional>

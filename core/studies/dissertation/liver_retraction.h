@@ -25,7 +25,7 @@ struct RetractionOptions {
   double force_N = 2;  // of the Nathanson retractor under segment VI: the preset's (rehearsal/tool_presets.h)
   double poisson_ratio = usual_poisson_ratio;
   // A coarse mesh: cells of some 14 mm. In two patients tried, differences at the tool were within 2 % of those with
-  // 20,000 cells, and within 15 % on average over the surface.
+  // 20,000 cells. On average over the surface they were within 15 %.
   int target_cells = 5000;
   RetractionLaw law = RetractionLaw::linear;
 };

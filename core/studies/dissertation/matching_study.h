@@ -1,12 +1,12 @@
 #pragma once
-// The matching of shapes judged as chapter 3 of the dissertation judges it: table 3.1 (how far the energy of few bits
-// is from that of double precision), figures 3.3, 3.6 and 3.13 (memory and arithmetic over the number of points, with
-// what platforms give), figure 3.8 (widths of words), table 3.2 (time, power and energy) and section 3.2.2 (the
-// schedule).
+// The matching of shapes, judged as chapter 3 of the dissertation judges it. Table 3.1 says how far the energy of few
+// bits is from that of double precision. Figures 3.3, 3.6 and 3.13 show memory and arithmetic over the number of
+// points, with what platforms give. Figure 3.8 shows widths of words, table 3.2 time, power and energy. Section 3.2.2
+// is on the schedule.
 //
-// Table 3.1's measure: delta = |E - E_double| / E_double of the same field after the same passes, without anything that
-// the dissertation's solver does not do (no polish, no other starts). Its double precision is `trwls` in doubles, which
-// is TRW-S but for the order of additions.
+// Table 3.1's measure is delta = |E - E_double| / E_double of the same field after the same passes. Nothing is done
+// that the dissertation's solver does not do: no polish, no other starts. Its double precision is `trwls` in doubles,
+// which is TRW-S but for the order of additions.
 
 #include <filesystem>
 #include <optional>

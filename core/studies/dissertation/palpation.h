@@ -1,9 +1,9 @@
 #pragma once
-// Whether a simulation on MRE stiffness places a surface where a scanner sees it: a phantom is pressed, and the
+// Whether a simulation on MRE stiffness places a surface where a scanner sees it. A phantom is pressed, and the
 // simulated surface is held against the scanned one (dissertation, section 4.5).
 //
 // The phantom is table 4.2's cylinder, 225 mm across and 26 mm high, on its chassis, which is taken to be rigid.
-// Phantom A is soft, B stiff, and A/B has a soft stratum of half the height on a stiff one; the moduli are those that
+// Phantom A is soft, B stiff, and A/B has a soft stratum of half the height on a stiff one. The moduli are those that
 // section 4.6 measured by MRE. The tool's size is not reported. Linear elasticity: at the larger loads an
 // extrapolation, and the largest strain says how far.
 
@@ -38,8 +38,9 @@ struct PalpationOptions {
 
   // Scanned surfaces, PLY or any format of geometry/mesh_file.h, in mm: A-rest.ply, A-1.69N.ply, and so on, for the
   // trials there are. Each phantom's scan at rest is aligned with the model by ICP from where it lies, and its other
-  // scans move with it. Without them scans are SIMULATED: the same phantom with the moduli that section 4.6's testing
-  // machine found, seen from one side, with the tool in the way, 0.1 mm of noise, and a rough placement to start from.
+  // scans move with it. Without them scans are SIMULATED. They are of the same phantom with the moduli that section
+  // 4.6's testing machine found. They see it from one side, with the tool in the way and 0.1 mm of noise, and begin
+  // from a rough placement.
   std::optional<std::filesystem::path> scans;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// What this product does in a frame, timed on this machine with a patient's model: what chapter 6's plan is asked for
+// What this product does in a frame, timed on this machine with a patient's model. Chapter 6's plan is asked for that
 // in place of the dissertation's block products. A live frame of the rehearsal at small and at large strain, one of the
 // meshfree engine, a frame of the guidance, a registration.
 

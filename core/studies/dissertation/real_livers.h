@@ -19,8 +19,8 @@ inline constexpr const char* drawn_stiffness_warning =
 // Fails with "shapes-no-livers".
 Result<std::vector<Subject>> find_livers(const std::filesystem::path& folder, unsigned seed);
 
-// The liver's outline (shapes/liver_outline.h) as voxels of 3 mm; stiffness drawn as simulated_liver_map does, from the
-// seed and the liver's name alone; the forks of its vessels as landmarks, in groups:
+// The liver's outline (shapes/liver_outline.h) becomes voxels of 3 mm. Stiffness is drawn as simulated_liver_map does,
+// from the seed and the liver's name alone. The landmarks are the forks of its vessels, in groups:
 //   forks                        all of 3 mm calibre and more (vasculature/forks.h) that lie in the liver
 //   portal_forks, hepatic_forks  by the system that explain_vessels (vasculature/couinaud.h) gives them
 //   wide_forks, narrow_forks     of 6 mm calibre and more, and of less

@@ -1,11 +1,11 @@
 #pragma once
-// Real livers as a shape model, and what it is worth: generalisation, specificity, compactness, and how well it
+// Real livers as a shape model, and what it is worth. That is generalisation, specificity, compactness, and how well it
 // completes a liver of which a third is missing. The population that section 4.4 of the dissertation asks for.
 //
 // A liver is one label map: ID_couinaud.*, or else ID_liver.*, or any other label map of the folder by its own name;
-// ID_vessels.* and ID_couinaud2.* are passed over. By a rule that stood before anything was tuned the livers, in
-// ascending order of their names' bytes and counted from 0, are for tuning where their number is even, for judging
-// where it is odd.
+// ID_vessels.* and ID_couinaud2.* are passed over. The livers are taken in ascending order of their names' bytes, and
+// counted from 0. Those of even number are for tuning, those of odd number for judging. This rule stood before anything
+// was tuned.
 
 #include <filesystem>
 #include <optional>

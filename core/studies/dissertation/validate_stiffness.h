@@ -1,6 +1,6 @@
 #pragma once
-// Whether MRE measures what a testing machine measures: the mean Young's modulus of regions of a map against that of
-// excised samples (dissertation, section 4.6 and table 4.5).
+// Whether MRE measures what a testing machine measures. The mean Young's modulus of regions of a map is held against
+// that of excised samples (dissertation, section 4.6 and table 4.5).
 
 #include <filesystem>
 #include <string>
@@ -20,7 +20,8 @@ struct CompressedSample {
 };
 
 // A CSV file with the columns material (1, 2, ...), diameter_mm, height_mm, displacement_mm, force_N and, optionally,
-// stated_kPa. Fails with "samples-missing-column", "samples-impossible" (a size, way or force that is not positive).
+// stated_kPa. Fails as read_csv does, with "csv-no-such-column", or with "samples-impossible" (a size, way or force
+// that is not positive).
 Result<std::vector<CompressedSample>> read_samples(const std::filesystem::path& file);
 
 // What MRE says of a material: the mean Young's modulus of its region.
@@ -30,8 +31,8 @@ struct MreRegion {
   std::size_t voxels = 0;  // 0: only the mean is known
 };
 
-// The regions 1, 2, ... of a label map on a map of shear stiffness (any unit that imaging::stiffness_in_kPa takes),
-// turned to Young's moduli by E = 2 G (1 + nu). Labels lie on the map's grid or are carried to it.
+// The regions 1, 2, ... of a label map on a map of shear stiffness, in any unit that imaging::stiffness_in_kPa takes.
+// They are turned to Young's moduli by E = 2 G (1 + nu). Labels lie on the map's grid or are carried to it.
 Result<std::vector<MreRegion>> regions_of(const std::filesystem::path& map, const std::filesystem::path& labels,
                                           double poisson_ratio);
 

@@ -1,15 +1,15 @@
 #pragma once
 // Which cases to run where there is time for some: those that told the most a minute in earlier runs.
 //
-// A change of all cases alike is told by each case as exactly as its own figures repeat from run to run: 1 / variance
-// of their relative scatter, which adds up over cases. A change of few cases shows in those that got worse before. So a
-// case is worth
+// Each case tells of a change of all cases alike as exactly as its own figures repeat from run to run. That is 1 /
+// variance of their relative scatter, which adds up over cases. A change of few cases shows in those that got worse
+// before. So a case is worth
 //
 //   (1 + runs in which it got worse) / (variance of its scatter x minutes)
 //
 // and cases are taken by that, the best first, as long as they fit: the greedy rule for a knapsack (Dantzig, Operations
 // Research 5, 1957). Information a cost is how samples are shared out among strata (Neyman 1934; Cochran, Sampling
-// Techniques, 3rd edition 1977, section 5.5), past faults a cost how tests are put in order (Elbaum, Malishevsky and
+// Techniques, 3rd edition 1977, section 5.5). Past faults a cost is how tests are put in order (Elbaum, Malishevsky and
 // Rothermel, International Conference on Software Engineering 2001). A case that was never run comes first: nothing is
 // known of it.
 

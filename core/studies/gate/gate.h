@@ -1,10 +1,10 @@
 #pragma once
 // Two versions' results case by case: what got worse, by how much, and whether chance would do as much.
 //
-// A metric got worse where its paired change (paired_test.h) passes its tolerance and, corrected for all metrics
+// A metric got worse where its paired change (paired_test.h) passes its tolerance. Besides, corrected for all metrics
 // (Holm), chance would show as much in fewer than `false_alarms` of all runs. Where there are too few cases for that,
 // and where the tolerances ask for it, each case is held to the tolerance by itself. Where all values are above zero
-// the change is that of their ratio: a registration that is 5 % worse is so for easy cases and for hard ones.
+// the change is that of their ratio. A registration that is 5 % worse is so for easy cases and for hard ones.
 //
 // What has no number (none beyond 1e100 either) is never averaged: cases that had one and lost it are counted, and
 // count as worse.
@@ -88,8 +88,8 @@ struct Gate {
 Result<Gate> compare_results(const Results& base, const Results& now, const GateOptions& options = {},
                              const Progress& progress = {});
 
-// gate.html for people, gate.json, junit.xml for CI, and pictures beside each other with their difference: those that
-// differ the most, then those of the worst cases.
+// Writes gate.html for people, gate.json, and junit.xml for CI. Pictures stand beside each other with their difference:
+// those that differ the most, then those of the worst cases.
 Result<void> write_gate(const Gate& gate, const Results& base, const Results& now, const GateOptions& options,
                         const std::filesystem::path& folder);
 

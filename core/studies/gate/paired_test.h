@@ -1,8 +1,8 @@
 #pragma once
 // Whether paired figures moved, with no assumption on their distribution but that differences are symmetric where
 // nothing moved: Wilcoxon's signed-rank test, exact with ties and zeros (Pratt, Journal of the American Statistical
-// Association 54, 1959), and the estimate and interval that belong to it (Hodges and Lehmann, Annals of Mathematical
-// Statistics 34, 1963).
+// Association 54, 1959). With it go the estimate and the interval that belong to it (Hodges and Lehmann, Annals of
+// Mathematical Statistics 34, 1963).
 
 #include <array>
 #include <vector>
@@ -27,7 +27,7 @@ double median(std::vector<double> values);
 // The smallest p that so many pairs can give.
 double smallest_p(int pairs);
 
-// Holm's correction of p-values that are looked at together (Scandinavian Journal of Statistics 6, 1979): each may be
+// Holm's correction of p-values that are looked at together (Scandinavian Journal of Statistics 6, 1979). Each may be
 // compared with the rate of false alarms that all of them together may have.
 std::vector<double> holm_corrected(const std::vector<double>& p);
 

@@ -1,5 +1,5 @@
 #pragma once
-// An example of a sequence for SIRGn, to try the judging of registrations without a video at hand: a generated
+// An example of a sequence for SIRGn, to try the judging of registrations without a video at hand. It is a generated
 // patient's liver, breathing and pressed by a tool, as a laparoscope would see it. SIMULATED, and its file says so.
 
 #include <cstdint>
@@ -24,12 +24,12 @@ struct ExampleSequenceOptions {
   std::uint64_t seed = 2026;  // of noise
 };
 
-// Writes folder/sequence.json, the frames' pictures and clouds, tracks.csv, model.ply, the clouds as registered with
-// one known fault that comes and goes (for the method "given"), and truth.json, which says where it is, and how
-// the patient lies in the camera's frame at rest. hidden.csv has places inside the liver (patient coordinates), which
-// no picture shows, and hidden-truth.csv where each is in each frame (camera). The folder must
-// not exist or be empty ("sequence-folder-not-empty"). Other failures: those of writing files; "cancelled". After a
-// failure the folder is gone, or as empty as it was. Returns sequence.json.
+// Writes folder/sequence.json, the frames' pictures and clouds, tracks.csv and model.ply. For the method "given" it
+// writes the clouds as registered, with one known fault that comes and goes. Where that is stands in truth.json, with
+// how the patient lies in the camera's frame at rest. Places inside the liver, which no picture shows, are in
+// hidden.csv (patient coordinates). Where each is in each frame is in hidden-truth.csv (camera). The folder must not
+// exist or be empty ("sequence-folder-not-empty"). Other failures: those of writing files; "cancelled". After a failure
+// the folder is gone, or as empty as it was. Returns sequence.json.
 Result<std::filesystem::path> write_example_sequence(const std::filesystem::path& folder,
                                                      const ExampleSequenceOptions& options = {},
                                                      const Progress& progress = {});

@@ -1,9 +1,9 @@
 #pragma once
-// The loop closed on the demo patient: its liver is found on the frames of a simulated laparoscopy, and its tumour is
+// The loop closed on the demo patient. Its liver is found on the frames of a simulated laparoscopy, and its tumour is
 // drawn beside where it truly is. SIMULATED, and its pictures say so.
 //
-// What is judged is the guidance alone: the tumour as the case has it, carried by the motion that the video was made
-// with, against where it is found to be.
+// What is judged is the guidance alone. The motion that the video was made with carries the tumour as the case has it.
+// That is held against where it is found to be.
 
 #include <filesystem>
 #include <string>

@@ -23,8 +23,8 @@ struct Review {
   std::filesystem::path page;
 };
 
-// Pictures of one registration, folder/f000.jpg and so on; the scale of correlation is 0 to 1, so that pictures of any
-// two can be laid side by side, that of the error 0 to twice the tolerance. Returns how many. Failures:
+// Pictures of one registration, folder/f000.jpg and so on. The scale of correlation is 0 to 1, so that pictures of any
+// two can be laid side by side. That of the error is 0 to twice the tolerance. Returns how many. Failures:
 // "review-no-camera" or "review-no-images" (the sequence names none), those of read_sequence, read_frame and
 // write_frame.
 Result<int> write_heat_pictures(const registration_quality::StoredQuality& judged, const std::filesystem::path& folder,

@@ -1,6 +1,6 @@
 #pragma once
 // What surrounds the demo patient's liver, in simple shapes: the body wall with its ribs, spine, lungs, heart, spleen,
-// kidneys, stomach, bowel, pancreas. Sizes are textbook sizes for a liver of 2300 ml, and go with the liver's; places
+// kidneys, stomach, bowel, pancreas. Sizes are textbook sizes for a liver of 2300 ml, and go with the liver's. Places
 // follow from where the generator's liver leaves room for its neighbours (anatomy/liver_shape.h).
 
 #include <cstdint>

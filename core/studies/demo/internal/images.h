@@ -13,8 +13,8 @@ enum class Contrast {
   elastography       // magnitude of the motion-encoded echo-planar images: fluid bright, blurred, noisy
 };
 
-// Arbitrary units; healthy liver near 270 (T1) or 150 (elastography). With partial volume across each slice and
-// within it, the coils' uneven sensitivity, and Rician noise (Gudbjartsson and Patz 1995): 30 or 14 times weaker than
+// Arbitrary units; healthy liver near 270 (T1) or 150 (elastography). There is partial volume across each slice and
+// within it, and the coils' uneven sensitivity. Rician noise (Gudbjartsson and Patz 1995) is 30 or 14 times weaker than
 // the liver's signal.
 [[nodiscard]] imaging::Volume simulate_image(const DemoAnatomy& anatomy, const imaging::Grid& grid, Contrast contrast,
                                              std::uint64_t seed);

@@ -24,8 +24,8 @@ struct StoredRow {
 Result<void> write_chunk(const std::filesystem::path& file, const std::vector<BatchPatient>& patients,
                          const std::vector<BatchRow>& rows);
 
-// Of all chunks in a folder, by patient. A file that is damaged or of another format counts as not there, and of two
-// rows of one patient the one in the later name counts. No folder: no rows.
+// Of all chunks in a folder, by patient. A file that is damaged or of another format counts as not there. Of two rows
+// of one patient the one in the later name counts. No folder: no rows.
 [[nodiscard]] std::map<std::string, StoredRow> rows_in_chunks(const std::filesystem::path& folder);
 
 }  // namespace glisson::studies

@@ -10,9 +10,9 @@
 
 namespace glisson::studies {
 
-// Into out/examples/ID: for LandmarksOptions::pictures patients, from the median one to the extremes, atlas-and-mre.png
-// and the two results; for up to three in whom one region's beam is less than 5 mm from the control and the others are
-// not, beams.png. Fails as retract, compare_beams and drawing do.
+// Pictures go into out/examples/ID. LandmarksOptions::pictures patients, from the median one to the extremes, get
+// atlas-and-mre.png and the two results. Up to three patients get beams.png: those in whom one region's beam is less
+// than 5 mm from the control and the others are not. Fails as retract, compare_beams and drawing do.
 Result<LandmarksPictures> draw_landmarks_pictures(const std::vector<Subject>& subjects,
                                                   const std::filesystem::path& out, const LandmarksSummary& summary,
                                                   const LandmarksOptions& options);

@@ -1,7 +1,7 @@
 #pragma once
-// The landmark studies as a page: box plots with the 5 mm line (figures 4.10 and 4.13), red and blue pictures of
-// typical and extreme patients (figure 4.12), beams of patients in whom one region alone agrees (figure 4.14), and a
-// table.
+// The landmark studies as a page. It has box plots with the 5 mm line (figures 4.10 and 4.13), and red and blue
+// pictures of typical and extreme patients (figure 4.12). It shows beams of patients in whom one region alone agrees
+// (figure 4.14), and a table.
 
 #include <array>
 #include <filesystem>

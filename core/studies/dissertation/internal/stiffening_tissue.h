@@ -1,6 +1,6 @@
 #pragma once
-// A tissue that stiffens, at small strain, as a law: what it is measured to do in a test, and what a body of it does.
-// It is the known truth beside which the data-driven study stands, found in another way: no measurement enters.
+// A tissue that stiffens, at small strain, as a law. It has what it is measured to do in a test, and what a body of it
+// does. It is the known truth beside which the data-driven study stands, found in another way: no measurement enters.
 
 #include "geometry/tetrahedra.h"
 #include "mechanics/materials/material_data.h"
@@ -9,7 +9,7 @@
 
 namespace glisson::studies {
 
-// Isotropic. Volume change is linear, K = E / (3 (1 - 2 nu)); the deviators of stress and strain point the same way,
+// Isotropic. Volume change is linear, K = E / (3 (1 - 2 nu)). The deviators of stress and strain point the same way,
 // and their lengths t and d follow
 //   t = 2 mu d (1 + (d / d2)^2),   mu = E / (2 (1 + nu)),   d2 = sqrt(3/2) e2,
 // so that stress over strain has doubled at about the axial strain e2 (Hencky's deformation theory with a cubic curve).
