@@ -1,10 +1,10 @@
 #pragma once
 // From a vessel mask to its centre lines.
 //
-// Each connected piece gets a tree of paths that follow the middle of the vessel, from its thickest place to whatever
-// is farthest and not yet covered (TEASAR: Sato et al. 2000, Pacific Graphics 281). A step costs its length over the
-// square of the depth under the wall. Small bumps are covered by the path they stand on, so that noise makes no
-// branches. Then gaps are bridged, and lines are joined where their vessels touch.
+// Each connected piece gets a tree of paths that follow the middle of the vessel. They go from its thickest place to
+// whatever is farthest and not yet covered (TEASAR: Sato et al. 2000, Pacific Graphics 281). A step costs its length
+// over the square of the depth under the wall. Small bumps are covered by the path they stand on, so that noise makes
+// no branches. Then gaps are bridged, and lines are joined where their vessels touch.
 //
 // Radii: the depth under the wall, and where the stretch is long enough that of a cylinder of the same volume.
 
@@ -21,8 +21,8 @@ struct CenterLineOptions {
   double minimum_piece_ml = 0.02;  // smaller pieces are noise
 };
 
-// Same mask, same graph, whatever the number of threads. Fails with vessels-empty, vessels-one-blob (a piece that is
-// no vessel: as wide as long, and wider than 25 mm), vessels-grid (axes not at right angles) and cancelled.
+// Same mask, same graph, whatever the number of threads. Fails with vessels-empty, vessels-grid (axes not at right
+// angles) and cancelled. Fails with vessels-one-blob where a piece is no vessel: as wide as long, and wider than 25 mm.
 Result<VesselGraph> center_lines(const imaging::Mask& vessels, const CenterLineOptions& options = {},
                                  const Progress& progress = {});
 

@@ -1,9 +1,9 @@
 #pragma once
 // Couinaud's eight segments of a liver, from its vessel trees or, where there are none, from its shape alone.
 //
-// What parts the segments (internal/segment_planes.h) is fitted to one liver: near the mean of real livers, with
-// segments of about published sizes, hepatic veins on the borders, portal branches off them. Most probable answer of a
-// model with 23 numbers; the doubt of a voxel is the share of other likely answers that call it otherwise.
+// What parts the segments (internal/segment_planes.h) is fitted to one liver. It stays near the mean of real livers,
+// with segments of about published sizes, hepatic veins on the borders, portal branches off them. Most probable answer
+// of a model with 23 numbers; the doubt of a voxel is the share of other likely answers that call it otherwise.
 
 #include <array>
 #include <cstdint>
@@ -43,8 +43,8 @@ void measure(CouinaudSegments& segments);
 // Where vessels enter, by the liver's shape alone. Fails as liver_frame does.
 Result<VesselEntries> expected_entries(const imaging::Mask& liver);
 
-// Vessels of one class told apart, and the segments with them: of all that the places of entry may be, what makes the
-// segments most probable. Fails as couinaud_segments does.
+// Vessels of one class told apart, and the segments with them. Of all that the places of entry may be, it takes what
+// makes the segments most probable. Fails as couinaud_segments does.
 struct LiverAnatomy {
   VesselTrees trees;
   CouinaudSegments segments;
@@ -52,8 +52,8 @@ struct LiverAnatomy {
 Result<LiverAnatomy> explain_vessels(const VesselGraph& graph, const imaging::Mask& liver, const Clicks& clicks = {},
                                      const Progress& progress = {});
 
-// Gives each branch a stable name: system, side, sector, segment and, from the thickest on, a number, as far as the
-// branch has one of each: "portal/right/posterior/VI/2", "hepatic/middle/3".
+// Gives each branch a stable name, such as "portal/right/posterior/VI/2" or "hepatic/middle/3". It has system, side,
+// sector, segment and, from the thickest on, a number, as far as the branch has one of each.
 void name_branches(VesselTrees& trees, const CouinaudSegments& segments);
 
 }  // namespace glisson::vasculature

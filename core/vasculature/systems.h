@@ -2,7 +2,7 @@
 // Portal and hepatic veins told apart, and each as a tree from where it enters.
 //
 // Both grow at once from where they may enter, along the graph. It costs a vessel to turn sharply, to grow wider on its
-// way out and to pass a neck; whoever reaches a branch at less cost has it. So loops are opened where vessels touch: a
+// way out and to pass a neck. Whoever reaches a branch at less cost has it. So loops are opened where vessels touch: a
 // vessel goes straight on and thins out, while the way into a touching one turns and widens. Where they enter follows
 // from the liver's shape, drawn to the thickest vessels there, or from a click.
 
@@ -37,7 +37,7 @@ struct VesselTrees {
 };
 
 // Where the portal vein divides and where the hepatic veins meet the vena cava, as far as the liver's shape says
-// (expected_entries in couinaud.h); scale: 1 for a liver of 1500 ml.
+// (expected_entries in couinaud.h). The scale is 1 for a liver of 1500 ml.
 struct VesselEntries {
   Eigen::Vector3d portal_mm{0, 0, 0}, hepatic_mm{0, 0, 0};
   double scale = 1;
@@ -48,8 +48,8 @@ struct Clicks {
   std::optional<Eigen::Vector3d> portal_mm, hepatic_mm;
 };
 
-// Guesses at where vessels really enter, the best first: the thickest places near where they are expected, those of
-// one system 20 mm apart at least, each with each of the other system; a click leaves no choice.
+// Guesses at where vessels really enter, the best first. They are the thickest places near where they are expected,
+// those of one system at least 20 mm apart. Each is joined with each of the other system; a click leaves no choice.
 [[nodiscard]] std::vector<VesselEntries> possible_entries(const VesselGraph& graph, const VesselEntries& expected,
                                                           const Clicks& clicks = {}, int each = 3);
 

@@ -1,9 +1,9 @@
 #pragma once
 // Which tissue belongs to which branch.
 //
-// A voxel of the liver belongs to the branch whose wall is nearest, along ways that stay in the liver: nearest-
-// neighbour territories (Selle, Preim, Schenk and Peitgen 2002, IEEE Trans Med Imaging 21:1344). Distances are counted
-// from the wall, not from the centre line, so that a branch is ahead of another by the difference of their radii (an
+// A voxel of the liver belongs to the branch whose wall is nearest, along ways that stay in the liver. These are
+// nearest-neighbour territories (Selle, Preim, Schenk and Peitgen 2002, IEEE Trans Med Imaging 21:1344). Distances are
+// counted from the wall, not from the centre line. So a branch is ahead of another by the difference of their radii (an
 // additively weighted Voronoi diagram: Aurenhammer 1991, ACM Comput Surv 23:345).
 
 #include <cstdint>

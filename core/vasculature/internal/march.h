@@ -23,7 +23,7 @@ struct Arrivals {
 
 // Fast marching, first order (Sethian 1996, PNAS 93:1591), with a queue of buckets (Yatziv, Bartesaghi and Sapiro 2006,
 // J Comput Phys 212:393). A voxel takes the label of that neighbour whose source is nearest, the neighbour's detour
-// added: labels that came from the earliest neighbour would drift along the grid's axes. Of sources in one voxel the
+// added. Labels that came from the earliest neighbour would drift along the grid's axes. Of sources in one voxel the
 // earliest counts, of equal ones the lowest label. Same input, same answer.
 [[nodiscard]] Arrivals march(const imaging::Mask& inside, const std::vector<Source>& sources);
 

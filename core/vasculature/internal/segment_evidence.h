@@ -11,9 +11,9 @@
 
 namespace glisson::vasculature {
 
-// Where the portal vein divides, from the vena cava's axis and the middle of the borders of V and VI, and where the
-// hepatic veins meet, from the axis and the base point: means of generated patients 1 to 10, carried over to
-// this base point and rounded, mm at scale 1.
+// Where the portal vein divides is counted from the vena cava's axis and the middle of the borders of V and VI. Where
+// the hepatic veins meet is counted from the axis and the base point. Both are means of generated patients 1 to 10,
+// carried over to this base point and rounded, mm at scale 1.
 inline const Eigen::Vector3d portal_from_axis(-14, -25, -5), hepatic_from_axis(-18, -32, 39);
 
 // A piece of vessel with what it counts as one of each system.

@@ -1,11 +1,11 @@
 #pragma once
-// Couinaud's segments as what parts them: surfaces through the vena cava's axis for the right and middle hepatic veins
-// and the umbilical fissure, planes at the height of the portal branches, a plane along the left hepatic vein, and the
-// caudate around the vena cava's front (Couinaud 1957; Strasberg 2000, HPB 2:333, for the names).
+// Couinaud's segments as what parts them. Surfaces through the vena cava's axis stand for the right and middle hepatic
+// veins and the umbilical fissure. Planes lie at the height of the portal branches, and one along the left hepatic
+// vein. The caudate lies around the vena cava's front (Couinaud 1957; Strasberg 2000, HPB 2:333, for the names).
 //
-// All is counted from a base point, in units of the liver's scale: level with the centroid from right to left and in
-// height, since a long left lobe moves the liver's box more than its veins, and at 0.6 of the box from front to back.
-// 23 numbers, each with the mean and the spread that drawn segments of real livers have.
+// All is counted from a base point, in units of the liver's scale. From right to left and in height it is level with
+// the centroid. A long left lobe moves the liver's box more than its veins. From front to back it is at 0.6 of the box.
+// There are 23 numbers, each with the mean and the spread that drawn segments of real livers have.
 
 #include <array>
 #include <Eigen/Core>
@@ -43,9 +43,9 @@ enum Parameter : std::size_t {
 
 using PlaneParameters = std::array<double, parameter_count>;
 
-// Mean and standard deviation of each number by itself, rounded, over the 35 livers of the tuning half, the model
-// fitted to their drawn segments (docs/territories.md): statistics of the kind that anatomists publish, no outline of
-// anybody.
+// Mean and standard deviation of each number by itself, rounded, over the 35 livers of the tuning half. The model was
+// fitted to their drawn segments (docs/territories.md). These are statistics of the kind that anatomists publish, no
+// outline of anybody.
 extern const PlaneParameters mean_planes, plane_spread;
 
 class SegmentPlanes {
@@ -54,7 +54,7 @@ class SegmentPlanes {
 
   [[nodiscard]] int at(const Eigen::Vector3d& patient_mm) const;  // 1 to 8
 
-  // How far from the surface of the middle or right vein or of the umbilical fissure, or from that of II and III,
+  // How far from the surface of the middle or right vein, of the umbilical fissure, or of that of II and III. It is
   // roughly in mm, signed.
   enum Surface : std::size_t { middle, right, umbilical, left_vein };
   [[nodiscard]] std::array<double, 4> distances_mm(const Eigen::Vector3d& patient_mm) const;
