@@ -41,9 +41,9 @@ struct BoardView {
 // ("board-invalid").
 Result<void> check(const Board& board);
 
-// A grid looks the same turned by half a turn: of the two, the one whose columns run to the right in the picture is
-// taken, so the camera may be turned by less than a right angle from picture to picture, and both eyes agree.
-// Failures: those of check(); "board-not-found".
+// A grid looks the same turned by half a turn. Of the two, the one whose columns run to the right in the picture is
+// taken. So the camera may be turned by less than a right angle from picture to picture, and both eyes agree. Failures:
+// those of check(); "board-not-found".
 Result<BoardView> find_board(const Frame& frame, const Board& board);
 
 }  // namespace glisson::vision

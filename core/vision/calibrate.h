@@ -17,8 +17,8 @@ struct BoardPair {
   Frame right;
 };
 
-// One eye's lens as it was found. Standard deviations are the least-squares fit's own (of the points' scatter): what
-// the pictures cannot tell at all, as a focal length from views all square to the board, shows there.
+// One eye's lens as it was found. Standard deviations are the least-squares fit's own, of the points' scatter. They
+// show what the pictures cannot tell at all, as a focal length from views all square to the board.
 struct CameraFit {
   double rms_px = 0;  // of the reprojection error, over both coordinates of all points
   double focal_sd_px = 0;

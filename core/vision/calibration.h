@@ -30,11 +30,11 @@ struct StereoCalibration {
 // Reads
 //   {"left": {"matrix": [3x3], "distortion": [..]}, "right": {...}, "left_to_right": [4x4]}      (.json)
 // or OpenCV's M1, D1, M2, D2, R, T, as its calibration samples write them                          (.yml, .yaml, .xml)
-// or a folder of plain text files, as public sets of laparoscopes have them: names that hold left or right and
-// intrinsic (3 x 3) or distortion (any number, may be missing), and l2r or r2l (4 x 4).
-// A left_to_right that would put the right eye to the left of the left one is the other direction: it is turned
-// around, and a note says so. Failures: file-not-readable, json-..., "calibration-invalid" (what is missing),
-// "calibration-not-rotation" (by how much), "calibration-no-baseline".
+// or a folder of plain text files, as public sets of laparoscopes have them. A name holds left or right, and intrinsic
+// (3 x 3) or distortion (any number, may be missing). One more file is l2r or r2l (4 x 4). A left_to_right that would
+// put the right eye to the left of the left one is the other direction. It is turned around, and a note says so.
+// Failures: file-not-readable, json-..., "calibration-invalid" (what is missing), "calibration-not-rotation" (by how
+// much), "calibration-no-baseline".
 Result<StereoCalibration> read_stereo_calibration(const std::filesystem::path& file);
 
 // The two lenses alone, left first, from a folder of text files that need not say where the right eye is.

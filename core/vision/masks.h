@@ -14,9 +14,9 @@ enum class Masking { off, on };
 // Brightness and greyness are of 8-bit colours. Chosen on pictures of laparoscopes; none of the rules is learned, so a
 // white organ or a coloured tool is mistaken.
 struct MaskOptions {
-  // A reflection shows nothing of the tissue: saturated in all colours, or adding light to all colours of a small
-  // place (greyer than usual, and above the median of the darkest colour around it, over a tenth of the picture's
-  // height).
+  // A reflection shows nothing of the tissue. It is saturated in all colours, or it adds light to all colours of a
+  // small place. Such a place is greyer than usual, and above the median of the darkest colour around it, over a tenth
+  // of the picture's height.
   int highlight_brightness = 240;
   int highlight_above_surround = 40;
   int darkest = 10;  // below in all colours: the black border of the scope
@@ -26,7 +26,7 @@ struct MaskOptions {
   double tool_greyness = 0.35;
   double smallest_tool = 0.005;
   Masking smoke = Masking::on;
-  // Smoke adds light to all colours and takes contrast: its darkest colour is bright, and it hardly differs from place
+  // Smoke adds light to all colours and takes contrast. Its darkest colour is bright, and it hardly differs from place
   // to place (standard deviation over about a twentieth of the picture's height).
   int smoke_brightness = 140;
   double smoke_contrast = 7;

@@ -13,7 +13,7 @@ struct PictureCheck {
   double in_front = 1;     // share of those within three pixels of their lines that lie in front of both eyes
 };
 
-// Both directions of left-to-right give nearly the same epipolar lines; but with the wrong one, or with the pictures
+// Both directions of left-to-right give nearly the same epipolar lines. But with the wrong one, or with the pictures
 // exchanged, everything that is seen lies behind the camera. Failures: "stereo-eyes-exchanged" (most lies behind), and
 // "calibration-not-of-pictures" (half of the features miss their lines by more than a fiftieth of the picture's
 // height). With fewer than twenty features nothing is refused. Turns and sizes are not looked at: checked() and

@@ -2,8 +2,8 @@
 // How alike two pictures look, by structure and not by bytes: two drivers that draw the same scene stay near 1.
 //
 // The mean structural similarity of Wang, Bovik, Sheikh and Simoncelli (IEEE Transactions on Image Processing 13, 2004,
-// eq. 13): Gaussian windows of 1.5 pixels, on the luminance (Rec. 601), after both were reduced to about 256 pixels at
-// their shorter side, as its authors advise.
+// eq. 13): Windows are Gaussian of 1.5 pixels, on the luminance (Rec. 601). Both pictures were first reduced to about
+// 256 pixels at their shorter side, as its authors advise.
 
 #include <optional>
 

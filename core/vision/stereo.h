@@ -1,6 +1,7 @@
 #pragma once
-// A pair of pictures to points in left-camera mm: rectified, matched by semi-global matching (Hirschmueller 2008) both
-// ways round, smoothed along edges (weighted least squares, Min et al. 2014), and only what both ways agree on is kept.
+// A pair of pictures to points in left-camera mm. They are rectified, matched both ways round by semi-global matching
+// (Hirschmueller 2008), and smoothed along edges (weighted least squares, Min et al. 2014). Only what both ways agree
+// on is kept.
 
 #include <array>
 #include <cstdint>

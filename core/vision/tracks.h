@@ -1,12 +1,13 @@
 #pragma once
-// Landmarks G of a stereo video: features that are found again from frame to frame by what they look like, in both
-// eyes at once, and followed through the whole sequence.
+// Landmarks G of a stereo video: features that are followed through the whole sequence. They are found again from frame
+// to frame by what they look like, in both eyes at once.
 //
 // A feature of a frame is one that both eyes show, on one another's epipolar lines and in front of the camera. It
-// continues a track where the two left pictures and the two right ones each name the other as the best, clearly better
-// than the second best, and agree: left to right, on in time, back to left and back in time is a closed round (cycle
-// consistency; Geiger, Ziegler, Stiller 2011 match so). A match that moves unlike its neighbours is none. A track that
-// is lost, behind a tool or a highlight, is looked for in the frames that follow, by what it looked like last.
+// continues a track where the two left pictures and the two right ones each name the other as the best. It must be
+// clearly better than the second. They must agree, too: left to right, on in time, back to left and back in time is a
+// closed round (cycle consistency; Geiger, Ziegler, Stiller 2011 match so). A match that moves unlike its neighbours is
+// none. A track that is lost, behind a tool or a highlight, is looked for in the frames that follow, by what it looked
+// like last.
 
 #include <Eigen/Core>
 #include <memory>

@@ -20,8 +20,8 @@ struct Features {
 // SIFT (Lowe 2004), the strongest `most` of them.
 Features find_features(const Frame& frame, int maximum);
 
-// Pairs (row of a, row of b) of which each is the other's best, clearly better than the second best: the ratio of
-// their distances is below `ratio` (Lowe 2004). `may_pair`, where given, says which pairs are possible at all.
+// Pairs (row of a, row of b) of which each is the other's best, clearly better than the second best. The ratio of their
+// distances is below `ratio` (Lowe 2004). `may_pair`, where given, says which pairs are possible at all.
 struct RowPair {
   int a = 0, b = 0;
 };
