@@ -1,6 +1,6 @@
 #pragma once
-// numpy arrays and the core's vectors. A view shares the memory of the object that owns it and keeps that alive; what a
-// core function made anew is handed over whole; what comes in is copied, since the core owns what it works on.
+// numpy arrays and the core's vectors. A view shares the memory of the object that owns it, and keeps that alive. What
+// a core function made anew is handed over whole. What comes in is copied, since the core owns what it works on.
 
 #include <pybind11/numpy.h>
 #include <array>

@@ -12,8 +12,8 @@ namespace glisson::python {
 using Sizes = std::array<pybind11::ssize_t, 3>;
 using Rows = std::array<std::array<double, 3>, 3>;
 
-// Failures: "grid-size" (an axis that is empty, or more than 2^29 voxels), "grid-spacing" (not positive),
-// "grid-origin", "grid-direction" (columns that are no unit vectors, or lie in a plane).
+// Fails with "grid-size" (an axis that is empty, or more than 2^29 voxels), "grid-spacing" (not positive) or
+// "grid-origin". Fails with "grid-direction" where columns are no unit vectors, or lie in a plane.
 imaging::Grid grid_from(const Sizes& size, const Eigen::Vector3d& spacing_mm, const Eigen::Vector3d& origin_mm,
                         const Eigen::Matrix3d& direction);
 

@@ -13,8 +13,9 @@
 namespace glisson::python {
 
 // Does the work on a thread of its own while the caller waits without the GIL. Some 50 times a second the caller tells
-// `listener` (None, or a callable that takes the fraction done and the stage) how far the work is, and looks for
-// signals. What the listener raises, and KeyboardInterrupt, cancel the work and are raised when it has ended.
+// `listener` how far the work is, and looks for signals. The listener is None, or a callable that takes the fraction
+// done and the stage. What the listener raises, and KeyboardInterrupt, cancel the work and are raised when it has
+// ended.
 void run_watched(const pybind11::object& listener, const std::function<void(const Progress&)>& work);
 
 // What `work(progress)`, a Result, comes to; its failure is raised.
