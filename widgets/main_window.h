@@ -1,6 +1,6 @@
 #pragma once
 // The window: workspaces along the top. Those about the patient have the patient on the left, four views in the middle
-// and their own panel on the right; the others fill the window.
+// and their own panel on the right. The others fill the window.
 
 #include <filesystem>
 #include <functional>

@@ -1,6 +1,6 @@
 #pragma once
-// What was done to the open case, step by step as its history keeps it, to be copied as a program that does it again
-// without a window.
+// What was done to the open case, step by step as its history keeps it. It can be copied as a program that does it
+// again without a window.
 
 #include <filesystem>
 #include <QLabel>

@@ -1,7 +1,8 @@
 #pragma once
-// What happened in the window, for whoever looks into a problem later: which workspace, which work and how long it
-// took, what went wrong, when the window stood still. Nothing about a patient can get in: an entry is a sentence of
-// this program with its values left out, an error's code, or a duration; no path, no name, no number of the patient's.
+// What happened in the window, for whoever looks into a problem later. It says which workspace, which work and how long
+// it took, what went wrong, and when the window stood still. Nothing about a patient can get in. An entry is a sentence
+// of this program with its values left out, an error's code, or a duration. There is no path, no name, no number of the
+// patient's.
 
 #include <deque>
 #include <QDateTime>

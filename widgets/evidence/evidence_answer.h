@@ -1,6 +1,6 @@
 #pragma once
-// What measurements showed, to be read from top to bottom: the verdict, the errors before and after with pictures of
-// what is left, the candidates with their evidence, and what to measure next.
+// What measurements showed, to be read from top to bottom. First comes the verdict, then the errors before and after
+// with pictures of what is left. The candidates follow with their evidence, and at last what to measure next.
 
 #include <memory>
 #include <QCheckBox>

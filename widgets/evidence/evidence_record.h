@@ -1,6 +1,6 @@
 #pragma once
-// What closing the loop found, as its report says it: read from report.json, model.json and report.html, whether they
-// were written a moment ago or a year.
+// What closing the loop found, as its report says it. It is read from report.json, model.json and report.html, whether
+// they were written a moment ago or a year.
 
 #include <filesystem>
 #include <optional>

@@ -1,5 +1,5 @@
 #pragma once
-// Evidence: measurements are held against a model, what it lacks is traced to a cause, and the cause can be accepted
+// Evidence: measurements are held against a model, and what it lacks is traced to a cause. The cause can be accepted
 // for the patient whose case is open, and taken back.
 
 #include <memory>

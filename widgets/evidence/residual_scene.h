@@ -1,6 +1,6 @@
 #pragma once
-// What a model leaves of a palpation, on the specimen in space: at one moment of a trial an arrow from each marker, as
-// much too long as is said, and the specimen coloured by the residual's length.
+// What a model leaves of a palpation, on the specimen in space, at one moment of a trial. Each marker has an arrow, as
+// much too long as is said. The specimen is coloured by the residual's length.
 
 #include "closedloop/explain.h"
 #include "scene/scene.h"

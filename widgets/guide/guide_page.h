@@ -1,6 +1,6 @@
 #pragma once
-// The Guide workspace: the open case's liver on a laparoscope's frames, found or laid there by hand, with outlines of
-// the liver and of what lies inside it, and how far each may be off.
+// The Guide workspace: the open case's liver on a laparoscope's frames, found or laid there by hand. It has outlines of
+// the liver and of what lies inside it, and says how far each may be off.
 
 #include <filesystem>
 #include <functional>

@@ -1,6 +1,6 @@
 #pragma once
-// What can be done on the Guide page: the liver is found, or placed by hand and refined; how its outlines are shown and
-// from which error on they are not to be trusted; what they are, by name.
+// What can be done on the Guide page. The liver is found, or placed by hand and refined. A person says how its outlines
+// are shown, and from which error on they are not to be trusted. It lists what they are, by name.
 
 #include <QCheckBox>
 #include <QLabel>

@@ -1,6 +1,6 @@
 #pragma once
-// Outlines over a frame, as the window and the film show them: solid where they may be trusted at the surgeon's
-// tolerance, dashed where not, each on a dark rim; vessels are thinner where they lie deeper.
+// Outlines over a frame, as the window and the film show them, each on a dark rim. They are solid where they may be
+// trusted at the surgeon's tolerance, dashed where not. Vessels are thinner where they lie deeper.
 
 #include <QColor>
 #include <QPainter>

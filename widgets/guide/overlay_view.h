@@ -1,7 +1,7 @@
 #pragma once
-// A frame of the laparoscope with outlines over it; and, where the liver is placed by hand, what the hand does to it:
-// drag to move, right drag (or Shift) to turn, the wheel for depth, Ctrl and the wheel to turn in the picture's plane;
-// arrow keys, + and - do the same.
+// A frame of the laparoscope with outlines over it. Where the liver is placed by hand, a drag moves it, a right drag
+// (or Shift) turns it, and the wheel is for depth. Ctrl and the wheel turn it in the picture's plane; arrow keys, plus
+// and minus do the same.
 
 #include <optional>
 #include <QImage>

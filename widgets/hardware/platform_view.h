@@ -1,9 +1,9 @@
 #pragma once
-// What can be worn for this case, live: the liver's volume and stiffness, what is computed, the wanted accuracy,
-// duration and frame rate; a table of platforms that begins with what they draw when idle, the one that is least
-// obtrusive, one platform in full, and its contours over volume and resolution. A task of this program has a size of
-// its own: volume, accuracy and contours stand aside then. A recording of power that a person opens takes the place of
-// the contours until it is closed; what it shows can be planned with.
+// What can be worn for this case, live. A person gives the liver's volume and stiffness, what is computed, and the
+// wanted accuracy, duration and frame rate. A table of platforms begins with what they draw when idle, and one is named
+// that is least obtrusive. One platform is shown in full, with its contours over volume and resolution. A task of this
+// program has a size of its own: volume, accuracy and contours stand aside then. A recording of power that a person
+// opens takes the place of the contours until it is closed; what it shows can be planned with.
 
 #include <functional>
 #include <optional>

@@ -1,6 +1,6 @@
 #pragma once
-// What there is to say about one platform, as HTML: idle first, what limits it, what would make it hold, and where each
-// of its figures comes from.
+// What there is to say about one platform, as HTML. Idle comes first, then what limits it, what would make it hold, and
+// where each of its figures comes from.
 
 #include <QString>
 

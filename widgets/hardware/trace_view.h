@@ -1,6 +1,6 @@
 #pragma once
-// A recording of power that a person opens: which of its columns is what, as guessed and to be changed, the curve with
-// the runs in it, and what it says of idle and active power.
+// A recording of power that a person opens. It shows which of its columns is what, as guessed and to be changed, and
+// the curve with the runs in it. It says what that tells of idle and active power.
 
 #include <filesystem>
 #include <memory>

@@ -19,8 +19,8 @@ class ManualWindow : public QWidget {
   Q_OBJECT
 
  public:
-  // Reads the pages of a folder, in the order of their file names and in the language of the window, and again when
-  // that changes: the page that is read stays open. Without any it says that the manual is missing.
+  // Reads the pages of a folder, in the order of their file names and in the language of the window. It reads them
+  // again when that changes: the page that is read stays open. Without any it says that the manual is missing.
   explicit ManualWindow(const std::filesystem::path& folder, QWidget* parent = nullptr);
 
   // The page of that file name without its ending ("05-rehearse"), whatever was searched for.

@@ -1,6 +1,6 @@
 #pragma once
-// What the window says beside its views: a notice that lies over them and moves nothing, until it is closed or nothing
-// is left to say; and above them, where a patient that is not real comes from.
+// What the window says beside its views. A notice lies over them and moves nothing, until it is closed or nothing is
+// left to say. Above them stands where a patient that is not real comes from.
 
 #include <functional>
 #include <QLabel>

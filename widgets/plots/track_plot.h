@@ -1,5 +1,5 @@
 #pragma once
-// A rehearsal over time: the force, how far a landmark moves, and how far off the atlas is, with the line at 5 mm from
+// A rehearsal over time: the force, how far a landmark moves, and how far off the atlas is. A line stands at 5 mm, from
 // which it matters to a surgeon. Click or drag in it: that time.
 
 #include <QWidget>

@@ -1,6 +1,7 @@
 #pragma once
-// A chosen place over the frames: how far each algorithm's registration is off there, and the two motions that SIRGn's
-// correlation compares for one of them. With no place chosen, the whole registration over the frames: TRE and RMSE.
+// A chosen place over the frames. It shows how far each algorithm's registration is off there, and the two motions that
+// SIRGn's correlation compares for one of them. With no place chosen, the whole registration over the frames: TRE and
+// RMSE.
 
 #include <array>
 #include <optional>

@@ -1,6 +1,6 @@
 #pragma once
-// The orders of steps that a case keeps: what was done is kept under a name, and all that are kept are run again from
-// the liver at rest and put side by side by what they ask of it at their worst.
+// The orders of steps that a case keeps. What was done is kept under a name. All that are kept are run again from the
+// liver at rest. They are put side by side by what they ask of it at their worst.
 
 #include <optional>
 #include <QLabel>

@@ -35,8 +35,8 @@ class LandmarkTable : public QTableWidget {
   bool filling_ = false;  // what changes in it is not typed
 };
 
-// The same as CSV, every landmark a line, lengths in mm, with what the answer is worth; of one that is not usable where
-// the landmarks lie at rest.
+// The same as CSV, every landmark a line, lengths in mm, with what the answer is worth. An answer that is not usable
+// has where the landmarks lie at rest.
 [[nodiscard]] std::string landmark_csv(const rehearsal::RehearsalState& state);
 
 }  // namespace glisson::widgets

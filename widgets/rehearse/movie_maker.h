@@ -1,6 +1,6 @@
 #pragma once
-// Plays a rehearsal and writes what the view shows into a movie, with the force and what the answer is worth below it,
-// a picture at a time between other events, so that nothing freezes.
+// Plays a rehearsal and writes what the view shows into a movie, with the force and what the answer is worth below it.
+// One picture is drawn at a time between other events, so that nothing freezes.
 
 #include <functional>
 #include <optional>

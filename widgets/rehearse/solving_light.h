@@ -1,6 +1,6 @@
 #pragma once
-// How the last answer came about: a sign and a word (never a colour alone), how far from rest its landmarks may be, the
-// residual and the time that it took.
+// How the last answer came about, by a sign and a word, never a colour alone. With it stand how far from rest its
+// landmarks may be, the residual, and the time that it took.
 
 #include <QLabel>
 #include <QWidget>

@@ -1,6 +1,6 @@
 #pragma once
-// The controls of ablation zones: how long and wide a zone is, which way its probe points, and where one is set: at the
-// crosshair, or around a tumour.
+// The controls of ablation zones. They say how long and wide a zone is, which way its probe points, and where one is
+// set: at the crosshair, or around a tumour.
 
 #include <QComboBox>
 #include <QPushButton>

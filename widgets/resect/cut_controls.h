@@ -1,6 +1,6 @@
 #pragma once
-// The controls of a cut: a plane by its place and two angles, or points that a smooth surface passes through, which are
-// set one by one or lie under a line drawn freehand.
+// The controls of a cut. It is a plane by its place and two angles, or points that a smooth surface passes through. The
+// points are set one by one, or lie under a line drawn freehand.
 
 #include <optional>
 #include <QComboBox>

@@ -1,8 +1,8 @@
 #pragma once
-// What a hand takes hold of in the four views while a cut is planned: in each slice the plane's line (drag: shift it)
-// with a ball at each end (drag: tilt it), in space a ball on the plane and one on its normal's tip; and the points of
-// a sheet, which are set by clicks and dragged, or a line drawn freehand in space. Anything else in the views stays as
-// it is.
+// What a hand takes hold of in the four views while a cut is planned. In each slice a drag of the plane's line shifts
+// it, and a drag of the ball at each end tilts it. In space there is a ball on the plane, and one on its normal's tip.
+// The points of a sheet are set by clicks and dragged, or set by a line drawn freehand in space. Anything else in the
+// views stays as it is.
 
 #include <optional>
 #include <QObject>

@@ -33,8 +33,8 @@ struct LineInSlice {
 [[nodiscard]] LineInSlice line_in_slice(const CutPlane& plane, const Eigen::Vector3d& slice_point_mm,
                                         const Eigen::Vector3d& slice_normal);
 
-// What of the plane lies within a box, to be drawn: its middle first, then six corners around it, so that it stays the
-// same triangles wherever it moves. Where it passes the box by: a small square about its point.
+// What of the plane lies within a box, to be drawn. Its middle comes first, then six corners around it, so that it
+// stays the same triangles wherever it moves. Where it passes the box by: a small square about its point.
 [[nodiscard]] std::array<Eigen::Vector3d, 7> points_within(const CutPlane& plane, const geometry::Box& box);
 [[nodiscard]] geometry::Surface part_within(const CutPlane& plane, const geometry::Box& box);
 

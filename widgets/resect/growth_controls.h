@@ -1,6 +1,6 @@
 #pragma once
-// The open case beside an earlier one of the same patient: what each segment, and what a plan leaves, grew or shrank by
-// in between, as a table and in sentences.
+// The open case beside an earlier one of the same patient. A table and sentences say what each segment, and what a plan
+// leaves, grew or shrank by in between.
 
 #include <filesystem>
 #include <memory>

@@ -1,6 +1,6 @@
 #pragma once
-// What the liver's anatomy says of a cut while it is moved, and the plans that the case keeps: worked out off the UI
-// thread, one cut at a time, the newest next.
+// What the liver's anatomy says of a cut while it is moved, and the plans that the case keeps. It is worked out off the
+// UI thread, one cut at a time, the newest next.
 
 #include <array>
 #include <filesystem>

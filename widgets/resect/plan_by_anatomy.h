@@ -1,9 +1,9 @@
 #pragma once
-// The part of Resect that knows the liver's anatomy: its segments as a list and in colours, cuts of one click
-// (segments, around a tumour, along a territory, ablation zones), what a cut leaves alive and which branches it takes,
-// its surface unrolled flat, the plans that the case keeps, side by side, and what grew since an earlier study. The
-// plan that is kept last, where it is a plane or sheet, is also what Rehearse, Guide and the report follow
-// (results/resection).
+// The part of Resect that knows the liver's anatomy. It has the segments as a list and in colours, and cuts of one
+// click: segments, around a tumour, along a territory, ablation zones. It shows what a cut leaves alive, which branches
+// it takes, and its surface unrolled flat. It has the plans that the case keeps, side by side, and what grew since an
+// earlier study. The plan that is kept last, where it is a plane or sheet, is also what Rehearse, Guide and the report
+// follow (results/resection).
 
 #include <optional>
 #include <QCheckBox>

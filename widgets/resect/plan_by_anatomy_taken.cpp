@@ -1,4 +1,4 @@
-// What is taken besides plane or sheet: segments, around a tumour, along a territory, ablation zones; each a step of
+// What is taken besides plane or sheet: segments, around a tumour, along a territory, ablation zones. Each is a step of
 // undo, and told in a line with a cross to give it back.
 
 #include <algorithm>

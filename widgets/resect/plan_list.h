@@ -1,6 +1,7 @@
 #pragma once
-// The plans that a case keeps, side by side: in the order that the person chooses, those that another one beats said to
-// be so, and drawn by margin and by what stays alive. A click takes one up; they are kept, copied and dropped by name.
+// The plans that a case keeps, side by side, in the order that the person chooses. Those that another one beats are
+// said to be so. All are drawn by margin and by what stays alive. A click takes one up; they are kept, copied and
+// dropped by name.
 
 #include <QComboBox>
 #include <QLabel>

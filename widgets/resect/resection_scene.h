@@ -1,6 +1,6 @@
 #pragma once
-// A planned resection in space: the part that goes and the part that stays in colours of their own, with the cut's face
-// on each, and drawn apart as far as wanted.
+// A planned resection in space. The part that goes and the part that stays have colours of their own, with the cut's
+// face on each. They are drawn apart as far as wanted.
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 #pragma once
-// The surface of a cut unrolled flat: how near the tumours are at each place of it, in bands, and which vessels it cuts
-// where (planning/resectogram.h). Seen upright: the head up, or the front where the cut is seen from the head; the
-// patient's left, or else the back, on the right. The pointer is told what is under it.
+// The surface of a cut unrolled flat (planning/resectogram.h). It shows in bands how near the tumours are at each place
+// of it, and which vessels it cuts where. It is seen upright: the head up, or the front where the cut is seen from the
+// head. On the right is the patient's left, or else the back. The pointer is told what is under it.
 
 #include <optional>
 #include <QTransform>

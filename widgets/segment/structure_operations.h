@@ -1,6 +1,6 @@
 #pragma once
-// What changes the chosen structure as a whole by grey values or by another structure: two numbers, where they hold,
-// and what to do with which other one. It says what is wanted; the workspace does it.
+// What changes the chosen structure as a whole by grey values or by another structure. There are two numbers, where
+// they hold, and what to do with which other one. It says what is wanted; the workspace does it.
 
 #include <optional>
 #include <QCheckBox>

@@ -1,6 +1,6 @@
 #pragma once
-// Where the border of the chosen structure cannot be seen, whoever drew it: asked for with a button, which goes from
-// one such place to the next; a ring in the slices stands around each.
+// Where the border of the chosen structure cannot be seen, whoever drew it. A button goes from one such place to the
+// next. A ring in the slices stands around each.
 
 #include <Eigen/Core>
 #include <QLabel>

@@ -2,12 +2,12 @@
 // The rehearsal as the window lives it. Tools are placed off the UI thread; force and direction change at once.
 // All that is done is recorded, and any moment of it can be seen again.
 //
-// The reference body is made when the first tool is placed, or a session begins: until it is there, answers are of the
+// The reference body is made when the first tool is placed, or a session begins. Until it is there, answers are of the
 // patient alone, and more is being solved for.
 //
 // A tool either spreads its force over a patch (one tool), or is the rigid thing itself in contact (several tools). At
 // small deformations every answer to a patch is exact and comes in a millisecond; all else is answered by a session
-// (rehearsal/session.h). At large ones its first pictures are brought to rest in the background: the picture of a
+// (rehearsal/session.h). At large ones its first pictures are brought to rest in the background. The picture of a
 // moment is replaced by one nearer to rest, and each says how far from rest its landmarks may be.
 
 #include <deque>
@@ -38,8 +38,8 @@ class LiveRehearsal : public QObject {
   // Starts anew with this body, no tool on it; nullptr for none. Rigid tools need the setup that it was made from.
   void set_body(std::shared_ptr<const rehearsal::StaticRehearsal> body,
                 std::shared_ptr<const rehearsal::RehearsalSetup> setup = nullptr);
-  // The same patient read anew. On the same mesh the tools stay where they are and how they touch, and what was
-  // recorded stays, with the figures of the organ as it was then; on another mesh it starts anew.
+  // The same patient read anew. On the same mesh the tools stay where they are and how they touch. What was recorded
+  // stays, with the figures of the organ as it was then. On another mesh it starts anew.
   void exchange_body(std::shared_ptr<const rehearsal::StaticRehearsal> body,
                      std::shared_ptr<const rehearsal::RehearsalSetup> setup);
   [[nodiscard]] const rehearsal::StaticRehearsal* body() const { return body_.get(); }
@@ -52,7 +52,7 @@ class LiveRehearsal : public QObject {
   // The liver linear, or neo-Hookean with the same stiffness. Starts anew with the same tools.
   void set_deformations(Deformations deformations);
   [[nodiscard]] Deformations deformations() const { return deformations_; }
-  // Tissue with a grain is known at small ones alone.
+  // Anisotropic tissue is known at small ones alone.
   [[nodiscard]] bool knows_large_deformations() const { return setup_ && !setup_->options.anisotropy; }
 
   // Puts the tool there. A later call supersedes this one: of several on the way, only the last is solved for.

@@ -1,6 +1,6 @@
 #pragma once
-// What stands open, kept on disk while the window lives, so that it is found again when the window ends without saying
-// so: a crash, a kill, a power cut. What is in the case is safe by itself (casefile); this is where one was.
+// What stands open, kept on disk while the window lives. So it is found again when the window ends without saying so: a
+// crash, a kill, a power cut. What is in the case is safe by itself (casefile); this is where one was.
 
 #include <Eigen/Core>
 #include <filesystem>

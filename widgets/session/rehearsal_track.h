@@ -19,7 +19,7 @@ struct Moment {
       {};                             // the largest over the liver's surface, where there is an atlas to compare with
   std::vector<double> landmarks_mm;   // how far each one moves
   mechanics::Validity validity = {};  // what these figures are worth
-  // With rigid tools and at large deformations the shape depends on the way to it and is kept; else it is answered
+  // With rigid tools and at large deformations the shape depends on the way to it and is kept. Else it is answered
   // anew, to the same bit.
   std::shared_ptr<const rehearsal::SessionState> contact;
 };
@@ -41,8 +41,8 @@ class RehearsalTrack {
   // The last one at or before that time; there must be one.
   [[nodiscard]] std::size_t at(double time_s) const;
 
-  // One line a moment: time, tools with places and forces, figures, landmarks, and what they are worth, at large
-  // deformations with the bound of its error; no figures of an answer that is not usable.
+  // One line a moment: time, tools with places and forces, figures, landmarks, and what they are worth. At large
+  // deformations the bound of its error stands there. An answer that is not usable has no figures.
   [[nodiscard]] std::string csv(const std::vector<std::string>& landmark_ids) const;
 
  private:

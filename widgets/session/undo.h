@@ -14,8 +14,8 @@
 //   context.undo.value_changed({GLISSON_TEXT("Force"), {}}, "rehearse/force", 1.0, 2.0, Undo::Joins::with_same);
 //                                                         // a small value that lives in a workspace
 //
-// keep() is called back with the value whenever it is undone or redone, and once when a case is opened in which it was
-// ever set. Texts of names are GLISSON_TEXT, so that the menu names them in the language of now.
+// keep() is called back with the value whenever it is undone or redone. It is called once more when a case is opened in
+// which it was ever set. Texts of names are GLISSON_TEXT, so that the menu names them in the language of now.
 
 #include <filesystem>
 #include <functional>

@@ -1,6 +1,6 @@
 #pragma once
-// Where the window was and how large, kept by QSettings from one run to the next; and that all of it, its frame
-// included, is on the screen when it opens: the line at its bottom tells how long work goes on.
+// Where the window was and how large, kept by QSettings from one run to the next. All of it, its frame included, is on
+// the screen when it opens: the line at its bottom tells how long work goes on.
 
 #include <QObject>
 #include <QSize>

@@ -9,8 +9,8 @@
 
 namespace glisson::widgets {
 
-// What a study is made of: patients (simulated, or a folder of cases or stiffness maps), one case, a folder of
-// segmented livers, scans if there are any, or nothing that somebody has to bring.
+// What a study is made of. It may be patients (simulated, or a folder of cases or stiffness maps), one case, or a
+// folder of segmented livers. It may be scans if there are any, or nothing that somebody has to bring.
 enum class StudyOf { patients, one_case, livers, scans, nothing };
 [[nodiscard]] inline bool needs_folder(StudyOf of) { return of == StudyOf::one_case || of == StudyOf::livers; }
 

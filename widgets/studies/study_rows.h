@@ -1,6 +1,6 @@
 #pragma once
-// What a study's folder holds so far, as a table: a line a patient, in the order in which they come, whoever computes
-// them; where a study has no patients, the lines of its table in CSV once it is written.
+// What a study's folder holds so far, as a table. It has a line a patient, in the order in which they come, whoever
+// computes them. Where a study has no patients, it has the lines of its table in CSV once that is written.
 
 #include <filesystem>
 #include <QTableWidget>

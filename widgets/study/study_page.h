@@ -1,6 +1,6 @@
 #pragma once
-// The Study workspace: the images found under a folder, what each series is for, and the case that is made of them;
-// beside it what the open case holds. Patients' names are neither shown nor kept.
+// The Study workspace. It has the images found under a folder, what each series is for, and the case that is made of
+// them. Beside it stands what the open case holds. Patients' names are neither shown nor kept.
 
 #include <QLabel>
 #include <QLineEdit>

@@ -1,6 +1,6 @@
 #pragma once
-// Takes series of a study into a case. What the files do not say is asked: the names of labels; and before images of
-// another patient, or another anatomy, come into a case that holds one, that is said and asked too.
+// Takes series of a study into a case. What the files do not say is asked: the names of labels. Images of another
+// patient, or another anatomy, may come into a case that holds one. Before they do, that is said and asked too.
 
 #include <filesystem>
 #include <QObject>

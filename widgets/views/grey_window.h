@@ -26,8 +26,8 @@ enum class WindowPreset { automatic, abdomen, liver, lung, bone, own };
 // The liver's for Hounsfield units, else the automatic one.
 [[nodiscard]] GreyWindow first_window(const imaging::Volume& volume);
 
-// As the volume says. NIfTI and NRRD say no unit: then by its values, some of which are air (-1100 to -800) and many
-// soft tissue (-150 to 250); no other image of a body has both.
+// As the volume says. NIfTI and NRRD say no unit; then the values decide. Some of an image in Hounsfield units are air
+// (-1100 to -800), and many are soft tissue (-150 to 250). No other image of a body has both.
 [[nodiscard]] bool in_hounsfield_units(const imaging::Volume& volume);
 
 // Which preset a window is, to half a unit of the last digit shown; `own` where it is none.

@@ -1,6 +1,6 @@
 #pragma once
-// A patient in the four views, moving with the rehearsal: which of the two bodies is shown (with the patient's own
-// stiffness, the atlas, or both in red and blue), the tool, and the landmarks.
+// A patient in the four views, moving with the rehearsal. A person chooses which of the two bodies is shown, with the
+// patient's own stiffness, the atlas, or both in red and blue. The tool and the landmarks are shown with it.
 
 #include <map>
 #include <QObject>

@@ -1,10 +1,10 @@
 #pragma once
 // A scene in the window. What is shown, and the camera, belong to its scene::View: change that, then call redraw().
 //
-// Frames are drawn on a thread that serves all views, and shown when they are done: until then the last one stands, so
-// that the window itself waits for no drawing, however large the scene and slow the machine. Changes that come while a
-// frame is drawn are in the next one, all together. No part of the window is drawn by OpenGL: Qt puts together in
-// memory what changed, which takes a fraction of the time where a processor does the graphics card's work.
+// Frames are drawn on a thread that serves all views, and shown when they are done. Until then the last one stands. So
+// the window itself waits for no drawing, however large the scene and slow the machine. Changes that come while a frame
+// is drawn are in the next one, all together. No part of the window is drawn by OpenGL: Qt puts together in memory what
+// changed, which takes a fraction of the time where a processor does the graphics card's work.
 
 #include <memory>
 #include <QImage>

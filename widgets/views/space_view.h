@@ -1,6 +1,6 @@
 #pragma once
-// The patient in space: turn with the left button, shift with the middle one (or Shift and left), zoom with the wheel
-// or the right button; a click without a drag picks what is under it. A tool in it is moved by its ends.
+// The patient in space. The left button turns, the middle one (or Shift and left) shifts, the wheel or the right button
+// zooms. A click without a drag picks what is under it. A tool in it is moved by its ends.
 
 #include <optional>
 #include <QElapsedTimer>
@@ -30,7 +30,7 @@ class SpaceView : public RenderWidget {
   // Another size leaves the camera to the view that this one follows.
   void set_follower() { follows_ = true; }
 
-  // The ends of a tool's arrow, which can be dragged: the one that touches slides over what is under the mouse, the
+  // The ends of a tool's arrow, which can be dragged. The one that touches slides over what is under the mouse, the
   // free one moves in parallel with the picture.
   struct Grips {
     Eigen::Vector3d touch_mm{0, 0, 0};

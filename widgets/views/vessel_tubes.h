@@ -29,7 +29,7 @@ class VesselTubes : public QObject {
   // Of that structure; null where it is drawn as it is outlined, or not looked at yet.
   [[nodiscard]] const Vessel* of(const std::string& structure) const;
 
-  // Where its points are when those of the outline are there: a tube's point goes with the outline's point nearest to
+  // Where its points are when those of the outline are there. A tube's point goes with the outline's point nearest to
   // it, a voxel or two away.
   [[nodiscard]] static std::vector<Eigen::Vector3d> moved(const Vessel& vessel,
                                                           const std::vector<Eigen::Vector3d>& outline_now_mm);

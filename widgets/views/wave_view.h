@@ -1,6 +1,6 @@
 #pragma once
-// Raw elastography in the window: the waves as they run, the modulus that they give, how far it is to be believed, and
-// whether the case is to take it.
+// Raw elastography in the window: the waves as they run, and the modulus that they give. It says how far that is to be
+// believed, and whether the case is to take it.
 
 #include <array>
 #include <filesystem>

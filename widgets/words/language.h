@@ -29,8 +29,8 @@ void choose_language(const QString& code);
 
 // At the start of the program: the kept language, and numbers as below.
 //
-// Numbers are written and read with a dot and without group separators in every language: a figure that is read off
-// one screen and typed on another, or copied into a file, must not change by a factor of a thousand.
+// Numbers are written and read with a dot and without group separators in every language. A figure may be read off one
+// screen and typed on another, or copied into a file. It must not change by a factor of a thousand.
 void begin_in_kept_language();
 
 }  // namespace glisson::widgets

@@ -1,7 +1,7 @@
 #pragma once
-// Names for whoever has the window read aloud: a control that has neither a text nor a name of its own takes that of
-// what it is a part of, the label beside or above it, or the first line of its tooltip. Called again after a change of
-// language.
+// Names for whoever has the window read aloud. A control that has neither a text nor a name of its own takes that of
+// what it is a part of. Else it takes the label beside or above it, or the first line of its tooltip. Called again
+// after a change of language.
 
 #include <QWidget>
 

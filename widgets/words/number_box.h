@@ -1,5 +1,5 @@
 #pragma once
-// A box for a number. All that may become a number can be typed, beyond the limits too; when it is done (Enter, or on
+// A box for a number. All that may become a number can be typed, beyond the limits too. When it is done (Enter, or on
 // to another control) the box holds back at its limit and says which. A comma is taken for a dot, as it is typed in
 // most of Europe: 2,5 is 2.5 there and never 25.
 

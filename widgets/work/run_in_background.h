@@ -13,7 +13,7 @@
 
 namespace glisson::widgets {
 
-// Runs work() on a thread of `pool`, then then(outcome), with a reference to what it gave, on that of `owner`; not
+// Runs work() on a thread of `pool`. Then runs then(outcome), with a reference to what it gave, on that of `owner`; not
 // where `owner` is gone by then. Neither may throw.
 template <typename Work, typename Then>
 void run_in_background(QObject* owner, QThreadPool* pool, Work work, Then then) {
