@@ -1,4 +1,4 @@
-// TRWL-S against TRW-S on the same problems in one run, word widths, sizes, real shapes; and SIRGn at the
+// TRWL-S against TRW-S on the same problems in one run: word widths, sizes, real shapes. And SIRGn at the
 // dissertation's size.
 //
 //   bench_registration                                       the sweep below (minutes)
@@ -10,9 +10,10 @@
 //                                                            and 1 GB, later runs find them in GLISSON_BASELINES
 //                                                            (a file; by default in the build folder)
 //
-// `ratio_*` are of times in this run: to `trws` with the field given, with writing out the field counted in, and to
-// TRW-S whose field is evaluated, exponential and all, whenever a message needs it, as nothing but its two matrices
-// would have to be stored then (estimated: the passes' cells times the time that writing out took a cell).
+// `ratio_*` are of times in this run. They are to `trws` with the field given, with writing out the field counted in,
+// and to a TRW-S that evaluates its field, exponential and all, whenever a message needs it. That one would have to
+// store nothing but its two matrices. Its time is estimated: the passes' cells times the time that writing out took a
+// cell.
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
-// How many frames a second the window draws while a hand turns the patient in space, all of it at 1600 x 1000, and how
-// much memory it takes with that patient open, compared with its reference body under a tool, rehearsed with large
-// deformations, and after closing:
+// How many frames a second the window draws while a hand turns the patient in space, all of it at 1600 x 1000. And how
+// much memory it takes: with that patient open, compared with its reference body under a tool, rehearsed with large
+// deformations, and after closing.
 //
 //   xvfb-run -a -s "-screen 0 1600x1000x24" bench_rotation [CASE]
 //

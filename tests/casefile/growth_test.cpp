@@ -1,5 +1,5 @@
-// Two cases of one generated patient, the left side of whose liver has grown by a known factor in between: what is
-// found is what was put there; and what may not be compared, or not without a word, is said.
+// Two cases of one generated patient, the left side of whose liver has grown by a known factor in between. What is
+// found is what was put there. What may not be compared, or not without a word, is said.
 
 #include "casefile/growth.h"
 

@@ -1,6 +1,6 @@
-// A hundred names, numbers and notes are planted wherever a study has room for them: in the attributes of its files,
-// outermost and nested, in private ones, in the names of files and folders, in the comments of volumes, labels and
-// surfaces. Then everything that the program writes is searched for them.
+// A hundred names, numbers and notes are planted wherever a study has room for them. They stand in the attributes of
+// its files, outermost and nested, and in private ones. They stand in the names of files and folders, and in the
+// comments of volumes, labels and surfaces. Then everything that the program writes is searched for them.
 
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>

@@ -1,6 +1,6 @@
 // A fuzzer that needs no more than the compiler. For each target: good files first, then broken ones (mutator.h), for a
 // bounded number and time, in a process of its own with bounded memory. A run that brings the reader down, or that does
-// not end within 10 s, is named by its number and can be repeated:
+// not end within 10 s, is named by its number and can be repeated.
 //
 //   fuzz_ROOM [TARGET ...] [--mutations N] [--seconds S] [--from N] [--memory-MB M]
 //   fuzz_ROOM TARGET --only N [--write FILE]     one mutation, in this process; FILE gets its bytes

@@ -1,5 +1,6 @@
-// An organ whose supports are known: a tool's force and the targets of a body moved by another room's statics on other
-// elements, under a wrong guess of the pose; weight and known forces as loads; a liver of another group.
+// An organ whose supports are known. A tool's force and the targets of a body moved by another room's statics on other
+// elements are found under a wrong guess of the pose. Weight and known forces are loads. The last liver is another
+// group's simulation.
 
 #include <gmock/gmock.h>
 

@@ -1,6 +1,6 @@
-// Resect as a surgeon uses it to choose between plans: the cut unrolled flat while it is dragged, a tumour's territory
-// and an ablation over it at a click each, plans in the order that is asked for and as dots, copied, taken up again,
-// and one of them written as DICOM SEG.
+// Resect as a surgeon uses it to choose between plans. The cut is unrolled flat while it is dragged. A tumour's
+// territory and an ablation over it come at a click each. Plans stand in the order that is asked for and as dots; they
+// are copied, taken up again, and one of them is written as DICOM SEG.
 
 #include <cmath>
 #include <QComboBox>

@@ -1,6 +1,6 @@
-// Every way out of the window, with a patient whose name must not take it: pictures of the views, movies and tables of
-// a rehearsal, the log and the report of a problem, the report as a page and in print. The name is in the folder's
-// name, as a person would have it. In the window itself it is shown.
+// Every way out of the window, with a patient whose name must not take it. These are pictures of the views, movies and
+// tables of a rehearsal, the log and the report of a problem, the report as a page and in print. The name is in the
+// folder's name, as a person would have it. In the window itself it is shown.
 
 #include <QCheckBox>
 #include <QSet>

@@ -1,7 +1,7 @@
 // The window, driven as a person drives it: a tool is placed by a click, pulled by slider and keys; the table flags.
 //
-// The body is a block of 120 x 80 x 80 mm that is held at its left end, with a "tumour" in its free end; the
-// patient is softer than the reference body (the atlas), so that the two part.
+// The body is a block of 120 x 80 x 80 mm that is held at its left end, with a "tumour" in its free end. The patient is
+// softer than the reference body (the atlas), so that the two part.
 
 #include <QAccessible>
 #include <QDoubleSpinBox>
