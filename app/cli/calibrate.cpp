@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "command.h"
+#include "eyes.h"
 #include "one_of.h"
 #include "shared_options.h"
 
@@ -14,32 +15,14 @@ namespace {
 using vision::Board;
 
 struct CalibrateCommand {
-  std::vector<std::string> left, right;
   std::string out, known;
-  int every = 1;
-  Board board;
+  vision::BoardPictures pictures;
 };
 
-Result<std::vector<vision::Frame>> frames_of(const std::vector<std::string>& sources, int every);
 Json difference(const vision::Camera& found, const vision::Camera& known);
 
 Result<Outcome> run(const CalibrateCommand& command, const Progress& progress) {
-  auto left = frames_of(command.left, command.every);
-  if (!left) return failure(left.error());
-  auto right = frames_of(command.right, command.every);
-  if (!right) return failure(right.error());
-  if (left->size() != right->size()) {
-    return failure("calibration-not-paired",
-                   GLISSON_TEXT("There are {0} left and {1} right pictures: they must be taken in pairs."),
-                   {std::to_string(left->size()), std::to_string(right->size())});
-  }
-  std::vector<vision::BoardPair> pairs;
-  for (std::size_t i = 0; i < left->size(); ++i) {
-    const std::string name = command.left.size() == left->size() ? command.left[i] : fmt::format("pair {}", i + 1);
-    pairs.push_back({name, std::move((*left)[i]), std::move((*right)[i])});
-  }
-  progress.report(0.2, GLISSON_TEXT("calibrating"));
-  const auto fit = vision::calibrate(pairs, command.board);
+  const auto fit = vision::calibrate(command.pictures, progress);
   if (!fit) return failure(fit.error());
   const auto eye = [](const vision::CameraFit& camera) {
     return Json{{"rms_px", camera.rms_px},
@@ -70,22 +53,6 @@ Result<Outcome> run(const CalibrateCommand& command, const Progress& progress) {
   return outcome;
 }
 
-Result<std::vector<vision::Frame>> frames_of(const std::vector<std::string>& sources, int every) {
-  std::vector<vision::Frame> frames;
-  int number = 0;
-  for (const std::string& source : sources) {
-    auto video = vision::FrameSource::open(source);
-    if (!video) return failure(video.error());
-    for (;;) {
-      auto frame = video->next();
-      if (!frame) return failure(frame.error());
-      if (!*frame) break;
-      if (number++ % every == 0) frames.push_back(std::move(**frame));
-    }
-  }
-  return frames;
-}
-
 // Found less known.
 Json difference(const vision::Camera& found, const vision::Camera& known) {
   return {{"focal_x_px", found.matrix(0, 0) - known.matrix(0, 0)},
@@ -100,21 +67,26 @@ Json difference(const vision::Camera& found, const vision::Camera& known) {
 void add_calibrate(CLI::App& app, Action& chosen) {
   CLI::App* command = app.add_subcommand("calibrate", "Calibrate a stereo camera from pictures of a board");
   auto settings = std::make_shared<CalibrateCommand>();
-  command->add_option("--left", settings->left, "The left eye's pictures: files, folders or videos")->required();
-  command->add_option("--right", settings->right, "The right eye's, in the same order")->required();
-  command->add_option("--board", settings->board.pattern, "chessboard, circles, or dots (circles, four of them larger)")
+  vision::BoardPictures& pictures = settings->pictures;
+  command->add_option("--left", pictures.left, "The left eye's pictures: files, folders or videos")->required();
+  CLI::Option* right =
+      command->add_option("--right", pictures.right, "The right eye's, in the same order; none with --eyes");
+  CLI::Option* eyes = add_eyes(*command, right, pictures.shared);
+  command->add_option("--board", pictures.board.pattern, "chessboard, circles, or dots (circles, four of them larger)")
       ->transform(one_of(Words<Board::Pattern>{{"chessboard", Board::Pattern::chessboard},
                                                {"circles", Board::Pattern::circles},
                                                {"dots", Board::Pattern::dots}}))
       ->required();
-  command->add_option("--columns", settings->board.columns, "Inner corners, or circles, along a row")->required();
-  command->add_option("--rows", settings->board.rows, "The same down a column")->required();
-  command->add_option("--spacing-mm", settings->board.spacing_mm, "Between neighbours")->required();
-  command->add_option("--every", settings->every, "Take one picture of so many")->check(CLI::Range(1, 10000));
+  command->add_option("--columns", pictures.board.columns, "Inner corners, or circles, along a row")->required();
+  command->add_option("--rows", pictures.board.rows, "The same down a column")->required();
+  command->add_option("--spacing-mm", pictures.board.spacing_mm, "Between neighbours")->required();
+  command->add_option("--every", pictures.every, "Take one picture of so many")->check(CLI::Range(1, 10000));
   command->add_option("--known", settings->known, "Folder of text files with the lenses to compare with");
   command->add_option("--out", settings->out, "The calibration (.json)")->required();
-  command->callback(
-      [&chosen, settings] { chosen = [settings](const Progress& progress) { return run(*settings, progress); }; });
+  command->callback([&chosen, settings, right, eyes] {
+    check_eyes(*right, *eyes);
+    chosen = [settings](const Progress& progress) { return run(*settings, progress); };
+  });
 }
 
 }  // namespace glisson::cli

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "command.h"
+#include "eyes.h"
 #include "registration_quality/video_sequence.h"
 #include "shared_options.h"
 
@@ -11,22 +12,21 @@ namespace {
 
 struct SequenceCommand {
   std::string left, right, calibration, out, model, landmarks;
+  vision::Shared shared = vision::Shared::left_then_right;
   registration_quality::VideoSequenceOptions options;
 };
 
 Result<Outcome> run(SequenceCommand command, const Progress& progress) {
   const auto calibration = vision::read_stereo_calibration(command.calibration);
   if (!calibration) return failure(calibration.error());
-  auto left = vision::FrameSource::open(command.left);
-  if (!left) return failure(left.error());
-  auto right = vision::FrameSource::open(command.right);
-  if (!right) return failure(right.error());
+  auto video = vision::StereoSource::open({command.left, command.right, command.shared});
+  if (!video) return failure(video.error());
   if (!command.model.empty()) command.options.model = command.model;
   if (!command.landmarks.empty()) command.options.landmarks = command.landmarks;
   command.options.tracks.nearest_mm = command.options.stereo.nearest_mm;
   command.options.tracks.farthest_mm = command.options.stereo.farthest_mm;
   const auto sequence =
-      registration_quality::make_sequence(*left, *right, *calibration, command.out, command.options, progress);
+      registration_quality::make_sequence(*video, *calibration, command.out, command.options, progress);
   if (!sequence) return failure(sequence.error());
   std::vector<std::string> notes = calibration->notes;
   notes.insert(notes.end(), sequence->notes.begin(), sequence->notes.end());
@@ -55,8 +55,11 @@ void add_sequence(CLI::App& app, Action& chosen) {
   CLI::App* command = app.add_subcommand("sequence", "Turn a stereo video into clouds and tracked landmarks for sirgn");
   auto settings = std::make_shared<SequenceCommand>();
   command->add_option("left", settings->left, "The left eye's video, or a folder of pictures")->required();
-  command->add_option("right", settings->right, "The right eye's")->required();
+  CLI::Option* right = command->add_option("right", settings->right, "The right eye's; none with --eyes");
+  CLI::Option* eyes = add_eyes(*command, right, settings->shared);
   command->add_option("--calibration", settings->calibration, "Stereo calibration, as for stereo")->required();
+  command->add_option("--skip", settings->options.skip, "Leave out so many frames at the beginning")
+      ->check(CLI::Range(0, 10'000'000));
   command->add_option("--every", settings->options.every, "Take one frame of so many")->check(CLI::Range(1, 10000));
   command->add_option("--frames", settings->options.maximum_frames, "At most so many frames")
       ->check(CLI::Range(3, 100000))
@@ -69,8 +72,10 @@ void add_sequence(CLI::App& app, Action& chosen) {
   command->add_option("--model", settings->model, "Surface to register to; absent: the frames' own, aligned globally");
   command->add_option("--landmarks", settings->landmarks, "tracks.csv made by an expert; absent: tracked features");
   command->add_option("--out", settings->out, "New folder for sequence.json, clouds and pictures")->required();
-  command->callback(
-      [&chosen, settings] { chosen = [settings](const Progress& progress) { return run(*settings, progress); }; });
+  command->callback([&chosen, settings, right, eyes] {
+    check_eyes(*right, *eyes);
+    chosen = [settings](const Progress& progress) { return run(*settings, progress); };
+  });
 }
 
 }  // namespace glisson::cli

@@ -3,12 +3,11 @@
 #include "vision/stereo.h"
 
 #include <fmt/format.h>
-#include <algorithm>
-#include <cmath>
 
 #include "command.h"
+#include "eyes.h"
 #include "geometry/mesh_file.h"
-#include "scene/colour.h"
+#include "scene/depth_picture.h"
 #include "shared_options.h"
 #include "vision/picture_check.h"
 
@@ -17,12 +16,12 @@ namespace {
 
 struct StereoCommand {
   std::string left, right, calibration, out, picture;
+  vision::Shared shared = vision::Shared::left_then_right;
   vision::StereoOptions options;
 };
 
 Result<vision::StereoCloud> see(const StereoCommand& command, const vision::StereoCalibration& calibration,
                                 vision::PictureCheck& check);
-vision::Frame depth_picture(const vision::StereoCloud& cloud);
 
 Result<Outcome> run(const StereoCommand& command) {
   const auto calibration = vision::read_stereo_calibration(command.calibration);
@@ -39,7 +38,8 @@ Result<Outcome> run(const StereoCommand& command) {
               {}});
   }
   if (!command.picture.empty()) {
-    if (auto written = vision::write_frame(depth_picture(*cloud), command.picture); !written) {
+    if (auto written = vision::write_frame(scene::depth_picture(*cloud, command.options.step_px), command.picture);
+        !written) {
       return failure(written.error());
     }
   }
@@ -75,40 +75,17 @@ Result<Outcome> run(const StereoCommand& command) {
 // The pictures themselves say whether the calibration is theirs, and which way it goes.
 Result<vision::StereoCloud> see(const StereoCommand& command, const vision::StereoCalibration& calibration,
                                 vision::PictureCheck& check) {
-  const auto left = vision::read_frame(command.left);
-  if (!left) return failure(left.error());
-  const auto right = vision::read_frame(command.right);
-  if (!right) return failure(right.error());
-  auto matcher = vision::StereoMatcher::prepare(calibration, left->width, left->height, command.options);
+  const auto pair = vision::read_pair({command.left, command.right, command.shared});
+  if (!pair) return failure(pair.error());
+  const auto& [left, right] = *pair;
+  auto matcher = vision::StereoMatcher::prepare(calibration, left.width, left.height, command.options);
   if (!matcher) return failure(matcher.error());
-  auto cloud = matcher->cloud(*left, *right);
+  auto cloud = matcher->cloud(left, right);
   if (!cloud) return cloud;
-  const auto checked = vision::check_against_pictures(calibration, *left, *right);
+  const auto checked = vision::check_against_pictures(calibration, left, right);
   if (!checked) return failure(checked.error());
   check = *checked;
   return cloud;
-}
-
-// The left picture beside its depths, near ones bright.
-vision::Frame depth_picture(const vision::StereoCloud& cloud) {
-  const vision::Frame& seen = cloud.picture;
-  vision::Frame both{2 * seen.width, seen.height, std::vector<std::uint8_t>(2 * seen.rgb.size(), 0)};
-  for (int y = 0; y < seen.height; ++y) std::copy_n(seen.at(0, y), 3 * seen.width, both.at(0, y));
-  std::vector<double> depths_mm;
-  for (const Eigen::Vector3d& point : cloud.points_mm) depths_mm.push_back(point.z());
-  std::sort(depths_mm.begin(), depths_mm.end());
-  const double nearest_mm = depths_mm[depths_mm.size() / 50];  // stray points do not set the scale
-  const double farthest_mm = depths_mm[depths_mm.size() - 1 - depths_mm.size() / 50];
-  const double range_mm = std::max(1e-9, farthest_mm - nearest_mm);
-  for (std::size_t i = 0; i < cloud.points_mm.size(); ++i) {
-    const auto [red, green, blue] =
-        scene::colour_at(scene::ColourMap::viridis, (farthest_mm - cloud.points_mm[i].z()) / range_mm);
-    std::uint8_t* const pixel = both.at(seen.width + cloud.pixels[i][0], cloud.pixels[i][1]);
-    pixel[0] = static_cast<std::uint8_t>(std::lround(255 * red));
-    pixel[1] = static_cast<std::uint8_t>(std::lround(255 * green));
-    pixel[2] = static_cast<std::uint8_t>(std::lround(255 * blue));
-  }
-  return both;
 }
 
 }  // namespace
@@ -117,7 +94,8 @@ void add_stereo(CLI::App& app, Action& chosen) {
   CLI::App* command = app.add_subcommand("stereo", "Turn a stereo pair into points in left-camera mm");
   auto settings = std::make_shared<StereoCommand>();
   command->add_option("left", settings->left, "Left picture")->required();
-  command->add_option("right", settings->right, "Right picture")->required();
+  CLI::Option* right = command->add_option("right", settings->right, "Right picture; none with --eyes");
+  CLI::Option* eyes = add_eyes(*command, right, settings->shared);
   command
       ->add_option("--calibration", settings->calibration,
                    "Stereo calibration: JSON, OpenCV's YAML, or a folder of text files")
@@ -130,7 +108,10 @@ void add_stereo(CLI::App& app, Action& chosen) {
   command->add_option("--out", settings->out, "Cloud with triangles between neighbours (.ply, .obj, .stl, .vtp)")
       ->required();
   command->add_option("--picture", settings->picture, "The left picture beside its depths (.png)");
-  command->callback([&chosen, settings] { chosen = [settings](const Progress&) { return run(*settings); }; });
+  command->callback([&chosen, settings, right, eyes] {
+    check_eyes(*right, *eyes);
+    chosen = [settings](const Progress&) { return run(*settings); };
+  });
 }
 
 }  // namespace glisson::cli

@@ -38,6 +38,7 @@ void add_study_example_sequence(CLI::App& study, Action& chosen) {
   command->add_option("--patient", options->sequence.patient, "Seed of the generated liver (see study anatomy)")
       ->capture_default_str();
   command->add_option("--seed", options->sequence.seed, "Of noise")->capture_default_str();
+  command->add_flag("--stereo", options->sequence.stereo, "Both eyes' pictures and their calibration too, in video/");
   command->add_option("--out", options->out, "New folder for sequence.json, clouds, pictures and truth.json")
       ->required();
   command->callback(

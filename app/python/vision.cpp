@@ -218,11 +218,9 @@ Raises glisson.Error: stereo-image-sizes, stereo-failed.)");
         options.model = model;
         options.landmarks = landmarks;
         const auto made = long_call(progress, [&](const Progress& told) -> Result<registration_quality::VideoSequence> {
-          auto l = FrameSource::open(left);
-          if (!l) return failure(l.error());
-          auto r = FrameSource::open(right);
-          if (!r) return failure(r.error());
-          return registration_quality::make_sequence(*l, *r, calibration, folder, options, told);
+          auto video = StereoSource::open({left, right});
+          if (!video) return failure(video.error());
+          return registration_quality::make_sequence(*video, calibration, folder, options, told);
         });
         return py::dict("file"_a = made.file, "frames"_a = made.frames, "landmarks"_a = made.landmarks,
                         "mean_points"_a = made.mean_points, "valid_fraction"_a = made.mean_valid_fraction,

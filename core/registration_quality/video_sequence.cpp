@@ -22,19 +22,26 @@ constexpr auto benchmark_name = "benchmark.csv";
 // The frames as they come, written one by one.
 class Recording {
  public:
-  Recording(const vision::StereoCalibration& calibration, const fs::path& folder, const VideoSequenceOptions& options)
-      : calibration_(calibration), folder_(folder), options_(options), tracker_(calibration, options.tracks) {}
+  Recording(const vision::StereoCalibration& calibration, const fs::path& folder, const VideoSequenceOptions& options,
+            const FrameMatched& matched)
+      : calibration_(calibration),
+        folder_(folder),
+        options_(options),
+        matched_(matched),
+        tracker_(calibration, options.tracks) {}
 
-  Result<void> add(const vision::Frame& left, const vision::Frame& right, int number);
+  Result<void> add(const vision::StereoPair& pair, int number);
   Result<VideoSequence> finish(const Progress& progress);
 
  private:
+  Result<void> begin(const vision::StereoPair& first);
   Result<void> write_landmarks(const std::vector<vision::Track>& tracks);
   Result<geometry::Surface> aligned_model(const std::vector<vision::Track>& tracks, const Progress& progress);
 
   const vision::StereoCalibration& calibration_;
   const fs::path& folder_;
   const VideoSequenceOptions& options_;
+  const FrameMatched& matched_;
   std::optional<vision::StereoMatcher> matcher_;
   vision::LandmarkTracker tracker_;
   std::vector<geometry::Surface> surfaces_;
@@ -43,18 +50,19 @@ class Recording {
   VideoSequence sequence_;
 };
 
-Result<VideoSequence> record(vision::FrameSource& left, vision::FrameSource& right, Recording recording,
-                             const VideoSequenceOptions& options, const Progress& progress);
+Result<VideoSequence> record(vision::StereoSource& video, Recording recording, const VideoSequenceOptions& options,
+                             const Progress& progress);
 
 }  // namespace
 
-Result<VideoSequence> make_sequence(vision::FrameSource& left, vision::FrameSource& right,
-                                    const vision::StereoCalibration& calibration, const fs::path& folder,
-                                    const VideoSequenceOptions& options, const Progress& progress) {
+Result<VideoSequence> make_sequence(vision::StereoSource& video, const vision::StereoCalibration& calibration,
+                                    const fs::path& folder, const VideoSequenceOptions& options,
+                                    const Progress& progress, const FrameMatched& matched) {
   auto made = NewSequenceFolder::make(folder);
   if (!made) return failure(made.error());
-  auto sequence = record(left, right, Recording(calibration, made->beside(), options), options, progress);
+  auto sequence = record(video, Recording(calibration, made->beside(), options, matched), options, progress);
   if (!sequence) return sequence;
+  if (progress.cancelled()) return cancelled();
   if (auto kept = made->keep(); !kept) return failure(kept.error());
   sequence->file = folder / sequence->file.filename();
   return sequence;
@@ -62,49 +70,58 @@ Result<VideoSequence> make_sequence(vision::FrameSource& left, vision::FrameSour
 
 namespace {
 
-Result<VideoSequence> record(vision::FrameSource& left, vision::FrameSource& right, Recording recording,
-                             const VideoSequenceOptions& options, const Progress& progress) {
-  const double expected =
-      std::min(options.maximum_frames, std::max(1, left.count().value_or(options.maximum_frames) / options.every));
+Result<VideoSequence> record(vision::StereoSource& video, Recording recording, const VideoSequenceOptions& options,
+                             const Progress& progress) {
+  if (auto enough = video.has(options.needed()); !enough) return failure(enough.error());
+  const int to_come = std::max(1, video.count().value_or(1 << 30) - options.skip);
+  const double expected = std::min(options.maximum_frames, (to_come - 1) / options.every + 1);
   for (int number = 0, taken = 0; taken < options.maximum_frames; ++number) {
     if (progress.cancelled()) return cancelled();
-    const auto from_left = left.next();
-    if (!from_left) return failure(from_left.error());
-    const auto from_right = right.next();
-    if (!from_right) return failure(from_right.error());
-    if (from_left->has_value() != from_right->has_value()) {
-      return failure("sequence-lengths", GLISSON_TEXT("The {0} video ends before the other, at frame {1}."),
-                     {from_left->has_value() ? "right" : "left", std::to_string(number)});
-    }
-    if (!*from_left) break;
-    if (number % options.every != 0) continue;
-    if (auto added = recording.add(**from_left, **from_right, number); !added) return failure(added.error());
-    progress.report(0.8 * ++taken / expected, GLISSON_TEXT("frames"));
+    const auto pair = video.next();
+    if (!pair) return failure(pair.error());
+    if (!*pair) break;
+    if (number < options.skip || (number - options.skip) % options.every != 0) continue;
+    if (auto added = recording.add(**pair, number); !added) return failure(added.error());
+    progress.report(std::min(0.8, 0.8 * ++taken / expected), GLISSON_TEXT("frames"));
   }
   return recording.finish(progress.part(0.8, 1));
 }
 
-Result<void> Recording::add(const vision::Frame& left, const vision::Frame& right, int number) {
+Result<void> Recording::begin(const vision::StereoPair& first) {
+  const int width = first.left.width, height = first.left.height;
+  auto matcher = vision::StereoMatcher::prepare(calibration_, width, height, options_.stereo);
+  if (!matcher) return failure(matcher.error());
+  matcher_ = std::move(*matcher);
+  const auto check = vision::check_against_pictures(calibration_, first.left, first.right);
+  if (!check) return failure(check.error());
+  sequence_.epipolar_px = check->epipolar_px;
+  if (!vision::may_be_of_size(calibration_, width, height)) {
+    sequence_.notes.push_back(
+        fmt::format("the calibration's principal point lies far from the middle of {} x {} pixels: is it of this size?",
+                    width, height));
+  }
+  return {};
+}
+
+Result<void> Recording::add(const vision::StereoPair& pair, int number) {
+  const auto& [left, right] = pair;
   if (!matcher_) {
-    auto matcher = vision::StereoMatcher::prepare(calibration_, left.width, left.height, options_.stereo);
-    if (!matcher) return failure(matcher.error());
-    matcher_ = std::move(*matcher);
-    const auto check = vision::check_against_pictures(calibration_, left, right);
-    if (!check) return failure(check.error());
-    sequence_.epipolar_px = check->epipolar_px;
+    if (auto begun = begin(pair); !begun) return begun;
   }
   auto cloud = matcher_->cloud(left, right);
   if (!cloud) return failure(cloud.error());
   geometry::Surface seen;
-  seen.points_mm = std::move(cloud->points_mm);
-  seen.triangles = std::move(cloud->triangles);
+  seen.points_mm = cloud->points_mm;
+  seen.triangles = cloud->triangles;
   seen = geometry::largest_manifold_piece(seen);
   constexpr std::size_t fewest_triangles = 200;
   if (seen.triangles.size() < fewest_triangles) {
     sequence_.notes.push_back(fmt::format("frame {} of the video shows hardly anything in depth: left out", number));
+    ++sequence_.left_out;
     return {};
   }
   if (auto added = tracker_.add(left, right); !added) return failure(added.error());
+  if (matched_) matched_({number, *cloud, tracker_.followed()});
   const std::string name = fmt::format("f{:03}", frames_.size());
   if (auto written = vision::write_frame(left, folder_ / (name + ".png")); !written) return failure(written.error());
   if (auto written = geometry::write_surface(folder_ / (name + ".ply"), seen); !written) {
@@ -150,6 +167,9 @@ Result<VideoSequence> Recording::finish(const Progress& progress) {
                 {"model", "model.ply"},
                 {"camera", {{"matrix", matrix}, {"distortion", calibration_.left.distortion}}}};
   if (has_benchmark_) document["benchmark"] = benchmark_name;
+  if (auto written = vision::write_stereo_calibration(folder_ / "camera.json", calibration_); !written) {
+    return failure(written.error());
+  }
   sequence_.file = folder_ / "sequence.json";
   if (auto written = write_json_file(sequence_.file, document); !written) return failure(written.error());
   return std::move(sequence_);

@@ -29,50 +29,75 @@ std::pair<BoardView, BoardView> in_both(const BoardView& left, const BoardView& 
 
 }  // namespace
 
-Result<CalibrationFit> calibrate(const std::vector<BoardPair>& pairs, const Board& board) {
-  constexpr int fewest_views = 3, fewest_points = 12;
-  if (auto good = check(board); !good) return failure(good.error());
-  CalibrationFit fit;
+struct Calibrator::Inside {
+  Board board;
+  cv::Size size;  // of the first picture
+  int looked_at = 0;
   Seen left, right, left_of_both, right_of_both;
-  for (const BoardPair& pair : pairs) {
-    for (const Frame* frame : {&pair.left, &pair.right}) {
-      if (frame->width == pairs.front().left.width && frame->height == pairs.front().left.height) continue;
-      return failure("stereo-image-sizes", GLISSON_TEXT("{0} has {1} x {2} pixels, the first picture has {3} x {4}."),
-                     {pair.name, std::to_string(frame->width), std::to_string(frame->height),
-                      std::to_string(pairs.front().left.width), std::to_string(pairs.front().left.height)});
-    }
-    const auto in_left = find_board(pair.left, board), in_right = find_board(pair.right, board);
-    if (!in_left || !in_right) {
-      fit.notes.push_back(fmt::format("{}: the {} picture shows no board", pair.name, in_left ? "right" : "left"));
-      continue;
-    }
-    const auto [both_left, both_right] = in_both(*in_left, *in_right);
-    if (static_cast<int>(both_left.points.size()) < fewest_points) {
-      fit.notes.push_back(fmt::format("{}: both eyes see only {} points", pair.name, both_left.points.size()));
-      continue;
-    }
-    left.add(*in_left, board);
-    right.add(*in_right, board);
-    left_of_both.add(both_left, board);
-    right_of_both.add(both_right, board);
+  std::vector<std::string> notes;
+};
+
+Calibrator::Calibrator(std::unique_ptr<Inside> inside) : inside_(std::move(inside)) {}
+Calibrator::Calibrator(Calibrator&&) noexcept = default;
+Calibrator& Calibrator::operator=(Calibrator&&) noexcept = default;
+Calibrator::~Calibrator() = default;
+
+Result<Calibrator> Calibrator::begin(const Board& board) {
+  if (auto good = check(board); !good) return failure(good.error());
+  auto inside = std::make_unique<Inside>();
+  inside->board = board;
+  return Calibrator(std::move(inside));
+}
+
+Result<void> Calibrator::add(const BoardPair& pair) {
+  constexpr std::size_t fewest_points = 12;
+  Inside& all = *inside_;
+  if (all.looked_at++ == 0) all.size = {pair.left.width, pair.left.height};
+  for (const Frame* frame : {&pair.left, &pair.right}) {
+    if (frame->width == all.size.width && frame->height == all.size.height) continue;
+    return failure("stereo-image-sizes", GLISSON_TEXT("{0} has {1} x {2} pixels, the first picture has {3} x {4}."),
+                   {pair.name, std::to_string(frame->width), std::to_string(frame->height),
+                    std::to_string(all.size.width), std::to_string(all.size.height)});
   }
-  fit.pairs = static_cast<int>(left.on_board.size());
-  fit.points = left_of_both.points();
+  const auto in_left = find_board(pair.left, all.board), in_right = find_board(pair.right, all.board);
+  if (!in_left || !in_right) {
+    all.notes.push_back(fmt::format("{}: the {} picture shows no board", pair.name, in_left ? "right" : "left"));
+    return {};
+  }
+  const auto [both_left, both_right] = in_both(*in_left, *in_right);
+  if (both_left.points.size() < fewest_points) {
+    all.notes.push_back(fmt::format("{}: both eyes see only {} points", pair.name, both_left.points.size()));
+    return {};
+  }
+  all.left.add(*in_left, all.board);
+  all.right.add(*in_right, all.board);
+  all.left_of_both.add(both_left, all.board);
+  all.right_of_both.add(both_right, all.board);
+  return {};
+}
+
+Result<CalibrationFit> Calibrator::fit() const {
+  constexpr int fewest_views = 3;
+  const Inside& all = *inside_;
+  CalibrationFit fit;
+  fit.notes = all.notes;
+  fit.looked_at = all.looked_at;
+  fit.pairs = static_cast<int>(all.left.on_board.size());
+  fit.points = all.left_of_both.points();
   if (fit.pairs < fewest_views) {
     return failure(Error{"calibration-too-few-views",
                          GLISSON_TEXT("{0} of {1} pairs show the board to both eyes; {2} are needed."),
-                         {std::to_string(fit.pairs), std::to_string(pairs.size()), std::to_string(fewest_views)},
+                         {std::to_string(fit.pairs), std::to_string(fit.looked_at), std::to_string(fewest_views)},
                          GLISSON_TEXT("Check the board's kind, its columns and rows; take it from several sides."),
                          {}});
   }
   try {
-    const cv::Size size(pairs.front().left.width, pairs.front().left.height);
-    Lens left_lens = fit_lens(left, size), right_lens = fit_lens(right, size);
+    Lens left_lens = fit_lens(all.left, all.size), right_lens = fit_lens(all.right, all.size);
     cv::Mat rotation, translation, essential, fundamental, each_rms;
     fit.stereo_rms_px =
-        cv::stereoCalibrate(left_of_both.on_board, left_of_both.in_picture, right_of_both.in_picture, left_lens.matrix,
-                            left_lens.distortion, right_lens.matrix, right_lens.distortion, size, rotation, translation,
-                            essential, fundamental, each_rms, cv::CALIB_FIX_INTRINSIC);
+        cv::stereoCalibrate(all.left_of_both.on_board, all.left_of_both.in_picture, all.right_of_both.in_picture,
+                            left_lens.matrix, left_lens.distortion, right_lens.matrix, right_lens.distortion, all.size,
+                            rotation, translation, essential, fundamental, each_rms, cv::CALIB_FIX_INTRINSIC);
     for (int view = 0; view < each_rms.rows; ++view) {
       fit.pair_rms_px.push_back(std::hypot(each_rms.at<double>(view, 0), each_rms.at<double>(view, 1)) /
                                 std::sqrt(2.0));
@@ -87,6 +112,8 @@ Result<CalibrationFit> calibrate(const std::vector<BoardPair>& pairs, const Boar
     cv::cv2eigen(translation, move);
     fit.calibration.left_to_right.linear() = turn;
     fit.calibration.left_to_right.translation() = move;
+    fit.calibration.width = all.size.width;
+    fit.calibration.height = all.size.height;
   } catch (const cv::Exception& problem) {
     return failure("calibration-failed", GLISSON_TEXT("The calibration did not converge: {0}."), {problem.err});
   }
@@ -100,6 +127,15 @@ Result<CalibrationFit> calibrate(const std::vector<BoardPair>& pairs, const Boar
                          {}});
   }
   return fit;
+}
+
+Result<CalibrationFit> calibrate(const std::vector<BoardPair>& pairs, const Board& board) {
+  auto calibrator = Calibrator::begin(board);
+  if (!calibrator) return failure(calibrator.error());
+  for (const BoardPair& pair : pairs) {
+    if (auto added = calibrator->add(pair); !added) return failure(added.error());
+  }
+  return calibrator->fit();
 }
 
 Result<double> reprojection_rms_px(const Camera& known, const std::vector<Frame>& frames, const Board& board) {

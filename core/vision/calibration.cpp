@@ -81,6 +81,14 @@ Result<StereoCalibration> read_json(const fs::path& file) {
   if (!transform || transform->size() != 16) return invalid(file, "left_to_right of 4 x 4 numbers");
   calibration.left_to_right.matrix() =
       Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(transform->data());
+  if (!document->contains("image_size")) return calibration;
+  const auto size = numbers((*document)["image_size"]);
+  const auto is_length = [](double length) { return length >= 1 && length <= 1e6 && length == std::floor(length); };
+  if (!size || size->size() != 2 || !is_length((*size)[0]) || !is_length((*size)[1])) {
+    return invalid(file, "image_size of two whole numbers");
+  }
+  calibration.width = static_cast<int>((*size)[0]);
+  calibration.height = static_cast<int>((*size)[1]);
   return calibration;
 }
 
@@ -216,9 +224,17 @@ Result<void> write_stereo_calibration(const fs::path& file, const StereoCalibrat
   const auto camera = [&](const Camera& eye) {
     return Json{{"matrix", rows(eye.matrix)}, {"distortion", eye.distortion}};
   };
-  return write_json_file(file, {{"left", camera(calibration.left)},
-                                {"right", camera(calibration.right)},
-                                {"left_to_right", rows(calibration.left_to_right.matrix())}});
+  Json document{{"left", camera(calibration.left)},
+                {"right", camera(calibration.right)},
+                {"left_to_right", rows(calibration.left_to_right.matrix())}};
+  if (calibration.width > 0) document["image_size"] = {calibration.width, calibration.height};
+  return write_json_file(file, document);
+}
+
+bool may_be_of_size(const StereoCalibration& calibration, int width, int height) {
+  const auto in_the_middle = [](double at, int length) { return at > 0.3 * length && at < 0.7 * length; };
+  return in_the_middle(calibration.left.matrix(0, 2), width) && in_the_middle(calibration.left.matrix(1, 2), height) &&
+         in_the_middle(calibration.right.matrix(0, 2), width) && in_the_middle(calibration.right.matrix(1, 2), height);
 }
 
 Result<StereoCalibration> checked(StereoCalibration calibration) {

@@ -22,6 +22,7 @@ struct StereoCalibration {
   Camera right;
   Eigen::Isometry3d left_to_right =
       Eigen::Isometry3d::Identity();  // takes a point in left-camera mm to right-camera mm
+  int width = 0, height = 0;          // of the pictures that it was made of; 0 where nothing says
   std::vector<std::string> notes;     // what was put right, and why
 
   [[nodiscard]] double baseline_mm() const { return left_to_right.translation().norm(); }
@@ -29,6 +30,7 @@ struct StereoCalibration {
 
 // Reads
 //   {"left": {"matrix": [3x3], "distortion": [..]}, "right": {...}, "left_to_right": [4x4]}      (.json)
+// where "image_size": [width, height] may say which pictures it is of;
 // or OpenCV's M1, D1, M2, D2, R, T, as its calibration samples write them                          (.yml, .yaml, .xml)
 // or a folder of plain text files, as public sets of laparoscopes have them. A name holds left or right, and intrinsic
 // (3 x 3) or distortion (any number, may be missing). One more file is l2r or r2l (4 x 4). A left_to_right that would
@@ -45,6 +47,10 @@ Result<Camera> camera_from_json(const std::string& text);
 
 // As the JSON above. Failures: those of write_json_file.
 Result<void> write_stereo_calibration(const std::filesystem::path& file, const StereoCalibration& calibration);
+
+// Whether both principal points lie within the middle two fifths of pictures of that size, as lenses are built: a
+// calibration at another size mostly does not, and nothing else tells where it says no size itself.
+[[nodiscard]] bool may_be_of_size(const StereoCalibration& calibration, int width, int height);
 
 // The same checks on values from elsewhere.
 Result<StereoCalibration> checked(StereoCalibration calibration);

@@ -59,6 +59,14 @@ Result<StereoMatcher> StereoMatcher::prepare(const StereoCalibration& calibratio
   if (!(options.nearest_mm > 0) || !(options.farthest_mm > options.nearest_mm)) {
     return failure("stereo-range", GLISSON_TEXT("The nearest depth must be positive and less than the farthest."));
   }
+  if (calibration.width > 0 && (calibration.width != width || calibration.height != height)) {
+    return failure(Error{"stereo-calibration-size",
+                         GLISSON_TEXT("The calibration is of pictures of {0} x {1} pixels; these have {2} x {3}."),
+                         {std::to_string(calibration.width), std::to_string(calibration.height), std::to_string(width),
+                          std::to_string(height)},
+                         GLISSON_TEXT("Calibrate at the size of the video, or scale the calibration's matrices."),
+                         {}});
+  }
   for (const Camera* camera : {&calibration.left, &calibration.right}) {
     const double x = camera->matrix(0, 2), y = camera->matrix(1, 2);
     if (x > 0 && x < width && y > 0 && y < height) continue;

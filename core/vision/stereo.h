@@ -50,8 +50,8 @@ struct StereoCloud {
 // The function for many pairs of one camera: what depends on the camera alone is worked out once.
 class StereoMatcher {
  public:
-  // Failures: "stereo-range" (depths that cannot be), "stereo-calibration-size" (the calibration's principal point lies
-  // outside pictures of this size), "stereo-failed".
+  // Failures: "stereo-range" (depths that cannot be), "stereo-calibration-size" (the calibration says another size, or
+  // its principal point lies outside pictures of this size), "stereo-failed".
   static Result<StereoMatcher> prepare(const StereoCalibration& calibration, int width, int height,
                                        const StereoOptions& options = {});
 

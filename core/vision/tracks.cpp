@@ -41,10 +41,11 @@ struct LandmarkTracker::Inside {
   Triangulator triangulate;
   std::vector<Followed> followed;
   int frames = 0;
+  int seen_again = 0;  // in the latest
 };
 
 LandmarkTracker::LandmarkTracker(const StereoCalibration& calibration, const TrackOptions& options)
-    : inside_(std::make_unique<Inside>(Inside{options, Triangulator(calibration), {}, 0})) {}
+    : inside_(std::make_unique<Inside>(Inside{options, Triangulator(calibration), {}, 0, 0})) {}
 LandmarkTracker::LandmarkTracker(LandmarkTracker&&) noexcept = default;
 LandmarkTracker& LandmarkTracker::operator=(LandmarkTracker&&) noexcept = default;
 LandmarkTracker::~LandmarkTracker() = default;
@@ -55,7 +56,7 @@ Result<void> LandmarkTracker::add(const Frame& left, const Frame& right) {
                    {std::to_string(left.width), std::to_string(left.height), std::to_string(right.width),
                     std::to_string(right.height)});
   }
-  auto& [options, triangulate, followed, frames] = *inside_;
+  auto& [options, triangulate, followed, frames, seen_again] = *inside_;
   SeenPoint seen;
   try {
     seen = see(left, right, triangulate, options);
@@ -76,7 +77,9 @@ Result<void> LandmarkTracker::add(const Frame& left, const Frame& right) {
     is_known[at] = true;
   };
   const auto rounds = closed_rounds(awaited, seen, options);
-  for (const auto& [old, row] : like_their_neighbours(awaited, seen, rounds, options.unlike_neighbours_mm)) {
+  const auto kept = like_their_neighbours(awaited, seen, rounds, options.unlike_neighbours_mm);
+  seen_again = static_cast<int>(kept.size());
+  for (const auto& [old, row] : kept) {
     note(followed[static_cast<std::size_t>(awaited[static_cast<std::size_t>(old)] - followed.data())], row);
   }
   for (int row = 0; row < seen.count(); ++row) {
@@ -84,6 +87,8 @@ Result<void> LandmarkTracker::add(const Frame& left, const Frame& right) {
   }
   return {};
 }
+
+int LandmarkTracker::followed() const { return inside_->seen_again; }
 
 std::vector<Track> LandmarkTracker::tracks() const {
   const double fewest =

@@ -51,6 +51,8 @@ class LandmarkTracker {
   // The next frame. Failures: "stereo-image-sizes" (the two differ), "stereo-failed".
   Result<void> add(const Frame& left, const Frame& right);
 
+  // How many landmarks the latest frame shows that were known before.
+  [[nodiscard]] int followed() const;
   // What was followed so far, the longest first; ids g0, g1, ...
   [[nodiscard]] std::vector<Track> tracks() const;
 

@@ -77,6 +77,50 @@ TEST(SequenceCommand, LeadsFromAVideoToTwoRegistrationsSideBySide) {
   }
 }
 
+// One video whose pictures show both eyes side by side comes to the same sequence as two, to the byte.
+TEST(SequenceCommand, TakesBothEyesFromOneVideo) {
+  const TemporaryFolder folder;
+  const auto at = [&](const char* name) { return (folder.path() / name).string(); };
+  const Finished made =
+      glisson_cli({"study", "example-sequence", "--stereo", "--frames", "6", "--out", at("example"), "--quiet"});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  const auto video = folder.path() / "example" / "video";
+  std::filesystem::create_directories(at("both"));
+  for (int t = 0; t < 6; ++t) {
+    const std::string name = "f00" + std::to_string(t) + ".png";
+    const vision::Frame left = vision::read_frame(video / "left" / name).value();
+    const vision::Frame right = vision::read_frame(video / "right" / name).value();
+    vision::Frame both{2 * left.width, left.height, std::vector<std::uint8_t>(2 * left.rgb.size())};
+    for (int y = 0; y < left.height; ++y) {
+      std::copy_n(left.at(0, y), 3 * left.width, both.at(0, y));
+      std::copy_n(right.at(0, y), 3 * left.width, both.at(left.width, y));
+    }
+    ASSERT_TRUE(vision::write_frame(both, folder.path() / "both" / name));
+  }
+  const std::string camera = (video / "camera.json").string();
+  const auto sequence = [&](std::vector<std::string> from, const char* out) {
+    from.insert(from.begin(), "sequence");
+    for (const std::string& word : {std::string("--calibration"), camera, std::string("--step"), std::string("8"),
+                                    std::string("--out"), at(out), std::string("--json"), std::string("--quiet")}) {
+      from.push_back(word);
+    }
+    return glisson_cli(from);
+  };
+  const Finished of_two = sequence({(video / "left").string(), (video / "right").string()}, "of-two");
+  ASSERT_EQ(of_two.exit_code, 0) << of_two.out << of_two.err;
+  EXPECT_GT(of_two.json().at("landmarks").get<int>(), 20);
+  const Finished of_one = sequence({at("both"), "--eyes", "left-right"}, "of-one");
+  ASSERT_EQ(of_one.exit_code, 0) << of_one.out << of_one.err;
+  for (const char* name : {"sequence.json", "tracks.csv", "f000.ply", "f003.ply", "f003.png", "camera.json"}) {
+    EXPECT_EQ(read_text_file(folder.path() / "of-one" / name).value(),
+              read_text_file(folder.path() / "of-two" / name).value())
+        << name;
+  }
+  EXPECT_EQ(sequence({at("both"), "--eyes", "right-left"}, "exchanged").exit_code, 1);
+  EXPECT_EQ(sequence({at("both")}, "one-eye").exit_code, 2);  // nothing says where the other is
+  EXPECT_FALSE(std::filesystem::exists(at("exchanged")));
+}
+
 TEST(CalibrateCommand, SaysHowFarItIsFromTheKnownLenses) {
   GLISSON_NEEDS_DATA("ucl_stereo_laparoscope_calib");
   const auto folder = shared_data() / "ucl_stereo_laparoscope_calib";

@@ -43,10 +43,10 @@ class VideoFolders {
     EXPECT_TRUE(vision::write_stereo_calibration(folder / "camera.json", StereoVideo::calibration()));
   }
   [[nodiscard]] std::filesystem::path out() const { return folder_.path() / "sequence"; }
-  [[nodiscard]] Result<VideoSequence> make(const VideoSequenceOptions& options) const {
-    auto from_left = vision::FrameSource::open(left()).value();
-    auto from_right = vision::FrameSource::open(right()).value();
-    return make_sequence(from_left, from_right, StereoVideo::calibration(), out(), options);
+  [[nodiscard]] Result<VideoSequence> make(const VideoSequenceOptions& options, const Progress& progress = {},
+                                           const FrameMatched& matched = {}) const {
+    auto video = vision::StereoSource::open({left(), right()}).value();
+    return make_sequence(video, StereoVideo::calibration(), out(), options, progress, matched);
   }
 
  private:
@@ -65,6 +65,8 @@ TEST(VideoSequence, GoesFromPicturesToAJudgedRegistration) {
   EXPECT_GT(made->landmarks, 30);
   EXPECT_LT(made->epipolar_px, 1);
   EXPECT_LT((*made->alignment_rms_mm)[2], (*made->alignment_rms_mm)[0]);
+  EXPECT_EQ(vision::read_stereo_calibration(video.out() / "camera.json").value().baseline_mm(),
+            StereoVideo::baseline_mm);
 
   const SequenceFiles files = read_sequence(made->file).value();
   EXPECT_EQ(files.clouds.size(), 5u);
@@ -110,6 +112,31 @@ TEST(VideoSequence, LeavesNothingWhereItFails) {
   ASSERT_TRUE(write_text_file(video.out() / "mine.txt", "kept"));
   EXPECT_EQ(video.make({}).error().code, "sequence-folder-not-empty");
   EXPECT_TRUE(std::filesystem::exists(video.out() / "mine.txt"));
+}
+
+TEST(VideoSequence, TellsEachFrameAndLeavesNothingWhereItIsCancelled) {
+  GLISSON_NEEDS_DATA("hamlyn_heart_stereo");
+  const VideoFolders video(5);
+  VideoSequenceOptions options;
+  options.stereo.step_px = 8;
+  options.skip = 1;
+  options.every = 2;
+  std::stop_source stop;
+  std::vector<int> numbers;
+  const auto made = video.make(options, Progress({}, stop.get_token()), [&](const MatchedFrame& frame) {
+    numbers.push_back(frame.number);
+    EXPECT_GT(frame.cloud.points_mm.size(), 500u);
+    EXPECT_EQ(frame.cloud.picture.width, StereoVideo::width);
+    EXPECT_EQ(frame.followed > 30, numbers.size() > 1) << frame.followed;
+    if (numbers.size() == 2) stop.request_stop();
+  });
+  EXPECT_EQ(numbers, (std::vector<int>{1, 3}));
+  EXPECT_EQ(made.error().code, "cancelled");
+  std::size_t left = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(video.out().parent_path())) {
+    left += entry.path().filename() != "left" && entry.path().filename() != "right" ? 1 : 0;
+  }
+  EXPECT_EQ(left, 0u);
 }
 
 }  // namespace

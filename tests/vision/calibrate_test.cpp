@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
+#include "base/files.h"
 #include "support/data.h"
 
 namespace glisson::vision {
@@ -107,19 +108,60 @@ void expect_the_truth(const CalibrationFit& fit, double rms_px, double share_of_
   EXPECT_TRUE(fit.calibration.left_to_right.linear().isApprox(known.left_to_right.linear(), 0.01));
 }
 
+int chessboard_shade(double x, double y) {
+  const double column = std::floor(x / 5) + 1, row = std::floor(y / 5) + 1;  // 10 x 7 fields around the corners
+  if (column < 0 || column > 9 || row < 0 || row > 6) return 230;
+  return (static_cast<int>(column) + static_cast<int>(row)) % 2 == 0 ? 20 : 230;
+}
+
 TEST(Calibrate, FindsTheCameraThatPhotographedAChessboard) {
   Board board;
   board.columns = 9;
   board.rows = 6;
   board.spacing_mm = 5;
-  const auto pairs = photographs({20, 12.5, 0}, [](double x, double y) {
-    const double column = std::floor(x / 5) + 1, row = std::floor(y / 5) + 1;  // 10 x 7 fields around the corners
-    if (column < 0 || column > 9 || row < 0 || row > 6) return 230;
-    return (static_cast<int>(column) + static_cast<int>(row)) % 2 == 0 ? 20 : 230;
-  });
+  const auto pairs = photographs({20, 12.5, 0}, chessboard_shade);
   const auto fit = calibrate(pairs, board);
   ASSERT_TRUE(fit.has_value()) << fit.error().message();
   expect_the_truth(*fit, 0.15, 0.005);
+}
+
+// The same board, from files: two folders, or one whose pictures show both eyes.
+TEST(Calibrate, ReadsBoardsOfTwoEyesInOnePicture) {
+  Board board;
+  board.columns = 9;
+  board.rows = 6;
+  board.spacing_mm = 5;
+  const auto pairs = photographs({20, 12.5, 0}, chessboard_shade);
+  const TemporaryFolder folder;
+  BoardPictures apart, together;
+  apart.board = together.board = board;
+  for (const char* name : {"left", "right", "both"}) std::filesystem::create_directories(folder.path() / name);
+  for (const BoardPair& pair : pairs) {
+    Frame both{2 * board_width, board_height, std::vector<std::uint8_t>(2 * pair.left.rgb.size())};
+    for (int y = 0; y < board_height; ++y) {
+      std::copy_n(pair.left.at(0, y), 3 * board_width, both.at(0, y));
+      std::copy_n(pair.right.at(0, y), 3 * board_width, both.at(board_width, y));
+    }
+    ASSERT_TRUE(write_frame(pair.left, folder.path() / "left" / (pair.name + ".png")));
+    ASSERT_TRUE(write_frame(pair.right, folder.path() / "right" / (pair.name + ".png")));
+    ASSERT_TRUE(write_frame(both, folder.path() / "both" / (pair.name + ".png")));
+  }
+  apart.left = {folder.path() / "left"};
+  apart.right = {folder.path() / "right"};
+  together.left = {folder.path() / "both"};
+  const CalibrationFit of_two = calibrate(apart).value(), of_one = calibrate(together).value();
+  EXPECT_EQ(of_two.looked_at, 6);
+  EXPECT_EQ(of_one.pairs, 6);
+  EXPECT_EQ(of_one.calibration.width, board_width);
+  EXPECT_EQ(of_one.stereo_rms_px, of_two.stereo_rms_px);
+  EXPECT_EQ(of_one.calibration.left_to_right.matrix(), of_two.calibration.left_to_right.matrix());
+  EXPECT_EQ(of_one.stereo_rms_px, calibrate(pairs, board).value().stereo_rms_px);
+
+  apart.right = {folder.path() / "right" / "0.png", folder.path() / "right" / "1.png"};
+  EXPECT_EQ(calibrate(apart).error().code, "calibration-not-paired");
+  std::stop_source stop;
+  stop.request_stop();
+  EXPECT_EQ(calibrate(together, Progress({}, stop.get_token())).error().code, "cancelled");
 }
 
 TEST(Calibrate, FindsTheCameraThatPhotographedCircles) {

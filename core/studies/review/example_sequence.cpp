@@ -35,6 +35,7 @@ struct Fault {
   }
 };
 
+constexpr double eyes_apart_mm = 5.5;      // of the stereo video
 constexpr std::size_t hidden_places = 12;  // whose truth is told
 
 class Recording {
@@ -43,6 +44,7 @@ class Recording {
             const ExampleSequenceOptions& options);
   Result<void> add(int frame);
   Result<fs::path> finish();
+  Result<void> begin_video();
 
  private:
   [[nodiscard]] geometry::Surface cloud_of(const ExampleScene::View& view, std::vector<Vector3d>& rest_mm);
@@ -77,6 +79,9 @@ Result<fs::path> write_example_sequence(const fs::path& folder, const ExampleSeq
   if (!made) return failure(made.error());
   const ExampleScene scene(*liver);
   Recording recording(scene, *liver, made->beside(), options);
+  if (options.stereo) {
+    if (auto begun = recording.begin_video(); !begun) return failure(begun.error());
+  }
   for (int frame = 0; frame < options.frames; ++frame) {
     if (progress.cancelled()) return cancelled();
     if (auto added = recording.add(frame); !added) return failure(added.error());
@@ -152,6 +157,12 @@ Result<void> Recording::add(int frame) {
   const std::string image = fmt::format("f{:03}.jpg", frame), cloud = fmt::format("f{:03}.ply", frame),
                     registered = fmt::format("r{:03}.ply", frame);
   if (auto written = vision::write_frame(view.picture, folder_ / image); !written) return written;
+  if (options_.stereo) {
+    const std::string name = fmt::format("f{:03}.png", frame);
+    const vision::Frame right = scene_.view(frame, eyes_apart_mm).picture;
+    if (auto written = vision::write_frame(view.picture, folder_ / "video" / "left" / name); !written) return written;
+    if (auto written = vision::write_frame(right, folder_ / "video" / "right" / name); !written) return written;
+  }
   std::vector<Vector3d> rest_mm;
   geometry::Surface seen = cloud_of(view, rest_mm);
   if (auto written = geometry::write_surface(folder_ / cloud, seen); !written) return written;
@@ -165,6 +176,23 @@ Result<void> Recording::add(int frame) {
   frames_.push_back({{"image", image}, {"cloud", cloud}});
   registered_.push_back(registered);
   return {};
+}
+
+Result<void> Recording::begin_video() {
+  for (const char* eye : {"left", "right"}) {
+    std::error_code problem;
+    fs::create_directories(folder_ / "video" / eye, problem);
+    if (problem) {
+      return failure("folder-not-made", GLISSON_TEXT("The folder {0} cannot be made: {1}."),
+                     {(folder_ / "video" / eye).string(), problem.message()});
+    }
+  }
+  vision::StereoCalibration calibration;
+  calibration.left = calibration.right = scene_.camera();
+  calibration.left_to_right.translation() = Vector3d(-eyes_apart_mm, 0, 0);
+  calibration.width = ExampleScene::width;
+  calibration.height = ExampleScene::height;
+  return vision::write_stereo_calibration(folder_ / "video" / "camera.json", calibration);
 }
 
 // A point every few pixels, as stereo would have them; `rest_mm` says where each lies at rest.

@@ -22,14 +22,16 @@ struct ExampleSequenceOptions {
   double fault_radius_mm = 32;
   std::uint64_t patient = 1;  // seed of the generated liver; 1 is the demo patient's
   std::uint64_t seed = 2026;  // of noise
+  bool stereo = false;        // the video itself too, as a stereo laparoscope would take it
 };
 
 // Writes folder/sequence.json, the frames' pictures and clouds, tracks.csv and model.ply. For the method "given" it
 // writes the clouds as registered, with one known fault that comes and goes. Where that is stands in truth.json, with
 // how the patient lies in the camera's frame at rest. Places inside the liver, which no picture shows, are in
-// hidden.csv (patient coordinates). Where each is in each frame is in hidden-truth.csv (camera). The folder must not
-// exist or be empty ("sequence-folder-not-empty"). Other failures: those of writing files; "cancelled". After a failure
-// the folder is gone, or as empty as it was. Returns sequence.json.
+// hidden.csv (patient coordinates). Where each is in each frame is in hidden-truth.csv (camera). With `stereo`,
+// video/left and video/right hold both eyes' pictures and video/camera.json their calibration: a video to begin with.
+// The folder must not exist or be empty ("sequence-folder-not-empty"). Other failures: those of writing files;
+// "cancelled". After a failure the folder is gone, or as empty as it was. Returns sequence.json.
 Result<std::filesystem::path> write_example_sequence(const std::filesystem::path& folder,
                                                      const ExampleSequenceOptions& options = {},
                                                      const Progress& progress = {});

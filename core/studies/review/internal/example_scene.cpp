@@ -134,7 +134,7 @@ Vector3d ExampleScene::moved(const Vector3d& rest_mm, double frame) const {
   return rest_mm + down_and_forth + Vector3d(0, 0, 9 * pressing(frame) * bump((rest_mm - pressed_mm_).norm(), 26));
 }
 
-ExampleScene::View ExampleScene::view(double frame) const {
+ExampleScene::View ExampleScene::view(double frame, double eye_mm) const {
   constexpr std::size_t pixels = std::size_t{width} * height;
   View view{{width, height, std::vector<std::uint8_t>(3 * pixels)},
             std::vector<double>(pixels, unseen_mm),
@@ -148,16 +148,16 @@ ExampleScene::View ExampleScene::view(double frame) const {
       pixel[2] = static_cast<std::uint8_t>(22 + 12 * grain);
     }
   }
-  draw_liver(frame, view);
-  draw_tool(frame, view);
+  draw_liver(frame, {eye_mm, 0, 0}, view);
+  draw_tool(frame, {eye_mm, 0, 0}, view);
   return view;
 }
 
 // Each triangle's pixels, the nearest winning; places within it are found by its corners' depths, as perspective has
 // it.
-void ExampleScene::draw_liver(double frame, View& view) const {
+void ExampleScene::draw_liver(double frame, const Vector3d& eye_mm, View& view) const {
   geometry::Surface now = model_;
-  for (Vector3d& point : now.points_mm) point = moved(point, frame);
+  for (Vector3d& point : now.points_mm) point = moved(point, frame) - eye_mm;
   const auto normals = geometry::point_normals(now);
   for (const auto& triangle : model_.triangles) {
     std::array<Vector3d, 3> corner;
@@ -202,9 +202,10 @@ void ExampleScene::draw_liver(double frame, View& view) const {
 }
 
 // A rod from the lower right, its tip on the liver while it presses and above it otherwise.
-void ExampleScene::draw_tool(double frame, View& view) const {
+void ExampleScene::draw_tool(double frame, const Vector3d& eye_mm, View& view) const {
   constexpr double radius_mm = 2.5;
-  const Vector3d tip = moved(pressed_mm_, frame) - Vector3d(0, 0, 1 + 14 * std::max(0.0, 0.35 - pressing(frame)));
+  const Vector3d tip =
+      moved(pressed_mm_, frame) - Vector3d(0, 0, 1 + 14 * std::max(0.0, 0.35 - pressing(frame))) - eye_mm;
   const Vector3d back = Vector3d(0.62, 0.36, -0.7).normalized();
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {

@@ -38,12 +38,13 @@ class ExampleScene {
 
     [[nodiscard]] std::optional<double> depth_at(int x, int y) const;
   };
-  [[nodiscard]] View view(double frame) const;
+  // From an eye that far to the right of the camera; what is seen stays told in the camera's space, depths alike.
+  [[nodiscard]] View view(double frame, double eye_mm = 0) const;
 
  private:
   [[nodiscard]] double pressing(double frame) const;  // 0..1
-  void draw_liver(double frame, View& view) const;
-  void draw_tool(double frame, View& view) const;
+  void draw_liver(double frame, const Eigen::Vector3d& eye_mm, View& view) const;
+  void draw_tool(double frame, const Eigen::Vector3d& eye_mm, View& view) const;
 
   vision::Camera camera_;
   Eigen::Isometry3d pose_ = Eigen::Isometry3d::Identity();
