@@ -6703,6 +6703,26 @@
         <source>Compare orders of steps</source>
         <translation>Schrittfolgen vergleichen</translation>
     </message>
+    <message>
+        <source>The calibration is of pictures of {0} x {1} pixels; these have {2} x {3}.</source>
+        <translation>Die Kalibrierung gilt für Bilder von {0} x {1} Pixeln; diese haben {2} x {3}.</translation>
+    </message>
+    <message>
+        <source>A picture of {0} x {1} pixels cannot be halved into two of one size.</source>
+        <translation>Ein Bild von {0} x {1} Pixeln lässt sich nicht in zwei gleich große teilen.</translation>
+    </message>
+    <message>
+        <source>Give a video whose pictures show both eyes, or one video for each eye.</source>
+        <translation>Geben Sie ein Video an, dessen Bilder beide Augen zeigen, oder eines für jedes Auge.</translation>
+    </message>
+    <message>
+        <source>The two videos differ in length: frames of the left one {0}, of the right one {1}.</source>
+        <translation>Die beiden Videos sind verschieden lang: Bilder des linken {0}, des rechten {1}.</translation>
+    </message>
+    <message>
+        <source>Give two videos of the same moments, or take fewer frames than both have.</source>
+        <translation>Geben Sie zwei Videos derselben Zeit an, oder nehmen Sie weniger Bilder, als beide haben.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>
@@ -7954,6 +7974,49 @@ Keine Messungen zur Hand? Probieren Sie das Beispiel: eine simulierte Gewebeprob
     </message>
 </context>
 <context>
+    <name>glisson::widgets::FromVideo</name>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>What is chosen here stays</source>
+        <translation>Was hier gewählt ist, bleibt</translation>
+    </message>
+    <message>
+        <source>Make the sequence</source>
+        <translation>Sequenz herstellen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Stops, and leaves nothing behind</source>
+        <translation>Hört auf und lässt nichts zurück</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Making a sequence from the video</source>
+        <translation>Aus dem Video wird eine Sequenz</translation>
+    </message>
+    <message>
+        <source>Cancelled. Nothing was left behind.</source>
+        <translation>Abgebrochen. Es blieb nichts zurück.</translation>
+    </message>
+    <message>
+        <source>It is being computed</source>
+        <translation>Es wird gerade berechnet</translation>
+    </message>
+    <message>
+        <source>Makes clouds and tracks of the frames, and opens them</source>
+        <translation>Macht aus den Bildern Punktwolken und Spuren und öffnet sie</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::GrowthControls</name>
     <message>
         <source>Earlier study...</source>
@@ -8202,6 +8265,14 @@ Keine Messungen zur Hand? Probieren Sie das Beispiel: eine simulierte Gewebeprob
         <source>Frame %1 with outlines</source>
         <translation>Bild %1 mit Umrissen</translation>
     </message>
+    <message>
+        <source>From a video...</source>
+        <translation>Aus einem Video …</translation>
+    </message>
+    <message>
+        <source>Two videos, or one that shows both eyes, become a sequence</source>
+        <translation>Zwei Videos, oder eines mit beiden Augen, werden zu einer Sequenz</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::GuidePanel</name>
@@ -8309,10 +8380,6 @@ Keine Messungen zur Hand? Probieren Sie das Beispiel: eine simulierte Gewebeprob
         <translation>Wo liegt der Tumor in diesem Bild?</translation>
     </message>
     <message>
-        <source>The liver of the open case is placed on a laparoscope&apos;s frames and follows them; its tumours and vessels are drawn where they are, with how far they may be off. This needs a sequence: a sequence.json that names the frames, a point cloud of each, the tracks of landmarks and the camera. glisson-cli sequence makes one of a stereo video. The example is simulated and shows the demo patient&apos;s liver.</source>
-        <translation>Die Leber des offenen Falls wird in die Bilder eines Laparoskops eingepasst und folgt ihnen; Tumoren und Gefäße werden gezeichnet, wo sie liegen, mit dem möglichen Fehler. Dafür braucht es eine Sequenz: eine sequence.json, die die Bilder, je eine Punktwolke, die Spuren von Landmarken und die Kamera nennt. glisson-cli sequence macht sie aus einem Stereovideo. Das Beispiel ist simuliert und zeigt die Leber des Demopatienten.</translation>
-    </message>
-    <message>
         <source>Open a sequence...</source>
         <translation>Eine Sequenz öffnen …</translation>
     </message>
@@ -8327,6 +8394,18 @@ Keine Messungen zur Hand? Probieren Sie das Beispiel: eine simulierte Gewebeprob
     <message>
         <source>40 simulated frames, made in a few seconds the first time; 7 MB</source>
         <translation>40 simulierte Bilder, beim ersten Mal in wenigen Sekunden erstellt; 7 MB</translation>
+    </message>
+    <message>
+        <source>The liver of the open case is placed on a laparoscope&apos;s frames and follows them; its tumours and vessels are drawn where they are, with how far they may be off. Begin with the video of a stereo laparoscope and its calibration, or pictures of a board; or open a sequence that was made of one. The example is simulated and shows the demo patient&apos;s liver.</source>
+        <translation>Die Leber des offenen Falls wird in die Bilder eines Laparoskops eingepasst und folgt ihnen; Tumoren und Gefäße werden gezeichnet, wo sie sind, und wie weit sie daneben liegen können. Beginnen Sie mit dem Video eines Stereolaparoskops und seiner Kalibrierung oder Bildern einer Tafel; oder öffnen Sie eine Sequenz, die daraus gemacht wurde. Das Beispiel ist simuliert und zeigt die Leber der Demo-Person.</translation>
+    </message>
+    <message>
+        <source>From a video...</source>
+        <translation>Aus einem Video …</translation>
+    </message>
+    <message>
+        <source>Two videos, or one that shows both eyes, become a sequence</source>
+        <translation>Zwei Videos, oder eines mit beiden Augen, werden zu einer Sequenz</translation>
     </message>
 </context>
 <context>
@@ -9060,6 +9139,17 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Griffe am Fad
     <message>
         <source>At least %1.</source>
         <translation>Mindestens %1.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::PathRow</name>
+    <message>
+        <source>Choose...</source>
+        <translation>Wählen...</translation>
+    </message>
+    <message>
+        <source>Folders (*)</source>
+        <translation>Ordner (*)</translation>
     </message>
 </context>
 <context>
@@ -10157,16 +10247,20 @@ sicher %</translation>
         <source>%1 is better here than %2.</source>
         <translation>%1 ist hier besser als %2.</translation>
     </message>
+    <message>
+        <source>From a video...</source>
+        <translation>Aus einem Video …</translation>
+    </message>
+    <message>
+        <source>Two videos, or one that shows both eyes, become a sequence</source>
+        <translation>Zwei Videos, oder eines mit beiden Augen, werden zu einer Sequenz</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::RegisterWelcome</name>
     <message>
         <source>How good is a registration of a video?</source>
         <translation>Wie gut ist eine Registrierung eines Videos?</translation>
-    </message>
-    <message>
-        <source>This needs a sequence: a sequence.json that names the frames of a stereo video, a point cloud of each, the tracks of landmarks, and the model that is registered. glisson-cli sequence makes one of a stereo video and its calibration. Without a video, an example shows what it is about: the demo patient&apos;s liver, breathing and pressed by a tool, simulated.</source>
-        <translation>Dazu braucht es eine Sequenz: eine sequence.json, die die Bilder eines Stereovideos nennt, zu jedem eine Punktwolke, die Spuren von Landmarken und das Modell, das registriert wird. glisson-cli sequence macht eine aus einem Stereovideo und seiner Kalibrierung. Ohne Video zeigt ein Beispiel, worum es geht: die Leber des Demopatienten, wie sie atmet und von einem Instrument eingedrückt wird, simuliert.</translation>
     </message>
     <message>
         <source>Open a sequence...</source>
@@ -10183,6 +10277,18 @@ sicher %</translation>
     <message>
         <source>Simulates 40 frames in a few seconds and opens them; 7 MB</source>
         <translation>Simuliert 40 Bilder in wenigen Sekunden und öffnet sie; 7 MB</translation>
+    </message>
+    <message>
+        <source>Begin with the video of a stereo laparoscope and its calibration, or pictures of a board: a sequence is made of it, a cloud of points a frame and the tracks of landmarks. Or open a sequence that is there. Without a video, an example shows what it is about: the demo patient&apos;s liver, breathing and pressed by a tool, simulated.</source>
+        <translation>Beginnen Sie mit dem Video eines Stereolaparoskops und seiner Kalibrierung oder Bildern einer Tafel: Daraus wird eine Sequenz, eine Punktwolke je Bild und die Spuren von Landmarken. Oder öffnen Sie eine Sequenz, die es schon gibt. Ohne Video zeigt ein Beispiel, worum es geht: die Leber der Demo-Person, die atmet und von einem Werkzeug gedrückt wird, simuliert.</translation>
+    </message>
+    <message>
+        <source>From a video...</source>
+        <translation>Aus einem Video …</translation>
+    </message>
+    <message>
+        <source>Two videos, or one that shows both eyes, become a sequence</source>
+        <translation>Zwei Videos, oder eines mit beiden Augen, werden zu einer Sequenz</translation>
     </message>
 </context>
 <context>
@@ -10987,6 +11093,85 @@ sicher %</translation>
     <message>
         <source>Click on the piece that is to stay; all others go. Ctrl: takes off the part under the pointer</source>
         <translation>Klicken Sie auf das Stück, das bleiben soll; alle anderen verschwinden. Strg: nimmt den Teil unter dem Zeiger ab</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::SequenceToldView</name>
+    <message>
+        <source>Calibration: read; the eyes are %1 mm apart.</source>
+        <translation>Kalibrierung: gelesen; die Augen sind %1 mm auseinander.</translation>
+    </message>
+    <message>
+        <source>Calibration: reprojection error %1 px; the board is seen in %2 of %3 pairs; the eyes are %4 mm apart.</source>
+        <translation>Kalibrierung: Rückprojektionsfehler %1 px; die Tafel ist in %2 von %3 Paaren zu sehen; die Augen sind %4 mm auseinander.</translation>
+    </message>
+    <message>
+        <source>Landmarks tracked: %1.</source>
+        <translation>Verfolgte Landmarken: %1.</translation>
+    </message>
+    <message>
+        <source>Landmarks tracked: %1; they agree within %2 mm once all frames are aligned.</source>
+        <translation>Verfolgte Landmarken: %1; sind alle Bilder ausgerichtet, stimmen sie auf %2 mm überein.</translation>
+    </message>
+    <message>
+        <source>Most pairs do not show the board: check its kind, its columns and its rows.</source>
+        <translation>Die meisten Paare zeigen die Tafel nicht: Prüfen Sie ihre Art, ihre Spalten und Zeilen.</translation>
+    </message>
+    <message>
+        <source>More than 1 px: the board may not be flat, or it moved between the two eyes.</source>
+        <translation>Mehr als 1 px: Die Tafel ist vielleicht nicht eben, oder sie bewegte sich zwischen den beiden Augen.</translation>
+    </message>
+    <message>
+        <source>The eyes of a laparoscope are about 5 mm apart: is the board&apos;s size right?</source>
+        <translation>Die Augen eines Laparoskops sind etwa 5 mm auseinander: Stimmt die Größe der Tafel?</translation>
+    </message>
+    <message>
+        <source>The eyes of a laparoscope are about 5 mm apart: is the calibration in mm?</source>
+        <translation>Die Augen eines Laparoskops sind etwa 5 mm auseinander: Ist die Kalibrierung in mm?</translation>
+    </message>
+    <message>
+        <source>The calibration&apos;s middle lies far from the pictures&apos; middle: is it of this size?</source>
+        <translation>Die Mitte der Kalibrierung liegt weit von der Bildmitte: Gilt sie für diese Größe?</translation>
+    </message>
+    <message>
+        <source>Frames left out because they show hardly anything in depth: %1.</source>
+        <translation>Bilder, die weggelassen wurden, weil ihre Tiefe kaum zu sehen ist: %1.</translation>
+    </message>
+    <message>
+        <source>What comes on the way</source>
+        <translation>Was unterwegs entsteht</translation>
+    </message>
+    <message>
+        <source>Here you will see how well the camera is calibrated, how much of each pair of pictures is seen in depth, and how many landmarks are followed. Then the sequence is opened.</source>
+        <translation>Hier sehen Sie, wie gut die Kamera kalibriert ist, von wie viel jedes Bildpaares die Tiefe zu sehen ist und wie viele Landmarken verfolgt werden. Dann wird die Sequenz geöffnet.</translation>
+    </message>
+    <message>
+        <source>A frame beside its depths</source>
+        <translation>Ein Bild neben seinen Tiefen</translation>
+    </message>
+    <message>
+        <source>First pair, frame %1: points %2; %3 % of what can be seen.</source>
+        <translation>Erstes Paar, Bild %1: Punkte %2; %3 % von dem, was zu sehen ist.</translation>
+    </message>
+    <message>
+        <source>Frames: %1, with %2 points each on average; %3 % of what can be seen.</source>
+        <translation>Bilder: %1, im Mittel je %2 Punkte; %3 % von dem, was zu sehen ist.</translation>
+    </message>
+    <message>
+        <source>Frame %1: points %2; %3 % of what can be seen; landmarks known from before: %4.</source>
+        <translation>Bild %1: Punkte %2; %3 % von dem, was zu sehen ist; von vorher bekannte Landmarken: %4.</translation>
+    </message>
+    <message>
+        <source>Kept in %1.</source>
+        <translation>Aufbewahrt in %1.</translation>
+    </message>
+    <message>
+        <source>Rectified left picture; beside it what is seen in depth, near places bright.</source>
+        <translation>Rektifiziertes linkes Bild; daneben die Tiefe, die zu sehen ist, nahe Stellen hell.</translation>
+    </message>
+    <message>
+        <source>Made from the video.</source>
+        <translation>Aus dem Video hergestellt.</translation>
     </message>
 </context>
 <context>
@@ -12209,6 +12394,197 @@ Elastizitätsmodul %2 kPa (angenommen)</translation>
     <message>
         <source>No larger part of the border is unsure (%1 % in all).</source>
         <translation>Kein größeres Stück des Randes ist unsicher (%1 % insgesamt).</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::VideoForm</name>
+    <message>
+        <source>Video</source>
+        <translation>Video</translation>
+    </message>
+    <message>
+        <source>Calibration of the camera</source>
+        <translation>Kalibrierung der Kamera</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>From frame</source>
+        <translation>Ab Bild</translation>
+    </message>
+    <message>
+        <source>One of so many</source>
+        <translation>Eines von</translation>
+    </message>
+    <message>
+        <source>At most</source>
+        <translation>Höchstens</translation>
+    </message>
+    <message>
+        <source>The first frame that is taken, counted from 1</source>
+        <translation>Das erste Bild, das genommen wird, von 1 an gezählt</translation>
+    </message>
+    <message>
+        <source>1 takes every frame, 5 every fifth</source>
+        <translation>1 nimmt jedes Bild, 5 jedes fünfte</translation>
+    </message>
+    <message>
+        <source>So many frames are taken at most; each takes up to a second</source>
+        <translation>So viele Bilder werden höchstens genommen; jedes dauert bis zu einer Sekunde</translation>
+    </message>
+    <message>
+        <source>Choose the video.</source>
+        <translation>Wählen Sie das Video.</translation>
+    </message>
+    <message>
+        <source>Choose the left eye&apos;s video.</source>
+        <translation>Wählen Sie das Video des linken Auges.</translation>
+    </message>
+    <message>
+        <source>Choose the right eye&apos;s video.</source>
+        <translation>Wählen Sie das Video des rechten Auges.</translation>
+    </message>
+    <message>
+        <source>Choose the camera&apos;s calibration.</source>
+        <translation>Wählen Sie die Kalibrierung der Kamera.</translation>
+    </message>
+    <message>
+        <source>Choose the pictures of the board.</source>
+        <translation>Wählen Sie die Bilder der Tafel.</translation>
+    </message>
+    <message>
+        <source>Say where to keep the sequence.</source>
+        <translation>Sagen Sie, wo die Sequenz aufbewahrt wird.</translation>
+    </message>
+    <message>
+        <source>A video file, or a folder of its pictures</source>
+        <translation>Eine Videodatei oder ein Ordner mit ihren Bildern</translation>
+    </message>
+    <message>
+        <source>Two videos, one for each eye</source>
+        <translation>Zwei Videos, eines für jedes Auge</translation>
+    </message>
+    <message>
+        <source>One video, left eye on the left</source>
+        <translation>Ein Video, linkes Auge links</translation>
+    </message>
+    <message>
+        <source>One video, left eye on the right</source>
+        <translation>Ein Video, linkes Auge rechts</translation>
+    </message>
+    <message>
+        <source>One video, left eye above</source>
+        <translation>Ein Video, linkes Auge oben</translation>
+    </message>
+    <message>
+        <source>How the video shows both eyes</source>
+        <translation>Wie das Video beide Augen zeigt</translation>
+    </message>
+    <message>
+        <source>How the video, and the pictures of a board, show both eyes</source>
+        <translation>Wie das Video und die Bilder einer Tafel beide Augen zeigen</translation>
+    </message>
+    <message>
+        <source>Left eye</source>
+        <translation>Linkes Auge</translation>
+    </message>
+    <message>
+        <source>Right eye</source>
+        <translation>Rechtes Auge</translation>
+    </message>
+    <message>
+        <source>From a file</source>
+        <translation>Aus einer Datei</translation>
+    </message>
+    <message>
+        <source>From pictures of a board</source>
+        <translation>Aus Bildern einer Tafel</translation>
+    </message>
+    <message>
+        <source>Where the calibration comes from</source>
+        <translation>Woher die Kalibrierung kommt</translation>
+    </message>
+    <message>
+        <source>Without a calibration, take pictures of a flat board with both eyes, from several sides</source>
+        <translation>Ohne Kalibrierung nehmen Sie eine ebene Tafel mit beiden Augen von mehreren Seiten auf</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Kalibrierung</translation>
+    </message>
+    <message>
+        <source>JSON, OpenCV&apos;s YAML or XML, or a folder of text files</source>
+        <translation>JSON, YAML oder XML von OpenCV, oder ein Ordner mit Textdateien</translation>
+    </message>
+    <message>
+        <source>A folder of pictures or a video: the same board, from at least three sides; ten are better</source>
+        <translation>Ein Ordner mit Bildern oder ein Video: dieselbe Tafel von mindestens drei Seiten; zehn sind besser</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>Chessboard</source>
+        <translation>Schachbrett</translation>
+    </message>
+    <message>
+        <source>Grid of circles</source>
+        <translation>Gitter aus Kreisen</translation>
+    </message>
+    <message>
+        <source>Grid of circles, four of them larger</source>
+        <translation>Gitter aus Kreisen, vier davon größer</translation>
+    </message>
+    <message>
+        <source>Kind of board</source>
+        <translation>Art der Tafel</translation>
+    </message>
+    <message>
+        <source>What is printed on the board</source>
+        <translation>Was auf die Tafel gedruckt ist</translation>
+    </message>
+    <message>
+        <source>Inner corners, columns by rows</source>
+        <translation>Innere Ecken, Spalten mal Zeilen</translation>
+    </message>
+    <message>
+        <source>Circles, columns by rows</source>
+        <translation>Kreise, Spalten mal Zeilen</translation>
+    </message>
+    <message>
+        <source>Side of a square</source>
+        <translation>Seite eines Feldes</translation>
+    </message>
+    <message>
+        <source>From circle to circle</source>
+        <translation>Von Kreis zu Kreis</translation>
+    </message>
+    <message>
+        <source>Along a row: a board of 10 x 7 squares has 9 x 6 inner corners</source>
+        <translation>Eine Tafel von 10 x 7 Feldern hat 9 x 6 innere Ecken</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>Zeilen</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Measure it: all lengths of the sequence follow from it</source>
+        <translation>Messen Sie nach: Alle Längen der Sequenz folgen daraus</translation>
+    </message>
+    <message>
+        <source>Keep it in</source>
+        <translation>Aufbewahren in</translation>
+    </message>
+    <message>
+        <source>A new folder for the clouds, tracks and pictures</source>
+        <translation>Ein neuer Ordner für Punktwolken, Spuren und Bilder</translation>
     </message>
 </context>
 <context>

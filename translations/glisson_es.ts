@@ -6703,6 +6703,26 @@
         <source>Compare orders of steps</source>
         <translation>Comparar órdenes de pasos</translation>
     </message>
+    <message>
+        <source>The calibration is of pictures of {0} x {1} pixels; these have {2} x {3}.</source>
+        <translation>La calibración es de imágenes de {0} x {1} píxeles; estas tienen {2} x {3}.</translation>
+    </message>
+    <message>
+        <source>A picture of {0} x {1} pixels cannot be halved into two of one size.</source>
+        <translation>Una imagen de {0} x {1} píxeles no se puede dividir en dos de igual tamaño.</translation>
+    </message>
+    <message>
+        <source>Give a video whose pictures show both eyes, or one video for each eye.</source>
+        <translation>Indique un vídeo cuyas imágenes muestren ambos ojos, o uno para cada ojo.</translation>
+    </message>
+    <message>
+        <source>The two videos differ in length: frames of the left one {0}, of the right one {1}.</source>
+        <translation>Los dos vídeos no duran lo mismo: fotogramas del izquierdo {0}, del derecho {1}.</translation>
+    </message>
+    <message>
+        <source>Give two videos of the same moments, or take fewer frames than both have.</source>
+        <translation>Indique dos vídeos de los mismos momentos, o tome menos fotogramas de los que tienen ambos.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>
@@ -7954,6 +7974,49 @@ Glisson dice cuánto se equivoca el modelo declarado, qué le falta y con qué c
     </message>
 </context>
 <context>
+    <name>glisson::widgets::FromVideo</name>
+    <message>
+        <source>Back</source>
+        <translation>Atrás</translation>
+    </message>
+    <message>
+        <source>What is chosen here stays</source>
+        <translation>Lo elegido aquí se queda</translation>
+    </message>
+    <message>
+        <source>Make the sequence</source>
+        <translation>Crear la secuencia</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Stops, and leaves nothing behind</source>
+        <translation>Se detiene y no deja nada</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Progreso</translation>
+    </message>
+    <message>
+        <source>Making a sequence from the video</source>
+        <translation>Creando una secuencia del vídeo</translation>
+    </message>
+    <message>
+        <source>Cancelled. Nothing was left behind.</source>
+        <translation>Cancelado. No quedó nada.</translation>
+    </message>
+    <message>
+        <source>It is being computed</source>
+        <translation>Se está calculando</translation>
+    </message>
+    <message>
+        <source>Makes clouds and tracks of the frames, and opens them</source>
+        <translation>Obtiene de los fotogramas nubes y trayectorias, y las abre</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::GrowthControls</name>
     <message>
         <source>Earlier study...</source>
@@ -8202,6 +8265,14 @@ Glisson dice cuánto se equivoca el modelo declarado, qué le falta y con qué c
         <source>Frame %1 with outlines</source>
         <translation>Fotograma %1 con contornos</translation>
     </message>
+    <message>
+        <source>From a video...</source>
+        <translation>De un vídeo…</translation>
+    </message>
+    <message>
+        <source>Two videos, or one that shows both eyes, become a sequence</source>
+        <translation>Dos vídeos, o uno que muestra ambos ojos, se convierten en una secuencia</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::GuidePanel</name>
@@ -8309,10 +8380,6 @@ Glisson dice cuánto se equivoca el modelo declarado, qué le falta y con qué c
         <translation>¿Dónde está el tumor en esta imagen?</translation>
     </message>
     <message>
-        <source>The liver of the open case is placed on a laparoscope&apos;s frames and follows them; its tumours and vessels are drawn where they are, with how far they may be off. This needs a sequence: a sequence.json that names the frames, a point cloud of each, the tracks of landmarks and the camera. glisson-cli sequence makes one of a stereo video. The example is simulated and shows the demo patient&apos;s liver.</source>
-        <translation>El hígado del caso abierto se coloca en los fotogramas de un laparoscopio y los sigue; tumores y vasos se dibujan donde están, con su posible error. Hace falta una secuencia: un sequence.json que nombra los fotogramas, una nube de puntos de cada uno, los puntos seguidos y la cámara. glisson-cli sequence la hace de un vídeo estéreo. El ejemplo es simulado y muestra el hígado del paciente de demostración.</translation>
-    </message>
-    <message>
         <source>Open a sequence...</source>
         <translation>Abrir una secuencia…</translation>
     </message>
@@ -8327,6 +8394,18 @@ Glisson dice cuánto se equivoca el modelo declarado, qué le falta y con qué c
     <message>
         <source>40 simulated frames, made in a few seconds the first time; 7 MB</source>
         <translation>40 fotogramas simulados, hechos en unos segundos la primera vez; 7 MB</translation>
+    </message>
+    <message>
+        <source>The liver of the open case is placed on a laparoscope&apos;s frames and follows them; its tumours and vessels are drawn where they are, with how far they may be off. Begin with the video of a stereo laparoscope and its calibration, or pictures of a board; or open a sequence that was made of one. The example is simulated and shows the demo patient&apos;s liver.</source>
+        <translation>El hígado del caso abierto se coloca en los fotogramas de un laparoscopio y los sigue; sus tumores y vasos se dibujan donde están, con cuánto pueden desviarse. Empiece con el vídeo de un laparoscopio estéreo y su calibración, o imágenes de un tablero; o abra una secuencia hecha de uno. El ejemplo es simulado y muestra el hígado del paciente de demostración.</translation>
+    </message>
+    <message>
+        <source>From a video...</source>
+        <translation>De un vídeo…</translation>
+    </message>
+    <message>
+        <source>Two videos, or one that shows both eyes, become a sequence</source>
+        <translation>Dos vídeos, o uno que muestra ambos ojos, se convierten en una secuencia</translation>
     </message>
 </context>
 <context>
@@ -9062,6 +9141,17 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar. Ctrl+arrastrar: girar. Tiradores 
     <message>
         <source>At least %1.</source>
         <translation>Como mínimo %1.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::PathRow</name>
+    <message>
+        <source>Choose...</source>
+        <translation>Elegir...</translation>
+    </message>
+    <message>
+        <source>Folders (*)</source>
+        <translation>Carpetas (*)</translation>
     </message>
 </context>
 <context>
@@ -10160,16 +10250,20 @@ seguro %</translation>
         <source>%1 is better here than %2.</source>
         <translation>%1 es aquí mejor que %2.</translation>
     </message>
+    <message>
+        <source>From a video...</source>
+        <translation>De un vídeo…</translation>
+    </message>
+    <message>
+        <source>Two videos, or one that shows both eyes, become a sequence</source>
+        <translation>Dos vídeos, o uno que muestra ambos ojos, se convierten en una secuencia</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::RegisterWelcome</name>
     <message>
         <source>How good is a registration of a video?</source>
         <translation>¿Qué calidad tiene el registro de un vídeo?</translation>
-    </message>
-    <message>
-        <source>This needs a sequence: a sequence.json that names the frames of a stereo video, a point cloud of each, the tracks of landmarks, and the model that is registered. glisson-cli sequence makes one of a stereo video and its calibration. Without a video, an example shows what it is about: the demo patient&apos;s liver, breathing and pressed by a tool, simulated.</source>
-        <translation>Hace falta una secuencia: un sequence.json que indica los fotogramas de un vídeo estéreo, una nube de puntos de cada uno, las trayectorias de puntos de referencia y el modelo que se registra. glisson-cli sequence la crea a partir de un vídeo estéreo y su calibración. Sin vídeo, un ejemplo muestra de qué se trata: el hígado del paciente de demostración, que respira y es presionado por un instrumento, simulado.</translation>
     </message>
     <message>
         <source>Open a sequence...</source>
@@ -10186,6 +10280,18 @@ seguro %</translation>
     <message>
         <source>Simulates 40 frames in a few seconds and opens them; 7 MB</source>
         <translation>Simula 40 fotogramas en pocos segundos y los abre; 7 MB</translation>
+    </message>
+    <message>
+        <source>Begin with the video of a stereo laparoscope and its calibration, or pictures of a board: a sequence is made of it, a cloud of points a frame and the tracks of landmarks. Or open a sequence that is there. Without a video, an example shows what it is about: the demo patient&apos;s liver, breathing and pressed by a tool, simulated.</source>
+        <translation>Empiece con el vídeo de un laparoscopio estéreo y su calibración, o imágenes de un tablero: de él se hace una secuencia, una nube de puntos por fotograma y las trayectorias de puntos de referencia. O abra una secuencia que ya exista. Sin vídeo, un ejemplo muestra de qué se trata: el hígado del paciente de demostración, que respira y es presionado por un instrumento, simulado.</translation>
+    </message>
+    <message>
+        <source>From a video...</source>
+        <translation>De un vídeo…</translation>
+    </message>
+    <message>
+        <source>Two videos, or one that shows both eyes, become a sequence</source>
+        <translation>Dos vídeos, o uno que muestra ambos ojos, se convierten en una secuencia</translation>
     </message>
 </context>
 <context>
@@ -10990,6 +11096,85 @@ seguro %</translation>
     <message>
         <source>Click on the piece that is to stay; all others go. Ctrl: takes off the part under the pointer</source>
         <translation>Haga clic en el trozo que debe quedar; los demás desaparecen. Ctrl: quita la parte bajo el puntero</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::SequenceToldView</name>
+    <message>
+        <source>Calibration: read; the eyes are %1 mm apart.</source>
+        <translation>Calibración: leída; los ojos distan %1 mm.</translation>
+    </message>
+    <message>
+        <source>Calibration: reprojection error %1 px; the board is seen in %2 of %3 pairs; the eyes are %4 mm apart.</source>
+        <translation>Calibración: error de reproyección %1 px; el tablero se ve en %2 de %3 pares; los ojos distan %4 mm.</translation>
+    </message>
+    <message>
+        <source>Landmarks tracked: %1.</source>
+        <translation>Puntos de referencia seguidos: %1.</translation>
+    </message>
+    <message>
+        <source>Landmarks tracked: %1; they agree within %2 mm once all frames are aligned.</source>
+        <translation>Puntos de referencia seguidos: %1; coinciden en %2 mm una vez alineados todos los fotogramas.</translation>
+    </message>
+    <message>
+        <source>Most pairs do not show the board: check its kind, its columns and its rows.</source>
+        <translation>La mayoría de los pares no muestra el tablero: compruebe su tipo, sus columnas y sus filas.</translation>
+    </message>
+    <message>
+        <source>More than 1 px: the board may not be flat, or it moved between the two eyes.</source>
+        <translation>Más de 1 px: quizá el tablero no es plano, o se movió entre los dos ojos.</translation>
+    </message>
+    <message>
+        <source>The eyes of a laparoscope are about 5 mm apart: is the board&apos;s size right?</source>
+        <translation>Los ojos de un laparoscopio distan unos 5 mm: ¿es correcto el tamaño del tablero?</translation>
+    </message>
+    <message>
+        <source>The eyes of a laparoscope are about 5 mm apart: is the calibration in mm?</source>
+        <translation>Los ojos de un laparoscopio distan unos 5 mm: ¿está la calibración en mm?</translation>
+    </message>
+    <message>
+        <source>The calibration&apos;s middle lies far from the pictures&apos; middle: is it of this size?</source>
+        <translation>El centro de la calibración está lejos del de las imágenes: ¿es de este tamaño?</translation>
+    </message>
+    <message>
+        <source>Frames left out because they show hardly anything in depth: %1.</source>
+        <translation>Fotogramas omitidos porque apenas muestran algo en profundidad: %1.</translation>
+    </message>
+    <message>
+        <source>What comes on the way</source>
+        <translation>Lo que surge por el camino</translation>
+    </message>
+    <message>
+        <source>Here you will see how well the camera is calibrated, how much of each pair of pictures is seen in depth, and how many landmarks are followed. Then the sequence is opened.</source>
+        <translation>Aquí verá lo bien que está calibrada la cámara, cuánto de cada par de imágenes se ve en profundidad y cuántos puntos de referencia se siguen. Después se abre la secuencia.</translation>
+    </message>
+    <message>
+        <source>A frame beside its depths</source>
+        <translation>Un fotograma junto a sus profundidades</translation>
+    </message>
+    <message>
+        <source>First pair, frame %1: points %2; %3 % of what can be seen.</source>
+        <translation>Primer par, fotograma %1: puntos %2; %3 % de lo que se puede ver.</translation>
+    </message>
+    <message>
+        <source>Frames: %1, with %2 points each on average; %3 % of what can be seen.</source>
+        <translation>Fotogramas: %1, con %2 puntos cada uno de media; %3 % de lo que se puede ver.</translation>
+    </message>
+    <message>
+        <source>Frame %1: points %2; %3 % of what can be seen; landmarks known from before: %4.</source>
+        <translation>Fotograma %1: puntos %2; %3 % de lo que se puede ver; puntos de referencia ya conocidos: %4.</translation>
+    </message>
+    <message>
+        <source>Kept in %1.</source>
+        <translation>Guardada en %1.</translation>
+    </message>
+    <message>
+        <source>Rectified left picture; beside it what is seen in depth, near places bright.</source>
+        <translation>Imagen izquierda rectificada; al lado lo que se ve en profundidad, lo cercano claro.</translation>
+    </message>
+    <message>
+        <source>Made from the video.</source>
+        <translation>Creada del vídeo.</translation>
     </message>
 </context>
 <context>
@@ -12212,6 +12397,197 @@ Módulo de Young %2 kPa (supuesto)</translation>
     <message>
         <source>No larger part of the border is unsure (%1 % in all).</source>
         <translation>Ninguna parte mayor del borde es dudosa (%1 % en total).</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::VideoForm</name>
+    <message>
+        <source>Video</source>
+        <translation>Vídeo</translation>
+    </message>
+    <message>
+        <source>Calibration of the camera</source>
+        <translation>Calibración de la cámara</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Fotogramas</translation>
+    </message>
+    <message>
+        <source>From frame</source>
+        <translation>Desde el</translation>
+    </message>
+    <message>
+        <source>One of so many</source>
+        <translation>Uno de cada</translation>
+    </message>
+    <message>
+        <source>At most</source>
+        <translation>Como máximo</translation>
+    </message>
+    <message>
+        <source>The first frame that is taken, counted from 1</source>
+        <translation>El primer fotograma que se toma, contado desde 1</translation>
+    </message>
+    <message>
+        <source>1 takes every frame, 5 every fifth</source>
+        <translation>1 toma todos los fotogramas, 5 uno de cada cinco</translation>
+    </message>
+    <message>
+        <source>So many frames are taken at most; each takes up to a second</source>
+        <translation>Se toman como máximo tantos fotogramas; cada uno tarda hasta un segundo</translation>
+    </message>
+    <message>
+        <source>Choose the video.</source>
+        <translation>Elija el vídeo.</translation>
+    </message>
+    <message>
+        <source>Choose the left eye&apos;s video.</source>
+        <translation>Elija el vídeo del ojo izquierdo.</translation>
+    </message>
+    <message>
+        <source>Choose the right eye&apos;s video.</source>
+        <translation>Elija el vídeo del ojo derecho.</translation>
+    </message>
+    <message>
+        <source>Choose the camera&apos;s calibration.</source>
+        <translation>Elija la calibración de la cámara.</translation>
+    </message>
+    <message>
+        <source>Choose the pictures of the board.</source>
+        <translation>Elija las imágenes del tablero.</translation>
+    </message>
+    <message>
+        <source>Say where to keep the sequence.</source>
+        <translation>Diga dónde guardar la secuencia.</translation>
+    </message>
+    <message>
+        <source>A video file, or a folder of its pictures</source>
+        <translation>Un archivo de vídeo, o una carpeta con sus imágenes</translation>
+    </message>
+    <message>
+        <source>Two videos, one for each eye</source>
+        <translation>Dos vídeos, uno para cada ojo</translation>
+    </message>
+    <message>
+        <source>One video, left eye on the left</source>
+        <translation>Un vídeo, ojo izquierdo a la izquierda</translation>
+    </message>
+    <message>
+        <source>One video, left eye on the right</source>
+        <translation>Un vídeo, ojo izquierdo a la derecha</translation>
+    </message>
+    <message>
+        <source>One video, left eye above</source>
+        <translation>Un vídeo, ojo izquierdo arriba</translation>
+    </message>
+    <message>
+        <source>How the video shows both eyes</source>
+        <translation>Cómo muestra el vídeo ambos ojos</translation>
+    </message>
+    <message>
+        <source>How the video, and the pictures of a board, show both eyes</source>
+        <translation>Cómo muestran ambos ojos el vídeo y las imágenes de un tablero</translation>
+    </message>
+    <message>
+        <source>Left eye</source>
+        <translation>Ojo izquierdo</translation>
+    </message>
+    <message>
+        <source>Right eye</source>
+        <translation>Ojo derecho</translation>
+    </message>
+    <message>
+        <source>From a file</source>
+        <translation>De un archivo</translation>
+    </message>
+    <message>
+        <source>From pictures of a board</source>
+        <translation>De imágenes de un tablero</translation>
+    </message>
+    <message>
+        <source>Where the calibration comes from</source>
+        <translation>De dónde viene la calibración</translation>
+    </message>
+    <message>
+        <source>Without a calibration, take pictures of a flat board with both eyes, from several sides</source>
+        <translation>Sin calibración, tome imágenes de un tablero plano con ambos ojos, desde varios lados</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Calibración</translation>
+    </message>
+    <message>
+        <source>JSON, OpenCV&apos;s YAML or XML, or a folder of text files</source>
+        <translation>JSON, YAML o XML de OpenCV, o una carpeta de archivos de texto</translation>
+    </message>
+    <message>
+        <source>A folder of pictures or a video: the same board, from at least three sides; ten are better</source>
+        <translation>Una carpeta de imágenes o un vídeo: el mismo tablero desde al menos tres lados; mejor diez</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Imágenes</translation>
+    </message>
+    <message>
+        <source>Chessboard</source>
+        <translation>Tablero de ajedrez</translation>
+    </message>
+    <message>
+        <source>Grid of circles</source>
+        <translation>Cuadrícula de círculos</translation>
+    </message>
+    <message>
+        <source>Grid of circles, four of them larger</source>
+        <translation>Cuadrícula de círculos, cuatro mayores</translation>
+    </message>
+    <message>
+        <source>Kind of board</source>
+        <translation>Tipo de tablero</translation>
+    </message>
+    <message>
+        <source>What is printed on the board</source>
+        <translation>Lo que está impreso en el tablero</translation>
+    </message>
+    <message>
+        <source>Inner corners, columns by rows</source>
+        <translation>Esquinas interiores, columnas por filas</translation>
+    </message>
+    <message>
+        <source>Circles, columns by rows</source>
+        <translation>Círculos, columnas por filas</translation>
+    </message>
+    <message>
+        <source>Side of a square</source>
+        <translation>Lado de un cuadro</translation>
+    </message>
+    <message>
+        <source>From circle to circle</source>
+        <translation>De círculo a círculo</translation>
+    </message>
+    <message>
+        <source>Along a row: a board of 10 x 7 squares has 9 x 6 inner corners</source>
+        <translation>Un tablero de 10 x 7 cuadros tiene 9 x 6 esquinas interiores</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>Filas</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Measure it: all lengths of the sequence follow from it</source>
+        <translation>Mídalo: todas las longitudes de la secuencia dependen de ello</translation>
+    </message>
+    <message>
+        <source>Keep it in</source>
+        <translation>Guardar en</translation>
+    </message>
+    <message>
+        <source>A new folder for the clouds, tracks and pictures</source>
+        <translation>Una carpeta nueva para nubes, trayectorias e imágenes</translation>
     </message>
 </context>
 <context>

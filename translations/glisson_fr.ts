@@ -6703,6 +6703,26 @@
         <source>Compare orders of steps</source>
         <translation>Comparer les ordres des étapes</translation>
     </message>
+    <message>
+        <source>The calibration is of pictures of {0} x {1} pixels; these have {2} x {3}.</source>
+        <translation>Le calibrage vaut pour des images de {0} x {1} pixels ; celles-ci en ont {2} x {3}.</translation>
+    </message>
+    <message>
+        <source>A picture of {0} x {1} pixels cannot be halved into two of one size.</source>
+        <translation>Une image de {0} x {1} pixels ne se partage pas en deux de même taille.</translation>
+    </message>
+    <message>
+        <source>Give a video whose pictures show both eyes, or one video for each eye.</source>
+        <translation>Donnez une vidéo dont les images montrent les deux yeux, ou une vidéo par œil.</translation>
+    </message>
+    <message>
+        <source>The two videos differ in length: frames of the left one {0}, of the right one {1}.</source>
+        <translation>Les deux vidéos n&apos;ont pas la même longueur : images de la gauche {0}, de la droite {1}.</translation>
+    </message>
+    <message>
+        <source>Give two videos of the same moments, or take fewer frames than both have.</source>
+        <translation>Donnez deux vidéos des mêmes instants, ou prenez moins d&apos;images que n&apos;en ont les deux.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>
@@ -7954,6 +7974,49 @@ Pas de mesures sous la main&#xa0;? Essayez l’exemple&#xa0;: un échantillon de
     </message>
 </context>
 <context>
+    <name>glisson::widgets::FromVideo</name>
+    <message>
+        <source>Back</source>
+        <translation>Retour</translation>
+    </message>
+    <message>
+        <source>What is chosen here stays</source>
+        <translation>Ce qui est choisi ici reste</translation>
+    </message>
+    <message>
+        <source>Make the sequence</source>
+        <translation>Créer la séquence</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Stops, and leaves nothing behind</source>
+        <translation>S&apos;arrête et ne laisse rien</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Progression</translation>
+    </message>
+    <message>
+        <source>Making a sequence from the video</source>
+        <translation>Création d&apos;une séquence à partir de la vidéo</translation>
+    </message>
+    <message>
+        <source>Cancelled. Nothing was left behind.</source>
+        <translation>Annulé. Rien n&apos;est resté.</translation>
+    </message>
+    <message>
+        <source>It is being computed</source>
+        <translation>Le calcul est en cours</translation>
+    </message>
+    <message>
+        <source>Makes clouds and tracks of the frames, and opens them</source>
+        <translation>Tire des images des nuages et des trajets, et les ouvre</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::GrowthControls</name>
     <message>
         <source>Earlier study...</source>
@@ -8202,6 +8265,14 @@ Pas de mesures sous la main&#xa0;? Essayez l’exemple&#xa0;: un échantillon de
         <source>Frame %1 with outlines</source>
         <translation>Image %1 avec contours</translation>
     </message>
+    <message>
+        <source>From a video...</source>
+        <translation>D&apos;une vidéo…</translation>
+    </message>
+    <message>
+        <source>Two videos, or one that shows both eyes, become a sequence</source>
+        <translation>Deux vidéos, ou une qui montre les deux yeux, deviennent une séquence</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::GuidePanel</name>
@@ -8309,10 +8380,6 @@ Pas de mesures sous la main&#xa0;? Essayez l’exemple&#xa0;: un échantillon de
         <translation>Où est la tumeur dans cette image ?</translation>
     </message>
     <message>
-        <source>The liver of the open case is placed on a laparoscope&apos;s frames and follows them; its tumours and vessels are drawn where they are, with how far they may be off. This needs a sequence: a sequence.json that names the frames, a point cloud of each, the tracks of landmarks and the camera. glisson-cli sequence makes one of a stereo video. The example is simulated and shows the demo patient&apos;s liver.</source>
-        <translation>Le foie du cas ouvert est placé sur les images d&apos;un laparoscope et les suit ; tumeurs et vaisseaux sont dessinés là où ils sont, avec leur erreur possible. Il faut une séquence : un sequence.json qui nomme les images, un nuage de points pour chacune, les suivis de points de repère et la caméra. glisson-cli sequence la tire d&apos;une vidéo stéréo. L&apos;exemple est simulé et montre le foie du patient de démonstration.</translation>
-    </message>
-    <message>
         <source>Open a sequence...</source>
         <translation>Ouvrir une séquence…</translation>
     </message>
@@ -8327,6 +8394,18 @@ Pas de mesures sous la main&#xa0;? Essayez l’exemple&#xa0;: un échantillon de
     <message>
         <source>40 simulated frames, made in a few seconds the first time; 7 MB</source>
         <translation>40 images simulées, créées en quelques secondes la première fois ; 7 Mo</translation>
+    </message>
+    <message>
+        <source>The liver of the open case is placed on a laparoscope&apos;s frames and follows them; its tumours and vessels are drawn where they are, with how far they may be off. Begin with the video of a stereo laparoscope and its calibration, or pictures of a board; or open a sequence that was made of one. The example is simulated and shows the demo patient&apos;s liver.</source>
+        <translation>Le foie du cas ouvert est placé sur les images d&apos;un laparoscope et les suit ; ses tumeurs et ses vaisseaux sont dessinés là où ils sont, avec l&apos;écart possible. Commencez par la vidéo d&apos;un laparoscope stéréo et son calibrage, ou des images d&apos;une mire ; ou ouvrez une séquence qui en a été tirée. L&apos;exemple est simulé et montre le foie du patient de démonstration.</translation>
+    </message>
+    <message>
+        <source>From a video...</source>
+        <translation>D&apos;une vidéo…</translation>
+    </message>
+    <message>
+        <source>Two videos, or one that shows both eyes, become a sequence</source>
+        <translation>Deux vidéos, ou une qui montre les deux yeux, deviennent une séquence</translation>
     </message>
 </context>
 <context>
@@ -9062,6 +9141,17 @@ Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: déplacer. Ctrl+glisser&#xa0;: tour
     <message>
         <source>At least %1.</source>
         <translation>Au moins %1.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::PathRow</name>
+    <message>
+        <source>Choose...</source>
+        <translation>Choisir...</translation>
+    </message>
+    <message>
+        <source>Folders (*)</source>
+        <translation>Dossiers (*)</translation>
     </message>
 </context>
 <context>
@@ -10160,16 +10250,20 @@ sûr %</translation>
         <source>%1 is better here than %2.</source>
         <translation>%1 est meilleur ici que %2.</translation>
     </message>
+    <message>
+        <source>From a video...</source>
+        <translation>D&apos;une vidéo…</translation>
+    </message>
+    <message>
+        <source>Two videos, or one that shows both eyes, become a sequence</source>
+        <translation>Deux vidéos, ou une qui montre les deux yeux, deviennent une séquence</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::RegisterWelcome</name>
     <message>
         <source>How good is a registration of a video?</source>
         <translation>Que vaut le recalage d’une vidéo&#xa0;?</translation>
-    </message>
-    <message>
-        <source>This needs a sequence: a sequence.json that names the frames of a stereo video, a point cloud of each, the tracks of landmarks, and the model that is registered. glisson-cli sequence makes one of a stereo video and its calibration. Without a video, an example shows what it is about: the demo patient&apos;s liver, breathing and pressed by a tool, simulated.</source>
-        <translation>Il faut une séquence&#xa0;: un sequence.json qui nomme les images d’une vidéo stéréo, un nuage de points pour chacune, les trajectoires de repères et le modèle à recaler. glisson-cli sequence en fait une à partir d’une vidéo stéréo et de son calibrage. Sans vidéo, un exemple montre de quoi il s’agit&#xa0;: le foie du patient de démonstration, qui respire et qu’un instrument enfonce, simulé.</translation>
     </message>
     <message>
         <source>Open a sequence...</source>
@@ -10186,6 +10280,18 @@ sûr %</translation>
     <message>
         <source>Simulates 40 frames in a few seconds and opens them; 7 MB</source>
         <translation>Simule 40 images en quelques secondes et les ouvre&#xa0;; 7 Mo</translation>
+    </message>
+    <message>
+        <source>Begin with the video of a stereo laparoscope and its calibration, or pictures of a board: a sequence is made of it, a cloud of points a frame and the tracks of landmarks. Or open a sequence that is there. Without a video, an example shows what it is about: the demo patient&apos;s liver, breathing and pressed by a tool, simulated.</source>
+        <translation>Commencez par la vidéo d&apos;un laparoscope stéréo et son calibrage, ou des images d&apos;une mire : il en est tiré une séquence, un nuage de points par image et les trajets de repères. Ou ouvrez une séquence existante. Sans vidéo, un exemple montre de quoi il s&apos;agit : le foie du patient de démonstration, qui respire et que presse un instrument, simulé.</translation>
+    </message>
+    <message>
+        <source>From a video...</source>
+        <translation>D&apos;une vidéo…</translation>
+    </message>
+    <message>
+        <source>Two videos, or one that shows both eyes, become a sequence</source>
+        <translation>Deux vidéos, ou une qui montre les deux yeux, deviennent une séquence</translation>
     </message>
 </context>
 <context>
@@ -10990,6 +11096,85 @@ sûr %</translation>
     <message>
         <source>Click on the piece that is to stay; all others go. Ctrl: takes off the part under the pointer</source>
         <translation>Cliquez sur le morceau à garder ; les autres disparaissent. Ctrl : retire la partie sous le pointeur</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::SequenceToldView</name>
+    <message>
+        <source>Calibration: read; the eyes are %1 mm apart.</source>
+        <translation>Calibrage : lu ; les yeux sont à %1 mm l&apos;un de l&apos;autre.</translation>
+    </message>
+    <message>
+        <source>Calibration: reprojection error %1 px; the board is seen in %2 of %3 pairs; the eyes are %4 mm apart.</source>
+        <translation>Calibrage : erreur de reprojection %1 px ; la mire se voit dans %2 paires sur %3 ; les yeux sont à %4 mm l&apos;un de l&apos;autre.</translation>
+    </message>
+    <message>
+        <source>Landmarks tracked: %1.</source>
+        <translation>Repères suivis : %1.</translation>
+    </message>
+    <message>
+        <source>Landmarks tracked: %1; they agree within %2 mm once all frames are aligned.</source>
+        <translation>Repères suivis : %1 ; ils concordent à %2 mm près une fois toutes les images alignées.</translation>
+    </message>
+    <message>
+        <source>Most pairs do not show the board: check its kind, its columns and its rows.</source>
+        <translation>La plupart des paires ne montrent pas la mire : vérifiez son genre, ses colonnes et ses lignes.</translation>
+    </message>
+    <message>
+        <source>More than 1 px: the board may not be flat, or it moved between the two eyes.</source>
+        <translation>Plus de 1 px : la mire n&apos;est peut-être pas plane, ou elle a bougé entre les deux yeux.</translation>
+    </message>
+    <message>
+        <source>The eyes of a laparoscope are about 5 mm apart: is the board&apos;s size right?</source>
+        <translation>Les yeux d&apos;un laparoscope sont à environ 5 mm l&apos;un de l&apos;autre : la taille de la mire est-elle juste ?</translation>
+    </message>
+    <message>
+        <source>The eyes of a laparoscope are about 5 mm apart: is the calibration in mm?</source>
+        <translation>Les yeux d&apos;un laparoscope sont à environ 5 mm l&apos;un de l&apos;autre : le calibrage est-il en mm ?</translation>
+    </message>
+    <message>
+        <source>The calibration&apos;s middle lies far from the pictures&apos; middle: is it of this size?</source>
+        <translation>Le milieu du calibrage est loin de celui des images : vaut-il pour cette taille ?</translation>
+    </message>
+    <message>
+        <source>Frames left out because they show hardly anything in depth: %1.</source>
+        <translation>Images laissées de côté parce qu&apos;elles ne montrent presque rien en profondeur : %1.</translation>
+    </message>
+    <message>
+        <source>What comes on the way</source>
+        <translation>Ce qui vient en chemin</translation>
+    </message>
+    <message>
+        <source>Here you will see how well the camera is calibrated, how much of each pair of pictures is seen in depth, and how many landmarks are followed. Then the sequence is opened.</source>
+        <translation>Vous verrez ici si la caméra est bien calibrée, quelle part de chaque paire d&apos;images est vue en profondeur et combien de repères sont suivis. Ensuite la séquence s&apos;ouvre.</translation>
+    </message>
+    <message>
+        <source>A frame beside its depths</source>
+        <translation>Une image à côté de ses profondeurs</translation>
+    </message>
+    <message>
+        <source>First pair, frame %1: points %2; %3 % of what can be seen.</source>
+        <translation>Première paire, image %1 : points %2 ; %3 % de ce qui peut se voir.</translation>
+    </message>
+    <message>
+        <source>Frames: %1, with %2 points each on average; %3 % of what can be seen.</source>
+        <translation>Images : %1, avec %2 points chacune en moyenne ; %3 % de ce qui peut se voir.</translation>
+    </message>
+    <message>
+        <source>Frame %1: points %2; %3 % of what can be seen; landmarks known from before: %4.</source>
+        <translation>Image %1 : points %2 ; %3 % de ce qui peut se voir ; repères déjà connus : %4.</translation>
+    </message>
+    <message>
+        <source>Kept in %1.</source>
+        <translation>Conservée dans %1.</translation>
+    </message>
+    <message>
+        <source>Rectified left picture; beside it what is seen in depth, near places bright.</source>
+        <translation>Image gauche rectifiée ; à côté ce qui est vu en profondeur, le proche en clair.</translation>
+    </message>
+    <message>
+        <source>Made from the video.</source>
+        <translation>Créée à partir de la vidéo.</translation>
     </message>
 </context>
 <context>
@@ -12212,6 +12397,197 @@ Module de Young %2 kPa (supposé)</translation>
     <message>
         <source>No larger part of the border is unsure (%1 % in all).</source>
         <translation>Aucune grande partie du bord n&apos;est incertaine (%1 % en tout).</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::VideoForm</name>
+    <message>
+        <source>Video</source>
+        <translation>Vidéo</translation>
+    </message>
+    <message>
+        <source>Calibration of the camera</source>
+        <translation>Calibrage de la caméra</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Images</translation>
+    </message>
+    <message>
+        <source>From frame</source>
+        <translation>Depuis l&apos;image</translation>
+    </message>
+    <message>
+        <source>One of so many</source>
+        <translation>Une sur</translation>
+    </message>
+    <message>
+        <source>At most</source>
+        <translation>Au plus</translation>
+    </message>
+    <message>
+        <source>The first frame that is taken, counted from 1</source>
+        <translation>La première image prise, comptée depuis 1</translation>
+    </message>
+    <message>
+        <source>1 takes every frame, 5 every fifth</source>
+        <translation>1 prend toutes les images, 5 une sur cinq</translation>
+    </message>
+    <message>
+        <source>So many frames are taken at most; each takes up to a second</source>
+        <translation>Autant d&apos;images sont prises au plus ; chacune prend jusqu&apos;à une seconde</translation>
+    </message>
+    <message>
+        <source>Choose the video.</source>
+        <translation>Choisissez la vidéo.</translation>
+    </message>
+    <message>
+        <source>Choose the left eye&apos;s video.</source>
+        <translation>Choisissez la vidéo de l&apos;œil gauche.</translation>
+    </message>
+    <message>
+        <source>Choose the right eye&apos;s video.</source>
+        <translation>Choisissez la vidéo de l&apos;œil droit.</translation>
+    </message>
+    <message>
+        <source>Choose the camera&apos;s calibration.</source>
+        <translation>Choisissez le calibrage de la caméra.</translation>
+    </message>
+    <message>
+        <source>Choose the pictures of the board.</source>
+        <translation>Choisissez les images de la mire.</translation>
+    </message>
+    <message>
+        <source>Say where to keep the sequence.</source>
+        <translation>Dites où conserver la séquence.</translation>
+    </message>
+    <message>
+        <source>A video file, or a folder of its pictures</source>
+        <translation>Un fichier vidéo, ou un dossier de ses images</translation>
+    </message>
+    <message>
+        <source>Two videos, one for each eye</source>
+        <translation>Deux vidéos, une par œil</translation>
+    </message>
+    <message>
+        <source>One video, left eye on the left</source>
+        <translation>Une vidéo, œil gauche à gauche</translation>
+    </message>
+    <message>
+        <source>One video, left eye on the right</source>
+        <translation>Une vidéo, œil gauche à droite</translation>
+    </message>
+    <message>
+        <source>One video, left eye above</source>
+        <translation>Une vidéo, œil gauche en haut</translation>
+    </message>
+    <message>
+        <source>How the video shows both eyes</source>
+        <translation>Comment la vidéo montre les deux yeux</translation>
+    </message>
+    <message>
+        <source>How the video, and the pictures of a board, show both eyes</source>
+        <translation>Comment la vidéo et les images d&apos;une mire montrent les deux yeux</translation>
+    </message>
+    <message>
+        <source>Left eye</source>
+        <translation>Œil gauche</translation>
+    </message>
+    <message>
+        <source>Right eye</source>
+        <translation>Œil droit</translation>
+    </message>
+    <message>
+        <source>From a file</source>
+        <translation>D&apos;un fichier</translation>
+    </message>
+    <message>
+        <source>From pictures of a board</source>
+        <translation>D&apos;images d&apos;une mire</translation>
+    </message>
+    <message>
+        <source>Where the calibration comes from</source>
+        <translation>D&apos;où vient le calibrage</translation>
+    </message>
+    <message>
+        <source>Without a calibration, take pictures of a flat board with both eyes, from several sides</source>
+        <translation>Sans calibrage, prenez une mire plane avec les deux yeux, de plusieurs côtés</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Calibrage</translation>
+    </message>
+    <message>
+        <source>JSON, OpenCV&apos;s YAML or XML, or a folder of text files</source>
+        <translation>JSON, YAML ou XML d&apos;OpenCV, ou un dossier de fichiers texte</translation>
+    </message>
+    <message>
+        <source>A folder of pictures or a video: the same board, from at least three sides; ten are better</source>
+        <translation>Un dossier d&apos;images ou une vidéo : la même mire d&apos;au moins trois côtés ; dix valent mieux</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Images</translation>
+    </message>
+    <message>
+        <source>Chessboard</source>
+        <translation>Damier</translation>
+    </message>
+    <message>
+        <source>Grid of circles</source>
+        <translation>Grille de cercles</translation>
+    </message>
+    <message>
+        <source>Grid of circles, four of them larger</source>
+        <translation>Grille de cercles, dont quatre plus grands</translation>
+    </message>
+    <message>
+        <source>Kind of board</source>
+        <translation>Genre de mire</translation>
+    </message>
+    <message>
+        <source>What is printed on the board</source>
+        <translation>Ce qui est imprimé sur la mire</translation>
+    </message>
+    <message>
+        <source>Inner corners, columns by rows</source>
+        <translation>Coins intérieurs, colonnes par lignes</translation>
+    </message>
+    <message>
+        <source>Circles, columns by rows</source>
+        <translation>Cercles, colonnes par lignes</translation>
+    </message>
+    <message>
+        <source>Side of a square</source>
+        <translation>Côté d&apos;une case</translation>
+    </message>
+    <message>
+        <source>From circle to circle</source>
+        <translation>D&apos;un cercle à l&apos;autre</translation>
+    </message>
+    <message>
+        <source>Along a row: a board of 10 x 7 squares has 9 x 6 inner corners</source>
+        <translation>Une mire de 10 x 7 cases a 9 x 6 coins intérieurs</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>Lignes</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Measure it: all lengths of the sequence follow from it</source>
+        <translation>Mesurez-le : toutes les longueurs de la séquence en découlent</translation>
+    </message>
+    <message>
+        <source>Keep it in</source>
+        <translation>Conserver dans</translation>
+    </message>
+    <message>
+        <source>A new folder for the clouds, tracks and pictures</source>
+        <translation>Un nouveau dossier pour les nuages, les trajets et les images</translation>
     </message>
 </context>
 <context>

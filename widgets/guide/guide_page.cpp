@@ -45,6 +45,8 @@ GuidePage::GuidePage(WorkspaceContext context, QWidget* parent) : QWidget(parent
   scroll->setFixedWidth(340);
   across->addWidget(scroll);
   pages_->addWidget(review);
+  from_video_ = new FromVideo(context_.work);
+  pages_->addWidget(from_video_);
   column->addWidget(pages_);
   hand_due_.setSingleShot(true);
   hand_due_.setInterval(0);
@@ -79,7 +81,9 @@ QWidget* GuidePage::make_pictures() {
   file_ = new QLabel;
   file_->setObjectName("patient_name");
   auto* open = named_button("open_another_video");
+  auto* video = named_button("another_from_video");
   head->addWidget(file_, 1);
+  head->addWidget(video);
   head->addWidget(open);
   column->addLayout(head);
   origin_ = wrapped_label("origin");
@@ -100,7 +104,10 @@ QWidget* GuidePage::make_pictures() {
   timeline_->setObjectName("guide_timeline");
   column->addWidget(timeline_);
   connect(open, &QPushButton::clicked, this, &GuidePage::choose_file);
-  keep_translated(pictures, [this, open] {
+  connect(video, &QPushButton::clicked, this, &GuidePage::choose_video);
+  keep_translated(pictures, [this, open, video] {
+    video->setText(tr("From a video..."));
+    video->setToolTip(tr("Two videos, or one that shows both eyes, become a sequence"));
     space_->setAccessibleName(tr("The liver in space, with what was seen of it"));
     open->setText(tr("Open another..."));
     open->setToolTip(tr("Another sequence.json in place of this one"));
@@ -109,6 +116,9 @@ QWidget* GuidePage::make_pictures() {
 }
 
 void GuidePage::connect_parts() {
+  connect(welcome_, &GuideWelcome::video_wanted, this, &GuidePage::choose_video);
+  connect(from_video_, &FromVideo::left, this, [this] { pages_->setCurrentIndex(has_video() ? 1 : 0); });
+  connect(from_video_, &FromVideo::made, this, &GuidePage::open);
   connect(welcome_, &GuideWelcome::file_wanted, this, &GuidePage::choose_file);
   connect(welcome_, &GuideWelcome::example_wanted, this, &GuidePage::open_example);
   connect(panel_, &GuidePanel::placing_wanted, this, &GuidePage::place);
@@ -147,14 +157,16 @@ void GuidePage::connect_work() {
   });
 }
 
-void GuidePage::open(const fs::path& file) {
+void GuidePage::open(const fs::path& file, const std::function<QString()>& then_said) {
   start(Task::opening, tr("Opening the sequence"),
-        [page = QPointer(this), folder = case_folder_, file](const Progress& progress) -> BackgroundWork::Then {
+        [page = QPointer(this), folder = case_folder_, file,
+         then_said](const Progress& progress) -> BackgroundWork::Then {
           auto opened = open_guided_video(folder, file, progress);
-          return [page, opened = std::move(opened)] {
+          return [page, opened = std::move(opened), then_said] {
             if (page.isNull()) return;
-            if (opened) return page->take(*opened);
-            page->say_error(opened.error());
+            if (!opened) return page->say_error(opened.error());
+            page->take(*opened);
+            if (then_said) page->say(then_said);
           };
         });
 }
@@ -245,6 +257,8 @@ void GuidePage::film(const fs::path& file) {
         });
 }
 
+void GuidePage::choose_video() { pages_->setCurrentWidget(from_video_); }
+
 void GuidePage::choose_file() {
   const QString file = ask_for_file(this, tr("Open a sequence"), tr("Sequences (*.json)"));
   if (!file.isEmpty()) open(path_of(file));
@@ -310,7 +324,9 @@ const GuidedFrame* GuidePage::answered(std::size_t frame) const {
 }
 
 void GuidePage::say_error(const Error& error) {
-  if (error.code != "cancelled") say([error] { return translated(error); });
+  if (error.code == "cancelled") return;
+  say([error] { return translated(error); });
+  if (pages_->currentWidget() == from_video_) from_video_->say(said_);
 }
 
 void GuidePage::say(std::function<QString()> words) {

@@ -16,6 +16,7 @@
 #include "widgets/guide/overlay_view.h"
 #include "widgets/panels/frame_images.h"
 #include "widgets/panels/timeline.h"
+#include "widgets/sequence/from_video.h"
 #include "widgets/views/space_view.h"
 #include "widgets/workspaces/workspace.h"
 
@@ -29,8 +30,8 @@ class GuidePage : public QWidget {
   [[nodiscard]] static Workspace workspace(WorkspaceContext context);
 
   void show_patient(const Patient& patient);
-  // A sequence.json. On a worker thread, as everything here that takes time.
-  void open(const std::filesystem::path& file);
+  // A sequence.json. On a worker thread, as everything here that takes time. `then_said` stands beside it then.
+  void open(const std::filesystem::path& file, const std::function<QString()>& then_said = {});
   // The simulated sequence of the demo patient, made the first time.
   void open_example();
   // In all frames, without a guess; or from where it was laid by hand.
@@ -60,6 +61,7 @@ class GuidePage : public QWidget {
   void connect_parts();
   void connect_hand();
 
+  void choose_video();
   void choose_file();
   void choose_film();
   enum class Task { none, opening, placing, filming };
@@ -107,6 +109,7 @@ class GuidePage : public QWidget {
 
   QStackedWidget* pages_;
   GuideWelcome* welcome_;
+  FromVideo* from_video_;
   QLabel* file_;
   QLabel* origin_;
   QLabel* reading_;

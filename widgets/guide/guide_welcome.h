@@ -18,6 +18,7 @@ class GuideWelcome : public QWidget {
   void say(const QString& words) { says_->setText(words); }
 
  Q_SIGNALS:
+  void video_wanted();
   void file_wanted();
   void example_wanted();
 
@@ -25,6 +26,7 @@ class GuideWelcome : public QWidget {
   void word();
 
   QString missing_;
+  QPushButton* video_;
   QPushButton* open_;
   QPushButton* make_;
   QLabel* says_;

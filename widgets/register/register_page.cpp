@@ -40,6 +40,8 @@ RegisterPage::RegisterPage(BackgroundWork& work, QWidget* parent) : QWidget(pare
   welcome_->setObjectName("register_welcome");
   pages_->addWidget(welcome_);
   pages_->addWidget(make_review());
+  from_video_ = new FromVideo(work_);
+  pages_->addWidget(from_video_);
   column->addWidget(pages_);
   connect_work();
   connect_parts();
@@ -68,13 +70,13 @@ void RegisterPage::start(const QString& title, BackgroundWork::Work work) {
   if (work_.start(title, std::move(work))) working_ = true;  // refused, what is under way may still be this page's
 }
 
-void RegisterPage::open(const fs::path& file) {
-  start(tr("Opening the sequence"), [page = QPointer(this), file](const Progress&) -> BackgroundWork::Then {
+void RegisterPage::open(const fs::path& file, const std::function<QString()>& then_said) {
+  start(tr("Opening the sequence"), [page = QPointer(this), file, then_said](const Progress&) -> BackgroundWork::Then {
     auto opened = read(file);
-    return [page, opened = std::move(opened)] {
+    return [page, opened = std::move(opened), then_said] {
       if (page.isNull()) return;
-      if (opened) return page->take(*opened);
-      page->say([error = opened.error()] { return translated(error); });
+      if (opened) page->take(*opened);
+      page->say(opened ? then_said : [error = opened.error()] { return translated(error); });
     };
   });
 }
@@ -184,7 +186,9 @@ QWidget* RegisterPage::make_pictures() {
   file_->setObjectName("patient_name");
   auto* open = new QPushButton;
   open->setObjectName("open_another");
+  auto* video = named_button("another_from_video");
   head->addWidget(file_, 1);
+  head->addWidget(video);
   head->addWidget(open);
   column->addLayout(head);
   origin_ = new QLabel;
@@ -217,7 +221,10 @@ QWidget* RegisterPage::make_pictures() {
   notes_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   column->addWidget(notes_);
   connect(open, &QPushButton::clicked, this, &RegisterPage::choose_file);
-  keep_translated(pictures, [open] {
+  connect(video, &QPushButton::clicked, this, &RegisterPage::choose_video);
+  keep_translated(pictures, [open, video] {
+    video->setText(tr("From a video..."));
+    video->setToolTip(tr("Two videos, or one that shows both eyes, become a sequence"));
     open->setText(tr("Open another..."));
     open->setToolTip(tr("Another sequence.json in place of this one"));
   });
@@ -225,6 +232,9 @@ QWidget* RegisterPage::make_pictures() {
 }
 
 void RegisterPage::connect_parts() {
+  connect(welcome_, &RegisterWelcome::video_wanted, this, &RegisterPage::choose_video);
+  connect(from_video_, &FromVideo::left, this, [this] { pages_->setCurrentIndex(has_sequence() ? 1 : 0); });
+  connect(from_video_, &FromVideo::made, this, &RegisterPage::open);
   connect(welcome_, &RegisterWelcome::file_wanted, this, &RegisterPage::choose_file);
   connect(welcome_, &RegisterWelcome::example_wanted, this, &RegisterPage::open_example);
   connect(algorithms_, &AlgorithmChoice::computing_wanted, this, &RegisterPage::compute);

@@ -21,6 +21,7 @@
 #include "widgets/register/reading_panel.h"
 #include "widgets/register/register_welcome.h"
 #include "widgets/register/triangle_history.h"
+#include "widgets/sequence/from_video.h"
 #include "widgets/work/background_work.h"
 #include "widgets/workspaces/workspace.h"
 
@@ -34,7 +35,8 @@ class RegisterPage : public QWidget {
   [[nodiscard]] static Workspace workspace(const WorkspaceContext& context);
 
   // A sequence.json. On a worker thread, as everything here that takes time.
-  void open(const std::filesystem::path& file);
+  // `then_said` stands beside it then.
+  void open(const std::filesystem::path& file, const std::function<QString()>& then_said = {});
   // The simulated sequence in `folder`, made there unless it is there already.
   void open_example();
   // Registers by the chosen algorithms what is not registered yet, and judges it.
@@ -59,6 +61,7 @@ class RegisterPage : public QWidget {
   void connect_work();
   void connect_parts();
 
+  void choose_video() { pages_->setCurrentWidget(from_video_); }
   void choose_file();
   void start(const QString& title, BackgroundWork::Work work);
   void take(std::shared_ptr<const OpenedSequence> sequence);
@@ -90,6 +93,7 @@ class RegisterPage : public QWidget {
 
   QStackedWidget* pages_;
   RegisterWelcome* welcome_;
+  FromVideo* from_video_;
   QLabel* file_;
   QLabel* origin_;
   QLabel* reading_told_;  // what to conclude

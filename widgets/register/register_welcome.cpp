@@ -15,6 +15,7 @@ RegisterWelcome::RegisterWelcome(QWidget* parent) : QWidget(parent) {
   title->setObjectName("welcome_title");
   title->setAlignment(Qt::AlignCenter);
   QLabel* text = wrapped_label("register_about");
+  QPushButton* video = named_button("register_from_video");
   QPushButton* open = named_button("open_sequence");
   QPushButton* make = named_button("primary");
   says_ = wrapped_label("register_says");
@@ -24,6 +25,7 @@ RegisterWelcome::RegisterWelcome(QWidget* parent) : QWidget(parent) {
   column->addSpacing(16);
   auto* buttons = new QHBoxLayout;
   buttons->addStretch();
+  buttons->addWidget(video);
   buttons->addWidget(open);
   buttons->addWidget(make);
   buttons->addStretch();
@@ -31,15 +33,18 @@ RegisterWelcome::RegisterWelcome(QWidget* parent) : QWidget(parent) {
   column->addSpacing(12);
   column->addLayout(in_the_middle(says_));
   column->addStretch(3);
+  connect(video, &QPushButton::clicked, this, &RegisterWelcome::video_wanted);
   connect(open, &QPushButton::clicked, this, &RegisterWelcome::file_wanted);
   connect(make, &QPushButton::clicked, this, &RegisterWelcome::example_wanted);
   keep_translated(this, [=] {
     title->setText(tr("How good is a registration of a video?"));
     text->setText(tr(
-        "This needs a sequence: a sequence.json that names the frames of a stereo video, a point cloud of each, the "
-        "tracks of landmarks, and the model that is registered. glisson-cli sequence makes one of a stereo video and "
-        "its calibration. Without a video, an example shows what it is about: the demo patient's liver, breathing "
-        "and pressed by a tool, simulated."));
+        "Begin with the video of a stereo laparoscope and its calibration, or pictures of a board: a sequence is made "
+        "of it, a cloud of points a frame and the tracks of landmarks. Or open a sequence that is there. Without a "
+        "video, an example shows what it is about: the demo patient's liver, breathing and pressed by a tool, "
+        "simulated."));
+    video->setText(tr("From a video..."));
+    video->setToolTip(tr("Two videos, or one that shows both eyes, become a sequence"));
     open->setText(tr("Open a sequence..."));
     open->setToolTip(tr("A sequence.json with its clouds, tracks and pictures beside it"));
     make->setText(tr("Make an example sequence"));

@@ -15,6 +15,7 @@ class RegisterWelcome : public QWidget {
   void say(const QString& words) { says_->setText(words); }
 
  Q_SIGNALS:
+  void video_wanted();
   void file_wanted();
   void example_wanted();
 
