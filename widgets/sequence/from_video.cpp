@@ -22,6 +22,7 @@ FromVideo::FromVideo(BackgroundWork& work, QWidget* parent) : QWidget(parent), w
   connect_work();
   connect(form_, &VideoForm::changed, this, [this] {
     said_ = {};  // it was of another order
+    cancelled_ = false;
     word();
   });
   connect(make_, &QPushButton::clicked, this, &FromVideo::make);
@@ -51,6 +52,7 @@ QWidget* FromVideo::make_order() {
   auto* below = new QVBoxLayout;
   below->setContentsMargins(14, 0, 14, 0);
   below->setSpacing(8);
+  hint_ = wrapped_label("from_video_hint");
   says_ = wrapped_label("from_video_says");
   stage_ = wrapped_label("faint");
   progress_ = new QProgressBar;
@@ -67,6 +69,7 @@ QWidget* FromVideo::make_order() {
   buttons->addStretch(1);
   buttons->addWidget(make_);
   below->addWidget(says_);
+  below->addWidget(hint_);
   below->addWidget(stage_);
   below->addLayout(under_way);
   below->addLayout(buttons);
@@ -111,6 +114,7 @@ void FromVideo::make() {
   working_ = true;
   told_ = {};
   said_ = {};
+  cancelled_ = false;
   progress_->setValue(0);
   stage_->clear();
   view_->show_told(told_);
@@ -130,11 +134,9 @@ void FromVideo::take_frame(const FrameTold& told) {
 
 void FromVideo::end(const Result<registration_quality::VideoSequence>& made) {
   if (!made) {
-    const bool is_cancelled = made.error().code == "cancelled";
-    say([error = made.error(), is_cancelled] {
-      return is_cancelled ? tr("Cancelled. Nothing was left behind.") : translated(error);
-    });
-    return;
+    cancelled_ = made.error().code == "cancelled";
+    if (cancelled_) return word();
+    return say([error = made.error()] { return translated(error); });
   }
   told_.made = *made;
   view_->show_told(told_);
@@ -156,8 +158,14 @@ void FromVideo::word() {
   make_->setToolTip(working_            ? tr("It is being computed")
                     : missing.isEmpty() ? tr("Makes clouds and tracks of the frames, and opens them")
                                         : missing);
-  says_->setText(working_ ? QString() : !said.isEmpty() ? said : missing);
-  says_->setVisible(!says_->text().isEmpty());
+  const auto show = [](QLabel* label, const QString& words) {
+    label->setText(words);
+    label->setVisible(!words.isEmpty());
+  };
+  show(says_, working_ ? QString() : said);
+  show(hint_, working_ || !said.isEmpty() ? QString()
+              : cancelled_                ? tr("Cancelled. Nothing was left behind.")
+                                          : missing);
   for (QWidget* part : std::initializer_list<QWidget*>{stage_, progress_, cancel_}) part->setVisible(working_);
 }
 

@@ -41,8 +41,10 @@ class FromVideo : public QWidget {
   bool working_ = false;  // for this page
   SequenceTold told_;
   std::function<QString()> said_;
+  bool cancelled_ = false;
 
   VideoForm* form_;
+  QLabel* hint_;
   QLabel* says_;
   QLabel* stage_;
   QProgressBar* progress_;

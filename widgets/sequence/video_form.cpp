@@ -92,7 +92,7 @@ void VideoForm::add_calibration(QVBoxLayout& column) {
   grid->addWidget(new QLabel(QString::fromUtf8("\u00d7")), 0, 2);
   grid->addWidget(rows_, 0, 3);
   grid->addWidget(spacing_name_, 1, 0);
-  grid->addWidget(spacing_, 1, 1);
+  grid->addWidget(spacing_, 1, 1, 1, 3);
   grid->setColumnStretch(0, 1);
   for (QWidget* part : std::initializer_list<QWidget*>{board_left_, board_right_, pattern_}) board->addWidget(part);
   board->addLayout(grid);
