@@ -8,6 +8,7 @@
 #include <opencv2/ximgproc/disparity_filter.hpp>
 
 #include "vision/internal/opencv.h"
+#include "vision/internal/subpixel.h"
 
 namespace glisson::vision {
 namespace {
@@ -117,8 +118,14 @@ Result<StereoCloud> StereoMatcher::cloud(const Frame& left, const Frame& right) 
     cloud.picture = from_opencv(left_rectified);
     const UsablePixels pixels = usable_pixels(cloud.picture, inside_->options.masks);
     cloud.masked = pixels.shares;
-    const Disparity disparity =
+    Disparity disparity =
         match(inside_->matchers, left_rectified, right_rectified, inside_->options.largest_disagreement_px);
+    if (inside_->options.step_px > 1) {
+      cv::Mat left_grey, right_grey;
+      cv::cvtColor(left_rectified, left_grey, cv::COLOR_BGR2GRAY);
+      cv::cvtColor(right_rectified, right_grey, cv::COLOR_BGR2GRAY);
+      refine_disparity(left_grey, right_grey, pixels.usable, inside_->options.step_px, disparity.px);
+    }
     place_points(inside_->rectified, left_rectified, disparity, pixels.usable, inside_->options, cloud);
     return cloud;
   } catch (const cv::Exception& problem) {

@@ -1,5 +1,6 @@
 #include "vision/stereo.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <algorithm>
 #include <cmath>
@@ -228,6 +229,40 @@ TEST(StereoCalibration, RefusesWhatIsNoRotationOrNoPair) {
   const TemporaryFolder folder;
   ASSERT_TRUE(write_text_file(folder.path() / "c.json", "{\"left\": {}}"));
   EXPECT_EQ(read_stereo_calibration(folder.path() / "c.json").error().code, "calibration-invalid");
+}
+
+// A scene that no rule was chosen on: real tissue's picture on a surface whose depths are known.
+TEST(Stereo, BringsSparsePointsNearerThanTheSmoothingLeavesThem) {
+  GLISSON_NEEDS_DATA("hamlyn_heart_stereo");
+  const test::StereoVideo video(
+      read_frame(test::shared_data() / "hamlyn_heart_stereo" / "f7_dynamic_deint_L_0100.png").value());
+  constexpr int t = 3;
+  const auto errors_mm = [&](int step_px) {
+    StereoOptions options;
+    options.step_px = step_px;
+    const Frame left = video.left(t), right = video.right(t);
+    auto matcher = StereoMatcher::prepare(test::StereoVideo::calibration(), left.width, left.height, options).value();
+    const StereoCloud cloud = matcher.cloud(left, right).value();
+    std::vector<double> errors;
+    for (std::size_t i = 0; i < cloud.points_mm.size(); ++i) {
+      if (cloud.pixels[i][0] % 4 != 0 || cloud.pixels[i][1] % 4 != 0) continue;
+      const Eigen::Vector3d& point = cloud.points_mm[i];
+      const Eigen::Vector2d rest = test::StereoVideo::rest_mm(point, t);
+      errors.push_back(std::abs(point.z() - test::StereoVideo::place_mm(rest.x(), rest.y(), t).z()));
+    }
+    std::sort(errors.begin(), errors.end());
+    return errors;
+  };
+  const auto smoothed = errors_mm(1), refined = errors_mm(4);
+  ASSERT_GT(refined.size(), 2000u);
+  EXPECT_NEAR(static_cast<double>(refined.size()), static_cast<double>(smoothed.size()), 0.02 * smoothed.size());
+  const auto at = [](const std::vector<double>& errors, double share) {
+    return errors[static_cast<std::size_t>(share * static_cast<double>(errors.size() - 1))];
+  };
+  fmt::print("error in depth, mm (median, 90 %): {:.2f}, {:.2f} smoothed; {:.2f}, {:.2f} refined\n", at(smoothed, 0.5),
+             at(smoothed, 0.9), at(refined, 0.5), at(refined, 0.9));
+  EXPECT_LT(at(refined, 0.5), 0.6 * at(smoothed, 0.5));
+  EXPECT_LT(at(refined, 0.9), 0.8 * at(smoothed, 0.9));
 }
 
 }  // namespace

@@ -164,6 +164,7 @@ class FromVideoTest : public QObject {
         const double off_mm = (answer->placement.target_mm[k] - truth_mm_[f]).norm();
         qInfo("frame %zu: the tumour is off by %.1f mm, sd %.1f mm, residual %.2f mm", f + 1, off_mm,
               answer->placement.target_sd_mm[k], answer->placement.residual_rms_mm);
+        QVERIFY2(off_mm < 6, qPrintable(QString::number(off_mm)));
       }
     }
     keep_picture("from_video_placed");
