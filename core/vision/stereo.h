@@ -33,8 +33,8 @@ struct StereoOptions {
   double minimum_confidence = 0.5;
   MatchingSize size = MatchingSize::automatic;
   MaskOptions masks;
-  // One point every so many pixels. Where that is more than one, each point's disparity is refined to a tenth of a pixel
-  // or so (internal/subpixel.h); of all pixels it would take seconds.
+  // One point every so many pixels. Where that is more than one, each point's disparity is refined to a tenth of a
+  // pixel or so (internal/subpixel.h); of all pixels it would take seconds.
   int step_px = 1;
 };
 

@@ -95,7 +95,7 @@ SequenceToldView::SequenceToldView(QWidget* parent) : QWidget(parent) {
   column->addWidget(nothing_);
   constexpr std::array names{"told_calibration", "told_first", "told_frames", "told_landmarks"};
   for (std::size_t i = 0; i < lines_.size(); ++i) column->addWidget(lines_[i] = wrapped_label(names[i]));
-  doubt_ = wrapped_label("origin");  // a warning looks like one
+  doubt_ = wrapped_label("sequence_doubt");
   column->addWidget(doubt_);
   caption_ = wrapped_label("faint");
   column->addWidget(caption_);
