@@ -6723,6 +6723,10 @@
         <source>Give two videos of the same moments, or take fewer frames than both have.</source>
         <translation>Geben Sie zwei Videos derselben Zeit an, oder nehmen Sie weniger Bilder, als beide haben.</translation>
     </message>
+    <message>
+        <source>SIMULATED: a generated liver, breathing and pressed by a tool as a formula says.</source>
+        <translation>SIMULIERT: eine erzeugte Leber, die nach einer Formel atmet und von einem Instrument eingedrückt wird.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

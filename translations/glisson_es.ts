@@ -6723,6 +6723,10 @@
         <source>Give two videos of the same moments, or take fewer frames than both have.</source>
         <translation>Indique dos vídeos de los mismos momentos, o tome menos fotogramas de los que tienen ambos.</translation>
     </message>
+    <message>
+        <source>SIMULATED: a generated liver, breathing and pressed by a tool as a formula says.</source>
+        <translation>SIMULADO: un hígado generado, que respira y es presionado por un instrumento según una fórmula.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

@@ -6723,6 +6723,10 @@
         <source>Give two videos of the same moments, or take fewer frames than both have.</source>
         <translation>Donnez deux vidéos des mêmes instants, ou prenez moins d&apos;images que n&apos;en ont les deux.</translation>
     </message>
+    <message>
+        <source>SIMULATED: a generated liver, breathing and pressed by a tool as a formula says.</source>
+        <translation>SIMULÉ&#xa0;: un foie engendré, qui respire et qu’un instrument enfonce selon une formule.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

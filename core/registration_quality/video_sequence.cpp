@@ -167,6 +167,7 @@ Result<VideoSequence> Recording::finish(const Progress& progress) {
                 {"model", "model.ply"},
                 {"camera", {{"matrix", matrix}, {"distortion", calibration_.left.distortion}}}};
   if (has_benchmark_) document["benchmark"] = benchmark_name;
+  if (!calibration_.simulated.empty()) document["simulated"] = calibration_.simulated;
   if (auto written = vision::write_stereo_calibration(folder_ / "camera.json", calibration_); !written) {
     return failure(written.error());
   }

@@ -81,6 +81,11 @@ Result<StereoCalibration> read_json(const fs::path& file) {
   if (!transform || transform->size() != 16) return invalid(file, "left_to_right of 4 x 4 numbers");
   calibration.left_to_right.matrix() =
       Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(transform->data());
+  if (document->contains("simulated")) {
+    const Json& how = (*document)["simulated"];
+    if (!how.is_string()) return invalid(file, "text that says how it was simulated");
+    calibration.simulated = how;
+  }
   if (!document->contains("image_size")) return calibration;
   const auto size = numbers((*document)["image_size"]);
   const auto is_length = [](double length) { return length >= 1 && length <= 1e6 && length == std::floor(length); };
@@ -227,6 +232,7 @@ Result<void> write_stereo_calibration(const fs::path& file, const StereoCalibrat
   Json document{{"left", camera(calibration.left)},
                 {"right", camera(calibration.right)},
                 {"left_to_right", rows(calibration.left_to_right.matrix())}};
+  if (!calibration.simulated.empty()) document["simulated"] = calibration.simulated;
   if (calibration.width > 0) document["image_size"] = {calibration.width, calibration.height};
   return write_json_file(file, document);
 }

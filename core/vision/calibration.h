@@ -23,6 +23,7 @@ struct StereoCalibration {
   Eigen::Isometry3d left_to_right =
       Eigen::Isometry3d::Identity();  // takes a point in left-camera mm to right-camera mm
   int width = 0, height = 0;          // of the pictures that it was made of; 0 where nothing says
+  std::string simulated;              // how, where no camera took its pictures; empty: nothing says so
   std::vector<std::string> notes;     // what was put right, and why
 
   [[nodiscard]] double baseline_mm() const { return left_to_right.translation().norm(); }
@@ -30,7 +31,7 @@ struct StereoCalibration {
 
 // Reads
 //   {"left": {"matrix": [3x3], "distortion": [..]}, "right": {...}, "left_to_right": [4x4]}      (.json)
-// where "image_size": [width, height] may say which pictures it is of;
+// where "image_size": [width, height] may say which pictures it is of, and "simulated" that no camera took them;
 // or OpenCV's M1, D1, M2, D2, R, T, as its calibration samples write them                          (.yml, .yaml, .xml)
 // or a folder of plain text files, as public sets of laparoscopes have them. A name holds left or right, and intrinsic
 // (3 x 3) or distortion (any number, may be missing). One more file is l2r or r2l (4 x 4). A left_to_right that would

@@ -20,6 +20,8 @@ namespace {
 
 using glisson::test::StereoVideo;
 
+constexpr const char* simulated = "SIMULATED: a real picture on tissue that breathes by a formula.";
+
 // The video's pictures in two folders, the breathing tissue of tests/support with a real picture on it.
 class VideoFolders {
  public:
@@ -46,7 +48,9 @@ class VideoFolders {
   [[nodiscard]] Result<VideoSequence> make(const VideoSequenceOptions& options, const Progress& progress = {},
                                            const FrameMatched& matched = {}) const {
     auto video = vision::StereoSource::open({left(), right()}).value();
-    return make_sequence(video, StereoVideo::calibration(), out(), options, progress, matched);
+    vision::StereoCalibration calibration = StereoVideo::calibration();
+    calibration.simulated = simulated;
+    return make_sequence(video, calibration, out(), options, progress, matched);
   }
 
  private:
@@ -72,6 +76,7 @@ TEST(VideoSequence, GoesFromPicturesToAJudgedRegistration) {
   EXPECT_EQ(files.clouds.size(), 5u);
   ASSERT_TRUE(files.camera.has_value());
   EXPECT_EQ(files.camera->matrix(0, 0), StereoVideo::focal_px);
+  EXPECT_EQ(files.simulated, simulated);
   RegisteredSequence sequence;
   sequence.landmarks = files.landmarks;
   sequence.model = geometry::read_surface(*files.model).value();

@@ -107,7 +107,17 @@ TEST(Calibration, KeepsAndHoldsToTheSizeItIsOf) {
   EXPECT_EQ(read.height, 480);
   EXPECT_TRUE(StereoMatcher::prepare(read, 640, 480).has_value());
   EXPECT_EQ(StereoMatcher::prepare(read, 1280, 960).error().code, "stereo-calibration-size");
+  EXPECT_EQ(read.simulated, "");
+  calibration.simulated = "SIMULATED: by hand.";
+  ASSERT_TRUE(write_stereo_calibration(file, calibration));
+  EXPECT_EQ(read_stereo_calibration(file)->simulated, "SIMULATED: by hand.");
   std::string text = read_text_file(file).value();
+  text.replace(text.find("\"SIMULATED: by hand.\""), 21, "true");
+  ASSERT_TRUE(write_text_file(file, text));
+  EXPECT_EQ(read_stereo_calibration(file).error().code, "calibration-invalid");
+  calibration.simulated.clear();
+  ASSERT_TRUE(write_stereo_calibration(file, calibration));
+  text = read_text_file(file).value();
   text.replace(text.find("640"), 3, "-64");
   ASSERT_TRUE(write_text_file(file, text));
   EXPECT_EQ(read_stereo_calibration(file).error().code, "calibration-invalid");

@@ -192,6 +192,8 @@ Result<void> Recording::begin_video() {
   calibration.left_to_right.translation() = Vector3d(-eyes_apart_mm, 0, 0);
   calibration.width = ExampleScene::width;
   calibration.height = ExampleScene::height;
+  calibration.simulated =
+      GLISSON_TEXT("SIMULATED: a generated liver, breathing and pressed by a tool as a formula says.");
   return vision::write_stereo_calibration(folder_ / "video" / "camera.json", calibration);
 }
 
