@@ -5,9 +5,9 @@
 
 A CASE is a folder with guidance.json and truth.json (or truth/truth.json). For each frame: the mean and the largest
 error of the targets, the error of the best rigid motion that knows the truth, and how many targets lie within 2.5 of
-the stated standard deviations (90 % should). Below: the mean and median of the error over the best rigid motion's, over
-frames that are deformed, and the median error of the tools' forces (as vectors, and of their size) where they are
-known, with how many of them lie within 2.5 of their standard deviations.
+the stated standard deviations (90 % should). Below each case and all of them: the mean and median of the error over the
+best rigid motion's, over frames that are deformed, and the median error of the tools' forces (as vectors, and of their
+size) where they are known, with how many of them lie within 2.5 of their standard deviations.
 """
 import json
 import math
@@ -43,25 +43,33 @@ def main():
     if len(sys.argv) < 3:
         sys.exit(__doc__)
     print(f"{'case':16}{'frame':6}{'mean mm':>8}{'max mm':>8}{'best rigid':>11}{'within':>8}{'seconds':>8}")
-    ratios, forces, inside = [], [], []
+    everything = []
     for case in map(pathlib.Path, sys.argv[2:]):
+        of_case = []
         for frame, best_rigid, errors, within, off in judged(sys.argv[1], case):
             if not errors:
-                print(f"{case.name:16}{frame['id']:6}not answered: {frame.get('note', '')}")
+                print(f"{case.name:16}{frame['id']:6}not answered: {frame.get('note', '')}", flush=True)
                 continue
             print(f"{case.name:16}{frame['id']:6}{sum(errors) / len(errors):8.2f}{max(errors):8.2f}{best_rigid:11.2f}"
-                  f"{100 * sum(within) / len(within):7.0f}%{frame['seconds']:8.1f}")
-            forces += off
-            inside += within
-            if best_rigid > DEFORMED_MM:
-                ratios.append(sum(errors) / len(errors) / best_rigid)
+                  f"{100 * sum(within) / len(within):7.0f}%{frame['seconds']:8.1f}", flush=True)
+            of_case.append((best_rigid, errors, within, off))
+        print_sum(case.name, of_case)
+        everything += of_case
+    print_sum("all", everything)
+
+
+def print_sum(name, frames):
+    """One line of ratios, one of forces, each where there is any."""
+    ratios = [statistics.mean(errors) / best_rigid for best_rigid, errors, _, _ in frames if best_rigid > DEFORMED_MM]
+    inside = [one for _, _, within, _ in frames for one in within]
+    forces = [force for _, _, _, off in frames for force in off]
     if ratios:
-        print(f"of the best rigid motion's: mean {statistics.mean(ratios):.2f}, median {statistics.median(ratios):.2f};"
-              f" within {100 * statistics.mean(inside):.0f}%")
+        print(f"{name}: of the best rigid motion's: mean {statistics.mean(ratios):.2f},"
+              f" median {statistics.median(ratios):.2f}; within {100 * statistics.mean(inside):.0f}%")
     if forces:
-        print(f"tools' forces off by {100 * statistics.median(vector for vector, _, _ in forces):.0f} %,"
+        print(f"{name}: tools' forces off by {100 * statistics.median(vector for vector, _, _ in forces):.0f} %,"
               f" their size by {100 * statistics.median(size for _, size, _ in forces):.0f} % (medians);"
-              f" within {100 * statistics.mean(within for _, _, within in forces):.0f}%")
+              f" within {100 * statistics.mean(within for _, _, within in forces):.0f}%", flush=True)
 
 
 if __name__ == "__main__":

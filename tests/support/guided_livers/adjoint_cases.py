@@ -67,7 +67,10 @@ def main():
     words.add_argument("--declare", default="nothing", choices=["nothing", "support", "tool", "seen-tool"])
     words.add_argument("--seed", type=int, default=1)
     asked = words.parse_args()
-    for source in sorted(path.parent for path in SOURCE.glob("*/guidance.json")):
+    sources = sorted(path.parent for path in SOURCE.glob("*/guidance.json"))
+    if not sources:
+        sys.exit(f"{SOURCE} holds no guidance.json: say in GLISSON_SHARED_DATA where the data lie.")
+    for source in sources:
         make(source, asked.out / f"{source.name}-{asked.declare}", asked.declare, asked.seed)
 
 
