@@ -8146,10 +8146,6 @@ Keine Messungen zur Hand? Probieren Sie das Beispiel: eine simulierte Gewebeprob
         <translation>Eine andere sequence.json anstelle dieser</translation>
     </message>
     <message>
-        <source>A defect in Glisson stopped this: %1</source>
-        <translation>Ein Fehler in Glisson hat dies beendet: %1</translation>
-    </message>
-    <message>
         <source>Opening the sequence</source>
         <translation>Die Sequenz wird geöffnet</translation>
     </message>
@@ -10110,10 +10106,6 @@ sicher %</translation>
     <message>
         <source>Registering the video</source>
         <translation>Das Video wird registriert</translation>
-    </message>
-    <message>
-        <source>A defect in Glisson stopped this: %1</source>
-        <translation>Ein Fehler in Glisson hat dies beendet: %1</translation>
     </message>
     <message>
         <source>Open another...</source>

@@ -8146,10 +8146,6 @@ Glisson dice cuánto se equivoca el modelo declarado, qué le falta y con qué c
         <translation>Otro sequence.json en lugar de este</translation>
     </message>
     <message>
-        <source>A defect in Glisson stopped this: %1</source>
-        <translation>Un defecto de Glisson ha interrumpido esto: %1</translation>
-    </message>
-    <message>
         <source>Opening the sequence</source>
         <translation>Abriendo la secuencia</translation>
     </message>
@@ -10113,10 +10109,6 @@ seguro %</translation>
     <message>
         <source>Registering the video</source>
         <translation>Registrando el vídeo</translation>
-    </message>
-    <message>
-        <source>A defect in Glisson stopped this: %1</source>
-        <translation>Un defecto de Glisson detuvo esto: %1</translation>
     </message>
     <message>
         <source>Open another...</source>

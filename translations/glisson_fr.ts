@@ -8146,10 +8146,6 @@ Pas de mesures sous la main&#xa0;? Essayez l’exemple&#xa0;: un échantillon de
         <translation>Un autre sequence.json à la place de celui-ci</translation>
     </message>
     <message>
-        <source>A defect in Glisson stopped this: %1</source>
-        <translation>Un défaut de Glisson a interrompu cette opération&#xa0;:&#xa0;%1</translation>
-    </message>
-    <message>
         <source>Opening the sequence</source>
         <translation>Ouverture de la séquence</translation>
     </message>
@@ -10113,10 +10109,6 @@ sûr %</translation>
     <message>
         <source>Registering the video</source>
         <translation>Recalage de la vidéo</translation>
-    </message>
-    <message>
-        <source>A defect in Glisson stopped this: %1</source>
-        <translation>Un défaut de Glisson a arrêté ceci&#xa0;: %1</translation>
     </message>
     <message>
         <source>Open another...</source>

@@ -152,9 +152,6 @@ void GuidePage::connect_work() {
     follows_answers_ = false;
     word();
   });
-  connect(&context_.work, &BackgroundWork::broke, this, [this](const QString& what) {
-    if (task_ != Task::none) say([what] { return tr("A defect in Glisson stopped this: %1").arg(what); });
-  });
 }
 
 void GuidePage::open(const fs::path& file, const std::function<QString()>& then_said) {

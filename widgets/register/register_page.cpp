@@ -147,9 +147,6 @@ void RegisterPage::connect_work() {
     working_ = false;
     word();
   });
-  connect(&work_, &BackgroundWork::broke, this, [this](const QString& what) {
-    say([what] { return tr("A defect in Glisson stopped this: %1").arg(what); });
-  });
 }
 
 // ---- What there is to see ----
