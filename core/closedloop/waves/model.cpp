@@ -43,6 +43,8 @@ class WaveModel : public ForwardModel {
   [[nodiscard]] Result<Eigen::VectorXd> predict(const Settings& settings) const override {
     return Eigen::VectorXd(base_ - left(state_of(settings)));
   }
+  // A prediction takes a hundredth of a second at most, but an inclusion's fit some hundred of them.
+  [[nodiscard]] bool predicts_quickly() const override { return false; }
   [[nodiscard]] SystematicUncertainty systematic_uncertainty() const override { return systematic_; }
   [[nodiscard]] std::vector<Start> starts(const Effect& effect, const Settings& active,
                                           const Eigen::VectorXd& residual) const override;

@@ -29,13 +29,14 @@
 namespace glisson::closedloop {
 
 // Effects: stiffness-scale {factor}; stiff-inclusion {center_mm x 3, radius_mm, ratio}, a sphere; viscosity
-// (kelvin-voigt {viscosity_Pa_s}, structural {loss_ratio}, springpot {factor, exponent}); anisotropy {axis x 3, ratio},
-// with two or more components; compression-waves {longitudinal_modulus_kPa}, where no pressure is free and all three
-// components were measured; slice-timing (sequential, interleaved {delay_ms}), with more than one slice;
-// boundary-layer {depth_mm, ratio} along the region's border.
+// (kelvin-voigt {viscosity_Pa_s}, structural {loss_ratio}, springpot {factor, exponent}); anisotropy {azimuth_deg from x
+// to y, elevation_deg from there to z (patient LPS), ratio of the modulus along to that across}, with two or more
+// components; compression-waves (degree-2, -4, -6 {share}), where no pressure is free and all three components were
+// measured: gradients of harmonic polynomials, their amplitudes free in each trial, are taken off what is left;
+// slice-timing (sequential, interleaved {delay_ms}), with more than one slice; boundary-layer {depth_mm, ratio} along
+// the region's border.
 //
-// Fails with "waves-no-patch" where no patch lies within the region, "waves-too-long" where even the largest patch sees
-// too little of a wave.
+// Fails with "waves-no-patch" where the images are too small for a patch, or none lies within the region.
 Result<std::unique_ptr<ForwardModel>> wave_model(Elastography waves);
 
 }  // namespace glisson::closedloop

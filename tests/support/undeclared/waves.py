@@ -52,7 +52,7 @@ def compression(points, omega, longitudinal, rng, count=5):
     for d, a in zip(directions(rng, count), amplitudes(rng, count)):
         e = np.cross(d, directions(rng, 1)[0])
         e /= np.linalg.norm(e)
-        decay = rng.uniform(1 / 60, 1 / 25)
+        decay = rng.uniform(1 / 120, 1 / 50)
         vector = decay * d + 1j * np.sqrt(decay ** 2 + k2) * e
         field += a / np.linalg.norm(vector) * vector * np.exp(points @ vector)[:, None]
     return field

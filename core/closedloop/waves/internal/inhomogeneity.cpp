@@ -6,11 +6,16 @@
 namespace glisson::closedloop {
 namespace {
 
-// Where each quantity stands in a row of the table.
-constexpr std::size_t bump = 0, first = 1, second = 4, laplacian = 10, laplacian_of_first = 11;
-std::size_t second_at(int a, int b) {
-  constexpr std::array<std::array<std::size_t, 3>, 3> at{{{0, 1, 2}, {1, 3, 4}, {2, 4, 5}}};
-  return second + at.at(static_cast<std::size_t>(a)).at(static_cast<std::size_t>(b));
+// The test function's component along `axis` as derivatives of the bump, each with its sign; of those by component one.
+struct Term {
+  double sign = 0;
+  Derivative derivative{0, 0, 0};
+};
+Term term_of(const WeakForms& forms, int test, int axis) {
+  if (!forms.pressure_is_free) return {1, test == 0 ? Derivative{0, 0, 0} : plus({0, 0, 0}, test - 1)};
+  if (test == axis) return {};
+  const int other = 3 - test - axis;  // curl: d_other of the bump, by the sign of (axis, other, test)
+  return {(axis - other) * (other - test) * (test - axis) / 2.0, plus({0, 0, 0}, other)};
 }
 
 }  // namespace
@@ -25,24 +30,38 @@ Belonging smoothed(double signed_distance_mm, const Eigen::Vector3d& gradient, d
 }
 
 RegionForms::RegionForms(const WeakForms& forms, TestFunctions functions, imaging::Grid grid)
-    : forms_(forms), functions_(std::move(functions)), grid_(std::move(grid)) {
+    : forms_(forms),
+      functions_(std::move(functions)),
+      grid_(std::move(grid)),
+      tests_(forms.pressure_is_free ? 3 : forms.groups()),
+      axes_(forms.pressure_is_free ? 3 : 1) {
+  const Eigen::Index voxels =
+      Eigen::Index{2 * functions_.reach(0) + 1} * (2 * functions_.reach(1) + 1) * (2 * functions_.reach(2) + 1);
+  const Eigen::Index columns = Eigen::Index{tests_} * axes_;
+  weights_ = Eigen::VectorXd::Zero(voxels);
+  w_ = l_ = Eigen::MatrixXd::Zero(voxels, columns);
+  for (Eigen::MatrixXd& one : by_slope_) one = w_;
+  Eigen::Index at = 0;
   for (int k = -functions_.reach(2); k <= functions_.reach(2); ++k) {
     for (int j = -functions_.reach(1); j <= functions_.reach(1); ++j) {
-      for (int i = -functions_.reach(0); i <= functions_.reach(0); ++i) {
+      for (int i = -functions_.reach(0); i <= functions_.reach(0); ++i, ++at) {
         const std::array<int, 3> offset{i, j, k};
-        std::array<double, kept> row{};
-        row[bump] = functions_.value({0, 0, 0}, offset);
-        for (int a = 0; a < 3; ++a) {
-          const auto at = static_cast<std::size_t>(a);
-          const Derivative once = plus({0, 0, 0}, a);
-          row.at(first + at) = functions_.value(once, offset);
-          for (int b = 0; b < 3; ++b) {
-            row.at(second_at(a, b)) = functions_.value(plus(once, b), offset);
-            row.at(laplacian_of_first + at) += functions_.value(plus(plus(once, b), b), offset);
+        weights_[at] = std::pow(functions_.value({0, 0, 0}, offset), 2);
+        for (int axis = 0; axis < axes_; ++axis) {
+          for (int test = 0; test < tests_; ++test) {
+            const auto [sign, derivative] = term_of(forms_, test, axis);
+            const Eigen::Index column = Eigen::Index{axis} * tests_ + test;
+            w_(at, column) = sign * functions_.value(derivative, offset);
+            for (int a = 0; a < 3; ++a) {
+              l_(at, column) += sign * functions_.value(plus(plus(derivative, a), a), offset);
+              double& slope = by_slope_.at(static_cast<std::size_t>(a))(at, column);
+              slope = sign * functions_.value(plus(derivative, a), offset);
+              if (!forms_.pressure_is_free) continue;
+              const auto [other_sign, other] = term_of(forms_, test, a);  // the transposed gradient
+              slope += other_sign * functions_.value(plus(other, axis), offset);
+            }
           }
-          row[laplacian] += row.at(second_at(a, a));
         }
-        table_.push_back(row);
       }
     }
   }
@@ -50,76 +69,43 @@ RegionForms::RegionForms(const WeakForms& forms, TestFunctions functions, imagin
 
 RegionSums RegionForms::sums(const Patch& patch, const std::vector<std::vector<std::complex<float>>>& fields,
                              const std::vector<double>& slice_phase, const Region& region) const {
-  const bool curl = forms_.pressure_is_free;
-  const int tests = curl ? 3 : forms_.groups(),
-            axes = curl ? 3 : 1;  // by component all components have the same test functions
-  RegionSums sums{Eigen::VectorXcd::Zero(forms_.count()), Eigen::MatrixXd::Zero(tests, tests),
-                  Eigen::MatrixXd::Zero(tests, tests), Eigen::MatrixXd::Zero(tests, tests)};
-  Eigen::MatrixXd w(tests, axes), l(tests, axes), b(tests, axes);
-  double weights = 0;
-  std::size_t at = 0;
+  const Eigen::Index voxels = weights_.size();
+  Eigen::VectorXd share(voxels);
+  std::array<Eigen::VectorXd, 3> slope{Eigen::VectorXd(voxels), Eigen::VectorXd(voxels), Eigen::VectorXd(voxels)};
+  Eigen::MatrixXcd u(voxels, static_cast<Eigen::Index>(fields.size()));
+  Eigen::Index at = 0;
   for (int k = -functions_.reach(2); k <= functions_.reach(2); ++k) {
+    const int slice = patch.middle[2] + k;
+    const std::complex<double> turn =
+        slice_phase.empty() ? std::complex<double>(1) : std::polar(1.0, -slice_phase[static_cast<std::size_t>(slice)]);
     for (int j = -functions_.reach(1); j <= functions_.reach(1); ++j) {
-      for (int i = -functions_.reach(0); i <= functions_.reach(0); ++i) {
-        const auto& row = table_[at++];
-        const double weight = row[bump] * row[bump];
-        weights += weight;
-        const std::array<int, 3> voxel{patch.middle[0] + i, patch.middle[1] + j, patch.middle[2] + k};
-        const auto [share, slope] = region(voxel);
-        if (share == 0) continue;
-        sums.share += weight * share;
-        if (curl) {
-          for (int e = 0; e < 3; ++e) {
-            for (int c = 0; c < 3; ++c) {
-              w(e, c) = l(e, c) = b(e, c) = 0;
-              if (c == e) {
-                // w_e = 0; what is left is the transposed gradient: sum over j of slope_j d_e w_j.
-                const int u = (e + 1) % 3, v = (e + 2) % 3;
-                b(e, c) = slope[u] * row.at(second_at(e, v)) - slope[v] * row.at(second_at(e, u));
-                continue;
-              }
-              const int other = 3 - c - e;
-              const double sign = (c - other) * (other - e) * (e - c) / 2.0;
-              w(e, c) = sign * row.at(first + static_cast<std::size_t>(other));
-              l(e, c) = sign * row.at(laplacian_of_first + static_cast<std::size_t>(other));
-              double turned = 0;
-              for (int a = 0; a < 3; ++a) turned += slope[a] * sign * row.at(second_at(other, a));
-              const int u = (e + 1) % 3, v = (e + 2) % 3;
-              turned += slope[u] * row.at(second_at(c, v)) - slope[v] * row.at(second_at(c, u));
-              b(e, c) = share * l(e, c) + turned;
-            }
-          }
-        } else {
-          for (int t = 0; t < tests; ++t) {
-            const int axis = t - 1;
-            w(t, 0) = t == 0 ? row[bump] : row.at(first + static_cast<std::size_t>(axis));
-            l(t, 0) = t == 0 ? row[laplacian] : row.at(laplacian_of_first + static_cast<std::size_t>(axis));
-            double turned = 0;
-            for (int a = 0; a < 3; ++a)
-              turned += slope[a] * (t == 0 ? row.at(first + static_cast<std::size_t>(a)) : row.at(second_at(axis, a)));
-            b(t, 0) = share * l(t, 0) + turned;
-          }
-        }
-        sums.with_w.noalias() += w * b.transpose();
-        sums.with_l.noalias() += l * b.transpose();
-        sums.own.noalias() += b * b.transpose();
-        const std::size_t voxel_at = grid_.offset(voxel[0], voxel[1], voxel[2]);
-        const std::complex<double> turn = slice_phase.empty()
-                                              ? std::complex<double>(1)
-                                              : std::polar(1.0, -slice_phase[static_cast<std::size_t>(voxel[2])]);
-        for (std::size_t c = 0; c < fields.size(); ++c) {
-          const std::complex<double> u = turn * std::complex<double>(fields[c][voxel_at]);
-          const auto component = static_cast<Eigen::Index>(c);
-          if (curl) {
-            for (int e = 0; e < 3; ++e) sums.seen[e] += b(e, component) * u;
-          } else {
-            for (int t = 0; t < tests; ++t) sums.seen[component * tests + t] += b(t, 0) * u;
-          }
-        }
+      for (int i = -functions_.reach(0); i <= functions_.reach(0); ++i, ++at) {
+        const std::array<int, 3> voxel{patch.middle[0] + i, patch.middle[1] + j, slice};
+        const Belonging here = region(voxel);
+        share[at] = here.share;
+        for (Eigen::Index a = 0; a < 3; ++a) slope.at(static_cast<std::size_t>(a))[at] = here.slope[a];
+        const std::size_t offset = grid_.offset(voxel[0], voxel[1], voxel[2]);
+        for (std::size_t c = 0; c < fields.size(); ++c)
+          u(at, static_cast<Eigen::Index>(c)) = turn * std::complex<double>(fields[c][offset]);
       }
     }
   }
-  sums.share /= weights;
+  Eigen::MatrixXd b = share.asDiagonal() * l_;
+  for (std::size_t a = 0; a < 3; ++a) b += slope.at(a).asDiagonal() * by_slope_.at(a);
+  RegionSums sums{Eigen::VectorXcd::Zero(forms_.count()), Eigen::MatrixXd::Zero(tests_, tests_),
+                  Eigen::MatrixXd::Zero(tests_, tests_), Eigen::MatrixXd::Zero(tests_, tests_),
+                  weights_.dot(share) / weights_.sum()};
+  for (int axis = 0; axis < axes_; ++axis) {
+    const auto of_axis = b.middleCols(Eigen::Index{axis} * tests_, tests_);
+    sums.with_w += w_.middleCols(Eigen::Index{axis} * tests_, tests_).transpose() * of_axis;
+    sums.with_l += l_.middleCols(Eigen::Index{axis} * tests_, tests_).transpose() * of_axis;
+    sums.own += of_axis.transpose() * of_axis;
+    if (axes_ == 3) sums.seen += of_axis.transpose() * u.col(axis);
+  }
+  if (axes_ == 1) {
+    const Eigen::MatrixXcd seen = b.transpose() * u;
+    sums.seen = Eigen::VectorXcd::Map(seen.data(), seen.size());
+  }
   return sums;
 }
 

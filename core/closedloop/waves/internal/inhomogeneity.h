@@ -50,9 +50,12 @@ class RegionForms {
   WeakForms forms_;
   TestFunctions functions_;
   imaging::Grid grid_;
-  // Of each voxel of a patch: bump, its first and second derivatives, its Laplacian and that of its derivatives.
-  static constexpr int kept = 14;
-  std::vector<std::array<double, kept>> table_;
+  int tests_, axes_;  // by component all components have the same test functions, of one axis
+  // Of each voxel of a patch: test functions by axis, L w / G of them, and what a slope of G along each axis of the
+  // grid adds.
+  Eigen::MatrixXd w_, l_;
+  std::array<Eigen::MatrixXd, 3> by_slope_;
+  Eigen::VectorXd weights_;  // squares of the bump
 };
 
 }  // namespace glisson::closedloop

@@ -65,8 +65,10 @@ WaveState state_of(const Settings& settings) {
     if (setting.kind == "stiff-inclusion") state.sphere = {p.head<3>(), p[3], p[4]};
     if (setting.kind == "boundary-layer") state.layer = {p[0], p[1]};
     if (setting.kind == "anisotropy") {
-      state.axis = p.head<3>().norm() > 1e-9 ? Eigen::Vector3d(p.head<3>().normalized()) : Eigen::Vector3d::UnitX();
-      state.ratio = p[3];
+      const double azimuth = p[0] * pi / 180, elevation = p[1] * pi / 180;
+      state.axis = {std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
+                    std::sin(elevation)};
+      state.ratio = p[2];
     }
     if (setting.kind == "slice-timing") {
       state.interleaved = setting.form == "interleaved";
@@ -135,22 +137,17 @@ std::vector<Effect> wave_effects(const Elastography& waves, double typical_radiu
   if (components >= 2) {
     Effect grain{"anisotropy",
                  "",
-                 {{"axis", 0, -2, 2, -1, 1},
-                  {"axis", 0, -2, 2, -1, 1},
-                  {"axis", 1, -2, 2, -1, 1},
+                 {{"azimuth_deg", 0, -180, 540, 0, 180},
+                  {"elevation_deg", 0, -110, 110, -60, 60},
                   {"ratio", 1, 0.1, 10, 0.5, 2, Scale::logarithmic}},
                  GLISSON_TEXT("Shear waves along one direction, as of fibres, run at another speed than across it."),
                  {}};
-    for (int x = -1; x <= 1; ++x) {
-      for (int y = -1; y <= 1; ++y) {
-        for (int z = 0; z <= 1; ++z) {
-          if (z == 0 && (y < 0 || (y == 0 && x <= 0))) continue;  // an axis has no sense
-          const Eigen::Vector3d axis = Eigen::Vector3d(x, y, z).normalized();
-          for (const double ratio : {0.7, 1.5})
-            grain.starts.push_back(numbers_of({axis.x(), axis.y(), axis.z(), ratio}));
-        }
-      }
-    }
+    // Evenly over half of all directions: an axis has no sense.
+    for (const auto& [elevation, step, most] :
+         {std::array{0, 45, 180}, std::array{35, 45, 360}, std::array{70, 90, 360}})
+      for (int azimuth = 0; azimuth < most; azimuth += step)
+        for (const double ratio : {0.7, 1.5})
+          grain.starts.push_back(numbers_of({static_cast<double>(azimuth), static_cast<double>(elevation), ratio}));
     effects.push_back(std::move(grain));
   }
 
@@ -161,23 +158,26 @@ std::vector<Effect> wave_effects(const Elastography& waves, double typical_radiu
            form,
            {{"share", 0, 0, 2, 0.5, 1.5, Scale::linear}},
            GLISSON_TEXT("Besides shear waves there are long ones that compress; the declared equation knows none."),
-           {numbers_of({1})}});
+           {numbers_of({1})},
+           degree > 2});
   }
 
   if (waves.grid.size[2] > 1) {
     for (const char* form : {"sequential", "interleaved"}) {
       double highest = 0;
       for (const WaveTrial& trial : waves.trials) highest = std::max(highest, trial.frequency_Hz);
-      // Between neighbours at most half a turn of the fastest wave; of interleaved ones half of all slices later.
-      const double steps = std::string_view(form) == "sequential" ? 1 : (waves.grid.size[2] + 1) / 2.0;
-      const double most_ms = 500 / highest / steps;
+      // Between neighbours at most an eighth of a turn of the fastest wave, of interleaved slices, of which half of all
+      // come later, a quarter: turned further, waves of any law would leave the band that the bumps see.
+      const bool sequential = std::string_view(form) == "sequential";
+      const double turn_ms = 1000 / highest;
+      const double most_ms = sequential ? turn_ms / 8 : turn_ms / 4 / ((waves.grid.size[2] + 1) / 2);
       Effect timing{"slice-timing",
                     form,
                     {{"delay_ms", 0, -most_ms, most_ms, -0.3 * most_ms, 0.3 * most_ms}},
                     GLISSON_TEXT("Slices were not measured at one moment of the vibration, but one after the other."),
                     {}};
-      for (int step = -12; step <= 12; ++step)
-        if (step != 0) timing.starts.push_back(numbers_of({most_ms * step / 13.0}));
+      for (int step = -6; step <= 6; ++step)
+        if (step != 0) timing.starts.push_back(numbers_of({most_ms * step / 7.0}));
       effects.push_back(std::move(timing));
     }
   }
