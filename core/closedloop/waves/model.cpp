@@ -26,6 +26,8 @@ struct TrialForms {
   std::vector<std::vector<std::complex<float>>> fields;
   RegionForms regions;
   std::vector<LongWaves> long_waves;  // of each of long_wave_forms; none where they are no effect
+  // What they leave under the declared law, orthonormal columns; most effects leave the law as it is.
+  std::vector<Eigen::MatrixXcd> declared_shapes;
   double frequency_Hz = 0, noise = 0;
   Eigen::Index first_row = 0;
 };
@@ -83,6 +85,8 @@ class WaveModel : public ForwardModel {
   std::vector<Effect> catalogue_;
   std::vector<Sentence> remarks_;
 };
+
+Eigen::MatrixXcd long_wave_shapes(const LongWaves& waves, const Eigen::MatrixXcd& white);
 
 Eigen::Vector3d in_grid_mm(const imaging::Grid& grid, const Eigen::Vector3d& place_mm) {
   return grid.direction.transpose() * (place_mm - grid.origin_mm);
@@ -156,12 +160,15 @@ Result<void> WaveModel::add_trial(const WaveTrial& trial) {
                   along_grid(trial, waves_.grid),
                   RegionForms(forms_, functions, waves_.grid),
                   {},
+                  {},
                   trial.frequency_Hz,
                   trial.noise,
                   0};
   if (waves_.components.size() == 3 && waves_.grid.size[2] > 1 && !waves_.declared.pressure_is_free) {
     for (const auto& [form, degree] : long_wave_forms)
       made.long_waves.emplace_back(waves_.grid, made.functions, made.patches, degree);
+    for (const LongWaves& waves : made.long_waves)
+      made.declared_shapes.push_back(long_wave_shapes(waves, whitened(made, medium)));
   }
   if (!trials_.empty())
     made.first_row =
@@ -289,22 +296,32 @@ Eigen::MatrixXcd WaveModel::left_of(const TrialForms& trial, const WaveState& st
   return values;
 }
 
+// Of each long wave what it leaves in the weak forms of a homogeneous body, as an orthonormal basis.
+Eigen::MatrixXcd long_wave_shapes(const LongWaves& waves, const Eigen::MatrixXcd& white) {
+  const auto& moments = waves.moments();
+  const Eigen::Index tests = white.rows(), fields = moments.front().cols();
+  Eigen::MatrixXcd shapes(tests * static_cast<Eigen::Index>(moments.size()), fields);
+  for (std::size_t p = 0; p < moments.size(); ++p)
+    shapes.middleRows(static_cast<Eigen::Index>(p) * tests, tests) = white * moments[p].cast<std::complex<double>>();
+  shapes *= shapes.colwise().norm().cwiseMax(1e-300).cwiseInverse().asDiagonal();
+  Eigen::MatrixXcd normal = shapes.adjoint() * shapes;
+  normal.diagonal().array() += 1e-9;
+  const Eigen::MatrixXcd root = normal.llt().matrixL();
+  return root.triangularView<Eigen::Lower>().solve(shapes.adjoint()).adjoint();
+}
+
 // What long waves leave in the weak forms of a homogeneous body is a known shape a field; their amplitudes are those
 // that leave least. What so many numbers take of noise, and Akaike's price for them, is put back on all rows alike.
 void WaveModel::without_long_waves(const TrialForms& trial, const WaveState& state, const Eigen::MatrixXcd& white,
                                    Eigen::MatrixXcd& values) const {
   std::size_t which = 0;
   while (long_wave_forms.at(which).second != state.long_wave_degree) ++which;
-  const auto& moments = trial.long_waves[which].moments();
-  const Eigen::Index tests = values.rows(), fields = moments.front().cols();
-  Eigen::MatrixXcd shapes(values.size(), fields);
-  for (std::size_t p = 0; p < moments.size(); ++p)
-    shapes.middleRows(static_cast<Eigen::Index>(p) * tests, tests) = white * moments[p].cast<std::complex<double>>();
-  shapes *= shapes.colwise().norm().cwiseMax(1e-300).cwiseInverse().asDiagonal();
-  Eigen::MatrixXcd normal = shapes.adjoint() * shapes;
-  normal.diagonal().array() += 1e-9;
+  const bool as_declared = state.factor == 1 && !state.viscosity && state.ratio == 1;
+  const Eigen::MatrixXcd other = as_declared ? Eigen::MatrixXcd() : long_wave_shapes(trial.long_waves[which], white);
+  const Eigen::MatrixXcd& shapes = as_declared ? trial.declared_shapes[which] : other;
+  const Eigen::Index fields = shapes.cols();
   Eigen::Map<Eigen::VectorXcd> all(values.data(), values.size());
-  const Eigen::VectorXcd taken = shapes * normal.llt().solve(shapes.adjoint() * all);
+  const Eigen::VectorXcd taken = shapes * (shapes.adjoint() * all);
   const double share = state.long_wave_share;
   all -= share * taken;
   const double numbers = static_cast<double>(fields) * (1 - (1 - share) * (1 - share));
