@@ -29,8 +29,8 @@
 namespace glisson::closedloop {
 
 // Effects: stiffness-scale {factor}; stiff-inclusion {center_mm x 3, radius_mm, ratio}, a sphere; viscosity
-// (kelvin-voigt {viscosity_Pa_s}, structural {loss_ratio}, springpot {factor, exponent}); anisotropy {azimuth_deg from x
-// to y, elevation_deg from there to z (patient LPS), ratio of the modulus along to that across}, with two or more
+// (kelvin-voigt {viscosity_Pa_s}, structural {loss_ratio}, springpot {factor, exponent}); anisotropy {azimuth_deg from
+// x to y, elevation_deg from there to z (patient LPS), ratio of the modulus along to that across}, with two or more
 // components; compression-waves (degree-2, -4, -6 {share}), where no pressure is free and all three components were
 // measured: gradients of harmonic polynomials, their amplitudes free in each trial, are taken off what is left;
 // slice-timing (sequential, interleaved {delay_ms}), with more than one slice; boundary-layer {depth_mm, ratio} along

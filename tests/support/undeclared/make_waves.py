@@ -6,7 +6,7 @@ field over what it leaves of the noise, both seen through a Gaussian of an eight
 0.3 to 20 % of the wave; where that is too little or too much, truth.json says the size that came of it. Three frequencies;
 heldout.json has two more. Kinds: in a volume null, stiffness-scale, viscosity, anisotropy, compression-waves, slice-timing,
 stiff-inclusion, each `-free` where a pressure is declared to be free; in a slice null-slice, viscosity-slice,
-boundary-layer-slice. Outside of the catalogue: graded-slice, rings-slice, jump, curl-jump-free. `--count` makes so many seeds."""
+boundary-layer-slice. Outside of the catalogue: graded-slice, rings-slice, jump, jump-free. `--count` makes so many seeds."""
 
 import argparse
 import json
@@ -90,7 +90,7 @@ def plan(kind, body):
         return {"axis": axis.tolist(), "ratio": ratio}, lambda omega: body.field(
             waves.fibre_waves(body.points, omega, g, ratio * g, axis, rng, body.free))
     if name == "compression-waves":
-        modulus, share = 10 ** rng.uniform(3, 6.3), rng.uniform(0.3, 1.0)
+        modulus, share = waves.DENSITY * rng.uniform(1.4e6, 1.6e6) ** 2, rng.uniform(0.3, 1.0)  # as fast as sound in tissue
 
         def both(omega):
             shear, long = plane(omega, g), body.field(waves.compression(body.points, omega, modulus, rng))
@@ -143,7 +143,7 @@ def seen(field, body, omega):
     frequencies = [2 * np.pi * np.fft.fftfreq(n + 24 if n > 1 else 1, s) for n, s in zip(body.shape, body.spacing)]
     k2 = sum(f ** 2 for f in np.meshgrid(*frequencies, indexing="ij"))
     operator = (waves.DENSITY * omega ** 2 - body.modulus * k2) * np.exp(-k2 * sd ** 2 / 2)
-    inner = tuple(slice(10, -10) if n > 20 else slice(7, -7) if n > 1 else slice(None) for n in body.shape)
+    inner = tuple(slice(7, -7) if n > 1 else slice(None) for n in body.shape)
     of_noise = np.sqrt(np.mean(operator ** 2))
     squares = []
     for c in range(field.shape[3]):
