@@ -4,7 +4,7 @@ e^(-i k . x). A body is seen at `points` (a row each); every function gives the 
 import numpy as np
 from scipy.sparse import coo_matrix
 from scipy.sparse.linalg import splu
-from scipy.special import eval_legendre, spherical_jn, spherical_yn
+from scipy.special import spherical_jn, spherical_yn
 
 DENSITY = 1e-6
 
@@ -58,38 +58,41 @@ def compression(points, omega, longitudinal, rng, count=5):
     return field
 
 
-def scattered(points, omega, outside, inside, centre, radius, way):
-    """A scalar wave along `way` past a sphere of another modulus (Anderson 1950): the field and modulus times its normal
-    derivative are continuous."""
+def scattered(points, omega, outside, inside, centre, radius, ways):
+    """Scalar waves along `ways` past a sphere of another modulus (Anderson 1950), one after the other: the field and modulus times
+    its normal derivative are continuous."""
     k, q = wavenumber(omega, outside), wavenumber(omega, inside)
-    order = int(max(abs(k), abs(q)) * radius) + 14
-    n = np.arange(order + 1)
-    h = lambda z, derivative=False: spherical_jn(n, z, derivative) - 1j * spherical_yn(n, z, derivative)
-    j_out, j_in, h_out = spherical_jn(n, k * radius), spherical_jn(n, q * radius), h(k * radius)
+    n = np.arange(int(max(abs(k), abs(q)) * radius) + 14)
+    h = lambda order, z, derivative=False: spherical_jn(order, z, derivative) - 1j * spherical_yn(order, z, derivative)
+    j_out, j_in, h_out = spherical_jn(n, k * radius), spherical_jn(n, q * radius), h(n, k * radius)
     dj_out, dj_in, dh_out = (outside * k * spherical_jn(n, k * radius, True), inside * q * spherical_jn(n, q * radius, True),
-                             outside * k * h(k * radius, True))
+                             outside * k * h(n, k * radius, True))
     turn = (2 * n + 1) * (-1j) ** n
     determinant = h_out * dj_in - dh_out * j_in
     reflected, taken = turn * (dj_out * j_in - j_out * dj_in) / determinant, turn * (dj_out * h_out - j_out * dh_out) / determinant
     away = points - centre
     r = np.maximum(np.linalg.norm(away, axis=1), 1e-6)
-    cosine = np.clip(away @ way / r, -1, 1)
-    field = np.exp(-1j * k * (away @ way))
     within = r < radius
-    field[within] = 0
-    for m in range(order + 1):
-        p = eval_legendre(m, cosine)
-        z = k * r[~within]
-        field[~within] += reflected[m] * (spherical_jn(m, z) - 1j * spherical_yn(m, z)) * p[~within]
-        field[within] += taken[m] * spherical_jn(m, q * r[within]) * p[within]
-    return field
+    radial = np.empty((len(n), len(r)), complex)
+    for m in n:
+        radial[m, ~within] = reflected[m] * h(m, k * r[~within])
+        radial[m, within] = taken[m] * spherical_jn(m, q * r[within])
+    for way in ways:
+        cosine = np.clip(away @ way / r, -1, 1)
+        field = np.where(within, 0, np.exp(-1j * k * (away @ way)))
+        before, legendre = np.zeros_like(cosine), np.ones_like(cosine)
+        for m in n:
+            field = field + radial[m] * legendre
+            before, legendre = legendre, ((2 * m + 1) * cosine * legendre - m * before) / (m + 1)
+        yield field
 
 
 def sphere_waves(points, omega, outside, inside, centre, radius, rng, count=4):
+    ways, strengths = zip(*((directions(rng, count), amplitudes(rng, count)) for _ in range(3)))
+    waves = scattered(points, omega, outside, inside, centre, radius, np.concatenate(ways))
     field = np.zeros((len(points), 3), complex)
-    for component in range(3):
-        for way, a in zip(directions(rng, count), amplitudes(rng, count)):
-            field[:, component] += a * scattered(points, omega, outside, inside, centre, radius, way)
+    for k, (a, wave) in enumerate(zip(np.concatenate(strengths), waves)):
+        field[:, k // count] += a * wave
     return field
 
 
