@@ -117,6 +117,22 @@
         <source>A smooth correction, no cause</source>
         <translation>Eine glatte Korrektur, keine Ursache</translation>
     </message>
+    <message>
+        <source>Waves lose energy on their way</source>
+        <translation>Wellen verlieren unterwegs Energie</translation>
+    </message>
+    <message>
+        <source>Long waves that compress, besides shear waves</source>
+        <translation>Lange Kompressionswellen neben den Scherwellen</translation>
+    </message>
+    <message>
+        <source>Slices seen at different moments</source>
+        <translation>Schichten zu verschiedenen Zeitpunkten gesehen</translation>
+    </message>
+    <message>
+        <source>Another stiffness along the border</source>
+        <translation>Andere Steifigkeit entlang des Randes</translation>
+    </message>
 </context>
 <context>
     <name>entries</name>
@@ -6076,10 +6092,6 @@
         <translation>Versuche müssen über 5 % Dehnung gehen, höchstens bis 100 %, Kräfte höchstens 100 N betragen und eine Leber 200 Zellen oder mehr haben.</translation>
     </message>
     <message>
-        <source>The kinds are palpation, material, platform, guidance and full-field.</source>
-        <translation>Die Arten sind palpation, material, platform, guidance und full-field.</translation>
-    </message>
-    <message>
         <source>The specimen&apos;s state must be &quot;plane-strain&quot;.</source>
         <translation>Der Zustand der Probe muss &quot;plane-strain&quot; sein.</translation>
     </message>
@@ -6726,6 +6738,126 @@
     <message>
         <source>SIMULATED: a generated liver, breathing and pressed by a tool as a formula says.</source>
         <translation>SIMULIERT: eine erzeugte Leber, die nach einer Formel atmet und von einem Instrument eingedrückt wird.</translation>
+    </message>
+    <message>
+        <source>The kinds are palpation, material, platform, guidance, full-field and elastography.</source>
+        <translation>Die Arten sind palpation, material, platform, guidance, full-field und elastography.</translation>
+    </message>
+    <message>
+        <source>The trials hold more than {0} values together.</source>
+        <translation>Die Versuche enthalten zusammen mehr als {0} Werte.</translation>
+    </message>
+    <message>
+        <source>Cut the images to the region, or leave trials out.</source>
+        <translation>Beschneiden Sie die Bilder auf die Region, oder lassen Sie Versuche weg.</translation>
+    </message>
+    <message>
+        <source>The declared density is {0} kg/m3, which no tissue has.</source>
+        <translation>Die angegebene Dichte ist {0} kg/m3; so dicht ist kein Gewebe.</translation>
+    </message>
+    <message>
+        <source>Was it given in g/cm3?</source>
+        <translation>Wurde sie in g/cm3 angegeben?</translation>
+    </message>
+    <message>
+        <source>{0} names none of x, y and z.</source>
+        <translation>{0} nennt weder x noch y noch z.</translation>
+    </message>
+    <message>
+        <source>{0} must have x, y and z: without one of them a free pressure cannot be taken off.</source>
+        <translation>{0} braucht x, y und z: fehlt eines, lässt sich ein freier Druck nicht abziehen.</translation>
+    </message>
+    <message>
+        <source>{0} must be those of the first trial.</source>
+        <translation>{0} müssen die des ersten Versuchs sein.</translation>
+    </message>
+    <message>
+        <source>{0} has more than {1} voxels.</source>
+        <translation>{0} hat mehr als {1} Voxel.</translation>
+    </message>
+    <message>
+        <source>Cut it to the region.</source>
+        <translation>Beschneiden Sie es auf die Region.</translation>
+    </message>
+    <message>
+        <source>The axes of {0} are not at right angles.</source>
+        <translation>Die Achsen von {0} stehen nicht im rechten Winkel zueinander.</translation>
+    </message>
+    <message>
+        <source>{0} lies on another grid than the first image.</source>
+        <translation>{0} liegt auf einem anderen Gitter als das erste Bild.</translation>
+    </message>
+    <message>
+        <source>All images of an experiment have the same voxels.</source>
+        <translation>Alle Bilder eines Experiments haben dieselben Voxel.</translation>
+    </message>
+    <message>
+        <source>The region holds no voxel in which all images have numbers.</source>
+        <translation>Die Region enthält kein Voxel, in dem alle Bilder Zahlen haben.</translation>
+    </message>
+    <message>
+        <source>Was the mask drawn on these images?</source>
+        <translation>Wurde die Maske auf diesen Bildern gezeichnet?</translation>
+    </message>
+    <message>
+        <source>Shear waves run slower or faster than declared, everywhere and at every frequency.</source>
+        <translation>Scherwellen laufen langsamer oder schneller als angegeben, überall und bei jeder Frequenz.</translation>
+    </message>
+    <message>
+        <source>Waves lose energy on their way, as in a viscous tissue.</source>
+        <translation>Wellen verlieren unterwegs Energie wie in zähem Gewebe.</translation>
+    </message>
+    <message>
+        <source>Shear waves along one direction, as of fibres, run at another speed than across it.</source>
+        <translation>Scherwellen laufen längs einer Richtung, wie der von Fasern, anders schnell als quer dazu.</translation>
+    </message>
+    <message>
+        <source>Besides shear waves there are long ones that compress; the declared equation knows none.</source>
+        <translation>Neben Scherwellen gibt es lange, die komprimieren; die angegebene Gleichung kennt keine.</translation>
+    </message>
+    <message>
+        <source>Slices were not measured at one moment of the vibration, but one after the other.</source>
+        <translation>Die Schichten wurden nicht in einem Augenblick der Schwingung gemessen, sondern nacheinander.</translation>
+    </message>
+    <message>
+        <source>A region inside is stiffer or softer than declared.</source>
+        <translation>Ein Bereich im Inneren ist steifer oder weicher als angegeben.</translation>
+    </message>
+    <message>
+        <source>Along the border another stiffness holds than inside.</source>
+        <translation>Entlang des Randes gilt eine andere Steifigkeit als innen.</translation>
+    </message>
+    <message>
+        <source>The images hold {0} x {1} x {2} voxels, too few for a patch.</source>
+        <translation>Die Bilder enthalten {0} x {1} x {2} Voxel, zu wenige für ein Teilstück.</translation>
+    </message>
+    <message>
+        <source>Seven along each axis are needed, or a single slice.</source>
+        <translation>Nötig sind sieben entlang jeder Achse, oder eine einzelne Schicht.</translation>
+    </message>
+    <message>
+        <source>No patch of trial {0} lies within the region: it would take {1} mm to each side.</source>
+        <translation>Kein Teilstück des Versuchs {0} liegt in der Region: es bräuchte {1} mm nach jeder Seite.</translation>
+    </message>
+    <message>
+        <source>Is the region thin, or the declared modulus in Pa? &quot;patch_radius_mm&quot; sets it.</source>
+        <translation>Ist die Region dünn, oder der angegebene Modul in Pa? &quot;patch_radius_mm&quot; legt es fest.</translation>
+    </message>
+    <message>
+        <source>Of trial {0} {1} patches were taken, evenly from all.</source>
+        <translation>Von Versuch {0} wurden {1} Teilstücke genommen, gleichmäßig aus allen.</translation>
+    </message>
+    <message>
+        <source>frequency (Hz)</source>
+        <translation>Frequenz (Hz)</translation>
+    </message>
+    <message>
+        <source>Where the declared law does not hold: a dash a patch, red at {0} noises, blue where nothing is left; the worst layer</source>
+        <translation>Wo das angegebene Gesetz nicht gilt: ein Strich je Teilstück, rot bei {0} Rauschen, blau, wo nichts übrig ist; die schlechteste Lage</translation>
+    </message>
+    <message>
+        <source>The same with the better model</source>
+        <translation>Dasselbe mit dem besseren Modell</translation>
     </message>
 </context>
 <context>
@@ -7818,6 +7950,14 @@ Keine Messungen zur Hand? Probieren Sie das Beispiel: eine simulierte Gewebeprob
     <message>
         <source>A plate in full field</source>
         <translation>Eine Platte mit Vollfeldmessung</translation>
+    </message>
+    <message>
+        <source>What was found is of waves, not of how an organ is held.</source>
+        <translation>Das Gefundene betrifft Wellen, nicht, wie ein Organ gehalten wird.</translation>
+    </message>
+    <message>
+        <source>Waves of an elastography</source>
+        <translation>Wellen einer Elastographie</translation>
     </message>
 </context>
 <context>

@@ -117,6 +117,22 @@
         <source>A smooth correction, no cause</source>
         <translation>Una corrección suave, no una causa</translation>
     </message>
+    <message>
+        <source>Waves lose energy on their way</source>
+        <translation>Las ondas pierden energía en su camino</translation>
+    </message>
+    <message>
+        <source>Long waves that compress, besides shear waves</source>
+        <translation>Ondas largas de compresión, además de las de corte</translation>
+    </message>
+    <message>
+        <source>Slices seen at different moments</source>
+        <translation>Cortes vistos en momentos distintos</translation>
+    </message>
+    <message>
+        <source>Another stiffness along the border</source>
+        <translation>Otra rigidez a lo largo del borde</translation>
+    </message>
 </context>
 <context>
     <name>entries</name>
@@ -6076,10 +6092,6 @@
         <translation>Los ensayos deben pasar del 5 % de deformación, como mucho hasta 100 %, las fuerzas no pasar de 100 N, y un hígado tener 200 celdas o más.</translation>
     </message>
     <message>
-        <source>The kinds are palpation, material, platform, guidance and full-field.</source>
-        <translation>Las clases son palpation, material, platform, guidance y full-field.</translation>
-    </message>
-    <message>
         <source>The specimen&apos;s state must be &quot;plane-strain&quot;.</source>
         <translation>El estado de la probeta debe ser &quot;plane-strain&quot;.</translation>
     </message>
@@ -6726,6 +6738,126 @@
     <message>
         <source>SIMULATED: a generated liver, breathing and pressed by a tool as a formula says.</source>
         <translation>SIMULADO: un hígado generado, que respira y es presionado por un instrumento según una fórmula.</translation>
+    </message>
+    <message>
+        <source>The kinds are palpation, material, platform, guidance, full-field and elastography.</source>
+        <translation>Las clases son palpation, material, platform, guidance, full-field y elastography.</translation>
+    </message>
+    <message>
+        <source>The trials hold more than {0} values together.</source>
+        <translation>Los ensayos contienen juntos más de {0} valores.</translation>
+    </message>
+    <message>
+        <source>Cut the images to the region, or leave trials out.</source>
+        <translation>Recorte las imágenes a la región u omita ensayos.</translation>
+    </message>
+    <message>
+        <source>The declared density is {0} kg/m3, which no tissue has.</source>
+        <translation>La densidad declarada es de {0} kg/m3, que ningún tejido tiene.</translation>
+    </message>
+    <message>
+        <source>Was it given in g/cm3?</source>
+        <translation>¿Se dio en g/cm3?</translation>
+    </message>
+    <message>
+        <source>{0} names none of x, y and z.</source>
+        <translation>{0} no nombra ninguno de x, y y z.</translation>
+    </message>
+    <message>
+        <source>{0} must have x, y and z: without one of them a free pressure cannot be taken off.</source>
+        <translation>{0} debe tener x, y y z: sin uno de ellos no se puede quitar una presión libre.</translation>
+    </message>
+    <message>
+        <source>{0} must be those of the first trial.</source>
+        <translation>{0} deben ser los del primer ensayo.</translation>
+    </message>
+    <message>
+        <source>{0} has more than {1} voxels.</source>
+        <translation>{0} tiene más de {1} vóxeles.</translation>
+    </message>
+    <message>
+        <source>Cut it to the region.</source>
+        <translation>Recórtela a la región.</translation>
+    </message>
+    <message>
+        <source>The axes of {0} are not at right angles.</source>
+        <translation>Los ejes de {0} no forman ángulos rectos.</translation>
+    </message>
+    <message>
+        <source>{0} lies on another grid than the first image.</source>
+        <translation>{0} está en otra cuadrícula que la primera imagen.</translation>
+    </message>
+    <message>
+        <source>All images of an experiment have the same voxels.</source>
+        <translation>Todas las imágenes de un experimento tienen los mismos vóxeles.</translation>
+    </message>
+    <message>
+        <source>The region holds no voxel in which all images have numbers.</source>
+        <translation>La región no contiene ningún vóxel en el que todas las imágenes tengan números.</translation>
+    </message>
+    <message>
+        <source>Was the mask drawn on these images?</source>
+        <translation>¿Se dibujó la máscara sobre estas imágenes?</translation>
+    </message>
+    <message>
+        <source>Shear waves run slower or faster than declared, everywhere and at every frequency.</source>
+        <translation>Las ondas de corte corren más despacio o más deprisa de lo declarado, en todas partes y a toda frecuencia.</translation>
+    </message>
+    <message>
+        <source>Waves lose energy on their way, as in a viscous tissue.</source>
+        <translation>Las ondas pierden energía en su camino, como en un tejido viscoso.</translation>
+    </message>
+    <message>
+        <source>Shear waves along one direction, as of fibres, run at another speed than across it.</source>
+        <translation>Las ondas de corte corren a lo largo de una dirección, como la de fibras, a otra velocidad que a través de ella.</translation>
+    </message>
+    <message>
+        <source>Besides shear waves there are long ones that compress; the declared equation knows none.</source>
+        <translation>Además de las ondas de corte hay ondas largas que comprimen; la ecuación declarada no las conoce.</translation>
+    </message>
+    <message>
+        <source>Slices were not measured at one moment of the vibration, but one after the other.</source>
+        <translation>Los cortes no se midieron en un mismo momento de la vibración, sino uno tras otro.</translation>
+    </message>
+    <message>
+        <source>A region inside is stiffer or softer than declared.</source>
+        <translation>Una región interior es más rígida o más blanda de lo declarado.</translation>
+    </message>
+    <message>
+        <source>Along the border another stiffness holds than inside.</source>
+        <translation>A lo largo del borde vale otra rigidez que dentro.</translation>
+    </message>
+    <message>
+        <source>The images hold {0} x {1} x {2} voxels, too few for a patch.</source>
+        <translation>Las imágenes contienen {0} x {1} x {2} vóxeles, muy pocos para un parche.</translation>
+    </message>
+    <message>
+        <source>Seven along each axis are needed, or a single slice.</source>
+        <translation>Hacen falta siete a lo largo de cada eje, o un solo corte.</translation>
+    </message>
+    <message>
+        <source>No patch of trial {0} lies within the region: it would take {1} mm to each side.</source>
+        <translation>Ningún parche del ensayo {0} cabe en la región: necesitaría {1} mm a cada lado.</translation>
+    </message>
+    <message>
+        <source>Is the region thin, or the declared modulus in Pa? &quot;patch_radius_mm&quot; sets it.</source>
+        <translation>¿Es delgada la región, o está en Pa el módulo declarado? &quot;patch_radius_mm&quot; lo fija.</translation>
+    </message>
+    <message>
+        <source>Of trial {0} {1} patches were taken, evenly from all.</source>
+        <translation>Del ensayo {0} se tomaron {1} parches, repartidos por igual.</translation>
+    </message>
+    <message>
+        <source>frequency (Hz)</source>
+        <translation>frecuencia (Hz)</translation>
+    </message>
+    <message>
+        <source>Where the declared law does not hold: a dash a patch, red at {0} noises, blue where nothing is left; the worst layer</source>
+        <translation>Dónde no vale la ley declarada: un trazo por parche, rojo a {0} ruidos, azul donde no queda nada; la peor capa</translation>
+    </message>
+    <message>
+        <source>The same with the better model</source>
+        <translation>Lo mismo con el modelo mejor</translation>
     </message>
 </context>
 <context>
@@ -7818,6 +7950,14 @@ Glisson dice cuánto se equivoca el modelo declarado, qué le falta y con qué c
     <message>
         <source>A plate in full field</source>
         <translation>Una placa en campo completo</translation>
+    </message>
+    <message>
+        <source>What was found is of waves, not of how an organ is held.</source>
+        <translation>Lo hallado es de ondas, no de cómo se sujeta un órgano.</translation>
+    </message>
+    <message>
+        <source>Waves of an elastography</source>
+        <translation>Ondas de una elastografía</translation>
     </message>
 </context>
 <context>

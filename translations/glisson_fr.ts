@@ -117,6 +117,22 @@
         <source>A smooth correction, no cause</source>
         <translation>Une correction lisse, pas une cause</translation>
     </message>
+    <message>
+        <source>Waves lose energy on their way</source>
+        <translation>Les ondes perdent de l’énergie en chemin</translation>
+    </message>
+    <message>
+        <source>Long waves that compress, besides shear waves</source>
+        <translation>De longues ondes de compression, outre celles de cisaillement</translation>
+    </message>
+    <message>
+        <source>Slices seen at different moments</source>
+        <translation>Coupes vues à des moments différents</translation>
+    </message>
+    <message>
+        <source>Another stiffness along the border</source>
+        <translation>Une autre rigidité le long du bord</translation>
+    </message>
 </context>
 <context>
     <name>entries</name>
@@ -6076,10 +6092,6 @@
         <translation>Les essais doivent dépasser 5 % de déformation, 100 % au plus, les forces ne pas dépasser 100 N, et un foie avoir 200 cellules ou plus.</translation>
     </message>
     <message>
-        <source>The kinds are palpation, material, platform, guidance and full-field.</source>
-        <translation>Les sortes sont palpation, material, platform, guidance et full-field.</translation>
-    </message>
-    <message>
         <source>The specimen&apos;s state must be &quot;plane-strain&quot;.</source>
         <translation>L&apos;état de l&apos;éprouvette doit être &quot;plane-strain&quot;.</translation>
     </message>
@@ -6726,6 +6738,126 @@
     <message>
         <source>SIMULATED: a generated liver, breathing and pressed by a tool as a formula says.</source>
         <translation>SIMULÉ&#xa0;: un foie engendré, qui respire et qu’un instrument enfonce selon une formule.</translation>
+    </message>
+    <message>
+        <source>The kinds are palpation, material, platform, guidance, full-field and elastography.</source>
+        <translation>Les genres sont palpation, material, platform, guidance, full-field et elastography.</translation>
+    </message>
+    <message>
+        <source>The trials hold more than {0} values together.</source>
+        <translation>Les essais contiennent ensemble plus de {0} valeurs.</translation>
+    </message>
+    <message>
+        <source>Cut the images to the region, or leave trials out.</source>
+        <translation>Rognez les images à la région, ou omettez des essais.</translation>
+    </message>
+    <message>
+        <source>The declared density is {0} kg/m3, which no tissue has.</source>
+        <translation>La densité déclarée est de {0} kg/m3, ce qu’aucun tissu n’a.</translation>
+    </message>
+    <message>
+        <source>Was it given in g/cm3?</source>
+        <translation>A-t-elle été donnée en g/cm3 ?</translation>
+    </message>
+    <message>
+        <source>{0} names none of x, y and z.</source>
+        <translation>{0} ne nomme aucun de x, y et z.</translation>
+    </message>
+    <message>
+        <source>{0} must have x, y and z: without one of them a free pressure cannot be taken off.</source>
+        <translation>{0} doit avoir x, y et z : sans l’un d’eux, une pression libre ne peut être ôtée.</translation>
+    </message>
+    <message>
+        <source>{0} must be those of the first trial.</source>
+        <translation>{0} doivent être ceux du premier essai.</translation>
+    </message>
+    <message>
+        <source>{0} has more than {1} voxels.</source>
+        <translation>{0} a plus de {1} voxels.</translation>
+    </message>
+    <message>
+        <source>Cut it to the region.</source>
+        <translation>Rognez-la à la région.</translation>
+    </message>
+    <message>
+        <source>The axes of {0} are not at right angles.</source>
+        <translation>Les axes de {0} ne sont pas à angle droit.</translation>
+    </message>
+    <message>
+        <source>{0} lies on another grid than the first image.</source>
+        <translation>{0} se trouve sur une autre grille que la première image.</translation>
+    </message>
+    <message>
+        <source>All images of an experiment have the same voxels.</source>
+        <translation>Toutes les images d’une expérience ont les mêmes voxels.</translation>
+    </message>
+    <message>
+        <source>The region holds no voxel in which all images have numbers.</source>
+        <translation>La région ne contient aucun voxel où toutes les images ont des nombres.</translation>
+    </message>
+    <message>
+        <source>Was the mask drawn on these images?</source>
+        <translation>Le masque a-t-il été dessiné sur ces images ?</translation>
+    </message>
+    <message>
+        <source>Shear waves run slower or faster than declared, everywhere and at every frequency.</source>
+        <translation>Les ondes de cisaillement vont moins vite ou plus vite que déclaré, partout et à toute fréquence.</translation>
+    </message>
+    <message>
+        <source>Waves lose energy on their way, as in a viscous tissue.</source>
+        <translation>Les ondes perdent de l’énergie en chemin, comme dans un tissu visqueux.</translation>
+    </message>
+    <message>
+        <source>Shear waves along one direction, as of fibres, run at another speed than across it.</source>
+        <translation>Les ondes de cisaillement vont le long d’une direction, comme celle de fibres, à une autre vitesse qu’en travers.</translation>
+    </message>
+    <message>
+        <source>Besides shear waves there are long ones that compress; the declared equation knows none.</source>
+        <translation>Outre les ondes de cisaillement, il y en a de longues qui compriment ; l’équation déclarée n’en connaît pas.</translation>
+    </message>
+    <message>
+        <source>Slices were not measured at one moment of the vibration, but one after the other.</source>
+        <translation>Les coupes n’ont pas été mesurées à un même moment de la vibration, mais l’une après l’autre.</translation>
+    </message>
+    <message>
+        <source>A region inside is stiffer or softer than declared.</source>
+        <translation>Une région à l’intérieur est plus raide ou plus molle que déclaré.</translation>
+    </message>
+    <message>
+        <source>Along the border another stiffness holds than inside.</source>
+        <translation>Le long du bord vaut une autre rigidité qu’à l’intérieur.</translation>
+    </message>
+    <message>
+        <source>The images hold {0} x {1} x {2} voxels, too few for a patch.</source>
+        <translation>Les images contiennent {0} x {1} x {2} voxels, trop peu pour une parcelle.</translation>
+    </message>
+    <message>
+        <source>Seven along each axis are needed, or a single slice.</source>
+        <translation>Il en faut sept le long de chaque axe, ou une seule coupe.</translation>
+    </message>
+    <message>
+        <source>No patch of trial {0} lies within the region: it would take {1} mm to each side.</source>
+        <translation>Aucune parcelle de l’essai {0} ne tient dans la région : il lui faudrait {1} mm de chaque côté.</translation>
+    </message>
+    <message>
+        <source>Is the region thin, or the declared modulus in Pa? &quot;patch_radius_mm&quot; sets it.</source>
+        <translation>La région est-elle mince, ou le module déclaré en Pa ? « patch_radius_mm » le fixe.</translation>
+    </message>
+    <message>
+        <source>Of trial {0} {1} patches were taken, evenly from all.</source>
+        <translation>De l’essai {0}, {1} parcelles ont été prises, réparties également.</translation>
+    </message>
+    <message>
+        <source>frequency (Hz)</source>
+        <translation>fréquence (Hz)</translation>
+    </message>
+    <message>
+        <source>Where the declared law does not hold: a dash a patch, red at {0} noises, blue where nothing is left; the worst layer</source>
+        <translation>Où la loi déclarée ne vaut pas : un trait par parcelle, rouge à {0} bruits, bleu où rien ne reste ; la pire couche</translation>
+    </message>
+    <message>
+        <source>The same with the better model</source>
+        <translation>La même chose avec le meilleur modèle</translation>
     </message>
 </context>
 <context>
@@ -7818,6 +7950,14 @@ Pas de mesures sous la main&#xa0;? Essayez l’exemple&#xa0;: un échantillon de
     <message>
         <source>A plate in full field</source>
         <translation>Une plaque en plein champ</translation>
+    </message>
+    <message>
+        <source>What was found is of waves, not of how an organ is held.</source>
+        <translation>Ce qui a été trouvé concerne des ondes, non la façon dont un organe est tenu.</translation>
+    </message>
+    <message>
+        <source>Waves of an elastography</source>
+        <translation>Ondes d’une élastographie</translation>
     </message>
 </context>
 <context>

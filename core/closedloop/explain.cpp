@@ -9,6 +9,7 @@
 #include "closedloop/inference/diagnosis.h"
 #include "closedloop/material/model.h"
 #include "closedloop/palpation/model.h"
+#include "closedloop/waves/model.h"
 
 namespace glisson::closedloop {
 namespace {
@@ -48,6 +49,11 @@ Result<std::unique_ptr<ForwardModel>> forward_model(Experiment experiment, const
   }
   if (auto* field = std::get_if<FullField>(&experiment.setup)) {
     return full_field_model(std::move(*field), progress).map_error([&](Error error) {
+      return error.file.empty() ? std::move(error).in_file(experiment.file) : error;
+    });
+  }
+  if (auto* waves = std::get_if<Elastography>(&experiment.setup)) {
+    return wave_model(std::move(*waves)).map_error([&](Error error) {
       return error.file.empty() ? std::move(error).in_file(experiment.file) : error;
     });
   }

@@ -51,7 +51,8 @@ std::string name_of(Verdict verdict) {
 }
 
 std::string kind_of(const Experiment& experiment) {
-  constexpr std::array<const char*, 5> kinds{"palpation", "material", "platform", "guidance", "full-field"};
+  constexpr std::array<const char*, 6> kinds{"palpation", "material",   "platform",
+                                             "guidance",  "full-field", "elastography"};
   return kinds.at(experiment.setup.index());
 }
 

@@ -4,6 +4,7 @@
 #include "base/write_file.h"
 #include "closedloop/explanation_file.h"
 #include "closedloop/posterior_history.h"
+#include "closedloop/where_it_holds.h"
 #include "report/explanation_page.h"
 #include "report/html.h"
 
@@ -27,6 +28,10 @@ Result<void> write_explanation(const std::filesystem::path& folder, const closed
         .and_then([&] {
           return write_html(folder / "report.html", explanation_page(explained.explanation, observations,
                                                                      explained.experiment.title, words, history));
+        })
+        .and_then([&]() -> Result<void> {
+          if (!closedloop::has_where_it_holds(explained.experiment)) return {};
+          return closedloop::write_where_it_holds(folder, explained);
         });
   });
 }

@@ -1,6 +1,7 @@
 #pragma once
 // What closing the loop found, as a folder: report.json for programs, report.html for people, model.json, the better
-// model, for prediction and rehearsal.
+// model, for prediction and rehearsal; of elastography also maps of where the law does not hold
+// (closedloop/where_it_holds.h).
 
 #include <filesystem>
 #include <string>

@@ -111,8 +111,13 @@ Moment worst_moment(const Explanation& explanation, const Observations& observat
   return {worst->first.first, worst->first.second};
 }
 
-// Published fields come without.
+// Published fields come without, and waves in noises.
 bool has_units(const Observations& observations) { return observations.unit != "noise"; }
+// Of plates the forces are measured too.
+bool is_of_waves(const Observations& observations) {
+  return !has_units(observations) &&
+         std::count(observations.directions.begin(), observations.directions.end(), "fx") == 0;
+}
 
 // The two axes along which the places spread most.
 std::array<int, 2> widest_axes(const Observations& observations) {
@@ -166,14 +171,63 @@ Drawing errors_by_load(const Explanation& explanation, const Observations& obser
     after.points.emplace_back(sums.load, std::sqrt(sums.after / sums.count));
   }
   Plot plot{words.say(GLISSON_TEXT("Error by load, a line a trial: broken before, whole after")),
-            has_units(observations) ? words.say(GLISSON_TEXT("force (N)")) : words.say(GLISSON_TEXT("largest strain")),
-            words.say(GLISSON_TEXT("error ({0})"), {has_units(observations) ? observations.unit : "u, f"})};
+            has_units(observations)     ? words.say(GLISSON_TEXT("force (N)"))
+            : is_of_waves(observations) ? words.say(GLISSON_TEXT("frequency (Hz)"))
+                                        : words.say(GLISSON_TEXT("largest strain")),
+            is_of_waves(observations)
+                ? words.say(GLISSON_TEXT("× noise"))
+                : words.say(GLISSON_TEXT("error ({0})"), {has_units(observations) ? observations.unit : "u, f"})};
   for (auto& [trial, both] : curves_of_trial) plot.curves.insert(plot.curves.end(), both.begin(), both.end());
   return {svg_of(plot), plot.caption};
 }
 
+// Root mean square of what is left at each place, all trials together.
+std::map<std::array<double, 3>, double> left_by_place(const Eigen::VectorXd& predicted,
+                                                      const Observations& observations) {
+  std::map<std::array<double, 3>, std::pair<double, double>> sums;
+  for (Eigen::Index row = 0; row < observations.rows(); ++row) {
+    auto& [square, count] =
+        sums[{observations.place_mm(row, 0), observations.place_mm(row, 1), observations.place_mm(row, 2)}];
+    square += std::pow(observations.measured[row] - predicted[row], 2);
+    count += 1;
+  }
+  std::map<std::array<double, 3>, double> left;
+  for (const auto& [place, sum] : sums) left[place] = std::sqrt(sum.first / sum.second);
+  return left;
+}
+
+// A dash a patch, of those that lie in one layer with the worst, as the declared law and the better model leave them.
+std::vector<Drawing> where_it_holds(const Explanation& explanation, const Observations& observations,
+                                    const Words& words) {
+  const auto before = left_by_place(explanation.predicted_before, observations);
+  const auto after = left_by_place(explanation.predicted_after, observations);
+  const auto worst =
+      std::max_element(before.begin(), before.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  const auto [across, up] = widest_axes(observations);
+  const auto deep = static_cast<std::size_t>(3 - across - up);
+  const double extent =
+      (observations.place_mm.colwise().maxCoeff() - observations.place_mm.colwise().minCoeff()).maxCoeff();
+  const auto drawn = [&, a = static_cast<std::size_t>(across), u = static_cast<std::size_t>(up)](
+                         const std::map<std::array<double, 3>, double>& left, const char* caption) {
+    constexpr const char* axes = "xyz";
+    Plot plot{words.say(caption, {fmt::format("{:.3g}", worst->second)}), fmt::format("{} (mm)", axes[a]),
+              fmt::format("{} (mm)", axes[u])};
+    plot.hottest = worst->second;
+    plot.from_zero = false;
+    for (const auto& [place, rms] : left)
+      if (std::abs(place.at(deep) - worst->first.at(deep)) < 0.1 * extent)
+        plot.arrows.push_back({place.at(a), place.at(u), 0.05 * extent, 0, rms});
+    return Drawing{svg_of(plot), plot.caption};
+  };
+  return {drawn(before, GLISSON_TEXT("Where the declared law does not hold: a dash a patch, red at {0} noises, blue "
+                                     "where nothing is left; the worst layer")),
+          drawn(after, GLISSON_TEXT("The same with the better model")),
+          errors_by_load(explanation, observations, words)};
+}
+
 std::vector<Drawing> on_the_specimen(const Explanation& explanation, const Observations& observations,
                                      const Words& words) {
+  if (is_of_waves(observations)) return where_it_holds(explanation, observations, words);
   const Moment moment = worst_moment(explanation, observations);
   const auto [across, up] = widest_axes(observations);
   const auto before = vectors_at(moment, explanation.predicted_before, observations);

@@ -39,6 +39,10 @@ constexpr EffectWords known[] = {
     {"thermal-resistance", QT_TRANSLATE_NOOP("effects", "Sheds heat better or worse")},
     {"thermal-inertia", QT_TRANSLATE_NOOP("effects", "Takes time to warm up")},
     {"supply-loss", QT_TRANSLATE_NOOP("effects", "Power lost in the supply")},
+    {"viscosity", QT_TRANSLATE_NOOP("effects", "Waves lose energy on their way")},
+    {"compression-waves", QT_TRANSLATE_NOOP("effects", "Long waves that compress, besides shear waves")},
+    {"slice-timing", QT_TRANSLATE_NOOP("effects", "Slices seen at different moments")},
+    {"boundary-layer", QT_TRANSLATE_NOOP("effects", "Another stiffness along the border")},
     {"smooth-correction", QT_TRANSLATE_NOOP("effects", "A smooth correction, no cause")},
 };
 

@@ -234,7 +234,7 @@ void EvidenceView::show_patient(const Patient& patient) {
 void EvidenceView::weigh() {
   weighed_.reset();
   if (!record_ || !patient_.rehearsal_setup || record_->experiment_kind == "platform" ||
-      record_->experiment_kind == "full-field")
+      record_->experiment_kind == "full-field" || record_->experiment_kind == "elastography")
     return;
   const rehearsal::RehearsalSetup& setup = *patient_.rehearsal_setup;
   closedloop::OrganModel organ;
@@ -249,6 +249,7 @@ QString EvidenceView::why_not_accept() const {
   if (record_->effects.empty()) return tr("Nothing was found missing that could be accepted.");
   if (record_->experiment_kind == "platform") return tr("What was found is of a computer, not of a patient.");
   if (record_->experiment_kind == "full-field") return tr("What was found is of a plate, not of a patient.");
+  if (record_->experiment_kind == "elastography") return tr("What was found is of waves, not of how an organ is held.");
   if (patient_.folder.empty()) return tr("Open the patient's case first.");
   if (const QString missing = model_missing(patient_); !missing.isEmpty()) return missing;
   if (weighed_) {
@@ -270,11 +271,12 @@ void EvidenceView::word_state() {
   if (weighed_) answer_->found().show_consequences(weighed_->effects);
   for (QPushButton* each : {open_, example_, open_report_}) each->setEnabled(!busy);
   opened_->setText(record_ ? tr("%1, learnt from %2")
-                                 .arg(record_->experiment_kind == "palpation"    ? tr("A palpation")
-                                      : record_->experiment_kind == "material"   ? tr("A material test")
-                                      : record_->experiment_kind == "guidance"   ? tr("A guided sequence")
-                                      : record_->experiment_kind == "full-field" ? tr("A plate in full field")
-                                                                                 : tr("A wearable computer"),
+                                 .arg(record_->experiment_kind == "palpation"      ? tr("A palpation")
+                                      : record_->experiment_kind == "material"     ? tr("A material test")
+                                      : record_->experiment_kind == "guidance"     ? tr("A guided sequence")
+                                      : record_->experiment_kind == "full-field"   ? tr("A plate in full field")
+                                      : record_->experiment_kind == "elastography" ? tr("Waves of an elastography")
+                                                                                   : tr("A wearable computer"),
                                       QString::fromStdString(record_->learnt_from))
                            : tr("Nothing is open."));
   const QString why_not = why_not_accept();

@@ -48,9 +48,11 @@ Experiment experiment_from(const Json& json, const Source& source, Needs needs) 
     experiment.setup = guidance_from(json, source);
   } else if (kind == "full-field") {
     experiment.setup = full_field_from(json, source, needs);
+  } else if (kind == "elastography") {
+    experiment.setup = elastography_from(json, source);
   } else {
     refuse("experiment-invalid", GLISSON_TEXT("There is no kind of experiment called \"{0}\"."), {kind},
-           GLISSON_TEXT("The kinds are palpation, material, platform, guidance and full-field."));
+           GLISSON_TEXT("The kinds are palpation, material, platform, guidance, full-field and elastography."));
   }
   return experiment;
 }

@@ -1,9 +1,11 @@
 #pragma once
-// What was done to a specimen and what was measured: the five sorts of experiment, as plain values. They are in the
+// What was done to a specimen and what was measured: the six sorts of experiment, as plain values. They are in the
 // units of base/units.h (mm, mN, kPa, kg, s). Platforms have V, A, W, Wh and degrees Celsius besides. Read from JSON of
 // the format "glisson-experiment/1", which speaks N and kg/m3, and from the tables that it names.
 
 #include <array>
+#include <complex>
+#include <cstdint>
 #include <Eigen/Core>
 #include <filesystem>
 #include <optional>
@@ -14,6 +16,7 @@
 #include "base/result.h"
 #include "base/tissue.h"
 #include "geometry/tetrahedra.h"
+#include "imaging/image.h"
 #include "mechanics/scenario/scenario.h"
 
 namespace glisson::closedloop {
@@ -163,10 +166,45 @@ struct FullField {
   Needs needs = Needs::measurements;  // what it was read for
 };
 
+// --- elastography: displacement fields of vibrated tissue against a wave equation
+
+enum class WaveLaw { elastic, kelvin_voigt, springpot };
+
+// With e^(i w t) for time, the complex shear modulus: G (elastic), G + i w eta (Kelvin and Voigt), or
+// G (i w / w0)^a, G its magnitude at the frequency w0 / 2 pi (springpot).
+struct DeclaredWaves {
+  WaveLaw law = WaveLaw::elastic;
+  double shear_modulus_kPa = 0;
+  double viscosity_kPa_s = 0;
+  double exponent = 0;
+  double reference_Hz = 0;
+  double density_kg_mm3 = 1e-6;
+  // Whether a pressure of any shape may act besides (nearly incompressible tissue), so that only what has no divergence
+  // is judged; else every component obeys the equation of shear waves by itself.
+  bool pressure_is_free = false;
+};
+
+// One frequency, or one way of shaking.
+struct WaveTrial {
+  std::string id;
+  double frequency_Hz = 0;
+  double noise = 0;  // standard deviation of the real and of the imaginary part of each component
+  std::vector<std::vector<std::complex<float>>> components;  // a value a voxel, in any one unit
+};
+
+struct Elastography {
+  imaging::Grid grid;
+  std::vector<std::uint8_t> region;     // 1 where the law is declared, a voxel each
+  std::vector<std::string> components;  // "x", "y", "z", in this order; the patient's axes (LPS)
+  DeclaredWaves declared;
+  double patch_radius_mm = 0;  // of a test function; 0: half of the declared wavelength, a frequency each
+  std::vector<WaveTrial> trials;
+};
+
 struct Experiment {
   std::filesystem::path file;
   std::string title;
-  std::variant<Palpation, Material, Hardware, Guidance, FullField> setup;
+  std::variant<Palpation, Material, Hardware, Guidance, FullField, Elastography> setup;
 };
 
 // Paths in the experiment are relative to its file. Refused are unknown or missing keys, tables or meshes that are not

@@ -41,6 +41,7 @@ Material material_from(const Json& json, const Source& source, Needs needs);
 Hardware hardware_from(const Json& json, const Source& source, Needs needs);
 Guidance guidance_from(const Json& json, const Source& source);
 FullField full_field_from(const Json& json, const Source& source, Needs needs);
+Elastography elastography_from(const Json& json, const Source& source);
 
 // Of a palpation and of guidance alike: the body, what holds it, and a table of markers. The body has a mesh, moduli,
 // Poisson's ratio and density. `to_rest` brings the markers' seen positions into the body's frame.
