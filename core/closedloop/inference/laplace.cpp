@@ -201,6 +201,7 @@ double log_integral(const Quadratic& likelihood, const ParameterPrior& prior) {
 
 // ln (Phi(high) - Phi(low)), also far out, where the difference itself is 0 in doubles.
 double log_normal_mass(double low, double high) {
+  if (!(low < high)) return -std::numeric_limits<double>::infinity();
   if (low > 0) return log_normal_mass(-high, -low);
   const auto log_below = [](double x) {
     if (x > -30) return std::log(0.5 * std::erfc(-x / std::numbers::sqrt2));

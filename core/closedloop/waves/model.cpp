@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "closedloop/waves/internal/wave_effects.h"
 #include "closedloop/waves/internal/wave_residual.h"
 
 namespace glisson::closedloop {

@@ -1,5 +1,5 @@
 #pragma once
-// Which effects are on, with their numbers, as what they change of the declared law.
+// Which effects (wave_effects.h) are on, with their numbers, as what they change of the declared law.
 
 #include <array>
 #include <optional>
@@ -47,8 +47,6 @@ struct WaveState {
 inline constexpr std::array<std::pair<const char*, int>, 3> long_wave_forms{
     {{"degree-2", 2}, {"degree-4", 4}, {"degree-6", 6}}};
 
-// Effects that the experiment could show. `typical_radius_mm` is that of its patches, which lie between low and high.
-[[nodiscard]] std::vector<Effect> wave_effects(const Elastography& waves, double typical_radius_mm,
-                                               const Eigen::Vector3d& low_mm, const Eigen::Vector3d& high_mm);
+[[nodiscard]] double mean_frequency(const Elastography& waves);  // Hz
 
 }  // namespace glisson::closedloop
