@@ -84,7 +84,7 @@ TEST(WaveModel, OffersNoEffectWithoutARange) {
 }
 
 TEST(WaveModel, RefusesImagesThatHoldNoPatch) {
-  const auto model = wave_model(experiment({8, 8, 1}, 2.0, 2.0));
+  const auto model = wave_model(experiment({6, 6, 1}, 2.0, 2.0));
   ASSERT_FALSE(model.has_value());
   EXPECT_EQ(model.error().code, "waves-no-patch");
 }
