@@ -12551,7 +12551,7 @@ Elastizitätsmodul %2 kPa (angenommen)</translation>
         <translation>Ab Bild</translation>
     </message>
     <message>
-        <source>One of so many</source>
+        <source>One frame in</source>
         <translation>Eines von</translation>
     </message>
     <message>

@@ -12554,7 +12554,7 @@ Módulo de Young %2 kPa (supuesto)</translation>
         <translation>Desde el</translation>
     </message>
     <message>
-        <source>One of so many</source>
+        <source>One frame in</source>
         <translation>Uno de cada</translation>
     </message>
     <message>

@@ -12554,7 +12554,7 @@ Module de Young %2 kPa (supposé)</translation>
         <translation>Depuis l&apos;image</translation>
     </message>
     <message>
-        <source>One of so many</source>
+        <source>One frame in</source>
         <translation>Une sur</translation>
     </message>
     <message>

@@ -128,7 +128,7 @@ void VideoForm::add_frames(QVBoxLayout& column) {
   keep_translated(title, [=, this] {
     title->setText(tr("Frames"));
     names[0]->setText(tr("From frame"));
-    names[1]->setText(tr("One of so many"));
+    names[1]->setText(tr("One frame in"));
     names[2]->setText(tr("At most"));
     first_->setToolTip(tr("The first frame that is taken, counted from 1"));
     every_->setToolTip(tr("1 takes every frame, 5 every fifth"));
