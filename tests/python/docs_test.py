@@ -108,7 +108,7 @@ class Docs(Case):
         return path
 
     def test_the_table_of_guidance(self):
-        page = (ROOT / "docs" / "guidance.md").read_text()
+        page = re.sub(r"<!--.*?-->", "", (ROOT / "docs" / "guidance.md").read_text())  # without the figures' markers
         examples = [self.data("guidance_examples", f"example-{letter}") for letter in "abcd"]
         said = self.said_by("guidance_table.py", *examples).splitlines()
         self.assertEqual(len(said), len(re.findall(r"^\| `[a-d]` \|", page, re.MULTILINE)))
