@@ -67,8 +67,8 @@ RegionForms::RegionForms(const WeakForms& forms, TestFunctions functions, imagin
   }
 }
 
-RegionSums RegionForms::sums(const Patch& patch, const std::vector<std::vector<std::complex<float>>>& fields,
-                             const std::vector<double>& slice_phase, const Region& region) const {
+RegionSums RegionForms::sums(const Patch& patch, const Fields& fields, const std::vector<double>& slice_phase,
+                             const Region& region) const {
   const Eigen::Index voxels = weights_.size();
   Eigen::VectorXd share(voxels);
   std::array<Eigen::VectorXd, 3> slope{Eigen::VectorXd(voxels), Eigen::VectorXd(voxels), Eigen::VectorXd(voxels)};
@@ -76,8 +76,7 @@ RegionSums RegionForms::sums(const Patch& patch, const std::vector<std::vector<s
   Eigen::Index at = 0;
   for (int k = -functions_.reach(2); k <= functions_.reach(2); ++k) {
     const int slice = patch.middle[2] + k;
-    const std::complex<double> turn =
-        slice_phase.empty() ? std::complex<double>(1) : std::polar(1.0, -slice_phase[static_cast<std::size_t>(slice)]);
+    const std::complex<double> turn = turned_back(slice_phase, slice);
     for (int j = -functions_.reach(1); j <= functions_.reach(1); ++j) {
       for (int i = -functions_.reach(0); i <= functions_.reach(0); ++i, ++at) {
         const std::array<int, 3> voxel{patch.middle[0] + i, patch.middle[1] + j, slice};

@@ -6,6 +6,7 @@
 #include <functional>
 #include <vector>
 
+#include "closedloop/waves/internal/moments.h"
 #include "closedloop/waves/internal/patches.h"
 #include "closedloop/waves/internal/wave_law.h"
 
@@ -34,8 +35,8 @@ class RegionForms {
  public:
   RegionForms(const WeakForms& forms, TestFunctions functions, imaging::Grid grid);
 
-  [[nodiscard]] RegionSums sums(const Patch& patch, const std::vector<std::vector<std::complex<float>>>& fields,
-                                const std::vector<double>& slice_phase, const Region& region) const;
+  [[nodiscard]] RegionSums sums(const Patch& patch, const Fields& fields, const std::vector<double>& slice_phase,
+                                const Region& region) const;
 
   // The covariance of `rows` (a homogeneous isotropic medium's, with that of unit noise `covariance`) with the region
   // `ratio` times as stiff, and what the test functions see.

@@ -15,10 +15,9 @@ int place_across(int x, int y) {
 
 }  // namespace
 
-Moments::Moments(const WaveTrial& trial, const imaging::Grid& grid, const TestFunctions& functions,
+Moments::Moments(const Fields& fields, const imaging::Grid& grid, const TestFunctions& functions,
                  const std::vector<Patch>& patches)
-    : components_(static_cast<Eigen::Index>(trial.components.size())) {
-  const auto fields = along_grid(trial, grid);
+    : components_(static_cast<Eigen::Index>(fields.size())) {
   const int reach_x = functions.reach(0), reach_y = functions.reach(1), reach_z = functions.reach(2);
   for (const Patch& patch : patches) {
     const auto [at_x, at_y, at_z] = patch.middle;
@@ -52,9 +51,7 @@ Eigen::MatrixXcd Moments::of(const TestFunctions& functions, const std::vector<d
   for (std::size_t p = 0; p < patches_.size(); ++p) {
     const Slices& slices = patches_[p];
     for (Eigen::Index k = 0; k < slices.sums.rows(); ++k) {
-      const auto slice = static_cast<std::size_t>(slices.first + k);
-      const std::complex<double> turn =
-          slice_phase.empty() ? std::complex<double>(1) : std::polar(1.0, -slice_phase[slice]);
+      const std::complex<double> turn = turned_back(slice_phase, slices.first + static_cast<int>(k));
       for (Eigen::Index c = 0; c < components_; ++c) {
         for (int m = 0; m < moments_of_a_component; ++m) {
           const auto [x, y, z] = derivatives().at(static_cast<std::size_t>(m));
@@ -68,7 +65,11 @@ Eigen::MatrixXcd Moments::of(const TestFunctions& functions, const std::vector<d
   return moments;
 }
 
-std::vector<std::vector<std::complex<float>>> along_grid(const WaveTrial& trial, const imaging::Grid& grid) {
+std::complex<double> turned_back(const std::vector<double>& slice_phase, int slice) {
+  return slice_phase.empty() ? 1.0 : std::polar(1.0, -slice_phase[static_cast<std::size_t>(slice)]);
+}
+
+Fields along_grid(const WaveTrial& trial, const imaging::Grid& grid) {
   auto fields = trial.components;
   if (fields.size() != 3 || grid.direction.isIdentity(1e-6)) return fields;
   const Eigen::Matrix3f to_grid = grid.direction.transpose().cast<float>();

@@ -9,14 +9,21 @@
 
 namespace glisson::closedloop {
 
+// A value a voxel, of each component.
+using Fields = std::vector<std::vector<std::complex<float>>>;
+
+// The components along the grid's axes where all three were measured; as they are otherwise.
+[[nodiscard]] Fields along_grid(const WaveTrial& trial, const imaging::Grid& grid);
+
+// What takes a slice's phase off; `slice_phase` (rad, a slice each) may be empty, for none.
+[[nodiscard]] std::complex<double> turned_back(const std::vector<double>& slice_phase, int slice);
+
 class Moments {
  public:
-  // Components are turned into the grid's axes where all three are there.
-  Moments(const WaveTrial& trial, const imaging::Grid& grid, const TestFunctions& functions,
+  Moments(const Fields& fields, const imaging::Grid& grid, const TestFunctions& functions,
           const std::vector<Patch>& patches);
 
-  // A column a patch: the moments of the first component, then of the next. `slice_phase` (rad, a slice each; may be
-  // empty) is taken off first.
+  // A column a patch: the moments of the first component, then of the next. `slice_phase` is taken off first.
   [[nodiscard]] Eigen::MatrixXcd of(const TestFunctions& functions, const std::vector<double>& slice_phase) const;
 
  private:
@@ -28,9 +35,5 @@ class Moments {
   std::vector<Slices> patches_;
   Eigen::Index components_ = 0;
 };
-
-// The components along the grid's axes where all three were measured; as they are otherwise.
-[[nodiscard]] std::vector<std::vector<std::complex<float>>> along_grid(const WaveTrial& trial,
-                                                                       const imaging::Grid& grid);
 
 }  // namespace glisson::closedloop

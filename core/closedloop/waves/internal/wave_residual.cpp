@@ -64,13 +64,14 @@ Result<void> WaveResidual::add_trial(const WaveTrial& trial, std::vector<Sentenc
   if (patches.size() == maximum_patches)
     remarks.push_back({GLISSON_TEXT("Of trial {0} {1} patches were taken, evenly from all."),
                        {trial.id, std::to_string(maximum_patches)}});
-  Moments moments(trial, waves_.grid, functions, patches);
+  Fields fields = along_grid(trial, waves_.grid);
+  Moments moments(fields, waves_.grid, functions, patches);
   Eigen::MatrixXcd plain = moments.of(functions, {});
   TrialForms made{functions,
                   patches,
                   std::move(moments),
                   std::move(plain),
-                  along_grid(trial, waves_.grid),
+                  std::move(fields),
                   RegionForms(forms_, functions, waves_.grid),
                   {},
                   {},

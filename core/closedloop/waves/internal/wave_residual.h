@@ -20,7 +20,7 @@ struct TrialForms {
   std::vector<Patch> patches;
   Moments moments;
   Eigen::MatrixXcd plain;  // the moments as they were measured
-  std::vector<std::vector<std::complex<float>>> fields;
+  Fields fields;
   RegionForms regions;
   std::vector<LongWaves> long_waves;  // of each of long_wave_forms; none where they are no effect
   // What they leave under the declared law, which most effects leave as it is, and the root of its Gram matrix.
