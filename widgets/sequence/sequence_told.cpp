@@ -42,7 +42,7 @@ QString made(const registration_quality::VideoSequence& sequence) {
 
 // What a person should look into before trusting it.
 QString doubts(const SequenceTold& told) {
-  constexpr double good_px = 1, least_apart_mm = 2, most_apart_mm = 15;
+  constexpr double good_px = 1, minimum_apart_mm = 2, maximum_apart_mm = 15;
   QStringList words;
   if (const auto& calibration = told.calibration) {
     if (2 * calibration->pairs < calibration->looked_at) {
@@ -51,7 +51,7 @@ QString doubts(const SequenceTold& told) {
     if (calibration->rms_px > good_px) {
       words << SequenceToldView::tr("More than 1 px: the board may not be flat, or it moved between the two eyes.");
     }
-    if (calibration->baseline_mm < least_apart_mm || calibration->baseline_mm > most_apart_mm) {
+    if (calibration->baseline_mm < minimum_apart_mm || calibration->baseline_mm > maximum_apart_mm) {
       words << (calibration->from_board
                     ? SequenceToldView::tr("The eyes of a laparoscope are about 5 mm apart: is the board's size right?")
                     : SequenceToldView::tr(

@@ -17,11 +17,11 @@ namespace {
 using vision::Board;
 using vision::Shared;
 
-NumberBox* whole_number(const char* name, int least, int most, int value) {
+NumberBox* whole_number(const char* name, int minimum, int maximum, int value) {
   auto* box = new NumberBox;
   box->setObjectName(name);
   box->setDecimals(0);
-  box->setRange(least, most);
+  box->setRange(minimum, maximum);
   box->setValue(value);
   return box;
 }
