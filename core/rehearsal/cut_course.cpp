@@ -16,7 +16,8 @@ Result<CutCourse> course_of(const geometry::TetMesh& liver, const geometry::CutS
                          {}});
   }
   // To the back and the head; of a plane that lies across that way, to the left.
-  const Vector3d wanted = Vector3d(0, 1, 1).normalized(), normal = surface.normal();
+  const Vector3d wanted = Vector3d(0, 1, 1).normalized();
+  const Vector3d& normal = surface.normal();
   constexpr double across = 0.95;
   const Vector3d way = std::abs(wanted.dot(normal)) < across ? wanted : Vector3d(1, 0, 0);
   CutCourse course{surface, surface.point_mm(), (way - way.dot(normal) * normal).normalized(), 0};

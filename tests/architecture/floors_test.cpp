@@ -24,7 +24,8 @@ const std::map<std::string, std::vector<std::string>> folders_of = {
     {"mechanics",
      {"materials", "scenario", "elements", "solvers", "potentials", "statics", "cutting", "contact", "dynamics",
       "meshfree", ""}},
-    {"closedloop", {"experiment", "inference", "palpation", "guidance", "material", "hardware", "fullfield", "waves", ""}},
+    {"closedloop",
+     {"experiment", "inference", "palpation", "guidance", "material", "hardware", "fullfield", "waves", ""}},
     {"studies", {"demo", "dissertation", "gate", "review"}},
 };
 

@@ -115,10 +115,11 @@ std::vector<Effect> slice_timings(const Elastography& waves) {
   double highest_Hz = 0;
   for (const WaveTrial& trial : waves.trials) highest_Hz = std::max(highest_Hz, trial.frequency_Hz);
   const double turn_ms = 1000 / highest_Hz;
+  const int in_first_pass = (waves.grid.size[2] + 1) / 2;  // slices, where they are interleaved
   std::vector<Effect> effects;
   for (const char* form : {"sequential", "interleaved"}) {
     const bool sequential = std::string_view(form) == "sequential";
-    const double most_ms = sequential ? turn_ms / 8 : turn_ms / 4 / ((waves.grid.size[2] + 1) / 2);
+    const double most_ms = sequential ? turn_ms / 8 : turn_ms / 4 / in_first_pass;
     Effect effect{"slice-timing",
                   form,
                   {{"delay_ms", 0, -most_ms, most_ms, -0.3 * most_ms, 0.3 * most_ms}},
