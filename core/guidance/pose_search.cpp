@@ -8,6 +8,8 @@
 
 #include "base/parallel.h"
 #include "geometry/nearest.h"
+#include "guidance/internal/pose_cost.h"
+#include "guidance/internal/seen_depths.h"
 #include "registration/rigid.h"
 
 namespace glisson::guidance {
@@ -20,115 +22,45 @@ namespace {
 constexpr int attempts = 400000;        // of triples; most are refused by their distances, in nanoseconds
 constexpr int maximum_poses = 4000;     // that are scored
 constexpr int refined = 12;             // of the best
-constexpr double far_mm = 20;           // beyond which a point counts as not explained
 constexpr double min_distance_mm = 25;  // of two points of a triple: nearer ones turn with the noise
 constexpr std::size_t scored_points = 80;
 
 // Where nothing but the cloud is known:
 constexpr int directions = 48, turns = 12;  // that the organ is looked at from, and about the line of sight
 constexpr int anchors = 6;                  // places of the seen side that may be the middle of the cloud
-constexpr std::size_t begun_turns = 240;    // are refined until their order can be told,
-constexpr std::size_t refined_turns = 40;   // and these of them to the end
-constexpr int begun_rounds = 12, rounds = 40;
-constexpr double alike_score = 1.15;  // of the best: a pose elsewhere that fits as well
-constexpr double elsewhere_mm = 30, elsewhere_deg = 25;
+constexpr std::size_t begun_turns = 240;    // are refined by points to points until their order can be told,
+constexpr std::size_t refined_turns = 32;   // and these of them by points to planes
+constexpr int begun_rounds = 12, plane_rounds = 16, curve_rounds = 40;
+constexpr std::size_t plane_points = 200;
+constexpr double largest_cost_mm = 5;  // of a pose that is answered
+constexpr double unseen_weight = 0.5;  // of a cell that should have been seen, beside one that is not explained
+constexpr double alike_cost = 1.4;     // of the best, or of the noise: a pose elsewhere that fits as well
+// How far two poses are from each other, at least in one of both: at the middle of the organ, in angle.
+struct Apart {
+  double mm = 0, deg = 0;
+};
+constexpr Apart distinct{10, 10}, elsewhere{30, 25};
 
 struct Scored {
-  double score = 0;  // mean distance, none above far_mm
+  double cost = 0;  // mm: what is not explained
   Isometry3d pose = Isometry3d::Identity();
 };
 
-template <typename T>
-std::vector<T> every_nth(const std::vector<T>& all, std::size_t maximum) {
-  if (all.size() <= maximum) return all;
-  std::vector<T> some;
-  for (std::size_t i = 0; i < maximum; ++i) some.push_back(all[i * all.size() / maximum]);
-  return some;
-}
-
-std::vector<Vector3d> normals_of(const geometry::Surface& surface) {
-  std::vector<Vector3d> normals;
-  const auto point = [&](int i) { return surface.points_mm[static_cast<std::size_t>(i)]; };
-  for (const auto& [a, b, c] : surface.triangles) {
-    normals.push_back((point(b) - point(a)).cross(point(c) - point(a)).normalized());
-  }
-  return normals;
-}
-
-// What a pose is judged by: seen curves beside the curves at rest, seen points beside the surface.
-class Judge {
- public:
-  Judge(const geometry::Surface& surface, const SeenFrame& frame)
-      : surface_(surface), normals_(normals_of(surface)), cloud_mm_(every_nth(frame.points_mm, scored_points)) {
-    for (const SeenCurve& curve : frame.curves) {
-      curves_.push_back({geometry::NearestPoint(curve.at_rest_mm), every_nth(curve.seen_mm, scored_points)});
-    }
-  }
-
-  [[nodiscard]] double score(const Isometry3d& pose) const {
-    const Isometry3d back = pose.inverse();
-    double curves = 0;
-    std::size_t seen = 0;
-    for (const Curve& curve : curves_) {
-      for (const Vector3d& point : curve.seen_mm) {
-        curves += std::min(far_mm, std::sqrt(curve.at_rest.nearest(back * point).squared_distance_mm2));
-      }
-      seen += curve.seen_mm.size();
-    }
-    return curves / static_cast<double>(std::max<std::size_t>(1, seen)) + score_of_cloud(pose);
-  }
-
-  // Of the cloud alone: points that would lie on a side turned away from the camera are not explained either.
-  [[nodiscard]] double score_of_cloud(const Isometry3d& pose) const {
-    const Isometry3d back = pose.inverse();
-    double sum = 0;
-    for (const Vector3d& point : cloud_mm_) {
-      const auto closest = surface_.closest(back * point);
-      const bool is_turned_away = (pose.linear() * normals_[static_cast<std::size_t>(closest.triangle)]).dot(point) > 0;
-      sum += is_turned_away ? far_mm : std::min(far_mm, closest.distance_mm);
-    }
-    return sum / static_cast<double>(std::max<std::size_t>(1, cloud_mm_.size()));
-  }
-  [[nodiscard]] const std::vector<Vector3d>& cloud_mm() const { return cloud_mm_; }
-  [[nodiscard]] const std::vector<Vector3d>& normals() const { return normals_; }  // one a triangle, outwards
-
-  // Pairs of what was seen and what lies nearest to it, those within `reach_mm`.
-  void pairs(const Isometry3d& pose, double reach_mm, std::vector<Vector3d>& at_rest, std::vector<Vector3d>& seen,
-             std::vector<double>& weights) const {
-    const Isometry3d back = pose.inverse();
-    const auto add = [&](const Vector3d& rest, const Vector3d& point, double weight) {
-      if ((rest - back * point).norm() > reach_mm) return;
-      at_rest.push_back(rest);
-      seen.push_back(point);
-      weights.push_back(weight);
-    };
-    for (const Curve& curve : curves_) {
-      for (const Vector3d& point : curve.seen_mm) {
-        const auto nearest = curve.at_rest.nearest(back * point);
-        add(curve.at_rest.points_mm()[static_cast<std::size_t>(nearest.point)], point, 2.0);
-      }
-    }
-    for (const Vector3d& point : cloud_mm_) add(surface_.closest(back * point).point_mm, point, 1.0);
-  }
-
- private:
-  struct Curve {
-    geometry::NearestPoint at_rest;
-    std::vector<Vector3d> seen_mm;
-  };
-  geometry::SurfaceDistance surface_;
-  std::vector<Vector3d> normals_;
-  std::vector<Curve> curves_;
-  std::vector<Vector3d> cloud_mm_;
-};
+bool fits_better(const Scored& a, const Scored& b) { return a.cost < b.cost; }
 
 // Iterated closest points, round by round within a shorter reach.
-Isometry3d refine(const Judge& judge, Isometry3d pose, int from = 0, int to = rounds) {
-  for (int round = from; round < to; ++round) {
-    std::vector<Vector3d> at_rest, seen;
-    std::vector<double> weights;
-    judge.pairs(pose, std::max(10.0, 40.0 - 2.0 * round), at_rest, seen, weights);
-    const auto better = registration::align_points(at_rest, seen, weights);
+Isometry3d refined_to_points(const PoseCost& cost, Isometry3d pose, int rounds) {
+  for (int round = 0; round < rounds; ++round) {
+    const auto better = cost.step_to_points(pose, std::max(10.0, 40.0 - 2.0 * round));
+    if (!better) return pose;
+    pose = *better;
+  }
+  return pose;
+}
+
+Isometry3d refined_to_planes(const PoseCost& cost, Isometry3d pose) {
+  for (int round = 0; round < plane_rounds; ++round) {
+    const auto better = cost.step_to_planes(pose, std::max(10.0, 20.0 - round));
     if (!better) return pose;
     pose = *better;
   }
@@ -141,7 +73,7 @@ struct CurvePoint {
   Vector3d seen_mm;
 };
 
-std::vector<Scored> poses_of_triples(const Judge& judge, const SeenFrame& frame) {
+std::vector<Scored> poses_of_triples(const PoseCost& cost, const SeenFrame& frame) {
   std::vector<CurvePoint> points;
   for (std::size_t c = 0; c < frame.curves.size(); ++c) {
     for (const Vector3d& point : frame.curves[c].seen_mm) points.push_back({c, point});
@@ -164,7 +96,8 @@ std::vector<Scored> poses_of_triples(const Judge& judge, const SeenFrame& frame)
       alike = apart_mm > min_distance_mm && std::abs(apart_mm - rest_mm) < 3.0 + 0.08 * apart_mm;
     }
     if (!alike) continue;
-    if (const auto pose = registration::align_points(at_rest, seen)) poses.push_back({judge.score(*pose), *pose});
+    if (const auto pose = registration::align_points(at_rest, seen))
+      poses.push_back({cost.of_curves_and_cloud(*pose), *pose});
   }
   return poses;
 }
@@ -205,28 +138,46 @@ std::vector<Vector3d> anchors_of(const geometry::Surface& surface, const std::ve
   return chosen;
 }
 
-std::vector<Scored> poses_of_turns(const Judge& judge, const geometry::Surface& surface) {
+std::vector<Scored> poses_of_turns(const PoseCost& cost, const geometry::Surface& surface) {
   Vector3d mean = Vector3d::Zero();
-  for (const Vector3d& point : judge.cloud_mm()) mean += point / static_cast<double>(judge.cloud_mm().size());
+  for (const Vector3d& point : cost.cloud_mm()) mean += point / static_cast<double>(cost.cloud_mm().size());
   const Vector3d middle =
-      *std::min_element(judge.cloud_mm().begin(), judge.cloud_mm().end(),
+      *std::min_element(cost.cloud_mm().begin(), cost.cloud_mm().end(),
                         [&](const Vector3d& a, const Vector3d& b) { return (a - mean).norm() < (b - mean).norm(); });
-  std::vector<Scored> poses;
-  for (const Eigen::Matrix3d& rotation : even_rotations()) {
-    for (const Vector3d& anchor : anchors_of(surface, judge.normals(), rotation)) {
-      Isometry3d pose = Isometry3d::Identity();
-      pose.linear() = rotation;
-      pose.translation() = middle - rotation * anchor;
-      poses.push_back({judge.score_of_cloud(pose), pose});
+  const std::vector<Eigen::Matrix3d> rotations = even_rotations();
+  std::vector<std::vector<Scored>> of_rotation(rotations.size());
+  parallel_for(rotations.size(), 4, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t r = begin; r < end; ++r) {
+      for (const Vector3d& anchor : anchors_of(surface, cost.normals(), rotations[r])) {
+        Isometry3d pose = Isometry3d::Identity();
+        pose.linear() = rotations[r];
+        pose.translation() = middle - rotations[r] * anchor;
+        of_rotation[r].push_back({cost.of_cloud(pose), pose});
+      }
     }
-  }
+  });
+  std::vector<Scored> poses;
+  for (const auto& some : of_rotation) poses.insert(poses.end(), some.begin(), some.end());
   return poses;
 }
 
-bool lies_elsewhere(const Isometry3d& pose, const Isometry3d& other, const Vector3d& at_rest_mm) {
+bool lie_apart(const Isometry3d& pose, const Isometry3d& other, const Vector3d& middle_mm, const Apart& apart) {
   const double turn = Eigen::AngleAxisd(pose.linear().transpose() * other.linear()).angle();
-  return (pose * at_rest_mm - other * at_rest_mm).norm() > elsewhere_mm ||
-         turn * 180 / std::numbers::pi > elsewhere_deg;
+  return (pose * middle_mm - other * middle_mm).norm() > apart.mm || turn * 180 / std::numbers::pi > apart.deg;
+}
+
+// The best so many, no two of them alike: where all the best are one, the second place must not be crowded out.
+std::vector<Scored> best_distinct(std::vector<Scored> poses, std::size_t count, const Vector3d& middle_mm) {
+  std::sort(poses.begin(), poses.end(), fits_better);
+  std::vector<Scored> chosen;
+  for (const Scored& pose : poses) {
+    if (chosen.size() == count) break;
+    const bool is_new = std::all_of(chosen.begin(), chosen.end(), [&](const Scored& other) {
+      return lie_apart(pose.pose, other.pose, middle_mm, distinct);
+    });
+    if (is_new) chosen.push_back(pose);
+  }
+  return chosen;
 }
 
 // By its shape alone; a smooth organ may lie so in two ways, and then nothing is answered.
@@ -238,28 +189,34 @@ Result<Isometry3d> find_pose_of_cloud(const geometry::Surface& surface, const Se
                          GLISSON_TEXT("Give a pose_guess, or mark ridges or the falciform ligament."),
                          {}});
   };
-  const Judge judge(surface, frame);
-  std::vector<Scored> poses = poses_of_turns(judge, surface);
-  const auto better = [](const Scored& a, const Scored& b) { return a.score < b.score; };
-  const auto refine_best = [&](std::size_t count, int from, int to) {
-    std::sort(poses.begin(), poses.end(), better);
-    poses.resize(std::min(poses.size(), count));
+  const Vector3d middle = geometry::bounding_box(surface.points_mm).center_mm();
+  const PoseCost coarse(surface, frame, scored_points), fine(surface, frame, plane_points);
+  const SeenDepths depths(frame.points_mm);
+  const auto cost_of = [&](const PoseCost& cost, const Isometry3d& pose) {
+    if (!depths.is_picture()) return cost.of_cloud(pose);
+    const auto [before, unseen] = depths.contradiction(surface, pose);
+    return cost.of_cloud(pose) + far_mm * (before + unseen_weight * std::min(1.0, unseen));
+  };
+  std::vector<Scored> poses = poses_of_turns(coarse, surface);
+  const auto refine_best = [&](std::size_t count, const PoseCost& cost, const auto& refined_pose) {
+    poses = best_distinct(std::move(poses), count, middle);
     parallel_for(poses.size(), 4, [&](std::size_t begin, std::size_t end) {
       for (std::size_t p = begin; p < end; ++p) {
-        poses[p].pose = refine(judge, poses[p].pose, from, to);
-        poses[p].score = judge.score_of_cloud(poses[p].pose);
+        poses[p].pose = refined_pose(cost, poses[p].pose);
+        poses[p].cost = cost_of(cost, poses[p].pose);
       }
     });
   };
-  refine_best(begun_turns, 0, begun_rounds);
-  refine_best(refined_turns, begun_rounds, rounds);
-  const auto best = std::min_element(poses.begin(), poses.end(), better);
-  if (best == poses.end() || best->score > 0.5 * far_mm) {
+  refine_best(begun_turns, coarse,
+              [](const PoseCost& cost, const Isometry3d& pose) { return refined_to_points(cost, pose, begun_rounds); });
+  refine_best(refined_turns, fine, refined_to_planes);
+  const auto best = std::min_element(poses.begin(), poses.end(), fits_better);
+  if (best == poses.end() || best->cost > largest_cost_mm) {
     return refuse(GLISSON_TEXT("Under no pose does what frame {0} saw lie near the organ."));
   }
-  const Vector3d middle = geometry::bounding_box(surface.points_mm).center_mm();
   const bool is_ambiguous = std::any_of(poses.begin(), poses.end(), [&](const Scored& other) {
-    return other.score < alike_score * best->score && lies_elsewhere(other.pose, best->pose, middle);
+    return other.cost < alike_cost * std::max(best->cost, frame.noise_mm) &&
+           lie_apart(other.pose, best->pose, middle, elsewhere);
   });
   if (is_ambiguous) {
     return refuse(
@@ -274,17 +231,16 @@ Result<Isometry3d> find_pose(const geometry::Surface& surface, const SeenFrame& 
   std::size_t seen = 0;
   for (const SeenCurve& curve : frame.curves) seen += curve.seen_mm.size();
   if (seen < 5) return find_pose_of_cloud(surface, frame);
-  const Judge judge(surface, frame);
-  std::vector<Scored> poses = poses_of_triples(judge, frame);
-  const auto better = [](const Scored& a, const Scored& b) { return a.score < b.score; };
-  std::sort(poses.begin(), poses.end(), better);
+  const PoseCost cost(surface, frame, scored_points);
+  std::vector<Scored> poses = poses_of_triples(cost, frame);
+  std::sort(poses.begin(), poses.end(), fits_better);
   poses.resize(std::min<std::size_t>(poses.size(), refined));
   for (Scored& pose : poses) {
-    pose.pose = refine(judge, pose.pose);
-    pose.score = judge.score(pose.pose);
+    pose.pose = refined_to_points(cost, pose.pose, curve_rounds);
+    pose.cost = cost.of_curves_and_cloud(pose.pose);
   }
-  const auto best = std::min_element(poses.begin(), poses.end(), better);
-  if (best == poses.end() || best->score > far_mm) {
+  const auto best = std::min_element(poses.begin(), poses.end(), fits_better);
+  if (best == poses.end() || best->cost > far_mm) {
     return failure(Error{"pose-not-found",
                          GLISSON_TEXT("Under no pose does what frame {0} saw lie near the organ."),
                          {frame.id},
