@@ -18,8 +18,9 @@ using Eigen::VectorXd;
 namespace {
 
 constexpr double hidden_tool_radius_mm = 8.0;
-constexpr double min_trust = 0.02;        // of a point, where evidences are compared
-constexpr double posterior_factor = 1.5;  // of standard deviations, from bodies that were not judged
+constexpr double min_trust = 0.02;  // of a point, where evidences are compared
+constexpr SpreadRule spread_rule{
+    .posterior_factor = 1.4, .elastic_share = 0.28, .smallest_sd_mm = 0.2, .share_of_depth = 0.006};
 
 // Of an organ that nothing is known to hold.
 class FreeFit {
@@ -40,7 +41,7 @@ class FreeFit {
   // Whether some of the cloud lies so far off the rigid organ that a tool may pull there.
   [[nodiscard]] bool is_pulled() const { return farthest_off_mm_ > pulled_mm; }
   [[nodiscard]] ElasticPlacement outcome(const std::vector<mechanics::PointInMesh>& targets) const {
-    return fit_.outcome(targets, posterior_factor, {asked_tools_});
+    return fit_.outcome(targets, spread_rule, {asked_tools_});
   }
 
  private:
@@ -88,8 +89,12 @@ void FreeFit::add_hidden_tool() {
 // What is seen is touched by nothing but the tools; forces elsewhere are all alike.
 void FreeFit::choose_forces(Forces forces) {
   const Isometry3d back = fit_.pose.inverse();
-  fit_.scaled_modes =
-      fit_.modes_by_what_is_seen(forces == Forces::anywhere ? 1.0 : std::sqrt(fit_.options.touched_by_unseen));
+  const VectorXd factors =
+      fit_.factors_by_what_is_seen(forces == Forces::anywhere ? 1.0 : std::sqrt(fit_.options.touched_by_unseen));
+  const MatrixXd scaled = fit_.modes.reduced_amounts() * factors.asDiagonal();
+  fit_.basis_mm = fit_.modes.reduced_basis_mm();
+  // Amounts that forces of one variance give the reduced basis: its covariance is the square of this.
+  fit_.mixing = (scaled * scaled.transpose()).llt().matrixL();
   asked_tools_.clear();
   fit_.further_mm.resize(fit_.known_mm.size(), 0);
   if (forces == Forces::hidden_tool) add_hidden_tool();
@@ -123,8 +128,8 @@ void FreeFit::fit_pose_and_forces(Forces forces) {
     VectorXd right = fit_.equations.residuals(seen, fit_.known_mm);
     const MatrixXd free = fit_.equations.free_columns(seen, {fit_.further_mm, tool_sd_mN},
                                                       fit_.guess.inverse() * fit_.pose, 1.0 / std::sqrt(share), right);
-    fit_.follow(fit_by_evidence(SeenEquations::mode_columns(seen, fit_.scaled_modes, free.cols()), free, right,
-                                independent, fit_.largest_variance(round)));
+    fit_.follow(
+        fit_by_evidence(fit_.mode_columns(free.cols()), free, right, independent, fit_.largest_variance(round)));
     double weights = 0;
     for (const SeenRow& row : seen) weights += std::log(std::sqrt(std::max(row.trust, min_trust)) / row.noise_mm);
     log_evidence_ = fit_.fit.log_evidence + share * weights;
@@ -133,6 +138,14 @@ void FreeFit::fit_pose_and_forces(Forces forces) {
 }
 
 }  // namespace
+
+RegistrationOptions following_options() {
+  RegistrationOptions options;
+  options.rigid_rounds = 6;
+  options.elastic_rounds = 8;
+  options.maximum_points = 500;
+  return options;
+}
 
 ElasticPlacement register_elastic(const ForceModes& modes, const SeenFrame& frame, const Isometry3d& from,
                                   const std::vector<mechanics::PointInMesh>& targets, const Vector3d& gravity_mm_s2,

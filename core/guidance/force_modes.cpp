@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/dense.h"
 #include "base/units.h"
 #include "geometry/nearest.h"
 #include "mechanics/elements/body.h"
@@ -67,6 +68,8 @@ struct ForceModes::Impl {
   bool is_supported = false;
   std::optional<mechanics::ConstrainedSystem> system;
   Eigen::MatrixXd modes_mm;
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> reduced_basis_mm;
+  Eigen::MatrixXd reduced_amounts;
   std::vector<Vector3d> narrow_centers_mm;
   Eigen::MatrixXd narrow_modes_mm;
 
@@ -77,6 +80,7 @@ struct ForceModes::Impl {
   // Of a free body: without resultant and moment; displacements without rigid part.
   [[nodiscard]] Eigen::MatrixXd answer(Eigen::MatrixXd forces_mN) const;
   void scale_modes();
+  void reduce_modes();
   void scale_narrow_modes();
 };
 
@@ -110,13 +114,14 @@ Result<ForceModes> ForceModes::create(geometry::TetMesh mesh, const std::vector<
       matrix.coeffRef(i, i) += softest_spring * mean_diagonal * impl->mass_kg[i] * 1e-2;
     }
   }
-  auto system = mechanics::ConstrainedSystem::create(std::move(matrix), impl->body.resolved.fixed,
-                                                     body_options.memory_limit_bytes, progress.part(0.1, 0.5));
+  auto system = mechanics::ConstrainedSystem::create(matrix, impl->body.resolved.fixed, body_options.memory_limit_bytes,
+                                                     progress.part(0.1, 0.5));
   if (!system) return failure(std::move(system.error()));
   impl->system = std::move(*system);
   const double wide_mm = options.overlap * std::sqrt(impl->area_mm2() / static_cast<double>(impl->centers_mm.size()));
   impl->modes_mm = impl->answer(impl->patch_forces(impl->centers_mm, wide_mm));
   impl->scale_modes();
+  impl->reduce_modes();
   impl->narrow_modes_mm = impl->answer(impl->patch_forces(impl->narrow_centers_mm, options.narrow_mm));
   impl->scale_narrow_modes();
   if (progress.cancelled()) return cancelled();
@@ -179,6 +184,20 @@ void ForceModes::Impl::scale_modes() {
   if (rms_mm > 0) modes_mm /= rms_mm;
 }
 
+void ForceModes::Impl::reduce_modes() {
+  const SymmetricModes spectrum = symmetric_modes(modes_mm.transpose() * modes_mm);
+  Eigen::Index kept = spectrum.values.size();
+  const double all = spectrum.values.sum();
+  double left_out = 0;
+  while (kept > 1) {
+    left_out += std::max(0.0, spectrum.values[spectrum.values.size() - kept]);
+    if (left_out > reduced_share * all) break;
+    --kept;
+  }
+  reduced_amounts = spectrum.vectors.rightCols(kept).transpose();
+  reduced_basis_mm = modes_mm * reduced_amounts.transpose();
+}
+
 void ForceModes::Impl::scale_narrow_modes() {
   constexpr double barely = 1e-3;  // of what moves most: beside a support, which no force moves
   const geometry::NearestPoint nearest(surface.points_mm);
@@ -199,6 +218,10 @@ const geometry::Surface& ForceModes::surface() const { return impl_->surface; }
 const std::vector<int>& ForceModes::mesh_point_of() const { return impl_->mesh_point_of; }
 const Eigen::MatrixXd& ForceModes::displacement_mm() const { return impl_->modes_mm; }
 const std::vector<Vector3d>& ForceModes::centers_mm() const { return impl_->centers_mm; }
+const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>& ForceModes::reduced_basis_mm() const {
+  return impl_->reduced_basis_mm;
+}
+const Eigen::MatrixXd& ForceModes::reduced_amounts() const { return impl_->reduced_amounts; }
 const Eigen::MatrixXd& ForceModes::narrow_displacement_mm() const { return impl_->narrow_modes_mm; }
 const std::vector<Vector3d>& ForceModes::narrow_centers_mm() const { return impl_->narrow_centers_mm; }
 bool ForceModes::is_supported() const { return impl_->is_supported; }

@@ -48,6 +48,12 @@ class ForceModes {
   // patches displace the surface by 1 mm (root mean square).
   [[nodiscard]] const Eigen::MatrixXd& displacement_mm() const;
   [[nodiscard]] const std::vector<Eigen::Vector3d>& centers_mm() const;
+  // The same displacements by fewer columns (proper orthogonal decomposition): displacement_mm() is
+  // reduced_basis_mm() times reduced_amounts(), but for reduced_share of their mean square. The rows of the amounts are
+  // orthonormal.
+  static constexpr double reduced_share = 1e-4;
+  [[nodiscard]] const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>& reduced_basis_mm() const;
+  [[nodiscard]] const Eigen::MatrixXd& reduced_amounts() const;
   // The same of the narrow patches, each scaled so that forces of unit variance move its middle by 1 mm.
   [[nodiscard]] const Eigen::MatrixXd& narrow_displacement_mm() const;
   [[nodiscard]] const std::vector<Eigen::Vector3d>& narrow_centers_mm() const;

@@ -94,7 +94,8 @@ ElasticPlacement place(const ForceModes& modes, const SeenFrame& frame, const Gu
                        const std::vector<mechanics::PointInMesh>& targets,
                        const std::optional<Eigen::Isometry3d>& before) {
   if (auto problem = problem_of(frame, modes.surface())) return unanswered(*std::move(problem));
-  RegistrationOptions options;
+  const bool follows = !frame.pose_guess && before && !modes.is_supported();
+  const RegistrationOptions options = follows ? following_options() : RegistrationOptions{};
   Eigen::Isometry3d from = Eigen::Isometry3d::Identity();
   if (frame.pose_guess) {
     from = *frame.pose_guess;

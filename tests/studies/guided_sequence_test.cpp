@@ -5,16 +5,15 @@
 
 #include <gmock/gmock.h>
 #include <numeric>
-#include <sstream>
 
 #include "anatomy/patient.h"
 #include "base/files.h"
 #include "base/json.h"
 #include "guidance/guidance_answer.h"
-#include "meshing/mesh_labels.h"
-#include "segmentation/rasterise.h"
+#include "guidance/pose_search.h"
 #include "studies/review/example_sequence.h"
 #include "support/folders.h"
+#include "support/liver_on_video.h"
 #include "vision/masks.h"
 
 namespace glisson::studies {
@@ -27,47 +26,6 @@ using Eigen::Vector3d;
 constexpr std::uint64_t patient_seed = 4;  // none that guidance was tuned with
 constexpr int frames = 11;                 // half a breath: from rest to where it lies lowest
 constexpr std::size_t every = 2;
-
-// The last three columns of all rows.
-std::vector<Vector3d> places_of(const fs::path& file) {
-  std::stringstream text(read_text_file(file).value());
-  std::string line;
-  std::getline(text, line);
-  std::vector<Vector3d> places;
-  while (std::getline(text, line)) {
-    std::vector<std::string> cells;
-    std::stringstream row(line);
-    for (std::string cell; std::getline(row, cell, ',');) cells.push_back(cell);
-    const std::size_t n = cells.size();
-    places.emplace_back(std::stod(cells.at(n - 3)), std::stod(cells.at(n - 2)), std::stod(cells.at(n - 1)));
-  }
-  return places;
-}
-
-casefile::PatientModel model_of(const geometry::Surface& liver, const std::vector<Vector3d>& hidden_mm) {
-  const auto box = geometry::bounding_box(liver.points_mm);
-  const Vector3d margin = Vector3d::Constant(10);
-  imaging::Grid grid;
-  grid.spacing_mm = Vector3d::Constant(3);
-  grid.origin_mm = box.min_mm - margin;
-  for (int axis = 0; axis < 3; ++axis) {
-    grid.size[static_cast<std::size_t>(axis)] =
-        static_cast<int>(std::ceil((box.max_mm - box.min_mm + 2 * margin)[axis] / 3)) + 1;
-  }
-  const imaging::Mask inside = segmentation::rasterise(liver, grid);
-  const imaging::LabelMap labels{grid, {inside.values.begin(), inside.values.end()}};
-  meshing::MeshOptions options;
-  options.target_cells = 6000;
-  casefile::PatientModel model;
-  model.mesh = meshing::mesh_labels(labels, options).value().body;
-  model.mesh.cell_fields.push_back(
-      {mechanics::youngs_modulus_field, 1, std::vector<double>(model.mesh.cells.size(), 5.0)});
-  for (std::size_t k = 0; k < hidden_mm.size(); ++k) {
-    model.landmarks.push_back({"hidden-" + std::to_string(k + 1), hidden_mm[k]});
-  }
-  model.liver = {"liver", {0.7, 0.3, 0.3}, liver, 0};
-  return model;
-}
 
 registration_quality::SequenceFiles every_second(const registration_quality::SequenceFiles& all) {
   registration_quality::SequenceFiles some;
@@ -95,8 +53,9 @@ class GuidedSequenceTest : public testing::Test {
     sequence_ = registration_quality::read_sequence(*file).value();
     anatomy::PatientOptions patient;
     patient.seed = patient_seed;
-    model_ = model_of(anatomy::make_liver_surface(patient).value(), places_of(file->parent_path() / "hidden.csv"));
-    truth_mm_ = places_of(file->parent_path() / "hidden-truth.csv");
+    model_ = test::liver_model(anatomy::make_liver_surface(patient).value(), 6000,
+                               test::places_of(file->parent_path() / "hidden.csv"));
+    truth_mm_ = test::places_of(file->parent_path() / "hidden-truth.csv");
     const Json truth = read_json_file(file->parent_path() / "truth.json").value();
     pose_ = *guidance::rigid_pose(truth["patient_to_camera"].get<std::vector<double>>());
   }
@@ -132,7 +91,7 @@ TEST_F(GuidedSequenceTest, FollowsWhatNoPictureShowsFromFrameToFrame) {
   ASSERT_TRUE(answer) << answer.error().message();
   ASSERT_EQ(answer->frames.size(), some.clouds.size());
   std::vector<guidance::ElasticPlacement> placements;
-  double guided_mm = 0, left_mm = 0;
+  double guided_mm = 0, left_mm = 0, worst_mm = 0;
   int within = 0, all = 0;
   for (std::size_t f = 0; f < answer->frames.size(); ++f) {
     const guidance::ElasticPlacement& placed = answer->frames[f].placement;
@@ -142,13 +101,15 @@ TEST_F(GuidedSequenceTest, FollowsWhatNoPictureShowsFromFrameToFrame) {
     for (const auto& landmark : model_.landmarks) at_rest.push_back(pose_ * landmark.position_mm);
     const double left = mean(errors_mm(every * f, at_rest));
     guided_mm += mean(errors) / static_cast<double>(some.clouds.size());
+    worst_mm = std::max(worst_mm, mean(errors));
     left_mm += left / static_cast<double>(some.clouds.size());
     for (std::size_t k = 0; k < errors.size(); ++k, ++all) within += errors[k] < 2.5 * placed.target_sd_mm[k] ? 1 : 0;
     std::printf("frame %zu: error %.2f mm, at rest %.2f mm, %.2f s\n", f, mean(errors), left,
                 answer->frames[f].seconds);
     placements.push_back(placed);
   }
-  std::printf("mean %.2f mm (left at rest: %.2f), %d of %d within 2.5 sd\n", guided_mm, left_mm, within, all);
+  std::printf("mean %.2f mm, worst %.2f mm (left at rest: %.2f), %d of %d within 2.5 sd\n", guided_mm, worst_mm,
+              left_mm, within, all);
   EXPECT_LT(guided_mm, 5.0);            // the line that matters
   EXPECT_LT(guided_mm, 0.7 * left_mm);  // than leaving it where it lay
   EXPECT_GT(within, all * 8 / 10);
@@ -237,18 +198,17 @@ TEST_F(GuidedSequenceTest, OutlinesStayBelowTheInstrumentOfThePicture) {
   EXPECT_LT(mistaken, tissue / 50);
 }
 
-// Without a guess it is found, or nothing is drawn; never drawn elsewhere.
-TEST_F(GuidedSequenceTest, WithoutAGuessItIsFoundOrSaidNotToBe) {
-  auto guided = casefile::guided_sequence(model_, sequence_, std::nullopt).value();
-  guided.guidance.frames.resize(1);
-  const auto answer = guidance::answer(guided.guidance);
-  ASSERT_TRUE(answer) << answer.error().message();
-  const guidance::ElasticPlacement& placed = answer->frames.front().placement;
-  std::printf("without a guess: %s\n", placed.converged ? "found" : placed.why_not.message().c_str());
-  if (placed.converged) {
-    EXPECT_LT(mean(errors_mm(0, placed.target_mm)), 8.0);
-  } else {
-    EXPECT_THAT(placed.why_not.message(), testing::HasSubstr("f000"));
+// Without a guess each frame by itself says where the liver lies.
+TEST_F(GuidedSequenceTest, WithoutAGuessItIsFoundInEachFrame) {
+  const geometry::Surface surface = geometry::boundary_surface(model_.mesh);
+  const auto guided = casefile::guided_sequence(model_, sequence_, std::nullopt).value();
+  for (std::size_t f = 0; f < guided.guidance.frames.size(); f += every) {
+    const auto pose = guidance::find_pose(surface, guided.guidance.frames[f]);
+    ASSERT_TRUE(pose) << pose.error().message();
+    std::vector<Vector3d> found_mm;
+    for (const auto& landmark : model_.landmarks) found_mm.push_back(*pose * landmark.position_mm);
+    std::printf("frame %zu: first pose %.2f mm off\n", f, mean(errors_mm(f, found_mm)));
+    EXPECT_LT(mean(errors_mm(f, found_mm)), 10.0);  // of a pose alone: the liver deforms by up to 12
   }
 }
 

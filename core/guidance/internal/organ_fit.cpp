@@ -15,8 +15,7 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr int rounds_to_full_forces = 12;
-constexpr double smallest_sd_mm = 0.25;  // what is left of a rigid organ
+constexpr double share_to_full_forces = 0.6;  // of the elastic rounds
 
 }  // namespace
 
@@ -54,8 +53,10 @@ void OrganFit::move_pose(const Vector3d& shift_mm, const Vector3d& turn) {
 
 void OrganFit::fit_pose() {
   const MatrixXd none(u_mm.size(), 0);
+  const std::vector<Vector3d> now_mm = displaced();
+  const SeenSurface surface(modes.surface(), modes.mesh_point_of(), now_mm);
   for (int round = 0; round < options.rigid_rounds; ++round) {
-    seen = equations.rows(pose, displaced(),
+    seen = equations.rows(pose, now_mm, surface,
                           {.coarsest_mm = 1.5 + 10.0 * (1.0 - static_cast<double>(round) / options.rigid_rounds)});
     VectorXd right = equations.residuals(seen.rows, u_mm);
     const MatrixXd columns = equations.free_columns(seen.rows, {none}, guess.inverse() * pose, 1.0, right);
@@ -66,39 +67,51 @@ void OrganFit::fit_pose() {
 }
 
 double OrganFit::largest_variance(int round) const {
-  const double opened = std::min(1.0, (round + 1.0) / rounds_to_full_forces);
+  const double opened = std::min(1.0, (round + 1.0) / (share_to_full_forces * options.elastic_rounds));
   return std::pow(options.largest_rms_mm * opened, 2);
 }
 
 void OrganFit::follow(EvidenceFit found) {
   fit = std::move(found);
-  u_mm = known_mm + scaled_modes * fit.modes + further_mm * fit.free.tail(further_mm.cols());
+  const VectorXd amounts = mixing.size() > 0 ? VectorXd(mixing * fit.modes) : fit.modes;
+  u_mm = known_mm + basis_mm * amounts + further_mm * fit.free.tail(further_mm.cols());
   move_pose(fit.free.head<3>(), fit.free.segment<3>(3));
 }
 
-SeenEquations::RowMatrix OrganFit::modes_by_what_is_seen(double seen_root) const {
+VectorXd OrganFit::factors_by_what_is_seen(double seen_root) const {
   const geometry::NearestPoint nearest = seen_in_scan();
-  SeenEquations::RowMatrix weighed = modes.displacement_mm();
+  VectorXd factors = VectorXd::Ones(modes.displacement_mm().cols());
   for (std::size_t k = 0; k < modes.centers_mm().size(); ++k) {
     const double away_mm = std::sqrt(nearest.nearest(modes.centers_mm()[k]).squared_distance_mm2);
-    if (away_mm < options.seen_within_mm) weighed.middleCols<3>(3 * static_cast<Eigen::Index>(k)) *= seen_root;
+    if (away_mm < options.seen_within_mm) factors.segment<3>(3 * static_cast<Eigen::Index>(k)).setConstant(seen_root);
   }
-  return weighed;
+  return factors;
+}
+
+MatrixXd OrganFit::mixed(MatrixXd of_basis) const {
+  if (mixing.size() == 0) return of_basis;
+  return of_basis * mixing;
+}
+
+MatrixXd OrganFit::mode_columns(Eigen::Index free) const {
+  return mixed(SeenEquations::mode_columns(seen.rows, basis_mm, free));
 }
 
 // ---- What came of it ----
 
 Eigen::Matrix<double, 3, Eigen::Dynamic> OrganFit::columns_at(const mechanics::PointInMesh& place) const {
-  const Eigen::Index q = scaled_modes.cols(), others = further_mm.cols();
+  const Eigen::Index q = mode_count(), others = further_mm.cols();
+  MatrixXd of_basis = MatrixXd::Zero(3, basis_mm.cols());
   Eigen::Matrix<double, 3, Eigen::Dynamic> columns = Eigen::Matrix<double, 3, Eigen::Dynamic>::Zero(3, q + 6 + others);
   const auto& cell = modes.mesh().cells[static_cast<std::size_t>(place.cell)];
   Vector3d arm_mm = -modes.centroid_mm();
   for (int k = 0; k < 4; ++k) {
-    columns.leftCols(q) += place.barycentric[k] * scaled_modes.middleRows<3>(3 * cell[k]);
+    of_basis += place.barycentric[k] * basis_mm.middleRows<3>(3 * cell[k]);
     columns.rightCols(others) += place.barycentric[k] * further_mm.middleRows<3>(3 * cell[k]);
     arm_mm += place.barycentric[k] *
               (modes.mesh().points_mm[static_cast<std::size_t>(cell[k])] + u_mm.segment<3>(3 * cell[k]));
   }
+  columns.leftCols(q) = mixed(std::move(of_basis));
   columns.block<3, 3>(0, q).setIdentity();
   for (int axis = 0; axis < 3; ++axis) columns.block<3, 1>(0, q + 3 + axis) = Vector3d::Unit(axis).cross(arm_mm);
   return columns;
@@ -123,7 +136,7 @@ double OrganFit::visible_share() const {
   return static_cast<double>(visible) / static_cast<double>(std::max<std::size_t>(1, modes.mesh_point_of().size()));
 }
 
-ElasticPlacement OrganFit::outcome(const std::vector<mechanics::PointInMesh>& targets, double posterior_factor,
+ElasticPlacement OrganFit::outcome(const std::vector<mechanics::PointInMesh>& targets, const SpreadRule& rule,
                                    const AskedTools& asked) const {
   ElasticPlacement placed;
   placed.pose = pose;
@@ -137,17 +150,21 @@ ElasticPlacement OrganFit::outcome(const std::vector<mechanics::PointInMesh>& ta
   placed.residual_rms_mm = seen.rms_mm;
   placed.visible_share = visible_share();
   const MatrixXd covariance = fit.covariance();
+  const geometry::NearestPoint cloud = seen_in_scan();
   for (const mechanics::PointInMesh& place : targets) {
     const auto& cell = modes.mesh().cells[static_cast<std::size_t>(place.cell)];
-    placed.target_mm.push_back(pose * between(now_mm, cell, place.barycentric));
+    const Vector3d here_mm = between(now_mm, cell, place.barycentric);
+    placed.target_mm.push_back(pose * here_mm);
     const auto columns = columns_at(place);
     const double posterior_mm = std::sqrt((columns * covariance * columns.transpose()).trace() / 3);
-    placed.target_sd_mm.push_back(
-        std::hypot(posterior_factor * posterior_mm, elastic_share * placed.elastic_rms_mm, smallest_sd_mm));
+    const double depth_mm = std::sqrt(cloud.nearest(here_mm).squared_distance_mm2);
+    placed.target_sd_mm.push_back(std::hypot(rule.posterior_factor * posterior_mm,
+                                             rule.elastic_share * placed.elastic_rms_mm,
+                                             rule.smallest_sd_mm + rule.share_of_depth * depth_mm));
   }
   for (std::size_t t = 0; t < asked.tools.size(); ++t) {
     const auto first = 6 + 3 * static_cast<Eigen::Index>(t);
-    const Eigen::Index in_covariance = scaled_modes.cols() + first;
+    const Eigen::Index in_covariance = mode_count() + first;
     const double variance = covariance.block<3, 3>(in_covariance, in_covariance).trace() / 3;
     const Vector3d force_mN = asked.unit_mN * (pose.linear() * fit.free.segment<3>(first));
     const double posterior_mN = asked.sd_factor * asked.unit_mN * std::sqrt(variance);

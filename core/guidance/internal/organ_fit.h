@@ -17,8 +17,15 @@ namespace glisson::guidance {
 constexpr double coarsest_noise_mm = 2.0;  // that elastic rounds take the cloud for
 constexpr double pulled_mm = 6.0;    // that some of the cloud lies off the rigid organ where a tool may be at work
 constexpr double tool_sd_mN = 10e3;  // of each component of a force that is asked for
-// Of the elastic displacement, that the model gets wrong: from tests on bodies that were not judged (docs/guidance.md).
-constexpr double elastic_share = 0.3;
+
+// A target's standard deviation, from the posterior's and what the posterior does not know: the parts are added by
+// their squares. From bodies that were not judged (docs/guidance.md).
+struct SpreadRule {
+  double posterior_factor = 1;
+  double elastic_share = 0.3;    // of the displacement over the surface (rms), that the model gets wrong
+  double smallest_sd_mm = 0.25;  // what is left of a rigid organ at its surface
+  double share_of_depth = 0;     // added to that, of the distance from what was seen
+};
 
 // Which tools' forces were asked for: three of the further amounts each, from the first.
 struct AskedTools {
@@ -41,9 +48,11 @@ struct OrganFit {
   void follow(EvidenceFit found);
   // The points of the mesh now, in the scan's frame.
   [[nodiscard]] std::vector<Eigen::Vector3d> displaced() const;
-  // The modes with those of patches that the cloud covers times `seen_root`: what is seen is touched less.
-  [[nodiscard]] SeenEquations::RowMatrix modes_by_what_is_seen(double seen_root) const;
-  [[nodiscard]] ElasticPlacement outcome(const std::vector<mechanics::PointInMesh>& targets, double posterior_factor,
+  // What is seen is touched less: a factor a mode, `seen_root` for patches that the cloud covers, 1 for others.
+  [[nodiscard]] Eigen::VectorXd factors_by_what_is_seen(double seen_root) const;
+  // Columns of the modes at what is seen, with `free` rows of zeros below.
+  [[nodiscard]] Eigen::MatrixXd mode_columns(Eigen::Index free) const;
+  [[nodiscard]] ElasticPlacement outcome(const std::vector<mechanics::PointInMesh>& targets, const SpreadRule& rule,
                                          const AskedTools& asked) const;
 
   const ForceModes& modes;
@@ -54,8 +63,11 @@ struct OrganFit {
   Eigen::VectorXd at_rest_mm;  // displacement under weight and by the supports, 3 a point
   Eigen::VectorXd known_mm;    // under the tools' known forces too
   Eigen::VectorXd u_mm;
-  SeenEquations::RowMatrix scaled_modes;  // times the root of each force's own variance
-  Eigen::MatrixXd further_mm;             // by one of each further amount, 3 values a point
+  // Displacements under the modes, whose amounts have one variance: basis_mm times mixing, or basis_mm alone where
+  // there is none.
+  SeenEquations::RowMatrix basis_mm;
+  Eigen::MatrixXd mixing;
+  Eigen::MatrixXd further_mm;  // by one of each further amount, 3 values a point
   EvidenceFit fit;
   SeenRows seen;  // where the last round ended
 
@@ -63,6 +75,8 @@ struct OrganFit {
   void move_pose(const Eigen::Vector3d& shift_mm, const Eigen::Vector3d& turn);
   [[nodiscard]] geometry::NearestPoint seen_in_scan() const;
   [[nodiscard]] double visible_share() const;
+  [[nodiscard]] Eigen::MatrixXd mixed(Eigen::MatrixXd of_basis) const;
+  [[nodiscard]] Eigen::Index mode_count() const { return mixing.size() > 0 ? mixing.cols() : basis_mm.cols(); }
   [[nodiscard]] Eigen::Matrix<double, 3, Eigen::Dynamic> columns_at(const mechanics::PointInMesh& place) const;
 };
 

@@ -42,8 +42,13 @@ SeenEquations::SeenEquations(const ForceModes& modes, const SeenFrame& frame, co
 }
 
 SeenRows SeenEquations::rows(const Isometry3d& pose, const std::vector<Vector3d>& now_mm, const Look& look) const {
+  return rows(pose, now_mm, SeenSurface(modes_.surface(), modes_.mesh_point_of(), now_mm), look);
+}
+
+SeenRows SeenEquations::rows(const Isometry3d& pose, const std::vector<Vector3d>& now_mm, const SeenSurface& surface,
+                             const Look& look) const {
   SeenRows seen;
-  add_cloud_rows(pose.inverse(), now_mm, look, seen);
+  add_cloud_rows(pose.inverse(), surface, look, seen);
   add_curve_rows(pose.inverse(), now_mm, look, seen);
   add_point_rows(pose.inverse(), now_mm, look, seen);
   return seen;
@@ -55,9 +60,8 @@ double SeenEquations::share_of(const std::vector<Vector3d>& points_mm, const Loo
          static_cast<double>(points_mm.size());
 }
 
-void SeenEquations::add_cloud_rows(const Isometry3d& back, const std::vector<Vector3d>& now_mm, const Look& look,
+void SeenEquations::add_cloud_rows(const Isometry3d& back, const SeenSurface& surface, const Look& look,
                                    SeenRows& seen) const {
-  const SeenSurface surface(modes_.surface(), modes_.mesh_point_of(), now_mm);
   std::vector<SeenSurface::Found> found;
   std::vector<double> off_mm;
   for (const Vector3d& point : cloud_mm_) {
@@ -192,9 +196,8 @@ double SeenEquations::squared_off_guess(const Isometry3d& off) const {
   return std::pow(shift_mm / options_.guess_sd_mm, 2) + std::pow(turn_deg / options_.guess_sd_deg, 2);
 }
 
-MatrixXd SeenEquations::mode_columns(const std::vector<SeenRow>& rows, const RowMatrix& scaled_modes,
-                                     Eigen::Index free) {
-  RowMatrix columns = RowMatrix::Zero(static_cast<Eigen::Index>(rows.size()) + free, scaled_modes.cols());
+MatrixXd SeenEquations::mode_columns(const std::vector<SeenRow>& rows, const RowMatrix& modes_mm, Eigen::Index free) {
+  RowMatrix columns = RowMatrix::Zero(static_cast<Eigen::Index>(rows.size()) + free, modes_mm.cols());
   for (std::size_t r = 0; r < rows.size(); ++r) {
     const SeenRow& row = rows[r];
     const double scale = trust_and_share(row) / row.noise_mm;
@@ -203,7 +206,7 @@ MatrixXd SeenEquations::mode_columns(const std::vector<SeenRow>& rows, const Row
       if (row.weights[k] == 0) continue;
       for (int axis = 0; axis < 3; ++axis) {
         columns.row(static_cast<Eigen::Index>(r)) +=
-            scale * row.weights[k] * row.direction[axis] * scaled_modes.row(3 * row.points[k] + axis);
+            scale * row.weights[k] * row.direction[axis] * modes_mm.row(3 * row.points[k] + axis);
       }
     }
   }

@@ -48,6 +48,9 @@ class SeenEquations {
   // Against the organ at `pose` (scan to camera) whose points lie at `now_mm` (scan's frame).
   [[nodiscard]] SeenRows rows(const Eigen::Isometry3d& pose, const std::vector<Eigen::Vector3d>& now_mm,
                               const Look& look) const;
+  // The same, where its surface has been laid out already.
+  [[nodiscard]] SeenRows rows(const Eigen::Isometry3d& pose, const std::vector<Eigen::Vector3d>& now_mm,
+                              const SeenSurface& surface, const Look& look) const;
 
   // The right-hand side: how far what is seen lies from where the known displacement (3 a point) alone puts it.
   [[nodiscard]] Eigen::VectorXd residuals(const std::vector<SeenRow>& rows, const Eigen::VectorXd& known_mm) const;
@@ -58,8 +61,8 @@ class SeenEquations {
                                              Eigen::VectorXd& right) const;
   // Of how far the pose is from the guess: the square of shift and turn, divided by how well they were known.
   [[nodiscard]] double squared_off_guess(const Eigen::Isometry3d& off) const;
-  // Columns of modes, with `free` rows of zeros below.
-  [[nodiscard]] static Eigen::MatrixXd mode_columns(const std::vector<SeenRow>& rows, const RowMatrix& scaled_modes,
+  // Columns of modes (3 values a point), with `free` rows of zeros below.
+  [[nodiscard]] static Eigen::MatrixXd mode_columns(const std::vector<SeenRow>& rows, const RowMatrix& modes_mm,
                                                     Eigen::Index free);
 
  private:
@@ -69,7 +72,7 @@ class SeenEquations {
     const SeenCurve* seen;
   };
 
-  void add_cloud_rows(const Eigen::Isometry3d& back, const std::vector<Eigen::Vector3d>& now_mm, const Look& look,
+  void add_cloud_rows(const Eigen::Isometry3d& back, const SeenSurface& surface, const Look& look,
                       SeenRows& seen) const;
   void add_point_rows(const Eigen::Isometry3d& back, const std::vector<Eigen::Vector3d>& now_mm, const Look& look,
                       SeenRows& seen) const;

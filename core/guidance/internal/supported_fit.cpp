@@ -25,7 +25,7 @@ constexpr double negligible_variance = 1e-4;                    // of all the mo
 constexpr double lost_noise_mm = 1.2;      // that no good fit of a pulled organ leaves: another start is worth its time
 constexpr double compared_error_mm = 0.5;  // of the surface, where fits are compared: beside the noise
 constexpr double farthest_mm = 30.0;       // that a point counts for there
-constexpr double supported_posterior_factor = 2.0;  // of standard deviations, from bodies that were not judged
+constexpr SpreadRule supported_rule{.posterior_factor = 2.0};
 
 // Of large deformation. Turning by u over a length L takes linear elasticity u^2 / 2L off.
 constexpr double neglected_turn_mm = 1.0;
@@ -121,7 +121,9 @@ bool SupportedFit::is_pulled() const {
 // move nothing are left out: they are most of them.
 void SupportedFit::choose_forces(Forces forces) {
   const MatrixXd modes_mm =
-      fit_.modes_by_what_is_seen(forces == Forces::anywhere ? 1.0 : std::sqrt(fit_.options.touched_by_unseen));
+      fit_.modes.displacement_mm() *
+      fit_.factors_by_what_is_seen(forces == Forces::anywhere ? 1.0 : std::sqrt(fit_.options.touched_by_unseen))
+          .asDiagonal();
   const SymmetricModes spectrum = symmetric_modes(modes_mm.transpose() * modes_mm);
   Eigen::Index kept = spectrum.values.size();
   double left_out = 0;
@@ -129,7 +131,7 @@ void SupportedFit::choose_forces(Forces forces) {
          left_out + spectrum.values[spectrum.values.size() - kept] < negligible_variance * spectrum.values.sum()) {
     left_out += spectrum.values[spectrum.values.size() - kept--];
   }
-  fit_.scaled_modes = modes_mm * spectrum.vectors.rightCols(kept);
+  fit_.basis_mm = modes_mm * spectrum.vectors.rightCols(kept);
 }
 
 // Tools are seen on the organ as it lies now.
@@ -198,7 +200,7 @@ void SupportedFit::fit_once(int round) {
   VectorXd right = fit_.equations.residuals(seen, fit_.known_mm);
   const MatrixXd free =
       fit_.equations.free_columns(seen, {fit_.further_mm}, fit_.guess.inverse() * fit_.pose, 1.0, right);
-  const MatrixXd modes = SeenEquations::mode_columns(seen, fit_.scaled_modes, free.cols());
+  const MatrixXd modes = fit_.mode_columns(free.cols());
   double independent = 0;
   for (const SeenRow& row : seen) independent += row.share;
   fit_.follow(fit_weighed_by_evidence(modes, free, right, independent, fit_.largest_variance(round)));
@@ -223,7 +225,7 @@ bool SupportedFit::turn_loads(LargeDeformation& large) {
   if (!large.turn_to(fit_.u_mm)) return false;
   fit_.known_mm = large.under(known_mN_);
   fit_.further_mm = large.moved_by(further_mN_);
-  fit_.scaled_modes = large.moved_by(modes_mN_);
+  fit_.basis_mm = large.moved_by(modes_mN_);
   return true;
 }
 
@@ -254,7 +256,7 @@ bool SupportedFit::is_lost() const {
 
 bool SupportedFit::fit_large(Forces forces, const Isometry3d& from, LargeDeformation& large) {
   begin(forces, from);
-  modes_mN_ = fit_.modes.forces_mN(fit_.scaled_modes);
+  modes_mN_ = fit_.modes.forces_mN(fit_.basis_mm);
   for (int round = 0; round < fit_.options.supported_rounds; ++round) {
     if (round % rounds_a_tangent == 0) {
       find_contacts();
@@ -284,11 +286,11 @@ double SupportedFit::log_evidence() const {
 
 ElasticPlacement SupportedFit::outcome(const std::vector<mechanics::PointInMesh>& targets) const {
   // A tool's displacement that is wrong by a share is a force that is wrong by it.
-  AskedTools asked{{}, tool_sd_mN, supported_posterior_factor, elastic_share};
+  AskedTools asked{{}, tool_sd_mN, supported_rule.posterior_factor, supported_rule.elastic_share};
   for (const SeenTool& tool : fit_.frame.tools) {
     if (!tool.force_mN) asked.tools.push_back(tool.id);
   }
-  return fit_.outcome(targets, supported_posterior_factor, asked);
+  return fit_.outcome(targets, supported_rule, asked);
 }
 
 // Either way about each axis, the organ's middle where it is.
