@@ -7,7 +7,8 @@ A CASE is a folder with guidance.json and truth.json (or truth/truth.json). For 
 error of the targets, the error of the best rigid motion that knows the truth, and how many targets lie within 2.5 of
 the stated standard deviations (90 % should). Below each case and all of them: the mean and median of the error over the
 best rigid motion's, over frames that are deformed, and the median error of the tools' forces (as vectors, and of their
-size) where they are known, with how many of them lie within 2.5 of their standard deviations.
+size) where they are known, with how many of them lie within 2.5 of their standard deviations. At last, of all cases: how
+many targets lie within 2.5 standard deviations by thirds of how far they are from what was seen, and of the visible share.
 """
 import json
 import math
@@ -17,10 +18,13 @@ import subprocess
 import sys
 import tempfile
 
+import meshio
+import numpy as np
+
 DEFORMED_MM = 0.1
 
 
-def judged(program, folder):
+def judged(program, folder, bands):
     truth_file = folder / "truth.json" if (folder / "truth.json").exists() else folder / "truth" / "truth.json"
     truth = {frame["id"]: frame for frame in json.loads(truth_file.read_text())["frames"]}
     with tempfile.TemporaryDirectory() as out:
@@ -36,6 +40,9 @@ def judged(program, folder):
                 abs(math.hypot(*tool["force_N"]) / math.hypot(*forces[tool["id"]]) - 1),
                 math.dist(tool["force_N"], forces[tool["id"]]) < 2.5 * tool["sd_N"])
                for tool in frame.get("tools", []) if tool["id"] in forces]
+        cloud = meshio.read(folder / f"{frame['id']}.ply").points
+        depths = [np.linalg.norm(cloud - at[target["id"]], axis=1).min() for target in frame["targets"]]
+        bands.extend(zip(depths, [frame["visible_share"]] * len(depths), within))
         yield frame, known["best_rigid_tre_mm"]["mean"], errors, within, off
 
 
@@ -43,10 +50,10 @@ def main():
     if len(sys.argv) < 3:
         sys.exit(__doc__)
     print(f"{'case':16}{'frame':6}{'mean mm':>8}{'max mm':>8}{'best rigid':>11}{'within':>8}{'seconds':>8}")
-    everything = []
+    everything, bands = [], []
     for case in map(pathlib.Path, sys.argv[2:]):
         of_case = []
-        for frame, best_rigid, errors, within, off in judged(sys.argv[1], case):
+        for frame, best_rigid, errors, within, off in judged(sys.argv[1], case, bands):
             if not errors:
                 print(f"{case.name:16}{frame['id']:6}not answered: {frame.get('note', '')}", flush=True)
                 continue
@@ -56,6 +63,11 @@ def main():
         print_sum(case.name, of_case)
         everything += of_case
     print_sum("all", everything)
+    for what, by in (("distance from what was seen", 0), ("visible share", 1)):
+        ordered = sorted(bands, key=lambda band: band[by])
+        thirds = [ordered[k * len(ordered) // 3:(k + 1) * len(ordered) // 3] for k in range(3)]
+        print(f"within, by thirds of {what}: "
+              + ", ".join(f"{100 * statistics.mean(within for *_, within in third):.0f}%" for third in thirds if third))
 
 
 def print_sum(name, frames):
