@@ -6859,6 +6859,10 @@
         <source>The same with the better model</source>
         <translation>Dasselbe mit dem besseren Modell</translation>
     </message>
+    <message>
+        <source>What was seen does not lie where the frame before left the organ, and no other place was found: the organ is lost here.</source>
+        <translation>Was gesehen wurde, liegt nicht, wo das Bild davor das Organ gelassen hat, und kein anderer Ort wurde gefunden: Hier ist das Organ verloren.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

@@ -6859,6 +6859,10 @@
         <source>The same with the better model</source>
         <translation>Lo mismo con el modelo mejor</translation>
     </message>
+    <message>
+        <source>What was seen does not lie where the frame before left the organ, and no other place was found: the organ is lost here.</source>
+        <translation>Lo que se vio no está donde el fotograma anterior dejó el órgano, y no se encontró otro lugar: aquí el órgano se ha perdido.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

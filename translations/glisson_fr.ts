@@ -6859,6 +6859,10 @@
         <source>The same with the better model</source>
         <translation>La même chose avec le meilleur modèle</translation>
     </message>
+    <message>
+        <source>What was seen does not lie where the frame before left the organ, and no other place was found: the organ is lost here.</source>
+        <translation>Ce qui a été vu ne se trouve pas là où l&apos;image précédente a laissé l&apos;organe, et aucun autre endroit n&apos;a été trouvé : l&apos;organe est perdu ici.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

@@ -180,6 +180,13 @@ std::vector<Scored> best_distinct(std::vector<Scored> poses, std::size_t count, 
   return chosen;
 }
 
+double cost_with_depths(const PoseCost& cost, const SeenDepths& depths, const geometry::Surface& surface,
+                        const Isometry3d& pose) {
+  if (!depths.is_picture()) return cost.of_cloud(pose);
+  const auto [before, unseen] = depths.contradiction(surface, pose);
+  return cost.of_cloud(pose) + far_mm * (before + unseen_weight * std::min(1.0, unseen));
+}
+
 // By its shape alone; a smooth organ may lie so in two ways, and then nothing is answered.
 Result<Isometry3d> find_pose_of_cloud(const geometry::Surface& surface, const SeenFrame& frame) {
   const auto refuse = [&](const char* why) {
@@ -192,18 +199,13 @@ Result<Isometry3d> find_pose_of_cloud(const geometry::Surface& surface, const Se
   const Vector3d middle = geometry::bounding_box(surface.points_mm).center_mm();
   const PoseCost coarse(surface, frame, scored_points), fine(surface, frame, plane_points);
   const SeenDepths depths(frame.points_mm);
-  const auto cost_of = [&](const PoseCost& cost, const Isometry3d& pose) {
-    if (!depths.is_picture()) return cost.of_cloud(pose);
-    const auto [before, unseen] = depths.contradiction(surface, pose);
-    return cost.of_cloud(pose) + far_mm * (before + unseen_weight * std::min(1.0, unseen));
-  };
   std::vector<Scored> poses = poses_of_turns(coarse, surface);
   const auto refine_best = [&](std::size_t count, const PoseCost& cost, const auto& refined_pose) {
     poses = best_distinct(std::move(poses), count, middle);
     parallel_for(poses.size(), 4, [&](std::size_t begin, std::size_t end) {
       for (std::size_t p = begin; p < end; ++p) {
         poses[p].pose = refined_pose(cost, poses[p].pose);
-        poses[p].cost = cost_of(cost, poses[p].pose);
+        poses[p].cost = cost_with_depths(cost, depths, surface, poses[p].pose);
       }
     });
   };
@@ -249,6 +251,10 @@ Result<Isometry3d> find_pose(const geometry::Surface& surface, const SeenFrame& 
                          {}});
   }
   return best->pose;
+}
+
+double unexplained_mm(const geometry::Surface& surface, const SeenFrame& frame, const Isometry3d& pose) {
+  return cost_with_depths(PoseCost(surface, frame, plane_points), SeenDepths(frame.points_mm), surface, pose);
 }
 
 }  // namespace glisson::guidance

@@ -156,6 +156,45 @@ TEST_F(GuidedSequenceTest, BeginsWhereItWasLaidByHand) {
   EXPECT_LT(mean(errors_mm(0, answer->frames.back().placement.target_mm)), 5.0);
 }
 
+// The laparoscope is drawn out and comes back rolled, where no landmark is followed any more: the liver is lost, and
+// found again.
+TEST_F(GuidedSequenceTest, FindsALostLiverAgain) {
+  auto guided = casefile::guided_sequence(model_, every_second(sequence_), pose_).value();
+  const Isometry3d jump(Eigen::AngleAxisd(1.5, Vector3d::UnitZ()));  // of the liver before the camera
+  constexpr std::size_t back = 3;
+  for (std::size_t f = back; f < guided.guidance.frames.size(); ++f) {
+    guidance::SeenFrame& frame = guided.guidance.frames[f];
+    for (Vector3d& point : frame.points_mm) point = jump * point;
+    frame.tracked.clear();
+  }
+  const auto answer = guidance::answer(guided.guidance);
+  ASSERT_TRUE(answer) << answer.error().message();
+  for (std::size_t f = 0; f < answer->frames.size(); ++f) {
+    const guidance::ElasticPlacement& placed = answer->frames[f].placement;
+    ASSERT_TRUE(placed.converged) << f << ' ' << placed.why_not.message();
+    std::vector<Vector3d> found_mm = placed.target_mm;
+    if (f >= back) {
+      for (Vector3d& place : found_mm) place = jump.inverse() * place;
+    }
+    std::printf("frame %zu: error %.2f mm\n", f, mean(errors_mm(every * f, found_mm)));
+    EXPECT_LT(mean(errors_mm(every * f, found_mm)), f < back ? 5.0 : 12.0);  // by clouds alone it slides unseen
+  }
+}
+
+// A frame of something else is no place of the liver: nothing is answered, and the next one is followed again.
+TEST_F(GuidedSequenceTest, SaysWhereTheLiverIsLost) {
+  auto guided = casefile::guided_sequence(model_, every_second(sequence_), pose_).value();
+  guidance::SeenFrame& covered = guided.guidance.frames[2];
+  covered.tracked.clear();
+  for (Vector3d& point : covered.points_mm) point.z() = point.z() * 0.1 + 100;  // a cloth before the lens
+  const auto answer = guidance::answer(guided.guidance);
+  ASSERT_TRUE(answer) << answer.error().message();
+  EXPECT_FALSE(answer->frames[2].placement.converged);
+  EXPECT_FALSE(answer->frames[2].placement.why_not.text.empty());
+  ASSERT_TRUE(answer->frames[3].placement.converged);
+  EXPECT_LT(mean(errors_mm(every * 3, answer->frames[3].placement.target_mm)), 5.0);
+}
+
 // The instrument is told from the tissue as stereo tells it: where the cloud has a hole within the liver, there it is.
 TEST_F(GuidedSequenceTest, OutlinesStayBelowTheInstrumentOfThePicture) {
   constexpr int step = 10;  // px between the clouds' points
