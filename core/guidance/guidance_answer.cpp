@@ -128,8 +128,10 @@ ElasticPlacement place_after(const ForceModes& modes, const SeenFrame& frame, co
   const auto left_mm = [&](const ElasticPlacement& placed) {
     return placed.converged ? left_by(modes, frame, placed).unexplained_mm : std::numeric_limits<double>::infinity();
   };
-  const RegistrationOptions options = modes.is_supported() ? RegistrationOptions{} : following_options();
-  ElasticPlacement followed = register_elastic(modes, frame, before.pose, targets, guidance.gravity_mm_s2, options);
+  // One with supports cannot drift, and may be pulled far: no search by its shape at rest finds it.
+  if (modes.is_supported()) return register_elastic(modes, frame, before.pose, targets, guidance.gravity_mm_s2);
+  ElasticPlacement followed =
+      register_elastic(modes, frame, before.pose, targets, guidance.gravity_mm_s2, following_options());
   const double followed_mm = left_mm(followed), usual_mm = worse * before.unexplained_mm;
   const bool is_bent = followed.elastic_rms_mm > before.elastic_rms_mm + suddenly_bent_mm;
   if (!is_bent && followed_mm <= std::max(doubtful_mm, usual_mm)) return followed;
