@@ -13,6 +13,10 @@ struct SymmetricModes {
 };
 [[nodiscard]] SymmetricModes symmetric_modes(const Eigen::MatrixXd& symmetric);
 
+// The eigenvectors of the largest eigenvalues of a positive semidefinite matrix, ascending: all but those whose values
+// sum up to less than `negligible_share` of all; one at least.
+[[nodiscard]] Eigen::MatrixXd leading_vectors(const Eigen::MatrixXd& symmetric, double negligible_share);
+
 // Singular values, descending, and all right singular vectors as columns: those past the rank span the null space.
 struct RightSingular {
   Eigen::VectorXd values;

@@ -27,7 +27,9 @@ class FreeFit {
  public:
   FreeFit(const ForceModes& modes, const SeenFrame& frame, const Isometry3d& guess, const Vector3d& gravity_mm_s2,
           const RegistrationOptions& options)
-      : fit_(modes, frame, guess, gravity_mm_s2, options) {}
+      : fit_(modes, frame, guess, gravity_mm_s2, options) {
+    fit_.basis_mm = modes.reduced_basis_mm();
+  }
 
   // What forces there may be: on the unseen surface alone; everywhere alike; and of a tool that nobody mentioned,
   // where the cloud lies farthest off the rigid organ.
@@ -92,7 +94,6 @@ void FreeFit::choose_forces(Forces forces) {
   const VectorXd factors =
       fit_.factors_by_what_is_seen(forces == Forces::anywhere ? 1.0 : std::sqrt(fit_.options.touched_by_unseen));
   const MatrixXd scaled = fit_.modes.reduced_amounts() * factors.asDiagonal();
-  fit_.basis_mm = fit_.modes.reduced_basis_mm();
   // Amounts that forces of one variance give the reduced basis: its covariance is the square of this.
   fit_.mixing = (scaled * scaled.transpose()).llt().matrixL();
   asked_tools_.clear();

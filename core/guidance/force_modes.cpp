@@ -185,16 +185,7 @@ void ForceModes::Impl::scale_modes() {
 }
 
 void ForceModes::Impl::reduce_modes() {
-  const SymmetricModes spectrum = symmetric_modes(modes_mm.transpose() * modes_mm);
-  Eigen::Index kept = spectrum.values.size();
-  const double all = spectrum.values.sum();
-  double left_out = 0;
-  while (kept > 1) {
-    left_out += std::max(0.0, spectrum.values[spectrum.values.size() - kept]);
-    if (left_out > reduced_share * all) break;
-    --kept;
-  }
-  reduced_amounts = spectrum.vectors.rightCols(kept).transpose();
+  reduced_amounts = leading_vectors(modes_mm.transpose() * modes_mm, reduced_share).transpose();
   reduced_basis_mm = modes_mm * reduced_amounts.transpose();
 }
 

@@ -109,47 +109,60 @@ ElasticPlacement place_anew(const ForceModes& modes, const SeenFrame& frame, con
 // Where a frame left the organ, for the frame that follows.
 struct Left {
   Eigen::Isometry3d pose;
-  double unexplained_mm = 0;  // of what that frame saw
+  double unexplained_mm = 0;  // of what that frame saw; not asked of an organ with supports
   double elastic_rms_mm = 0;
 };
 
-Left left_by(const ForceModes& modes, const SeenFrame& frame, const ElasticPlacement& placed) {
-  return {placed.pose, unexplained_mm(surface_now(modes, placed), frame, placed.pose), placed.elastic_rms_mm};
+struct Placed {
+  ElasticPlacement placement;
+  std::optional<Left> left;  // of a frame that was placed and that another may follow
+  [[nodiscard]] double unexplained_mm() const {
+    return left ? left->unexplained_mm : std::numeric_limits<double>::infinity();
+  }
+};
+
+Placed with_what_is_left(const ForceModes& modes, const SeenFrame& frame, ElasticPlacement placement) {
+  Placed placed{std::move(placement), {}};
+  const ElasticPlacement& now = placed.placement;
+  if (!now.converged || !frame.time_s) return placed;
+  const double left_mm = modes.is_supported() ? 0 : unexplained_mm(surface_now(modes, now), frame, now.pose);
+  placed.left = Left{now.pose, left_mm, now.elastic_rms_mm};
+  return placed;
 }
 
-// From where the frame before left the organ. A bent organ may lie in part of a cloud anywhere: where it explains this
-// frame much worse than it did the one before, it is placed anew too, and what explains the frame better is taken.
-// Where neither does, the organ is lost.
-ElasticPlacement place_after(const ForceModes& modes, const SeenFrame& frame, const GuidanceCase& guidance,
-                             const std::vector<mechanics::PointInMesh>& targets, const Left& before) {
+// From where the frame before left a free organ. A bent organ may lie in part of a cloud anywhere: where it explains
+// this frame much worse than the one before, or is bent much more, it is placed anew too, and what explains the frame
+// better is taken. Where neither does, the organ is lost.
+Placed follow(const ForceModes& modes, const SeenFrame& frame, const GuidanceCase& guidance,
+              const std::vector<mechanics::PointInMesh>& targets, const Left& before) {
   // Of ten simulated videos that were followed, no frame left more than 1.4 mm or was bent by 4 mm more than the one
   // before. Lost ones left 1.1 to 25 mm, and were bent by 13 mm more or left 6.
   constexpr double doubtful_mm = 1.5, lost_mm = 3, worse = 2, suddenly_bent_mm = 5;
-  const auto left_mm = [&](const ElasticPlacement& placed) {
-    return placed.converged ? left_by(modes, frame, placed).unexplained_mm : std::numeric_limits<double>::infinity();
-  };
-  // One with supports cannot drift, and may be pulled far: no search by its shape at rest finds it.
-  if (modes.is_supported()) return register_elastic(modes, frame, before.pose, targets, guidance.gravity_mm_s2);
-  ElasticPlacement followed =
-      register_elastic(modes, frame, before.pose, targets, guidance.gravity_mm_s2, following_options());
-  const double followed_mm = left_mm(followed), usual_mm = worse * before.unexplained_mm;
-  const bool is_bent = followed.elastic_rms_mm > before.elastic_rms_mm + suddenly_bent_mm;
-  if (!is_bent && followed_mm <= std::max(doubtful_mm, usual_mm)) return followed;
-  ElasticPlacement anew = place_anew(modes, frame, guidance, targets);
-  const double anew_mm = left_mm(anew);
-  if (std::min(followed_mm, anew_mm) <= std::max(lost_mm, usual_mm)) return followed_mm <= anew_mm ? followed : anew;
-  if (!followed.converged) return followed;
-  return unanswered({GLISSON_TEXT("What was seen does not lie where the frame before left the organ, and no other "
-                                  "place was found: the organ is lost here."),
-                     {}});
+  Placed followed = with_what_is_left(
+      modes, frame, register_elastic(modes, frame, before.pose, targets, guidance.gravity_mm_s2, following_options()));
+  const double usual_mm = worse * before.unexplained_mm;
+  const bool is_bent = followed.placement.elastic_rms_mm > before.elastic_rms_mm + suddenly_bent_mm;
+  if (!is_bent && followed.unexplained_mm() <= std::max(doubtful_mm, usual_mm)) return followed;
+  Placed anew = with_what_is_left(modes, frame, place_anew(modes, frame, guidance, targets));
+  Placed& better = followed.unexplained_mm() <= anew.unexplained_mm() ? followed : anew;
+  if (better.unexplained_mm() <= std::max(lost_mm, usual_mm)) return better;
+  if (!followed.placement.converged) return followed;
+  return {unanswered({GLISSON_TEXT("What was seen does not lie where the frame before left the organ, and no other "
+                                   "place was found: the organ is lost here."),
+                      {}}),
+          {}};
 }
 
-// `before`: where the frame before left the organ, if this one follows it.
-ElasticPlacement place(const ForceModes& modes, const SeenFrame& frame, const GuidanceCase& guidance,
-                       const std::vector<mechanics::PointInMesh>& targets, const std::optional<Left>& before) {
-  if (auto problem = problem_of(frame, modes.surface())) return unanswered(*std::move(problem));
-  if (frame.pose_guess || !before) return place_anew(modes, frame, guidance, targets);
-  return place_after(modes, frame, guidance, targets, *before);
+// `before`: where the frame before left the organ, if this one follows it. One with supports cannot drift, and may be
+// pulled far: no search by its shape at rest finds it.
+Placed place(const ForceModes& modes, const SeenFrame& frame, const GuidanceCase& guidance,
+             const std::vector<mechanics::PointInMesh>& targets, const std::optional<Left>& before) {
+  if (auto problem = problem_of(frame, modes.surface())) return {unanswered(*std::move(problem)), {}};
+  const bool follows = !frame.pose_guess && before;
+  if (follows && !modes.is_supported()) return follow(modes, frame, guidance, targets, *before);
+  return with_what_is_left(modes, frame,
+                           follows ? register_elastic(modes, frame, before->pose, targets, guidance.gravity_mm_s2)
+                                   : place_anew(modes, frame, guidance, targets));
 }
 
 // What was answered together: the targets, then the further places.
@@ -226,9 +239,10 @@ Result<GuidanceAnswer> answer(const ForceModes& modes, const GuidanceCase& guida
     const Stopwatch watch;
     SeenFrame frame = guidance.frames[f];
     frame.known_points = tracked.known_in(frame);
-    ElasticPlacement placement = place(modes, frame, guidance, targets, frame.time_s ? before : std::nullopt);
-    if (placement.converged && frame.time_s) {
-      before = left_by(modes, frame, placement);
+    Placed placed = place(modes, frame, guidance, targets, frame.time_s ? before : std::nullopt);
+    ElasticPlacement& placement = placed.placement;
+    if (placed.left) {
+      before = placed.left;
       tracked.learn(frame, placement);
     }
     part_further(placement, guidance.targets.size());

@@ -7,7 +7,6 @@
 #include <random>
 
 #include "base/parallel.h"
-#include "geometry/nearest.h"
 #include "guidance/internal/pose_cost.h"
 #include "guidance/internal/seen_depths.h"
 #include "registration/rigid.h"
@@ -139,8 +138,7 @@ std::vector<Vector3d> anchors_of(const geometry::Surface& surface, const std::ve
 }
 
 std::vector<Scored> poses_of_turns(const PoseCost& cost, const geometry::Surface& surface) {
-  Vector3d mean = Vector3d::Zero();
-  for (const Vector3d& point : cost.cloud_mm()) mean += point / static_cast<double>(cost.cloud_mm().size());
+  const Vector3d& mean = cost.cloud_middle_mm();
   const Vector3d middle =
       *std::min_element(cost.cloud_mm().begin(), cost.cloud_mm().end(),
                         [&](const Vector3d& a, const Vector3d& b) { return (a - mean).norm() < (b - mean).norm(); });

@@ -53,13 +53,6 @@ struct Laparoscopy {
         guidance::ForceModes::create(guided.guidance.mesh, guided.guidance.youngs_kPa, guided.guidance.poisson_ratio)
             .value());
   }
-
-  [[nodiscard]] double error_mm(std::size_t frame, const std::vector<Vector3d>& found_mm) const {
-    double sum = 0;
-    for (std::size_t k = 0; k < found_mm.size(); ++k)
-      sum += (found_mm[k] - truth_mm[frame * found_mm.size() + k]).norm();
-    return sum / static_cast<double>(found_mm.size());
-  }
 };
 
 const Laparoscopy& laparoscopy() {
@@ -92,7 +85,7 @@ void BM_Video(benchmark::State& state) {
     const auto answer = guidance::answer(*laparoscopy().modes, laparoscopy().guided.guidance).value();
     for (std::size_t f = 0; f < answer.frames.size(); ++f) {
       (f == 0 ? first_s : following_s) += answer.frames[f].seconds;
-      error_mm += laparoscopy().error_mm(f, answer.frames[f].placement.target_mm) / frames;
+      error_mm += mean_error_mm(laparoscopy().truth_mm, f, answer.frames[f].placement.target_mm) / frames;
     }
   }
   state.counters["first_ms"] = 1e3 * first_s;

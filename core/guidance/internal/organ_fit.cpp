@@ -125,12 +125,10 @@ geometry::NearestPoint OrganFit::seen_in_scan() const {
   return geometry::NearestPoint(std::move(seen_mm));
 }
 
-double OrganFit::visible_share() const {
-  const geometry::NearestPoint nearest = seen_in_scan();
-  const std::vector<Vector3d> now_mm = displaced();
+double OrganFit::visible_share(const geometry::NearestPoint& cloud, const std::vector<Vector3d>& now_mm) const {
   std::size_t visible = 0;
   for (const int p : modes.mesh_point_of()) {
-    const auto found = nearest.nearest(now_mm[static_cast<std::size_t>(p)]);
+    const auto found = cloud.nearest(now_mm[static_cast<std::size_t>(p)]);
     if (found.squared_distance_mm2 < 100) ++visible;
   }
   return static_cast<double>(visible) / static_cast<double>(std::max<std::size_t>(1, modes.mesh_point_of().size()));
@@ -148,9 +146,9 @@ ElasticPlacement OrganFit::outcome(const std::vector<mechanics::PointInMesh>& ta
     placed.displacement_mm.push_back(now_mm[p] - modes.mesh().points_mm[p]);
   }
   placed.residual_rms_mm = seen.rms_mm;
-  placed.visible_share = visible_share();
-  const MatrixXd covariance = fit.covariance();
   const geometry::NearestPoint cloud = seen_in_scan();
+  placed.visible_share = visible_share(cloud, now_mm);
+  const MatrixXd covariance = fit.covariance();
   for (const mechanics::PointInMesh& place : targets) {
     const auto& cell = modes.mesh().cells[static_cast<std::size_t>(place.cell)];
     const Vector3d here_mm = between(now_mm, cell, place.barycentric);

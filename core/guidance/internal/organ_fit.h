@@ -74,7 +74,8 @@ struct OrganFit {
  private:
   void move_pose(const Eigen::Vector3d& shift_mm, const Eigen::Vector3d& turn);
   [[nodiscard]] geometry::NearestPoint seen_in_scan() const;
-  [[nodiscard]] double visible_share() const;
+  [[nodiscard]] double visible_share(const geometry::NearestPoint& cloud,
+                                     const std::vector<Eigen::Vector3d>& now_mm) const;
   [[nodiscard]] Eigen::MatrixXd mixed(Eigen::MatrixXd of_basis) const;
   [[nodiscard]] Eigen::Index mode_count() const { return mixing.size() > 0 ? mixing.cols() : basis_mm.cols(); }
   [[nodiscard]] Eigen::Matrix<double, 3, Eigen::Dynamic> columns_at(const mechanics::PointInMesh& place) const;

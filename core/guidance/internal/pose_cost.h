@@ -31,6 +31,7 @@ class PoseCost {
   [[nodiscard]] std::optional<Eigen::Isometry3d> step_to_planes(const Eigen::Isometry3d& pose, double reach_mm) const;
 
   [[nodiscard]] const std::vector<Eigen::Vector3d>& cloud_mm() const { return cloud_mm_; }
+  [[nodiscard]] const Eigen::Vector3d& cloud_middle_mm() const { return middle_mm_; }
   [[nodiscard]] const std::vector<Eigen::Vector3d>& normals() const { return normals_; }  // one a triangle, outwards
 
  private:

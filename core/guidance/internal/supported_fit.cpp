@@ -124,14 +124,7 @@ void SupportedFit::choose_forces(Forces forces) {
       fit_.modes.displacement_mm() *
       fit_.factors_by_what_is_seen(forces == Forces::anywhere ? 1.0 : std::sqrt(fit_.options.touched_by_unseen))
           .asDiagonal();
-  const SymmetricModes spectrum = symmetric_modes(modes_mm.transpose() * modes_mm);
-  Eigen::Index kept = spectrum.values.size();
-  double left_out = 0;
-  while (kept > 1 &&
-         left_out + spectrum.values[spectrum.values.size() - kept] < negligible_variance * spectrum.values.sum()) {
-    left_out += spectrum.values[spectrum.values.size() - kept--];
-  }
-  fit_.basis_mm = modes_mm * spectrum.vectors.rightCols(kept);
+  fit_.basis_mm = modes_mm * leading_vectors(modes_mm.transpose() * modes_mm, negligible_variance);
 }
 
 // Tools are seen on the organ as it lies now.
