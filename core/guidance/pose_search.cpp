@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <Eigen/Eigenvalues>
 #include <limits>
 #include <numbers>
 #include <random>
@@ -18,9 +19,11 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr int attempts = 400000;        // of triples; most are refused by their distances, in nanoseconds
-constexpr int maximum_poses = 4000;     // that are scored
-constexpr int refined = 12;             // of the best
+constexpr int attempts = 400000;     // of triples; most are refused by their distances, in nanoseconds
+constexpr int maximum_poses = 4000;  // that are scored
+constexpr int refined = 12;          // of the best
+constexpr std::size_t fewest_points = 5;
+constexpr double straight_mm = 8;       // standard deviation across the longest way of all curves
 constexpr double min_distance_mm = 25;  // of two points of a triple: nearer ones turn with the noise
 constexpr std::size_t scored_points = 80;
 
@@ -150,7 +153,7 @@ std::vector<Scored> poses_of_turns(const PoseCost& cost, const geometry::Surface
         Isometry3d pose = Isometry3d::Identity();
         pose.linear() = rotations[r];
         pose.translation() = middle - rotations[r] * anchor;
-        of_rotation[r].push_back({cost.of_cloud(pose), pose});
+        of_rotation[r].push_back({cost.of_curves_and_cloud(pose), pose});
       }
     }
   });
@@ -185,8 +188,9 @@ double cost_with_depths(const PoseCost& cost, const SeenDepths& depths, const ge
   return cost.of_cloud(pose) + far_mm * (before + unseen_weight * std::min(1.0, unseen));
 }
 
-// By its shape alone; a smooth organ may lie so in two ways, and then nothing is answered.
-Result<Isometry3d> find_pose_of_cloud(const geometry::Surface& surface, const SeenFrame& frame) {
+// By its shape and by curves that are nearly straight; a smooth organ may lie so in two ways, and then nothing is
+// answered.
+Result<Isometry3d> find_pose_by_turns(const geometry::Surface& surface, const SeenFrame& frame) {
   const auto refuse = [&](const char* why) {
     return failure(Error{"pose-not-found",
                          why,
@@ -203,7 +207,7 @@ Result<Isometry3d> find_pose_of_cloud(const geometry::Surface& surface, const Se
     parallel_for(poses.size(), 4, [&](std::size_t begin, std::size_t end) {
       for (std::size_t p = begin; p < end; ++p) {
         poses[p].pose = refined_pose(cost, poses[p].pose);
-        poses[p].cost = cost_with_depths(cost, depths, surface, poses[p].pose);
+        poses[p].cost = cost_with_depths(cost, depths, surface, poses[p].pose) + cost.of_curves(poses[p].pose);
       }
     });
   };
@@ -211,7 +215,7 @@ Result<Isometry3d> find_pose_of_cloud(const geometry::Surface& surface, const Se
               [](const PoseCost& cost, const Isometry3d& pose) { return refined_to_points(cost, pose, begun_rounds); });
   refine_best(refined_turns, fine, refined_to_planes);
   const auto best = std::min_element(poses.begin(), poses.end(), fits_better);
-  if (best == poses.end() || best->cost > largest_cost_mm) {
+  if (best == poses.end() || best->cost > (frame.curves.empty() ? 1 : 2) * largest_cost_mm) {
     return refuse(GLISSON_TEXT("Under no pose does what frame {0} saw lie near the organ."));
   }
   const bool is_ambiguous = std::any_of(poses.begin(), poses.end(), [&](const Scored& other) {
@@ -225,12 +229,24 @@ Result<Isometry3d> find_pose_of_cloud(const geometry::Surface& surface, const Se
   return best->pose;
 }
 
+// Triples of their points do, unless they all lie near one straight line.
+bool tell_a_pose(const std::vector<SeenCurve>& curves) {
+  std::vector<Vector3d> seen;
+  for (const SeenCurve& curve : curves) seen.insert(seen.end(), curve.seen_mm.begin(), curve.seen_mm.end());
+  if (seen.size() < fewest_points) return false;
+  Vector3d middle = Vector3d::Zero();
+  for (const Vector3d& point : seen) middle += point / static_cast<double>(seen.size());
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  for (const Vector3d& point : seen) spread += (point - middle) * (point - middle).transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(spread / static_cast<double>(seen.size()),
+                                                            Eigen::EigenvaluesOnly);
+  return std::sqrt(std::max(0.0, axes.eigenvalues()[1])) > straight_mm;
+}
+
 }  // namespace
 
 Result<Isometry3d> find_pose(const geometry::Surface& surface, const SeenFrame& frame) {
-  std::size_t seen = 0;
-  for (const SeenCurve& curve : frame.curves) seen += curve.seen_mm.size();
-  if (seen < 5) return find_pose_of_cloud(surface, frame);
+  if (!tell_a_pose(frame.curves)) return find_pose_by_turns(surface, frame);
   const PoseCost cost(surface, frame, scored_points);
   std::vector<Scored> poses = poses_of_triples(cost, frame);
   std::sort(poses.begin(), poses.end(), fits_better);

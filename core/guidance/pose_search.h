@@ -4,9 +4,10 @@
 //
 // Triples of seen points are laid on triples of the same curves at rest that have the same distances from each other
 // (random sampling: Fischler and Bolles 1981, Comm. ACM 24:381); the poses under which most of what was seen lies near
-// the organ are refined by iterated closest points. Without curves the poses are turns spread evenly, with places of
-// the side that faces the camera in the middle of the cloud; the best are refined by points to planes, and charged for
-// cells of the picture where the organ would hide what was seen, or would be seen where nothing was. Deterministic.
+// the organ are refined by iterated closest points. Without curves, or with curves that lie near one straight line, the
+// poses are turns spread evenly, with places of the side that faces the camera in the middle of the cloud. The best are
+// refined by points to planes, and charged for cells of the picture where the organ would hide what was seen, or would
+// be seen where nothing was. Deterministic.
 
 #include <Eigen/Geometry>
 
@@ -17,8 +18,8 @@
 namespace glisson::guidance {
 
 // Scan to camera. `surface` is the organ's at rest, its triangles counter-clockwise from outside. Fails with
-// "pose-not-found" where under no pose what was seen lies near the organ. Without five seen points on curves it fails
-// also where poses in different places fit alike.
+// "pose-not-found" where under no pose what was seen lies near the organ. Without five seen points on curves, or
+// where these lie near one straight line, it fails also where poses in different places fit alike.
 Result<Eigen::Isometry3d> find_pose(const geometry::Surface& surface, const SeenFrame& frame);
 
 // What an organ that lies so leaves unexplained of a frame's cloud, mm: the mean distance of its points from the

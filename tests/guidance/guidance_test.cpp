@@ -6,11 +6,11 @@
 
 #include "base/files.h"
 #include "base/json.h"
-#include "egg.h"
 #include "geometry/mesh_file.h"
 #include "guidance/guidance_answer.h"
 #include "guidance/guidance_file.h"
 #include "support/data.h"
+#include "support/egg.h"
 
 namespace glisson::guidance {
 namespace {

@@ -6,10 +6,10 @@
 #include <gmock/gmock.h>
 
 #include "base/json.h"
-#include "egg.h"
 #include "guidance/guidance_file.h"
 #include "guidance/internal/seen_depths.h"
 #include "support/data.h"
+#include "support/egg.h"
 
 namespace glisson::guidance {
 namespace {

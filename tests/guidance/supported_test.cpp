@@ -5,13 +5,13 @@
 #include <gmock/gmock.h>
 
 #include "base/json.h"
-#include "egg.h"
 #include "guidance/guidance_answer.h"
 #include "guidance/guidance_file.h"
 #include "guidance/internal/large_deformation.h"
 #include "mechanics/statics/equilibrium.h"
 #include "mechanics/statics/static_model.h"
 #include "support/data.h"
+#include "support/egg.h"
 
 namespace glisson::guidance {
 namespace {

@@ -46,7 +46,7 @@ PoseCost::PoseCost(const geometry::Surface& surface, const SeenFrame& frame, std
   for (const Vector3d& point : cloud_mm_) middle_mm_ += point / static_cast<double>(cloud_mm_.size());
 }
 
-double PoseCost::of_curves_and_cloud(const Isometry3d& pose) const {
+double PoseCost::of_curves(const Isometry3d& pose) const {
   const Isometry3d back = pose.inverse();
   double curves = 0;
   std::size_t seen = 0;
@@ -56,7 +56,7 @@ double PoseCost::of_curves_and_cloud(const Isometry3d& pose) const {
     }
     seen += curve.seen_mm.size();
   }
-  return curves / static_cast<double>(std::max<std::size_t>(1, seen)) + of_cloud(pose);
+  return curves / static_cast<double>(std::max<std::size_t>(1, seen));
 }
 
 bool PoseCost::is_turned_away(const Isometry3d& pose, int triangle, const Vector3d& seen_mm) const {
@@ -100,17 +100,26 @@ std::optional<Isometry3d> PoseCost::step_to_planes(const Isometry3d& pose, doubl
   Eigen::Matrix<double, 6, 6> normal_matrix = Eigen::Matrix<double, 6, 6>::Zero();
   Vector6d right = Vector6d::Zero();
   std::size_t used = 0;
-  for (const Vector3d& point : cloud_mm_) {
-    const auto closest = surface_.closest(back * point);
-    if (closest.distance_mm > reach_mm || is_turned_away(pose, closest.triangle, point)) continue;
-    const Vector3d place = pose * closest.point_mm;
-    const Vector3d normal = pose.linear() * normals_[static_cast<std::size_t>(closest.triangle)];
+  const auto add = [&](const Vector3d& place, const Vector3d& normal, const Vector3d& point, double weight) {
     const double off_mm = (point - place).dot(normal);
-    const double weight = 1 / (1 + std::pow(off_mm / cauchy_mm, 2));
+    weight /= 1 + std::pow(off_mm / cauchy_mm, 2);
     Vector6d row;
     row << normal, (place - middle_mm_).cross(normal);
     normal_matrix += weight * row * row.transpose();
     right += weight * off_mm * row;
+  };
+  for (const Curve& curve : curves_) {
+    for (const Vector3d& point : curve.seen_mm) {
+      const auto nearest = curve.at_rest.nearest(back * point);
+      const Vector3d place = pose * curve.at_rest.points_mm()[static_cast<std::size_t>(nearest.point)];
+      if ((point - place).norm() > reach_mm) continue;
+      for (int axis = 0; axis < 3; ++axis) add(place, Vector3d::Unit(axis), point, weight_of_curves);
+    }
+  }
+  for (const Vector3d& point : cloud_mm_) {
+    const auto closest = surface_.closest(back * point);
+    if (closest.distance_mm > reach_mm || is_turned_away(pose, closest.triangle, point)) continue;
+    add(pose * closest.point_mm, pose.linear() * normals_[static_cast<std::size_t>(closest.triangle)], point, 1);
     ++used;
   }
   if (used < min_step_points) return std::nullopt;

@@ -19,15 +19,19 @@ class PoseCost {
   // counter-clockwise from outside.
   PoseCost(const geometry::Surface& surface, const SeenFrame& frame, std::size_t maximum_points);
 
-  // Mean distance of the seen curves from the curves at rest, and of the cloud from the surface, mm; none above far_mm.
-  [[nodiscard]] double of_curves_and_cloud(const Eigen::Isometry3d& pose) const;
-  // Of the cloud alone. A point that would lie on a side turned away from the camera is not explained.
+  // Mean distance of the seen curves from the curves at rest, mm; none above far_mm, 0 where there are none.
+  [[nodiscard]] double of_curves(const Eigen::Isometry3d& pose) const;
+  // Of the cloud from the surface. A point that would lie on a side turned away from the camera is not explained.
   [[nodiscard]] double of_cloud(const Eigen::Isometry3d& pose) const;
+  [[nodiscard]] double of_curves_and_cloud(const Eigen::Isometry3d& pose) const {
+    return of_curves(pose) + of_cloud(pose);
+  }
 
   // One step of iterated closest points, by pairs within `reach_mm` of each other. Nothing where they are too few.
   [[nodiscard]] std::optional<Eigen::Isometry3d> step_to_points(const Eigen::Isometry3d& pose, double reach_mm) const;
-  // One step of the cloud to the planes that it lies next to (Chen and Medioni 1992, Image Vis. Comput. 10:145), with
-  // Cauchy's weights. It slides along the surface where points to points creep.
+  // One step of the cloud to the planes that it lies next to (Chen and Medioni 1992, Image Vis. Comput. 10:145), and of
+  // curves to the places that they lie next to, with Cauchy's weights. It slides along the surface where points to
+  // points creep.
   [[nodiscard]] std::optional<Eigen::Isometry3d> step_to_planes(const Eigen::Isometry3d& pose, double reach_mm) const;
 
   [[nodiscard]] const std::vector<Eigen::Vector3d>& cloud_mm() const { return cloud_mm_; }
