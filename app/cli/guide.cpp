@@ -35,8 +35,8 @@ std::string describe(const guidance::GuidanceAnswer& answer) {
 }
 
 struct Asked {
-  std::string input, sequence, sequence_sha256, pose, out;
-  std::size_t frame = 0;
+  std::string input, sequence, sequence_sha256, pose, lines, out;
+  std::optional<std::size_t> frame;
   double noise_mm = 0.5;
 };
 
@@ -78,7 +78,14 @@ Result<Outcome> guide_case(const Asked& asked, const Progress& progress) {
   if (!pose) return failure(pose.error());
   const auto patient = casefile::Case::open(asked.input);
   if (!patient) return failure(patient.error());
-  const casefile::GuidedFrom from{asked.frame, *pose, asked.noise_mm, asked.sequence_sha256};
+  casefile::MarkedLines lines;
+  if (!asked.lines.empty()) {
+    auto read = casefile::read_marked_lines(asked.lines);
+    if (!read) return failure(std::move(read.error()));
+    lines = *std::move(read);
+  }
+  const std::size_t frame = asked.frame.value_or(casefile::first_marked_frame(lines).value_or(0));
+  const casefile::GuidedFrom from{frame, *pose, asked.noise_mm, asked.sequence_sha256, lines};
   const auto guided = casefile::guide_case(*patient, asked.sequence, from, progress);
   if (!guided) return failure(guided.error());
   const auto pictures = casefile::write_guided_case(asked.out, *guided);
@@ -100,9 +107,15 @@ void add_guide(CLI::App& app, Action& chosen) {
       ->needs(sequence);
   command->add_option("--pose", asked->pose, "Scan to camera in that frame, about: 16 numbers, row by row")
       ->needs(sequence);
-  command->add_option("--frame", asked->frame, "The frame that it begins with, from 0; the others follow from it")
-      ->needs(sequence)
-      ->capture_default_str();
+  command
+      ->add_option(
+          "--lines", asked->lines,
+          "Lines that are marked on model and frames (glisson-marked-lines/1), as the workspace Guide keeps them")
+      ->needs(sequence);
+  command
+      ->add_option("--frame", asked->frame,
+                   "The frame that it begins with, from 0 (default: the first with lines, else 0); the others follow")
+      ->needs(sequence);
   command->add_option("--noise-mm", asked->noise_mm, "Standard deviation of the clouds' coordinates")
       ->check(CLI::Range(0.01, 20.0))
       ->needs(sequence)

@@ -5,10 +5,12 @@
 #include <pybind11/stl/filesystem.h>
 
 #include "arrays.h"
+#include "base/json.h"
 #include "case_methods.h"
 #include "casefile/guide_case.h"
 #include "casefile/model.h"
 #include "choices.h"
+#include "documents.h"
 #include "guided_dict.h"
 #include "long_call.h"
 #include "session_held.h"
@@ -39,9 +41,14 @@ Session session_of(const Case& self, const std::string& material, const py::obje
 }
 
 py::object guide(const Case& self, const path& sequence, const std::optional<Numbers>& pose, std::size_t frame,
-                 double noise_mm, const std::string& sequence_sha256, const std::optional<path>& folder,
-                 const py::object& progress) {
-  GuidedFrom from{frame, std::nullopt, noise_mm, sequence_sha256};
+                 double noise_mm, const std::string& sequence_sha256, const py::object& lines,
+                 const std::optional<path>& folder, const py::object& progress) {
+  GuidedFrom from{frame, std::nullopt, noise_mm, sequence_sha256, {}};
+  if (!lines.is_none()) {
+    auto marked = marked_lines_from(Json::parse(text_of(lines), nullptr, false));
+    if (!marked) raise("lines-invalid", "The lines are no document of the format glisson-marked-lines/1.");
+    from.lines = *std::move(marked);
+  }
   if (pose) {
     from.pose = guidance::rigid_pose({pose->data(), pose->data() + pose->size()});
     if (!from.pose) raise("pose-not-rigid", "The pose is no rigid motion: 16 numbers, row by row.");
@@ -69,17 +76,18 @@ material  "linear" (small strain), "neo-hookean" or "corotational" (large)
 The reference body, where there is one, comes with the command {"compare": True}.
 Raises glisson.Error: case-lacks-entry before there is a model; choice-unknown.)")
       .def("guide", &guide, py::arg("sequence"), py::kw_only(), py::arg("pose") = py::none(), py::arg("frame") = 0,
-           py::arg("noise_mm") = 0.5, py::arg("sequence_sha256") = "", py::arg("folder") = py::none(),
-           py::arg("progress") = py::none(),
+           py::arg("noise_mm") = 0.5, py::arg("sequence_sha256") = "", py::arg("lines") = py::none(),
+           py::arg("folder") = py::none(), py::arg("progress") = py::none(),
            R"(The patient's liver, its structures and landmarks on the frames of a laparoscope's sequence.json.
 
 pose      about where it lies in that frame, scan to camera, mm: (4, 4), or 16 numbers row by row; else searched for
 frame     which is answered first, from 0; the others follow from it
 noise_mm  standard deviation of each coordinate of the clouds
 sequence_sha256   of sequence.json, where another one is to be refused
+lines     marked on the model and on frames, as the workspace Guide keeps them (glisson-marked-lines/1)
 folder    where given, guidance.json, a mesh a frame and pictures with outlines are written there
 
-A dict, as guide() answers. Raises glisson.Error: pose-not-rigid, guide-no-frame, guide-other-sequence, case-lacks-entry.)");
+A dict, as guide() answers. Raises glisson.Error: pose-not-rigid, lines-invalid, guide-no-frame, guide-other-sequence, case-lacks-entry.)");
 }
 
 }  // namespace glisson::python

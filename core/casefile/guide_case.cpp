@@ -10,10 +10,11 @@ namespace glisson::casefile {
 Result<GuidedCase> guide_case(const Case& patient, const std::filesystem::path& sequence, const GuidedFrom& from,
                               const Progress& progress) {
   progress.report(0.0, GLISSON_TEXT("Reading the guidance case"));
-  if (!from.sequence_sha256.empty() && sha256_of_file(sequence).value_or("") != from.sequence_sha256) {
+  for (const std::string& asked : {from.sequence_sha256, from.lines.sequence}) {
+    if (asked.empty() || sha256_of_file(sequence).value_or("") == asked) continue;
     return failure(Error{"guide-other-sequence",
                          GLISSON_TEXT("{0} is not the sequence that was asked for: its SHA-256 is another than {1}."),
-                         {sequence.string(), from.sequence_sha256},
+                         {sequence.string(), asked},
                          {},
                          sequence});
   }
@@ -30,6 +31,7 @@ Result<GuidedCase> guide_case(const Case& patient, const std::filesystem::path& 
   }
   auto guided = guided_sequence(*model, *files, from.pose, from.noise_mm, from.frame);
   if (!guided) return failure(std::move(guided.error()));
+  add_lines(*guided, from.lines);
   add_plans(*guided, patient);
   auto answer = guidance::answer(guided->guidance, progress.part(0.0, 0.9));
   if (!answer) return failure(Error(answer.error()).in_file(patient.folder()));

@@ -239,6 +239,33 @@ TEST_F(MacroTest, ASessionIsOneCommandHoweverManyStepsItTook) {
   EXPECT_EQ(recording_beside(folder_, "../../case"), "");
 }
 
+TEST_F(MacroTest, MarkedLinesAreGuidedBy) {
+  const std::string content(64, 'b');
+  const auto lines = [](const std::string& sequence, const std::string& seen) {
+    return R"([{"format":"glisson-marked-lines/1","sequence":")" + sequence +
+           R"(","lines":[{"id":"falciform","at_rest":[[0,0,0],[9,0,0]],"seen":{"3":)" + seen + "}}]}]";
+  };
+  const std::string begun = lines(content, "[[0,0,99]]"), marked = lines(content, "[[0,0,99],[9,0,99]]");
+  ASSERT_TRUE(history()->record_values({"Mark", {}}, {{"guide/lines", "[null]", begun}}));
+  ASSERT_TRUE(history()->record_values({"Mark", {}}, {{"guide/lines", begun, marked}}));
+  const std::string pose = R"([{"sequence":")" + content + R"(","frame":1,"pose":[1,0,0,0,0,1,0,2,0,0,1,90,0,0,0,1]}])";
+  ASSERT_TRUE(history()->record_values({"By hand", {}}, {{"guide/pose", "[null]", pose}}));
+  ASSERT_TRUE(history()->record_values({"Mark", {}},
+                                       {{"guide/lines", marked, lines(std::string(64, 'c'), "[[0,0,99],[9,0,99]]")}}));
+  const auto macro = macro_of(folder_);
+  ASSERT_TRUE(macro);
+  ASSERT_EQ(macro->steps.size(), 4u);
+  EXPECT_TRUE(macro->steps[0].commands.empty());  // one place is no line
+  const std::string common = "guide {case} --sequence {sequence-1} --sequence-sha256 " + content;
+  const std::string by_hand = " --frame 1 --pose=1,0,0,0,0,1,0,2,0,0,1,90,0,0,0,1";
+  EXPECT_THAT(words(), ElementsAre(common + " --frame 3 --lines lines-2.json --out guided-2",
+                                   common + by_hand + " --lines lines-3.json --out guided-3",
+                                   common + by_hand + " --out guided-4"));  // its lines are of another video
+  EXPECT_EQ(Json::parse(macro->steps[1].commands.at(0).document).at("sequence"), content);
+  EXPECT_THAT(as_command_line(*macro), HasSubstr("cat > lines-2.json"));
+  EXPECT_THAT(as_python(*macro), HasSubstr("frame=3, lines={\"format\""));
+}
+
 TEST_F(MacroTest, ACutInTheMakingIsAnsweredAndALiverLaidByHandIsRefined) {
   const auto said = [](const std::string& plan) { return Json::array({plan}).dump(); };
   const std::string plane = said(R"({"format":"glisson-plan/1","name":"taken","cuts":[{"plane":{"point_mm":[1,2,3],)"

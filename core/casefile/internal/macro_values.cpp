@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 
+#include "casefile/marked_lines.h"
 #include "guidance/guidance_file.h"
 #include "planning/plan_file.h"
 #include "rehearsal/session.h"
@@ -14,11 +15,13 @@ namespace glisson::casefile {
 namespace fs = std::filesystem;
 namespace {
 
-// Who keeps them: widgets/session/rehearsal_undo.cpp, widgets/resect/kept_cuts.h, widgets/guide/guide_page_hand.cpp.
+// Who keeps them: widgets/session/rehearsal_undo.cpp, widgets/resect/kept_cuts.h, widgets/guide/guide_page_hand.cpp,
+// widgets/guide/guide_page_lines.cpp.
 constexpr const char* tool_key = "rehearse/tool";
 constexpr const char* surface_key = "resect/surface";
 constexpr const char* taken_key = "resect/taken";
 constexpr const char* pose_key = "guide/pose";
+constexpr const char* lines_key = "guide/lines";
 
 using KeptValues = std::map<std::string, std::string>;
 
@@ -28,7 +31,7 @@ std::string session_of(const Json& tools);
 std::optional<Command> session_command(const fs::path& case_folder, const Json& tools, int step);
 std::optional<Command> simulation_command(const Json& tools, int step);
 std::optional<Command> plan_command(const KeptValues& values, int step);
-std::optional<Command> guide_command(const Json& pose, int step, std::vector<std::string>& sequences);
+std::optional<Command> guide_command(const KeptValues& values, int step, std::vector<std::string>& sequences);
 
 }  // namespace
 
@@ -47,8 +50,8 @@ void add_commands_of_values(const fs::path& case_folder, const Listing& listing,
         command =
             session.empty() ? simulation_command(value, step.number) : session_command(case_folder, value, step.number);
         if (command && !session.empty()) sessions[session].push_back(n);
-      } else if (change.key == pose_key) {
-        command = guide_command(value, step.number, macro.sequences);
+      } else if (change.key == pose_key || change.key == lines_key) {
+        command = guide_command(now, step.number, macro.sequences);
       } else if (change.key == surface_key || change.key == taken_key) {
         command = plan_command(now, step.number);
       }
@@ -163,28 +166,63 @@ std::optional<Command> plan_command(const KeptValues& values, int step) {
                  document.dump()};
 }
 
-std::optional<Command> guide_command(const Json& pose, int step, std::vector<std::string>& sequences) {
+// Where a hand laid the liver, on which frame of which sequence.
+struct LaidByHand {
+  std::string sequence;
+  std::size_t frame = 0;
+  std::vector<double> pose;
+};
+
+std::optional<LaidByHand> laid_by_hand(const Json& json) {
   try {
-    const auto content = pose.at("sequence").get<std::string>();
-    const auto frame = pose.at("frame").get<std::size_t>();
-    const auto numbers = pose.at("pose").get<std::vector<double>>();
-    constexpr std::size_t sha256_digits = 64;
-    const bool is_content =
-        content.size() == sha256_digits && content.find_first_not_of("0123456789abcdef") == std::string::npos;
-    if (!is_content || !guidance::rigid_pose(numbers)) return {};
-    const auto known = std::find(sequences.begin(), sequences.end(), content);
-    const auto sequence = known - sequences.begin() + 1;
-    if (known == sequences.end()) sequences.push_back(content);
-    const std::string out = fmt::format("guided-{}", step);
-    return Command{
-        {"guide", the_case, "--sequence", fmt::format("{}{}}}", sequence_word, sequence), "--sequence-sha256", content,
-         "--frame", std::to_string(frame), fmt::format("--pose={}", fmt::join(numbers, ",")), "--out", out},
-        fmt::format("guided_{} = patient.guide(sequence_{}, frame={}, pose=[{}],\n"
-                    "                         sequence_sha256={}, folder={})",
-                    step, sequence, frame, fmt::join(numbers, ", "), in_python(content), in_python(out))};
+    LaidByHand laid{json.at("sequence").get<std::string>(), json.at("frame").get<std::size_t>(),
+                    json.at("pose").get<std::vector<double>>()};
+    return guidance::rigid_pose(laid.pose) ? std::optional(laid) : std::nullopt;
   } catch (const Json::exception&) {
     return {};
   }
+}
+
+// From where the hand laid it, or from the first frame with a line.
+std::optional<Command> guide_command(const KeptValues& values, int step, std::vector<std::string>& sequences) {
+  const auto laid = laid_by_hand(kept_value(values, pose_key));
+  const MarkedLines lines = marked_lines_from(kept_value(values, lines_key)).value_or(MarkedLines{});
+  const auto first = first_marked_frame(lines);
+  if (!laid && !first) return {};
+  const bool is_marked = first && (!laid || laid->sequence == lines.sequence);  // else of another video
+  std::size_t frame = 0;
+  if (laid) {
+    frame = laid->frame;
+  } else if (first) {
+    frame = *first;
+  }
+  const std::string content = laid ? laid->sequence : lines.sequence;
+  constexpr std::size_t sha256_digits = 64;
+  const bool is_content =
+      content.size() == sha256_digits && content.find_first_not_of("0123456789abcdef") == std::string::npos;
+  if (!is_content) return {};
+  const auto known = std::find(sequences.begin(), sequences.end(), content);
+  const auto sequence = known - sequences.begin() + 1;
+  if (known == sequences.end()) sequences.push_back(content);
+  const std::string out = fmt::format("guided-{}", step);
+  Command command{{"guide", the_case, "--sequence", fmt::format("{}{}}}", sequence_word, sequence), "--sequence-sha256",
+                   content, "--frame", std::to_string(frame)},
+                  fmt::format("guided_{} = patient.guide(sequence_{}, frame={}", step, sequence, frame)};
+  if (laid) {
+    command.words.push_back(fmt::format("--pose={}", fmt::join(laid->pose, ",")));
+    command.python += fmt::format(", pose=[{}]", fmt::join(laid->pose, ", "));
+  }
+  if (is_marked) {
+    command.file = fmt::format("lines-{}.json", step);
+    const Json document = json_of(lines);
+    command.document = document.dump();
+    command.words.insert(command.words.end(), {"--lines", command.file});
+    command.python += fmt::format(", lines={}", in_python(document));
+  }
+  command.words.insert(command.words.end(), {"--out", out});
+  command.python +=
+      fmt::format(",\n                         sequence_sha256={}, folder={})", in_python(content), in_python(out));
+  return command;
 }
 
 }  // namespace
