@@ -6863,6 +6863,18 @@
         <source>What was seen does not lie where the frame before left the organ, and no other place was found: the organ is lost here.</source>
         <translation>Was gesehen wurde, liegt nicht, wo das Bild davor das Organ gelassen hat, und kein anderer Ort wurde gefunden: Hier ist das Organ verloren.</translation>
     </message>
+    <message>
+        <source>{0} holds no marked lines.</source>
+        <translation>{0} enthält keine markierten Linien.</translation>
+    </message>
+    <message>
+        <source>It begins with &quot;format&quot;: &quot;glisson-marked-lines/1&quot;; a line has an id, places at rest and places seen, three numbers each.</source>
+        <translation>Sie beginnt mit &quot;format&quot;: &quot;glisson-marked-lines/1&quot;; eine Linie hat eine id, Stellen in Ruhe und gesehene Stellen, je drei Zahlen.</translation>
+    </message>
+    <message>
+        <source>Mark a line</source>
+        <translation>Linie markieren</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>
@@ -8417,6 +8429,14 @@ Keine Messungen zur Hand? Probieren Sie das Beispiel: eine simulierte Gewebeprob
         <source>Two videos, or one that shows both eyes, become a sequence</source>
         <translation>Zwei Videos, oder eines mit beiden Augen, werden zu einer Sequenz</translation>
     </message>
+    <message>
+        <source>Nothing was seen of the surface there: an instrument, or a gap. Click beside it.</source>
+        <translation>Dort wurde nichts von der Oberfläche gesehen: ein Instrument oder eine Lücke. Klicken Sie daneben.</translation>
+    </message>
+    <message>
+        <source>Click along a line here, and along the same line on the model beside it.</source>
+        <translation>Klicken Sie hier eine Linie entlang, und dieselbe Linie entlang am Modell daneben.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::GuidePanel</name>
@@ -8493,8 +8513,8 @@ Keine Messungen zur Hand? Probieren Sie das Beispiel: eine simulierte Gewebeprob
         <translation>Die Sequenz nennt keine Kamera, sodass über dem Video nichts gezeichnet werden kann.</translation>
     </message>
     <message>
-        <source>Finds where the liver lies in the first frame, without a guess, and follows it from frame to frame: one to two seconds a frame</source>
-        <translation>Findet ohne Vorgabe, wo die Leber im ersten Bild liegt, und folgt ihr von Bild zu Bild: ein bis zwei Sekunden je Bild</translation>
+        <source>Finds where the liver lies in the first frame, without a guess or by the lines that are marked, and follows it from frame to frame</source>
+        <translation>Findet ohne Vorgabe oder nach den markierten Linien, wo die Leber im ersten Bild liegt, und folgt ihr von Bild zu Bild</translation>
     </message>
     <message>
         <source>Place the liver by hand first</source>
@@ -8710,6 +8730,65 @@ mm</translation>
     <message>
         <source>System language</source>
         <translation>Sprache des Systems</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::LinePanel</name>
+    <message>
+        <source>Mark a ridge or a ligament on the frame and on the model: where the shape alone does not tell how the liver lies, the line does</source>
+        <translation>Eine Kante oder ein Band auf dem Bild und am Modell markieren: Wo die Form allein nicht sagt, wie die Leber liegt, sagt es die Linie</translation>
+    </message>
+    <message>
+        <source>Mark lines</source>
+        <translation>Linien markieren</translation>
+    </message>
+    <message>
+        <source>Falciform ligament</source>
+        <translation>Ligamentum falciforme</translation>
+    </message>
+    <message>
+        <source>Lower edge</source>
+        <translation>Unterer Rand</translation>
+    </message>
+    <message>
+        <source>Gall bladder&apos;s border</source>
+        <translation>Rand der Gallenblase</translation>
+    </message>
+    <message>
+        <source>Another line</source>
+        <translation>Andere Linie</translation>
+    </message>
+    <message>
+        <source>The line that is marked</source>
+        <translation>Die Linie, die markiert wird</translation>
+    </message>
+    <message>
+        <source>Which line the next clicks are of</source>
+        <translation>Zu welcher Linie die nächsten Klicks gehören</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Takes this line away, from the model and from all frames</source>
+        <translation>Nimmt diese Linie weg, vom Modell und von allen Bildern</translation>
+    </message>
+    <message>
+        <source>Places on this frame: %1, on the model: %2.</source>
+        <translation>Stellen auf diesem Bild: %1, am Modell: %2.</translation>
+    </message>
+    <message>
+        <source>It counts when the liver is placed.</source>
+        <translation>Sie zählt, wenn die Leber eingepasst wird.</translation>
+    </message>
+    <message>
+        <source>It counts from two on each.</source>
+        <translation>Sie zählt ab zwei auf jeder Seite.</translation>
+    </message>
+    <message>
+        <source>Click along the line on the frame, and along the same line on the model. The two need not begin or end at the same place. Undo takes a click back.</source>
+        <translation>Klicken Sie die Linie entlang auf dem Bild, und dieselbe Linie entlang am Modell. Beide müssen nicht an derselben Stelle beginnen oder enden. Rückgängig nimmt einen Klick zurück.</translation>
     </message>
 </context>
 <context>

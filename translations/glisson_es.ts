@@ -6863,6 +6863,18 @@
         <source>What was seen does not lie where the frame before left the organ, and no other place was found: the organ is lost here.</source>
         <translation>Lo que se vio no está donde el fotograma anterior dejó el órgano, y no se encontró otro lugar: aquí el órgano se ha perdido.</translation>
     </message>
+    <message>
+        <source>{0} holds no marked lines.</source>
+        <translation>{0} no contiene líneas marcadas.</translation>
+    </message>
+    <message>
+        <source>It begins with &quot;format&quot;: &quot;glisson-marked-lines/1&quot;; a line has an id, places at rest and places seen, three numbers each.</source>
+        <translation>Empieza con &quot;format&quot;: &quot;glisson-marked-lines/1&quot;; una línea tiene un id, puntos en reposo y puntos vistos, de tres números cada uno.</translation>
+    </message>
+    <message>
+        <source>Mark a line</source>
+        <translation>Marcar una línea</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>
@@ -8417,6 +8429,14 @@ Glisson dice cuánto se equivoca el modelo declarado, qué le falta y con qué c
         <source>Two videos, or one that shows both eyes, become a sequence</source>
         <translation>Dos vídeos, o uno que muestra ambos ojos, se convierten en una secuencia</translation>
     </message>
+    <message>
+        <source>Nothing was seen of the surface there: an instrument, or a gap. Click beside it.</source>
+        <translation>Ahí no se vio nada de la superficie: un instrumento o un hueco. Haga clic al lado.</translation>
+    </message>
+    <message>
+        <source>Click along a line here, and along the same line on the model beside it.</source>
+        <translation>Haga clic aquí a lo largo de una línea, y a lo largo de la misma línea en el modelo de al lado.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::GuidePanel</name>
@@ -8493,8 +8513,8 @@ Glisson dice cuánto se equivoca el modelo declarado, qué le falta y con qué c
         <translation>La secuencia no nombra ninguna cámara: no se puede dibujar nada sobre el vídeo.</translation>
     </message>
     <message>
-        <source>Finds where the liver lies in the first frame, without a guess, and follows it from frame to frame: one to two seconds a frame</source>
-        <translation>Halla sin indicación dónde está el hígado en el primer fotograma y lo sigue de uno a otro: uno o dos segundos cada uno</translation>
+        <source>Finds where the liver lies in the first frame, without a guess or by the lines that are marked, and follows it from frame to frame</source>
+        <translation>Halla dónde está el hígado en el primer fotograma, sin indicación o por las líneas marcadas, y lo sigue de uno a otro</translation>
     </message>
     <message>
         <source>Place the liver by hand first</source>
@@ -8712,6 +8732,65 @@ mm</translation>
     <message>
         <source>System language</source>
         <translation>Idioma del sistema</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::LinePanel</name>
+    <message>
+        <source>Mark a ridge or a ligament on the frame and on the model: where the shape alone does not tell how the liver lies, the line does</source>
+        <translation>Marque un borde o un ligamento en el fotograma y en el modelo: donde la forma sola no dice cómo está el hígado, lo dice la línea</translation>
+    </message>
+    <message>
+        <source>Mark lines</source>
+        <translation>Marcar líneas</translation>
+    </message>
+    <message>
+        <source>Falciform ligament</source>
+        <translation>Ligamento falciforme</translation>
+    </message>
+    <message>
+        <source>Lower edge</source>
+        <translation>Borde inferior</translation>
+    </message>
+    <message>
+        <source>Gall bladder&apos;s border</source>
+        <translation>Borde de la vesícula</translation>
+    </message>
+    <message>
+        <source>Another line</source>
+        <translation>Otra línea</translation>
+    </message>
+    <message>
+        <source>The line that is marked</source>
+        <translation>La línea que se marca</translation>
+    </message>
+    <message>
+        <source>Which line the next clicks are of</source>
+        <translation>A qué línea pertenecen los próximos clics</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Quitar</translation>
+    </message>
+    <message>
+        <source>Takes this line away, from the model and from all frames</source>
+        <translation>Quita esta línea del modelo y de todos los fotogramas</translation>
+    </message>
+    <message>
+        <source>Places on this frame: %1, on the model: %2.</source>
+        <translation>Puntos en este fotograma: %1, en el modelo: %2.</translation>
+    </message>
+    <message>
+        <source>It counts when the liver is placed.</source>
+        <translation>Cuenta cuando se coloca el hígado.</translation>
+    </message>
+    <message>
+        <source>It counts from two on each.</source>
+        <translation>Cuenta a partir de dos en cada lado.</translation>
+    </message>
+    <message>
+        <source>Click along the line on the frame, and along the same line on the model. The two need not begin or end at the same place. Undo takes a click back.</source>
+        <translation>Haga clic a lo largo de la línea en el fotograma, y a lo largo de la misma línea en el modelo. No hace falta que empiecen ni acaben en el mismo punto. Deshacer retira un clic.</translation>
     </message>
 </context>
 <context>

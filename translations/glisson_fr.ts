@@ -6863,6 +6863,18 @@
         <source>What was seen does not lie where the frame before left the organ, and no other place was found: the organ is lost here.</source>
         <translation>Ce qui a été vu ne se trouve pas là où l&apos;image précédente a laissé l&apos;organe, et aucun autre endroit n&apos;a été trouvé : l&apos;organe est perdu ici.</translation>
     </message>
+    <message>
+        <source>{0} holds no marked lines.</source>
+        <translation>{0} ne contient pas de lignes marquées.</translation>
+    </message>
+    <message>
+        <source>It begins with &quot;format&quot;: &quot;glisson-marked-lines/1&quot;; a line has an id, places at rest and places seen, three numbers each.</source>
+        <translation>Il commence par &quot;format&quot;: &quot;glisson-marked-lines/1&quot; ; une ligne a un id, des points au repos et des points vus, de trois nombres chacun.</translation>
+    </message>
+    <message>
+        <source>Mark a line</source>
+        <translation>Marquer une ligne</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>
@@ -8417,6 +8429,14 @@ Pas de mesures sous la main&#xa0;? Essayez l’exemple&#xa0;: un échantillon de
         <source>Two videos, or one that shows both eyes, become a sequence</source>
         <translation>Deux vidéos, ou une qui montre les deux yeux, deviennent une séquence</translation>
     </message>
+    <message>
+        <source>Nothing was seen of the surface there: an instrument, or a gap. Click beside it.</source>
+        <translation>Rien de la surface n&apos;a été vu là : un instrument ou un trou. Cliquez à côté.</translation>
+    </message>
+    <message>
+        <source>Click along a line here, and along the same line on the model beside it.</source>
+        <translation>Cliquez ici le long d&apos;une ligne, et le long de la même ligne sur le modèle à côté.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::GuidePanel</name>
@@ -8493,8 +8513,8 @@ Pas de mesures sous la main&#xa0;? Essayez l’exemple&#xa0;: un échantillon de
         <translation>La séquence ne nomme pas de caméra : rien ne peut être dessiné sur la vidéo.</translation>
     </message>
     <message>
-        <source>Finds where the liver lies in the first frame, without a guess, and follows it from frame to frame: one to two seconds a frame</source>
-        <translation>Trouve sans indication où est le foie dans la première image et le suit d&apos;image en image : une à deux secondes par image</translation>
+        <source>Finds where the liver lies in the first frame, without a guess or by the lines that are marked, and follows it from frame to frame</source>
+        <translation>Trouve, sans indication ou d&apos;après les lignes marquées, où est le foie dans la première image et le suit d&apos;image en image</translation>
     </message>
     <message>
         <source>Place the liver by hand first</source>
@@ -8712,6 +8732,65 @@ mm</translation>
     <message>
         <source>System language</source>
         <translation>Langue du système</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::LinePanel</name>
+    <message>
+        <source>Mark a ridge or a ligament on the frame and on the model: where the shape alone does not tell how the liver lies, the line does</source>
+        <translation>Marquer un bord ou un ligament sur l&apos;image et sur le modèle : là où la forme seule ne dit pas comment le foie est placé, la ligne le dit</translation>
+    </message>
+    <message>
+        <source>Mark lines</source>
+        <translation>Marquer des lignes</translation>
+    </message>
+    <message>
+        <source>Falciform ligament</source>
+        <translation>Ligament falciforme</translation>
+    </message>
+    <message>
+        <source>Lower edge</source>
+        <translation>Bord inférieur</translation>
+    </message>
+    <message>
+        <source>Gall bladder&apos;s border</source>
+        <translation>Bord de la vésicule</translation>
+    </message>
+    <message>
+        <source>Another line</source>
+        <translation>Autre ligne</translation>
+    </message>
+    <message>
+        <source>The line that is marked</source>
+        <translation>La ligne que l&apos;on marque</translation>
+    </message>
+    <message>
+        <source>Which line the next clicks are of</source>
+        <translation>À quelle ligne appartiennent les prochains clics</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Retirer</translation>
+    </message>
+    <message>
+        <source>Takes this line away, from the model and from all frames</source>
+        <translation>Retire cette ligne du modèle et de toutes les images</translation>
+    </message>
+    <message>
+        <source>Places on this frame: %1, on the model: %2.</source>
+        <translation>Points sur cette image : %1, sur le modèle : %2.</translation>
+    </message>
+    <message>
+        <source>It counts when the liver is placed.</source>
+        <translation>Elle compte quand le foie est placé.</translation>
+    </message>
+    <message>
+        <source>It counts from two on each.</source>
+        <translation>Elle compte à partir de deux de chaque côté.</translation>
+    </message>
+    <message>
+        <source>Click along the line on the frame, and along the same line on the model. The two need not begin or end at the same place. Undo takes a click back.</source>
+        <translation>Cliquez le long de la ligne sur l&apos;image, et le long de la même ligne sur le modèle. Elles n&apos;ont pas à commencer ni à finir au même endroit. Annuler retire un clic.</translation>
     </message>
 </context>
 <context>

@@ -9,6 +9,7 @@
 #include "base/files.h"
 #include "base/json.h"
 #include "casefile/macro.h"
+#include "drag_in_view.h"
 #include "fits.h"
 #include "geometry/mesh_file.h"
 #include "guided_case.h"
@@ -60,6 +61,14 @@ class GuideTest : public QObject {
     QVERIFY(child<QLabel>("origin", page_)->text().startsWith("SIMULATED"));
     QVERIFY(!child<QPushButton>("refine")->isEnabled());
     QVERIFY(!child<QPushButton>("guide_film")->isEnabled());
+    // Lines can be marked before it is placed anywhere.
+    QVERIFY(!space()->isVisible());
+    click(child<QPushButton>("mark_lines"));
+    QVERIFY(space()->isVisible());
+    QTest::qWait(300);
+    keep_picture("guide_lines_first");
+    click(child<QPushButton>("mark_lines"));
+    QVERIFY(!space()->isVisible());
   }
 
   void finds_the_liver_and_says_where_the_tumour_is() {
@@ -193,36 +202,99 @@ class GuideTest : public QObject {
 
   // The diary's command begins where the hand left it, and comes to what the window shows, to the bit.
   void is_told_as_a_command_that_refines_it_alike() {
-    const auto macro = test::needed(casefile::macro_of(case_));
-    QCOMPARE(macro.sequences.size(), std::size_t{1});
-    const auto step = std::find_if(macro.steps.rbegin(), macro.steps.rend(),
-                                   [](const casefile::MacroStep& each) { return !each.commands.empty(); });
-    QVERIFY(step != macro.steps.rend());
-    const fs::path out = folder_.path() / "told";
-    QStringList words;
-    for (const std::string& word : step->commands.front().words) {
-      words << QString::fromStdString(word == casefile::the_case ? case_.string()
-                                      : word == "{sequence-1}"   ? sequence_.string()
-                                                                 : word);
-    }
-    QCOMPARE(words.front(), QString("guide"));
-    words.back() = QString::fromStdString(out.string());
-    const QString program = QCoreApplication::applicationDirPath() + "/glisson-cli";
-    QCOMPARE(QProcess::execute(program, words), 0);
-    const Json answer = test::needed(read_json_file(out / "guidance.json"));
-    QCOMPARE(answer.at("frames").size(), std::size_t{frames});
-    for (const Json& frame : answer.at("frames")) {
-      const auto f = static_cast<std::size_t>(std::stoi(frame.at("id").get<std::string>().substr(1)));
-      const guidance::ElasticPlacement& shown = page_->answered(f)->placement;
-      for (int k = 0; k < 16; ++k) QCOMPARE(frame.at("pose").at(k).get<double>(), shown.pose.matrix()(k / 4, k % 4));
-      for (std::size_t t = 0; t < shown.target_mm.size(); ++t) {
-        const Json& position_mm = frame.at("targets").at(t).at("position_mm");
-        for (int axis = 0; axis < 3; ++axis) QVERIFY(position_mm.at(axis).get<double>() == shown.target_mm[t][axis]);
-      }
-    }
+    QStringList words = told_command();
+    comes_to_what_is_shown(words);
     QCOMPARE(words[4], QString("--sequence-sha256"));
     words[5] = QString(64, '0');  // of another video
-    QCOMPARE(QProcess::execute(program, words), 1);
+    QCOMPARE(QProcess::execute(cli(), words), 1);
+  }
+
+  // On a frame that is placed: what is marked on it, and beside it on the liver at rest.
+  void marks_a_line_on_the_frame_and_on_the_model() {
+    child<Timeline>("guide_timeline")->show_frame(1);
+    auto* mark = child<QPushButton>("mark_lines");
+    click(mark);
+    QVERIFY(mark->isChecked());
+    QVERIFY(child<QComboBox>("marked_line")->isVisible());
+    QVERIFY(view()->said().startsWith("Click along a line"));
+    QTRY_VERIFY(space()->width() > 300);
+    const auto answer = page_->answered(1)->placement;
+    const auto places_mm = along_the_front(answer.pose);
+    QVERIFY(places_mm.size() >= 4);
+    for (const Eigen::Vector3d& place : places_mm) {
+      const auto at = vision::project(camera(), {answer.pose * place}).front().value();
+      const QPointF on_widget = view()->from_frame().map(QPointF(at.x(), at.y()));
+      QTest::mouseClick(view(), Qt::LeftButton, Qt::NoModifier, on_widget.toPoint());
+      QTRY_VERIFY(!window_->undo().busy());
+    }
+    for (const Eigen::Vector3d& place : places_mm) {
+      QTest::mouseClick(space(), Qt::LeftButton, Qt::NoModifier, pixel_in(*space(), place));
+      QTRY_VERIFY(!window_->undo().busy());
+    }
+    QCOMPARE(page_->lines().lines.size(), std::size_t{1});
+    const casefile::MarkedLine& line = page_->lines().lines.front();
+    QCOMPARE(line.id, std::string("falciform"));
+    QCOMPARE(line.at_rest_mm.size(), places_mm.size());
+    QCOMPARE(line.seen_mm.at(1).size(), places_mm.size());
+    for (std::size_t p = 0; p < places_mm.size(); ++p) {
+      QVERIFY((line.at_rest_mm[p] - places_mm[p]).norm() < 4);  // a pixel on a slanted surface
+      QVERIFY((line.seen_mm.at(1)[p] - answer.pose * places_mm[p]).norm() < 15);
+    }
+    QVERIFY(child<QLabel>("line_places")->text().contains("It counts when"));
+    keep_picture("guide_lines");
+    // A click is a step.
+    press_key(*window_, Qt::Key_Z, Qt::ControlModifier);
+    QTRY_COMPARE(page_->lines().lines.front().at_rest_mm.size(), places_mm.size() - 1);
+    press_key(*window_, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    QTRY_COMPARE(page_->lines().lines.front().at_rest_mm.size(), places_mm.size());
+    QTRY_VERIFY(!window_->undo().busy());
+    // Where nothing was seen, nothing is marked.
+    QTest::mouseClick(view(), Qt::LeftButton, Qt::NoModifier, view()->from_frame().map(QPointF(3, 3)).toPoint());
+    QVERIFY(child<QLabel>("guide_reading")->text().startsWith("Nothing was seen"));
+    QCOMPARE(page_->lines().lines.front().seen_mm.at(1).size(), places_mm.size());
+    choose_language("de");
+    window_->resize(1280, 720);
+    const QStringList problems = test::what_does_not_fit(*window_);
+    keep_picture("guide_lines_de");
+    QVERIFY2(problems.isEmpty(), qPrintable(problems.join("; ")));
+    choose_language("en");
+    window_->resize(1600, 1000);
+
+    // Laid by hand or marked: not both at once.
+    click(child<QPushButton>("by_hand"));
+    QVERIFY(!mark->isChecked());
+    click(mark);
+    QVERIFY(!child<QPushButton>("by_hand")->isChecked());
+    click(place_button());
+    QTRY_VERIFY_WITH_TIMEOUT(page_->answered(frames - 1) != nullptr && !window_->work().busy(), patience_ms);
+    QVERIFY(!mark->isChecked());
+    for (std::size_t f = 0; f < frames; ++f) {
+      QVERIFY(page_->answered(f) != nullptr && page_->answered(f)->placement.converged);
+      QVERIFY((tumour_mm(*page_->answered(f)) - truth_mm_[f]).norm() < 6);
+    }
+    // From where the hand laid it before, with the line.
+    QSignalSpy placed(page_, &GuidePage::placed);
+    click(child<QPushButton>("refine"));
+    QTRY_VERIFY_WITH_TIMEOUT(!placed.isEmpty() && !window_->work().busy(), patience_ms);
+    const QStringList words = told_command();
+    QVERIFY(words.contains("--lines") && words[6] == "--frame");
+    comes_to_what_is_shown(words);
+  }
+
+  void takes_a_line_away() {
+    auto* mark = child<QPushButton>("mark_lines");
+    click(mark);
+    click(child<QPushButton>("remove_line"));
+    QTRY_VERIFY(!window_->undo().busy());
+    QVERIFY(page_->lines().lines.empty());
+    QVERIFY(view()->marks().empty());
+    QVERIFY(!child<QPushButton>("remove_line")->isEnabled());
+    press_key(*window_, Qt::Key_Z, Qt::ControlModifier);
+    QTRY_COMPARE(page_->lines().lines.size(), std::size_t{1});
+    press_key(*window_, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    QTRY_VERIFY(page_->lines().lines.empty());
+    QTRY_VERIFY(!window_->undo().busy());
+    click(mark);
   }
 
   void films_what_is_shown() {
@@ -322,7 +394,62 @@ class GuideTest : public QObject {
   Widget* child(const char* name, const QObject* parent = nullptr) {
     return child_of<Widget>(parent != nullptr ? *parent : *window_, name);
   }
+  static QString cli() { return QCoreApplication::applicationDirPath() + "/glisson-cli"; }
+  // The last step's, for this case and sequence, with its file written.
+  QStringList told_command() {
+    const auto macro = test::needed(casefile::macro_of(case_));
+    const auto step = std::find_if(macro.steps.rbegin(), macro.steps.rend(),
+                                   [](const casefile::MacroStep& each) { return !each.commands.empty(); });
+    if (macro.sequences.size() != 1 || step == macro.steps.rend()) qFatal("nothing is told");
+    const casefile::Command& command = step->commands.front();
+    const fs::path file = folder_.path() / command.file;
+    if (!command.file.empty()) test::needed(write_text_file(file, command.document).map([] { return 0; }));
+    QStringList words;
+    for (const std::string& word : command.words) {
+      words << QString::fromStdString(word == casefile::the_case ? case_.string()
+                                      : word == "{sequence-1}"   ? sequence_.string()
+                                      : word == command.file     ? file.string()
+                                                                 : word);
+    }
+    words.back() = QString::fromStdString((folder_.path() / "told").string());
+    return words;
+  }
+  void comes_to_what_is_shown(const QStringList& words) {
+    QCOMPARE(words.front(), QString("guide"));
+    QCOMPARE(QProcess::execute(cli(), words), 0);
+    const Json answer = test::needed(read_json_file(fs::path(words.back().toStdString()) / "guidance.json"));
+    QCOMPARE(answer.at("frames").size(), std::size_t{frames});
+    for (const Json& frame : answer.at("frames")) {
+      const auto f = static_cast<std::size_t>(std::stoi(frame.at("id").get<std::string>().substr(1)));
+      const guidance::ElasticPlacement& shown = page_->answered(f)->placement;
+      for (int k = 0; k < 16; ++k) QCOMPARE(frame.at("pose").at(k).get<double>(), shown.pose.matrix()(k / 4, k % 4));
+      for (std::size_t t = 0; t < shown.target_mm.size(); ++t) {
+        const Json& position_mm = frame.at("targets").at(t).at("position_mm");
+        for (int axis = 0; axis < 3; ++axis) QVERIFY(position_mm.at(axis).get<double>() == shown.target_mm[t][axis]);
+      }
+    }
+  }
   OverlayView* view() { return child<OverlayView>("guide_frame"); }
+  SpaceView* space() { return child<SpaceView>("guide_space"); }
+  // Points of the liver at rest that the camera and the view in space both show, and around which a cloud was seen.
+  std::vector<Eigen::Vector3d> along_the_front(const Eigen::Isometry3d& pose) {
+    std::vector<Eigen::Vector3d> along;
+    const auto cloud = test::needed(registration_quality::read_cloud(sequence_.parent_path() / "f001.ply")).points_mm;
+    for (const Eigen::Vector3d& seen : cloud) {
+      const Eigen::Vector3d at_rest_mm = pose.inverse() * seen;
+      const auto at = vision::project(camera(), {seen}).front();
+      const QPoint pixel = pixel_in(*space(), at_rest_mm);
+      const double ratio = space()->devicePixelRatioF();
+      const auto pick = space()->view().pick(ratio * pixel.x(), ratio * pixel.y());
+      if (!at || !space()->rect().contains(pixel) || !pick) continue;
+      const bool is_shown = (pick->position_mm - at_rest_mm).norm() < 4 && std::abs(pick->normal.y()) > 0.5;
+      const bool is_apart = along.empty() || (along.back() - pick->position_mm).norm() > 18;
+      if (is_shown && is_apart) along.push_back(pick->position_mm);
+      if (along.size() == 5) break;
+    }
+    std::sort(along.begin(), along.end(), [](const auto& a, const auto& b) { return a.x() < b.x(); });
+    return along;
+  }
   TargetTable* targets() { return child<TargetTable>("guide_targets"); }
   QPushButton* place_button() { return page_->findChild<GuidePanel*>()->findChild<QPushButton*>("primary"); }
   static void click(QWidget* widget) { QTest::mouseClick(widget, Qt::LeftButton); }

@@ -53,6 +53,7 @@ GuidePage::GuidePage(WorkspaceContext context, QWidget* parent) : QWidget(parent
   connect_work();
   connect_parts();
   connect_hand();
+  connect_lines();
   keep_translated(this, [this] {
     show_overlay();
     word();
@@ -97,6 +98,7 @@ QWidget* GuidePage::make_pictures() {
   space_ = new SpaceView;
   space_->setObjectName("guide_space");
   space_->setMinimumSize(220, 200);
+  pictures_ = row;
   row->addWidget(view_, 5);
   row->addWidget(space_, 2);
   column->addLayout(row, 1);
@@ -198,8 +200,9 @@ void GuidePage::run(const std::optional<HandPose>& from, std::size_t frames) {
   if (!has_video()) return;
   timeline_->play(false);
   panel_->set_by_hand(false);
+  panel_->lines().set_on(false);
   start(Task::placing, tr("Placing the liver"),
-        [page = QPointer(this), video = video_, modes = modes_, from,
+        [page = QPointer(this), video = video_, modes = modes_, from, lines = lines_,
          frames](const Progress& progress) -> BackgroundWork::Then {
           // Handed to the window as soon as it is known.
           const auto heard = [page, video](std::size_t frame, std::shared_ptr<const GuidedFrame> answer) {
@@ -208,7 +211,7 @@ void GuidePage::run(const std::optional<HandPose>& from, std::size_t frames) {
             };
             QMetaObject::invokeMethod(QCoreApplication::instance(), take, Qt::QueuedConnection);
           };
-          auto made = place_liver(*video, modes, from, frames, progress, heard);
+          auto made = place_liver(*video, modes, from, lines, frames, progress, heard);
           return [page, video, made = std::move(made)] {
             if (page.isNull() || page->video_ != video) return;
             if (made) {
@@ -282,7 +285,9 @@ void GuidePage::close_video() {
   modes_.reset();
   answers_.clear();
   hand_.reset();
+  lines_ = {};
   panel_->set_by_hand(false);
+  panel_->lines().set_on(false);
   pages_->setCurrentIndex(0);
   word();
 }
@@ -296,7 +301,9 @@ void GuidePage::take(std::shared_ptr<const GuidedVideo> video) {
   size_px_ = {};
   looked_in_space_ = false;
   panel_->set_by_hand(false);
+  panel_->lines().set_on(false);
   read_kept_pose();
+  read_kept_lines();
   timeline_->set_frames(static_cast<int>(answers_.size()));
   pages_->setCurrentIndex(1);
   show_frame();

@@ -5,11 +5,13 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QStackedWidget>
 #include <QTimer>
 #include <QWidget>
 
+#include "casefile/marked_lines.h"
 #include "widgets/guide/guide_panel.h"
 #include "widgets/guide/guide_welcome.h"
 #include "widgets/guide/guided_video.h"
@@ -34,7 +36,7 @@ class GuidePage : public QWidget {
   void open(const std::filesystem::path& file, const std::function<QString()>& then_said = {});
   // The simulated sequence of the demo patient, made the first time.
   void open_example();
-  // In all frames, without a guess; or from where it was laid by hand.
+  // In all frames, without a guess but by the lines that are marked; or from where it was laid by hand.
   void place() { run(std::nullopt, answers_.size()); }
   // The first frames alone, for who only looks round.
   void place_some() { run(std::nullopt, 4); }
@@ -46,6 +48,7 @@ class GuidePage : public QWidget {
   // Null where it is not answered yet.
   [[nodiscard]] const GuidedFrame* answered(std::size_t frame) const;
   [[nodiscard]] const std::optional<HandPose>& hand_pose() const { return hand_; }
+  [[nodiscard]] const casefile::MarkedLines& lines() const { return lines_; }
 
  Q_SIGNALS:
   void opened();
@@ -60,6 +63,7 @@ class GuidePage : public QWidget {
   void connect_work();
   void connect_parts();
   void connect_hand();
+  void connect_lines();
 
   void choose_video();
   void choose_file();
@@ -77,6 +81,14 @@ class GuidePage : public QWidget {
   void read_kept_pose();
   void take_kept_pose(const QJsonValue& kept);
   [[nodiscard]] Eigen::Vector3d middle_mm() const;  // of the liver at rest
+
+  void set_marking(bool on);
+  void mark_on_frame(const QPointF& at_px);
+  void mark_on_model(const scene::View::Pick& pick);
+  void change_lines(const std::function<void(casefile::MarkedLines&)>& change);
+  void read_kept_lines();
+  void take_kept_lines(const QJsonValue& kept);
+  void show_marks();
 
   void show_frame();
   void show_overlay();
@@ -102,6 +114,9 @@ class GuidePage : public QWidget {
   QJsonValue kept_ = QJsonValue::Null;  // of the hand's pose, in the case
   std::vector<guidance::PlacedOutline> hand_outlines_;
   QTimer hand_due_;
+  casefile::MarkedLines lines_;  // of this sequence
+  QJsonValue kept_lines_ = QJsonValue::Null;
+  scene::SurfaceId liver_in_space_;
   std::function<QString()> said_;
   FrameImages images_;
   QSize size_px_;
@@ -113,6 +128,7 @@ class GuidePage : public QWidget {
   QLabel* file_;
   QLabel* origin_;
   QLabel* reading_;
+  QHBoxLayout* pictures_;
   OverlayView* view_;
   SpaceView* space_;
   Timeline* timeline_;

@@ -48,6 +48,7 @@ void GuidePage::set_by_hand(bool by_hand) {
                            : guidance::pose_before_camera(*video_->sequence.camera, size_px_.width(), size_px_.height(),
                                                           video_->guided.structures.front().at_rest)};
   }
+  if (by_hand) panel_->lines().set_on(false);
   view_->set_by_hand(by_hand);
   if (by_hand) view_->setFocus();
   show_overlay();

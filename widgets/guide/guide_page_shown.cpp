@@ -32,6 +32,7 @@ void GuidePage::show_frame() {
   // Without a picture the outlines are drawn on black, as large as the camera's middle tells.
   if (size_px_.isEmpty() && video_->sequence.camera) size_px_ = picture_size(video_->sequence.camera->matrix);
   view_->show_frame(image, size_px_);
+  show_marks();
   show_overlay();
   show_in_space();
 }
@@ -54,14 +55,28 @@ void GuidePage::show_in_space() {
   if (!has_video()) return;
   const GuidedFrame* here = answered(frame());
   std::optional<guidance::ElasticPlacement> placement;
-  if (panel_->by_hand() && hand_) {
+  const bool is_marking = panel_->lines().is_on();
+  if (is_marking) {  // on the liver at rest
+    const bool is_placed = here != nullptr && here->placement.converged;
+    placement = guidance::rigid_placement(is_placed ? here->placement.pose
+                                          : hand_   ? hand_->pose
+                                                    : Eigen::Isometry3d::Identity(),
+                                          video_->guided.guidance.mesh);
+  } else if (panel_->by_hand() && hand_) {
     placement = guidance::rigid_placement(hand_->pose, video_->guided.guidance.mesh);
   } else if (here != nullptr && here->placement.converged) {
     placement = here->placement;
   }
   space_->setVisible(placement.has_value());
   if (!placement) return;
-  space_->show_scene(placed_scene(video_->guided, *placement, video_->guided.guidance.frames[frame()].points_mm));
+  pictures_->setStretchFactor(space_, is_marking ? 4 : 2);
+  const scene::Scene shown =
+      is_marking ? marking_scene(video_->guided, lines_, panel_->lines().line())
+                 : placed_scene(video_->guided, *placement, video_->guided.guidance.frames[frame()].points_mm);
+  liver_in_space_ = shown.surfaces.front().surface;
+  space_->show_scene(shown);
+  const bool is_nowhere = is_marking && !hand_ && (here == nullptr || !here->placement.converged);
+  if (is_nowhere && !looked_in_space_) return space_->look_from(scene::PatientView::anterior);
   if (looked_in_space_ || !video_->sequence.camera) return;
   looked_in_space_ = true;
   space_->follow(laparoscope_camera(video_->guided, *placement, *video_->sequence.camera, size_px_.width(),
@@ -101,6 +116,9 @@ QString GuidePage::label_of(const guidance::PlacedOutline& outline) const {
 QString GuidePage::remark() const {
   if (!video_->sequence.camera) {
     return tr("The sequence names no camera, so that nothing can be drawn over the video.");
+  }
+  if (panel_->lines().is_on()) {
+    return tr("Click along a line here, and along the same line on the model beside it.");
   }
   if (panel_->by_hand()) {
     return tr("By hand: nothing is known of the error yet. When it lies about right, press \"Refine\".");

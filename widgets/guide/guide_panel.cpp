@@ -54,6 +54,8 @@ void GuidePanel::add_placing(QVBoxLayout& column) {
   column.addLayout(hand);
   hand_help_ = wrapped_label("faint");
   column.addWidget(hand_help_);
+  lines_ = new LinePanel;
+  column.addWidget(lines_);
   connect(place_, &QPushButton::clicked, this, &GuidePanel::placing_wanted);
   connect(refine_, &QPushButton::clicked, this, &GuidePanel::refining_wanted);
   connect(cancel_, &QPushButton::clicked, this, &GuidePanel::cancel_wanted);
@@ -150,10 +152,11 @@ void GuidePanel::word() {
   const QString no_camera = tr("The sequence names no camera, so that nothing can be drawn over the video.");
   place_->setEnabled(!works);
   place_->setToolTip(works ? under_way
-                           : tr("Finds where the liver lies in the first frame, without a guess, and follows it from "
-                                "frame to frame: one to two seconds a frame"));
+                           : tr("Finds where the liver lies in the first frame, without a guess or by the lines that are "
+                                "marked, and follows it from frame to frame"));
   by_hand_->setEnabled(!works && state_.has_camera);
   if (!state_.has_camera) by_hand_->setToolTip(no_camera);
+  lines_->set_allowed(!works && state_.has_camera, works ? under_way : no_camera);
   refine_->setEnabled(!works && state_.has_hand_pose);
   refine_->setToolTip(works                   ? under_way
                       : !state_.has_hand_pose ? tr("Place the liver by hand first")

@@ -1,6 +1,7 @@
 #pragma once
-// What can be done on the Guide page. The liver is found, or placed by hand and refined. A person says how its outlines
-// are shown, and from which error on they are not to be trusted. It lists what they are, by name.
+// What can be done on the Guide page. The liver is found, placed by hand and refined, or lines of it are marked. A
+// person says how its outlines are shown, and from which error on they are not to be trusted. It lists what they are,
+// by name.
 
 #include <QCheckBox>
 #include <QLabel>
@@ -10,6 +11,7 @@
 #include <QVBoxLayout>
 #include <QWidget>
 
+#include "widgets/guide/line_panel.h"
 #include "widgets/guide/overlay_painter.h"
 #include "widgets/guide/target_table.h"
 
@@ -36,6 +38,7 @@ class GuidePanel : public QWidget {
   [[nodiscard]] OverlayLook look() const;
   void turn_outlines() { shown_->toggle(); }
   [[nodiscard]] TargetTable& targets() { return *targets_; }
+  [[nodiscard]] LinePanel& lines() const { return *lines_; }
 
  Q_SIGNALS:
   void placing_wanted();
@@ -58,6 +61,7 @@ class GuidePanel : public QWidget {
   QPushButton* by_hand_;
   QPushButton* refine_;
   QLabel* hand_help_;
+  LinePanel* lines_;
   QCheckBox* shown_;
   QSlider* opacity_;
   std::vector<QPushButton*> tolerances_;

@@ -58,14 +58,14 @@ std::optional<HandPose> hand_pose_of(const QJsonValue& json) {
   return HandPose{json["sequence"].toString().toStdString(), static_cast<std::size_t>(frame), *pose};
 }
 
-Result<std::shared_ptr<const guidance::ForceModes>> place_liver(const GuidedVideo& video,
-                                                                std::shared_ptr<const guidance::ForceModes> modes,
-                                                                const std::optional<HandPose>& from, std::size_t frames,
-                                                                const Progress& progress,
-                                                                const GuidedFrameHeard& heard) {
+Result<std::shared_ptr<const guidance::ForceModes>> place_liver(
+    const GuidedVideo& video, std::shared_ptr<const guidance::ForceModes> modes, const std::optional<HandPose>& from,
+    const casefile::MarkedLines& lines, std::size_t frames, const Progress& progress, const GuidedFrameHeard& heard) {
   std::optional<Eigen::Isometry3d> first_pose;
   if (from) first_pose = from->pose;
-  casefile::GuidedSequence guided = casefile::begun_at(video.guided, from ? from->frame : 0, first_pose);
+  const std::size_t marked = casefile::first_marked_frame(lines).value_or(0);
+  casefile::GuidedSequence guided = casefile::begun_at(video.guided, from ? from->frame : marked, first_pose);
+  casefile::add_lines(guided, lines);
   guided.guidance.frames.resize(std::min(frames, guided.guidance.frames.size()));
   const guidance::GuidanceCase& asked = guided.guidance;
   if (!modes) {

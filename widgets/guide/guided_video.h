@@ -10,6 +10,7 @@
 #include <string>
 
 #include "casefile/guided_plan.h"
+#include "casefile/marked_lines.h"
 #include "guidance/guidance_answer.h"
 
 namespace glisson::widgets {
@@ -48,12 +49,11 @@ struct HandPose {
 // Nothing where it is none, or damaged.
 [[nodiscard]] std::optional<HandPose> hand_pose_of(const QJsonValue& json);
 
-// Long work: the liver in so many frames at most, each told as soon as it is known. `modes` are made where there are
-// none, and returned for the next time. Failures: those of ForceModes::create and of reading pictures; "cancelled".
-Result<std::shared_ptr<const guidance::ForceModes>> place_liver(const GuidedVideo& video,
-                                                                std::shared_ptr<const guidance::ForceModes> modes,
-                                                                const std::optional<HandPose>& from, std::size_t frames,
-                                                                const Progress& progress,
-                                                                const GuidedFrameHeard& heard);
+// Long work: the liver in so many frames at most, each told as soon as it is known. Begins where a hand laid it, else
+// on the first frame with a marked line. `modes` are made where there are none, and returned for the next time.
+// Failures: those of ForceModes::create and of reading pictures; "cancelled".
+Result<std::shared_ptr<const guidance::ForceModes>> place_liver(
+    const GuidedVideo& video, std::shared_ptr<const guidance::ForceModes> modes, const std::optional<HandPose>& from,
+    const casefile::MarkedLines& lines, std::size_t frames, const Progress& progress, const GuidedFrameHeard& heard);
 
 }  // namespace glisson::widgets

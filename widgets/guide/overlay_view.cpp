@@ -51,6 +51,17 @@ void OverlayView::set_by_hand(bool by_hand) {
   update();
 }
 
+void OverlayView::set_marking(bool marking) {
+  marking_ = marking;
+  setCursor(marking ? Qt::CrossCursor : Qt::ArrowCursor);
+  update();
+}
+
+void OverlayView::show_marks(std::vector<Mark> marks) {
+  marks_ = std::move(marks);
+  update();
+}
+
 QRectF OverlayView::place() const {
   const QSizeF size = QSizeF(size_px_).scaled(QSizeF(this->size()), Qt::KeepAspectRatio);
   return {(width() - size.width()) / 2, (height() - size.height()) / 2, size.width(), size.height()};
@@ -77,6 +88,7 @@ void OverlayView::paintEvent(QPaintEvent* /*event*/) {
     painter.drawImage(at, frame_);
   }
   paint_overlay(painter, from_frame(), overlay_, look_);
+  paint_marks(painter);
   if (!said_.isEmpty()) {
     const int line = fontMetrics().height();
     const QRect room = at.toRect().adjusted(12, 0, -12, 0);
@@ -91,14 +103,34 @@ void OverlayView::paintEvent(QPaintEvent* /*event*/) {
                      static_cast<int>(Qt::AlignCenter) | static_cast<int>(Qt::TextWordWrap), said_);
   }
   painter.setClipping(false);
-  if (!by_hand_) return;
+  if (!by_hand_ && !marking_) return;
   painter.setPen(QPen(palette().highlight(), 3));
   painter.drawRect(at.adjusted(1.5, 1.5, -1.5, -1.5));
+}
+
+void OverlayView::paint_marks(QPainter& painter) const {
+  for (const Mark& mark : marks_) {
+    const QPolygonF places = from_frame().map(mark.places_px);
+    const QColor colour = mark.is_current ? QColor(255, 217, 51) : QColor(217, 179, 115);
+    for (const auto& [ink, width] : {std::pair(QColor(8, 10, 12, 190), 5.0), std::pair(colour, 2.5)}) {
+      painter.setPen(QPen(ink, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+      painter.drawPolyline(places);
+    }
+    painter.setPen(QPen(QColor(8, 10, 12, 190), 1.2));
+    painter.setBrush(colour);
+    for (const QPointF& place : places) painter.drawEllipse(place, 4, 4);
+    painter.setBrush(Qt::NoBrush);
+  }
 }
 
 void OverlayView::mousePressEvent(QMouseEvent* event) {
   QWidget::mousePressEvent(event);
   const bool left = event->button() == Qt::LeftButton;
+  if (marking_ && left && place().contains(event->position())) {
+    event->accept();
+    Q_EMIT marked(from_frame().inverted().map(event->position()));
+    return;
+  }
   if (!by_hand_ || (!left && event->button() != Qt::RightButton)) return;
   event->accept();
   held_at_ = event->position();

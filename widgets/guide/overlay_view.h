@@ -1,10 +1,11 @@
 #pragma once
 // A frame of the laparoscope with outlines over it. Where the liver is placed by hand, a drag moves it, a right drag
 // (or Shift) turns it, and the wheel is for depth. Ctrl and the wheel turn it in the picture's plane; arrow keys, plus
-// and minus do the same.
+// and minus do the same. Where a line is marked, a click is its next place.
 
 #include <optional>
 #include <QImage>
+#include <QPolygonF>
 #include <QWidget>
 
 #include "widgets/guide/overlay_painter.h"
@@ -24,10 +25,17 @@ class OverlayView : public QWidget {
   // What is said over the picture's lower edge; empty for nothing.
   void say(const QString& words);
   void set_by_hand(bool by_hand);
+  void set_marking(bool marking);
+  struct Mark {
+    QPolygonF places_px;  // of the frame
+    bool is_current = false;
+  };
+  void show_marks(std::vector<Mark> marks);
 
   [[nodiscard]] const OverlayPicture& overlay() const { return overlay_; }
   [[nodiscard]] const OverlayLook& look() const { return look_; }
   [[nodiscard]] const QString& said() const { return said_; }
+  [[nodiscard]] const std::vector<Mark>& marks() const { return marks_; }
   // From the frame's pixels to the widget's.
   [[nodiscard]] QTransform from_frame() const;
 
@@ -38,7 +46,8 @@ class OverlayView : public QWidget {
   void turned(double right_deg, double down_deg);
   void rolled(double clockwise_deg);
   void moved_in_depth(double factor);
-  void let_go();  // a drag has ended
+  void let_go();                      // a drag has ended
+  void marked(const QPointF& at_px);  // of the frame
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -50,13 +59,16 @@ class OverlayView : public QWidget {
 
  private:
   [[nodiscard]] QRectF place() const;  // of the frame on the widget
+  void paint_marks(QPainter& painter) const;
 
   QImage frame_;
   QSize size_px_;
   OverlayPicture overlay_;
   OverlayLook look_;
   QString said_;
+  std::vector<Mark> marks_;
   bool by_hand_ = false;
+  bool marking_ = false;
   std::optional<QPointF> held_at_;
   bool turning_ = false;
 };

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "guidance/hand_pose.h"
+#include "guidance/seen_line.h"
 #include "scene/anatomy.h"
 
 namespace glisson::widgets {
@@ -10,6 +12,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr scene::Colour cloud_colour{0.45, 0.95, 0.55};
+constexpr scene::Colour current_colour{1.0, 0.85, 0.2}, marked_colour{0.85, 0.7, 0.45};
 
 // Octahedra of 1.2 mm in one surface: hundreds of spheres would each be drawn apart.
 std::shared_ptr<const geometry::Surface> dots(const std::vector<Vector3d>& points_mm) {
@@ -49,6 +52,23 @@ scene::Scene placed_scene(const casefile::GuidedSequence& guided, const guidance
     std::vector<Vector3d> in_scan_mm;
     for (const Vector3d& point : seen_mm) in_scan_mm.push_back(back * point);
     shown.surfaces.push_back({"seen", dots(in_scan_mm), cloud_colour, 1, scene::Finish::solid, {}, false});
+  }
+  return shown;
+}
+
+scene::Scene marking_scene(const casefile::GuidedSequence& guided, const casefile::MarkedLines& marked,
+                           const std::string& current) {
+  scene::Scene shown =
+      placed_scene(guided, guidance::rigid_placement(Eigen::Isometry3d::Identity(), guided.guidance.mesh), {});
+  for (const casefile::MarkedLine& line : marked.lines) {
+    if (line.at_rest_mm.empty()) continue;
+    shown.surfaces.push_back({"marked",
+                              dots(guidance::filled_in(line.at_rest_mm, 1.5)),
+                              line.id == current ? current_colour : marked_colour,
+                              1,
+                              scene::Finish::solid,
+                              {},
+                              false});
   }
   return shown;
 }

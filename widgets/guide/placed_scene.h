@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "casefile/guided_sequence.h"
+#include "casefile/marked_lines.h"
 #include "scene/scene.h"
 
 namespace glisson::widgets {
@@ -13,6 +14,10 @@ namespace glisson::widgets {
 [[nodiscard]] scene::Scene placed_scene(const casefile::GuidedSequence& guided,
                                         const guidance::ElasticPlacement& placement,
                                         const std::vector<Eigen::Vector3d>& seen_mm);
+
+// The liver at rest to mark lines on, with those that are marked; the one of that id stands out.
+[[nodiscard]] scene::Scene marking_scene(const casefile::GuidedSequence& guided, const casefile::MarkedLines& marked,
+                                         const std::string& current);
 
 // As the laparoscope looks at it: its frame of that width fills a view of that shape from side to side. `aspect`: the
 // view's width by its height.
