@@ -6875,6 +6875,34 @@
         <source>Mark a line</source>
         <translation>Linie markieren</translation>
     </message>
+    <message>
+        <source>The format &quot;glisson-contours/1&quot; is described in the documentation.</source>
+        <translation>Das Format „glisson-contours/1“ ist in der Dokumentation beschrieben.</translation>
+    </message>
+    <message>
+        <source>One picture tells a pose by two lines of the organ and more; {0} are given.</source>
+        <translation>Ein Bild sagt die Lage ab zwei Linien des Organs; gegeben sind {0}.</translation>
+    </message>
+    <message>
+        <source>Mark ridges and the falciform ligament, or give a pose_guess.</source>
+        <translation>Markieren Sie Kanten und das Ligamentum falciforme, oder geben Sie pose_guess an.</translation>
+    </message>
+    <message>
+        <source>Under no pose do the lines of the organ lie on those of the picture.</source>
+        <translation>In keiner Lage liegen die Linien des Organs auf denen des Bildes.</translation>
+    </message>
+    <message>
+        <source>Check that lines have the same names on both sides, that lengths are in mm, and that the picture is of this camera and patient.</source>
+        <translation>Prüfen Sie, ob die Linien auf beiden Seiten gleich heißen, Längen in mm sind und das Bild von dieser Kamera und diesem Patienten ist.</translation>
+    </message>
+    <message>
+        <source>The lines of the picture fit the organ in more than one place.</source>
+        <translation>Die Linien des Bildes passen an mehr als einer Stelle zum Organ.</translation>
+    </message>
+    <message>
+        <source>Mark another line, or give a pose_guess.</source>
+        <translation>Markieren Sie eine weitere Linie, oder geben Sie pose_guess an.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

@@ -6875,6 +6875,34 @@
         <source>Mark a line</source>
         <translation>Marcar una línea</translation>
     </message>
+    <message>
+        <source>The format &quot;glisson-contours/1&quot; is described in the documentation.</source>
+        <translation>El formato «glisson-contours/1» se describe en la documentación.</translation>
+    </message>
+    <message>
+        <source>One picture tells a pose by two lines of the organ and more; {0} are given.</source>
+        <translation>Una imagen indica la posición a partir de dos líneas del órgano; se dan {0}.</translation>
+    </message>
+    <message>
+        <source>Mark ridges and the falciform ligament, or give a pose_guess.</source>
+        <translation>Marque los bordes y el ligamento falciforme, o dé pose_guess.</translation>
+    </message>
+    <message>
+        <source>Under no pose do the lines of the organ lie on those of the picture.</source>
+        <translation>En ninguna posición están las líneas del órgano sobre las de la imagen.</translation>
+    </message>
+    <message>
+        <source>Check that lines have the same names on both sides, that lengths are in mm, and that the picture is of this camera and patient.</source>
+        <translation>Compruebe que las líneas se llaman igual en ambos lados, que las longitudes están en mm y que la imagen es de esta cámara y de este paciente.</translation>
+    </message>
+    <message>
+        <source>The lines of the picture fit the organ in more than one place.</source>
+        <translation>Las líneas de la imagen encajan con el órgano en más de un sitio.</translation>
+    </message>
+    <message>
+        <source>Mark another line, or give a pose_guess.</source>
+        <translation>Marque otra línea o dé pose_guess.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

@@ -6875,6 +6875,34 @@
         <source>Mark a line</source>
         <translation>Marquer une ligne</translation>
     </message>
+    <message>
+        <source>The format &quot;glisson-contours/1&quot; is described in the documentation.</source>
+        <translation>Le format « glisson-contours/1 » est décrit dans la documentation.</translation>
+    </message>
+    <message>
+        <source>One picture tells a pose by two lines of the organ and more; {0} are given.</source>
+        <translation>Une image indique la position à partir de deux lignes de l&apos;organe ; {0} sont données.</translation>
+    </message>
+    <message>
+        <source>Mark ridges and the falciform ligament, or give a pose_guess.</source>
+        <translation>Marquez les bords et le ligament falciforme, ou donnez pose_guess.</translation>
+    </message>
+    <message>
+        <source>Under no pose do the lines of the organ lie on those of the picture.</source>
+        <translation>Dans aucune position les lignes de l&apos;organe ne sont sur celles de l&apos;image.</translation>
+    </message>
+    <message>
+        <source>Check that lines have the same names on both sides, that lengths are in mm, and that the picture is of this camera and patient.</source>
+        <translation>Vérifiez que les lignes portent les mêmes noms des deux côtés, que les longueurs sont en mm et que l&apos;image est de cette caméra et de ce patient.</translation>
+    </message>
+    <message>
+        <source>The lines of the picture fit the organ in more than one place.</source>
+        <translation>Les lignes de l&apos;image conviennent à l&apos;organe à plus d&apos;un endroit.</translation>
+    </message>
+    <message>
+        <source>Mark another line, or give a pose_guess.</source>
+        <translation>Marquez une autre ligne, ou donnez pose_guess.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

@@ -1,12 +1,14 @@
-// glisson-cli guide (CASE --sequence SEQUENCE.json | GUIDANCE.json) --out DIR: where the organ and its hidden targets
-// are in each frame.
+// glisson-cli guide (CASE --sequence SEQUENCE.json | GUIDANCE.json | CONTOURS.json) --out DIR: where the organ and its
+// hidden targets are in each frame.
 
 #include <fmt/format.h>
 #include <cmath>
 
 #include "base/csv.h"
+#include "base/json.h"
 #include "casefile/guide_case.h"
 #include "command.h"
+#include "guidance/contour_file.h"
 #include "guidance/guidance_file.h"
 #include "shared_options.h"
 
@@ -57,6 +59,40 @@ Result<Outcome> guide_file(const Asked& asked, const Progress& progress) {
   return outcome_of(*guidance, *answer, asked.out);
 }
 
+std::string describe(const guidance::ContourCase& asked, const std::vector<guidance::ContourAnswer>& answers) {
+  std::string text;
+  for (std::size_t f = 0; f < answers.size(); ++f) {
+    const guidance::ContourAnswer& answer = answers[f];
+    if (!answer.found) {
+      text += fmt::format("{}: not answered. {}\n", answer.id, answer.found.error().message());
+      continue;
+    }
+    text += fmt::format("{}: pose from one picture\n", answer.id);
+    for (std::size_t c = 0; c < answer.left_out.size(); ++c) {
+      text += fmt::format("  {}: {:.0f} px off, {:.1f} mm", asked.frames[f].contours[c].id, answer.found->off_px[c],
+                          answer.found->off_mm[c]);
+      if (const auto& left = answer.left_out[c]) {
+        text += fmt::format("; left out {:.0f} px, {:.1f} mm", left->px, left->mm);
+      }
+      text += "\n";
+    }
+  }
+  return text + "A picture tells no depth: how far the organ is from the camera is known by its size alone.\n";
+}
+
+Result<Outcome> guide_contours(const Asked& asked, const Progress& progress) {
+  progress.report(0.0, GLISSON_TEXT("Reading the guidance case"));
+  const auto contours = guidance::read_contours(asked.input);
+  if (!contours) return failure(contours.error());
+  const auto answers = guidance::answer(*contours, progress);
+  if (!answers) return failure(answers.error());
+  Outcome outcome{guidance::answer_json(*contours, *answers), describe(*contours, *answers)};
+  const auto written = write_json_file(std::filesystem::path(asked.out) / "guidance.json", outcome.document);
+  if (!written) return failure(written.error());
+  outcome.document["out"] = asked.out;
+  return outcome;
+}
+
 // "16 numbers, comma, row by row": scan to camera.
 Result<std::optional<Eigen::Isometry3d>> parse_pose(const std::string& text) {
   if (text.empty()) return std::nullopt;
@@ -100,7 +136,10 @@ Result<Outcome> guide_case(const Asked& asked, const Progress& progress) {
 void add_guide(CLI::App& app, Action& chosen) {
   CLI::App* command = app.add_subcommand("guide", "Place the organ and its hidden targets in each frame of a camera");
   auto asked = std::make_shared<Asked>();
-  command->add_option("input", asked->input, "A guidance case (glisson-guidance/1), or a case folder with --sequence")
+  command
+      ->add_option("input", asked->input,
+                   "A guidance case (glisson-guidance/1), contours of pictures (glisson-contours/1), or a case folder "
+                   "with --sequence")
       ->required();
   auto* sequence = command->add_option("--sequence", asked->sequence, "The laparoscope's sequence.json");
   command->add_option("--sequence-sha256", asked->sequence_sha256, "Refuses another sequence.json than the one of this")
@@ -123,7 +162,8 @@ void add_guide(CLI::App& app, Action& chosen) {
   command->add_option("--out", asked->out, "Folder for guidance.json, a mesh and a picture a frame")->required();
   command->callback([&chosen, asked] {
     chosen = [asked](const Progress& progress) {
-      return asked->sequence.empty() ? guide_file(*asked, progress) : guide_case(*asked, progress);
+      if (!asked->sequence.empty()) return guide_case(*asked, progress);
+      return guidance::holds_contours(asked->input) ? guide_contours(*asked, progress) : guide_file(*asked, progress);
     };
   });
 }

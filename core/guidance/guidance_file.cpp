@@ -1,16 +1,10 @@
 #include "guidance/guidance_file.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-
-#include "base/csv.h"
-#include "base/files.h"
-#include "base/json_reading.h"
 #include "base/json_value.h"
 #include "base/units.h"
 #include "geometry/mesh_file.h"
 #include "geometry/ply_file.h"
+#include "guidance/internal/file_parts.h"
 #include "mechanics/scenario/mesh_moduli.h"
 #include "mechanics/scenario/scenario_file.h"
 
@@ -23,89 +17,10 @@ namespace {
 
 constexpr const char* described = GLISSON_TEXT("The format \"glisson-guidance/1\" is described in the documentation.");
 
-[[noreturn]] void refuse_in(const std::string& where, const std::string& what) {
-  refuse({}, GLISSON_TEXT("In {0}: {1}."), {where, what}, described);
-}
-
-std::string text_under(const Json& json, const char* key, const std::string& where) {
-  return text_in(required(json, key, where), where + ", " + key);
-}
-
-double number_or(const Json& json, const char* key, double otherwise, const std::string& where) {
-  const Json* value = value_in(json, key);
-  return value == nullptr ? otherwise : number_in(*value, where + ", " + key);
-}
-
-double positive_or(const Json& json, const char* key, double otherwise, const std::string& where) {
-  const Json* value = value_in(json, key);
-  return value == nullptr ? otherwise : positive_in(*value, where + ", " + key);
-}
-
-std::vector<Vector3d> curve_from(const fs::path& file) {
-  const CsvTable table = taken(read_csv(file));
-  std::vector<Vector3d> points;
-  std::array<std::size_t, 3> columns{};
-  const char* const names[] = {"x_mm", "y_mm", "z_mm"};
-  for (int axis = 0; axis < 3; ++axis) {
-    columns[axis] =
-        taken(table.column(names[axis]).map_error([&](Error error) { return std::move(error).in_file(file); }));
-  }
-  for (std::size_t row = 0; row < table.rows(); ++row) {
-    const Vector3d point(table.columns[columns[0]][row], table.columns[columns[1]][row],
-                         table.columns[columns[2]][row]);
-    if (point.allFinite()) points.push_back(point);
-  }
-  return points;
-}
-
 std::vector<Vector3d> cloud_from(const fs::path& file) {
   std::vector<Vector3d> points = taken(geometry::read_ply(file)).points_mm;
   std::erase_if(points, [](const Vector3d& point) { return !point.allFinite(); });
   return points;
-}
-
-std::vector<Target> targets_from(const fs::path& file) {
-  const std::string text = taken(read_text_file(file, std::uint64_t{64} << 20));
-  const std::vector<CsvRow> rows = csv_rows(text);
-  if (rows.empty() || rows.front().cells != std::vector<std::string_view>{"id", "x_mm", "y_mm", "z_mm"}) {
-    refuse({}, GLISSON_TEXT("The first line must be id,x_mm,y_mm,z_mm."), {}, {}, file);
-  }
-  std::vector<Target> targets;
-  for (auto row = rows.begin() + 1; row != rows.end(); ++row) {
-    Target target{std::string(row->cells[0]), {row->number(1), row->number(2), row->number(3)}};
-    if (row->cells.size() != 4 || !target.at_rest_mm.allFinite()) {
-      refuse({}, GLISSON_TEXT("Line {0} must hold an id and three numbers."), {std::to_string(row->line)}, {}, file);
-    }
-    targets.push_back(std::move(target));
-  }
-  return targets;
-}
-
-Eigen::Isometry3d pose_from(const Json& json, const std::string& where) {
-  if (!json.is_array() || json.size() != 16) refuse_in(where, "\"pose_guess\" must be 16 numbers, row by row");
-  std::vector<double> numbers;
-  for (const Json& number : json) numbers.push_back(number_in(number, where + ", pose_guess"));
-  const auto pose = rigid_pose(numbers);
-  if (pose) return *pose;
-  const Eigen::Matrix4d matrix = Eigen::Matrix<double, 4, 4, Eigen::RowMajor>(numbers.data());
-  refuse_in(where, matrix.topLeftCorner<3, 3>().determinant() < 0 ? "\"pose_guess\" mirrors the organ"
-                                                                  : "\"pose_guess\" is no rigid motion");
-}
-
-struct CurveAtRest {
-  std::string id;
-  std::vector<Vector3d> points_mm;
-};
-
-std::vector<CurveAtRest> curves_at_rest(const Json& json, const fs::path& folder) {
-  std::vector<CurveAtRest> curves;
-  const Json* features = value_in(json, "features");
-  for (const Json& feature : features == nullptr ? Json::array() : *features) {
-    const std::string id = text_under(feature, "id", "features");
-    curves.push_back({id, curve_from(folder / text_under(feature, "points", "feature " + id))});
-    if (curves.back().points_mm.size() < 2) refuse_in("feature " + id, "a curve needs at least two points");
-  }
-  return curves;
 }
 
 void add_curves(const Json& json, const std::vector<CurveAtRest>& at_rest, const fs::path& folder,
@@ -113,10 +28,8 @@ void add_curves(const Json& json, const std::vector<CurveAtRest>& at_rest, const
   const Json* features = value_in(json, "features");
   for (const Json& feature : features == nullptr ? Json::array() : *features) {
     const std::string id = text_under(feature, "id", where);
-    const auto known =
-        std::find_if(at_rest.begin(), at_rest.end(), [&](const CurveAtRest& curve) { return curve.id == id; });
-    if (known == at_rest.end()) refuse_in(where, "the feature \"" + id + "\" is not among those of the organ");
-    SeenCurve curve{id, known->points_mm, curve_from(folder / text_under(feature, "points", where)), 1.5};
+    SeenCurve curve{id, curve_called(id, at_rest, where).points_mm,
+                    curve_from(folder / text_under(feature, "points", where)), 1.5};
     curve.noise_mm = positive_or(feature, "noise_mm", curve.noise_mm, where);
     if (!curve.seen_mm.empty()) frame.curves.push_back(std::move(curve));
   }
@@ -138,11 +51,8 @@ void add_tools(const Json& json, const std::string& where, SeenFrame& frame) {
 // `follows`: a frame before it has a time too.
 SeenFrame frame_from(const Json& json, const std::vector<CurveAtRest>& at_rest, const fs::path& folder, bool follows) {
   SeenFrame frame;
-  frame.id = text_under(json, "id", "frames");
+  frame.id = frame_id_from(json);
   const std::string where = "frame " + frame.id;
-  if (frame.id.empty() || frame.id.find_first_of("/\\") != std::string::npos || frame.id.front() == '.') {
-    refuse_in(where, "an id names a file: no slashes, and no dot in front");
-  }
   frame.points_mm = cloud_from(folder / text_under(json, "points", where));
   frame.noise_mm = positive_or(json, "noise_mm", frame.noise_mm, where);
   if (const Json* guess = value_in(json, "pose_guess"); guess != nullptr && !guess->is_null()) {

@@ -10,6 +10,7 @@
 #include "base/parallel.h"
 #include "guidance/internal/pose_cost.h"
 #include "guidance/internal/seen_depths.h"
+#include "guidance/internal/turns.h"
 #include "registration/rigid.h"
 
 namespace glisson::guidance {
@@ -28,19 +29,14 @@ constexpr double min_distance_mm = 25;  // of two points of a triple: nearer one
 constexpr std::size_t scored_points = 80;
 
 // Where nothing but the cloud is known:
-constexpr int directions = 48, turns = 12;  // that the organ is looked at from, and about the line of sight
-constexpr int anchors = 6;                  // places of the seen side that may be the middle of the cloud
-constexpr std::size_t begun_turns = 240;    // are refined by points to points until their order can be told,
-constexpr std::size_t refined_turns = 32;   // and these of them by points to planes
+constexpr int anchors = 6;                 // places of the seen side that may be the middle of the cloud
+constexpr std::size_t begun_turns = 240;   // are refined by points to points until their order can be told,
+constexpr std::size_t refined_turns = 32;  // and these of them by points to planes
 constexpr int begun_rounds = 12, plane_rounds = 16, curve_rounds = 40;
 constexpr std::size_t plane_points = 200;
 constexpr double largest_cost_mm = 5;  // of a pose that is answered
 constexpr double unseen_weight = 0.5;  // of a cell that should have been seen, beside one that is not explained
 constexpr double alike_cost = 1.4;     // of the best, or of the noise: a pose elsewhere that fits as well
-// How far two poses are from each other, at least in one of both: at the middle of the organ, in angle.
-struct Apart {
-  double mm = 0, deg = 0;
-};
 constexpr Apart distinct{10, 10}, elsewhere{30, 25};
 
 struct Scored {
@@ -104,22 +100,6 @@ std::vector<Scored> poses_of_triples(const PoseCost& cost, const SeenFrame& fram
   return poses;
 }
 
-// Rotations spread evenly: where the line of sight points in the organ (Fibonacci's lattice), and how it is turned.
-std::vector<Eigen::Matrix3d> even_rotations() {
-  std::vector<Eigen::Matrix3d> rotations;
-  const double golden = std::numbers::pi * (3 - std::sqrt(5.0));
-  for (int d = 0; d < directions; ++d) {
-    const double z = 1 - (2 * d + 1.0) / directions, across = std::sqrt(1 - z * z);
-    const Vector3d sight(across * std::cos(golden * d), across * std::sin(golden * d), z);
-    const Eigen::Quaterniond onto = Eigen::Quaterniond::FromTwoVectors(sight, Vector3d::UnitZ());
-    for (int t = 0; t < turns; ++t) {
-      const Eigen::AngleAxisd about(2 * std::numbers::pi * t / turns, Vector3d::UnitZ());
-      rotations.emplace_back(about.toRotationMatrix() * onto.toRotationMatrix());
-    }
-  }
-  return rotations;
-}
-
 // Middles of triangles that face the camera under the rotation, far from each other.
 std::vector<Vector3d> anchors_of(const geometry::Surface& surface, const std::vector<Vector3d>& normals,
                                  const Eigen::Matrix3d& rotation) {
@@ -160,11 +140,6 @@ std::vector<Scored> poses_of_turns(const PoseCost& cost, const geometry::Surface
   std::vector<Scored> poses;
   for (const auto& some : of_rotation) poses.insert(poses.end(), some.begin(), some.end());
   return poses;
-}
-
-bool lie_apart(const Isometry3d& pose, const Isometry3d& other, const Vector3d& middle_mm, const Apart& apart) {
-  const double turn = Eigen::AngleAxisd(pose.linear().transpose() * other.linear()).angle();
-  return (pose * middle_mm - other * middle_mm).norm() > apart.mm || turn * 180 / std::numbers::pi > apart.deg;
 }
 
 // The best so many, no two of them alike: where all the best are one, the second place must not be crowded out.

@@ -41,6 +41,25 @@ std::vector<std::optional<Eigen::Vector2d>> project(const Camera& camera,
   return seen;
 }
 
+std::vector<std::optional<Eigen::Vector3d>> rays(const Camera& camera, const std::vector<Eigen::Vector2d>& pixels) {
+  constexpr double off_px = 0.5;  // of a ray from its pixel: its polynomial was not turned round
+  std::vector<std::optional<Eigen::Vector3d>> found(pixels.size());
+  if (pixels.empty()) return found;
+  std::vector<cv::Point2d> seen, straight;
+  for (const Eigen::Vector2d& pixel : pixels) seen.emplace_back(pixel.x(), pixel.y());
+  cv::Mat matrix;
+  cv::eigen2cv(camera.matrix, matrix);
+  cv::undistortPoints(seen, straight, matrix, cv::Mat(camera.distortion, true), cv::noArray(), cv::noArray(),
+                      cv::TermCriteria(cv::TermCriteria::COUNT + cv::TermCriteria::EPS, 100, 1e-4));
+  std::vector<Eigen::Vector3d> directions;
+  for (const cv::Point2d& point : straight) directions.emplace_back(point.x, point.y, 1);
+  const auto back = project(camera, directions);
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    if (back[i] && (*back[i] - pixels[i]).norm() < off_px) found[i] = directions[i];
+  }
+  return found;
+}
+
 void draw_triangles(Frame& frame, const std::vector<FlatTriangle>& triangles, double opacity) {
   cv::Mat picture = pixels_of(frame);
   cv::Mat layer = picture.clone();

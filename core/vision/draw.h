@@ -16,6 +16,10 @@ namespace glisson::vision {
 std::vector<std::optional<Eigen::Vector2d>> project(const Camera& camera,
                                                     const std::vector<Eigen::Vector3d>& points_mm);
 
+// The directions (x, y, 1) in which pixels look, without the lens's distortion; nothing where no direction is seen
+// there, as beyond where a polynomial of the lens turns back.
+std::vector<std::optional<Eigen::Vector3d>> rays(const Camera& camera, const std::vector<Eigen::Vector2d>& pixels);
+
 using Rgb = std::array<std::uint8_t, 3>;
 
 struct FlatTriangle {
