@@ -69,8 +69,13 @@ std::string describe(const guidance::ContourCase& asked, const std::vector<guida
     }
     text += fmt::format("{}: pose from one picture\n", answer.id);
     for (std::size_t c = 0; c < answer.left_out.size(); ++c) {
-      text += fmt::format("  {}: {:.0f} px off, {:.1f} mm", asked.frames[f].contours[c].id, answer.found->off_px[c],
-                          answer.found->off_mm[c]);
+      const std::string& id = asked.frames[f].contours[c].id;
+      const auto& off = answer.found->off[c];
+      if (!off) {
+        text += fmt::format("  {}: not used, the lens's distortion tells no direction there\n", id);
+        continue;
+      }
+      text += fmt::format("  {}: {:.0f} px off, {:.1f} mm", id, off->px, off->mm);
       if (const auto& left = answer.left_out[c]) {
         text += fmt::format("; left out {:.0f} px, {:.1f} mm", left->px, left->mm);
       }

@@ -91,10 +91,14 @@ Json json_of_frame(const ContourCase& asked, std::size_t f, const ContourAnswer&
   json["contours"] = Json::array();
   for (std::size_t c = 0; c < asked.frames[f].contours.size(); ++c) {
     Json contour{{"id", asked.frames[f].contours[c].id},
-                 {"off_px", answer.found->off_px[c]},
-                 {"off_mm", answer.found->off_mm[c]},
+                 {"off_px", nullptr},
+                 {"off_mm", nullptr},
                  {"left_out_px", nullptr},
                  {"left_out_mm", nullptr}};
+    if (const auto& off = answer.found->off[c]) {
+      contour["off_px"] = off->px;
+      contour["off_mm"] = off->mm;
+    }
     if (const auto& left = answer.left_out[c]) {
       contour["left_out_px"] = left->px;
       contour["left_out_mm"] = left->mm;

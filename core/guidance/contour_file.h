@@ -16,9 +16,10 @@
 //    "contours": [{"id", "off_px", "off_mm", "left_out_px", "left_out_mm"}], "targets": [{"id", "position_mm"}],
 //    "note"}]}
 //
-// `off`: mean distance of what was seen from where the pose puts it. `left_out`: the same of a pose found without this
-// contour, from the answer on; null where the others tell none. No picture says how far off a target is in depth:
-// targets have no standard deviation.
+// `off`: mean distance of what was seen from where the pose puts it; null where the lens's distortion tells no
+// direction, as in a corner: such pixels are not used. `left_out`: the same of a pose found without this contour, from
+// the answer on; null where the others tell none. No picture says how far off a target is in depth: targets have no
+// standard deviation.
 
 #include <filesystem>
 

@@ -412,19 +412,17 @@ Result<ContourPose> pose_of_contours(const geometry::Surface& organ, const visio
                          GLISSON_TEXT("Mark another line, or give a pose_guess."),
                          {}});
   }
-  ContourPose found{best.pose, {}, {}};
+  ContourPose found{best.pose, {}};
   for (const SeenContour& contour : contours) {
-    const ContourError off = error_of(contour, organ, camera, best.pose);
-    found.off_px.push_back(off.px);
-    found.off_mm.push_back(off.mm);
+    found.off.push_back(error_of(contour, organ, camera, best.pose));
   }
   return found;
 }
 
-ContourError error_of(const SeenContour& contour, const geometry::Surface& organ, const vision::Camera& camera,
-                      const Isometry3d& pose) {
+std::optional<ContourError> error_of(const SeenContour& contour, const geometry::Surface& organ,
+                                     const vision::Camera& camera, const Isometry3d& pose) {
   const Fit fit(organ, camera, {contour});
-  if (fit.lines().empty()) return {};
+  if (fit.lines().empty()) return std::nullopt;
   return fit.error(fit.lines().front(), pose);
 }
 

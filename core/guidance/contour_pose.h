@@ -26,10 +26,14 @@ struct SeenContour {
   [[nodiscard]] bool is_silhouette() const { return at_rest_mm.empty(); }
 };
 
+// Mean distance of what was seen of a contour from where a pose puts it; in mm at the distance at which it puts it.
+struct ContourError {
+  double px = 0, mm = 0;
+};
+
 struct ContourPose {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  // scan to camera
-  std::vector<double> off_px;  // of each contour: mean distance of what was seen from where the pose puts it
-  std::vector<double> off_mm;  // the same at the distance at which the pose puts it
+  std::vector<std::optional<ContourError>> off;            // one a contour; none where the lens tells no direction
 };
 
 // `organ`: at rest, triangles counter-clockwise from outside. `guess`: where the search begins in place of all turns.
@@ -39,11 +43,8 @@ Result<ContourPose> pose_of_contours(const geometry::Surface& organ, const visio
                                      const std::vector<SeenContour>& contours,
                                      const std::optional<Eigen::Isometry3d>& guess = {});
 
-// How far a contour is from where a pose puts it, as in ContourPose: for one that was left out.
-struct ContourError {
-  double px = 0, mm = 0;
-};
-[[nodiscard]] ContourError error_of(const SeenContour& contour, const geometry::Surface& organ,
-                                    const vision::Camera& camera, const Eigen::Isometry3d& pose);
+// The same of a contour that was left out.
+[[nodiscard]] std::optional<ContourError> error_of(const SeenContour& contour, const geometry::Surface& organ,
+                                                   const vision::Camera& camera, const Eigen::Isometry3d& pose);
 
 }  // namespace glisson::guidance

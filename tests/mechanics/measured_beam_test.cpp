@@ -126,13 +126,13 @@ TEST(MeasuredBeam, WhatIsMissingUnderTheTipLoadIsNotTheClampNorThePlaceOfTheMark
   // The tip's end turns farther too, wherever on it the markers sit, and by a larger share than it sinks: with the load
   // 22 % more than predicted beyond what the weight alone makes, against 15 % of sag. Under its weight it turns as
   // predicted.
-  const StaticResult by_weight = beam.by_cells(fitted_kPa, 0), foretold = beam.by_cells(fitted_kPa, 0.052);
+  const StaticResult by_weight = beam.by_cells(fitted_kPa, 0), predicted = beam.by_cells(fitted_kPa, 0.052);
   const double turned_rad = 0.5 * (measured_turn_rad("beam_load52_V2_a") + measured_turn_rad("beam_load52_V2_b"));
   const double sunk_mm = 0.5 * (measured_sag_mm("beam_load52_V2_a") + measured_sag_mm("beam_load52_V2_b"));
   EXPECT_NEAR(beam.turn_rad(by_weight), measured_turn_rad("beam_gravity_V2_a"), 0.007);
-  const double more_sag = (sunk_mm - beam.sag_mm(by_weight)) / (beam.sag_mm(foretold) - beam.sag_mm(by_weight));
+  const double more_sag = (sunk_mm - beam.sag_mm(by_weight)) / (beam.sag_mm(predicted) - beam.sag_mm(by_weight));
   const double more_turn =
-      (turned_rad - beam.turn_rad(by_weight)) / (beam.turn_rad(foretold) - beam.turn_rad(by_weight));
+      (turned_rad - beam.turn_rad(by_weight)) / (beam.turn_rad(predicted) - beam.turn_rad(by_weight));
   // A heavier load or a softer beam would make both the same share larger. A load that hangs beyond the end by a makes
   // them larger by 1.5 a / L and 2 a / L: with 10 mm both come out. A 52 g weight of steel is a cube of 19 mm, which
   // glued to the end has its middle there. The recordings do not say how it was hung, and it stays out of the model.
@@ -143,7 +143,7 @@ TEST(MeasuredBeam, WhatIsMissingUnderTheTipLoadIsNotTheClampNorThePlaceOfTheMark
   const StaticResult hung_beyond = beam.under(fitted_kPa, beyond);
   const StaticResult heavier = beam.by_cells(fitted_kPa, 0.060);
   std::printf(
-      "more than foretold: sag %.3f, turn %.3f times; %.2f mm and %.3f rad measured; 10 mm beyond the end %.2f "
+      "more than predicted: sag %.3f, turn %.3f times; %.2f mm and %.3f rad measured; 10 mm beyond the end %.2f "
       "and %.3f, 60 g %.2f and %.3f\n",
       more_sag, more_turn, sunk_mm, turned_rad, beam.sag_mm(hung_beyond), beam.turn_rad(hung_beyond),
       beam.sag_mm(heavier), beam.turn_rad(heavier));

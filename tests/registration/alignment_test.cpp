@@ -1,5 +1,6 @@
 // Rigid alignment, thin-plate splines and non-rigid ICP.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <cmath>
 #include <limits>
@@ -134,8 +135,7 @@ TEST(RigidIcp, FindsASmallMotionAgain) {
   EXPECT_LT(mean_distance_mm(moved(moved(target, motion.inverse()), result.transform), target), 0.2);
 }
 
-// Before: 10.2 mm; the best that any rigid motion does, knowing the truth: 3.73 mm. The truth is the whole liver; only
-// its front was given.
+// The truth is the whole liver; only its front was given.
 TEST(NonrigidIcp, BringsAWholeLiverNearerToItsDeformedFrontThanAnyRigidMotion) {
   GLISSON_NEEDS_DATA("pbsm_liver_insilico");
   const Surface source = liver("src.ply");
@@ -146,7 +146,11 @@ TEST(NonrigidIcp, BringsAWholeLiverNearerToItsDeformedFrontThanAnyRigidMotion) {
   EXPECT_LT(mean_distance_mm(aligned, truth), 5.0);
   const NonrigidIcpResult result = nonrigid_icp(aligned, target).value();
   EXPECT_LT(result.rms_mm, 0.7);
-  EXPECT_LT(mean_distance_mm(result.surface, truth), 3.73);
+  const Surface best = moved(source, align_points(source.points_mm, truth.points_mm).value());
+  const double best_mm = mean_distance_mm(best, truth), after_mm = mean_distance_mm(result.surface, truth);
+  EXPECT_LT(after_mm, best_mm);
+  fmt::print("whole liver: {:.2f} mm off before, {:.2f} by the best rigid motion that knows the truth, {:.2f} after\n",
+             mean_distance_mm(source, truth), best_mm, after_mm);
 }
 
 TEST(NonrigidIcp, RefusesUnknownLandmarksAndFarSurfaces) {
