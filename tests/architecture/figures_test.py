@@ -74,6 +74,24 @@ class Figures(unittest.TestCase):
         self.assertEqual((record["figures"]["cells"]["value"], record["figures"]["cells"]["text"]), (3, "3"))
         self.assertIn("<!--figure:demo.cells-->3<!--/figure-->", (self.root / "README.md").read_text())
 
+    def test_a_member_of_a_list_is_found_by_its_name(self):
+        runs = {**RECORD, "command": "echo '[{\"name\": \"a\", \"ms\": 1}, {\"name\": \"b\", \"ms\": 25}]'"}
+        for read, found in (("b.ms", 25), ("0.ms", 1), ("ms | sum", 26)):
+            self.write("<!--figure:demo.cells-->0<!--/figure-->",
+                       {**runs, "figures": {"cells": {**FIGURE, "read": read}}})
+            self.assertEqual(self.run_with("--measure", "demo")[0], 0)
+            record = json.loads((self.root / "docs" / "figures" / "demo.json").read_text())
+            self.assertEqual(record["figures"]["cells"]["value"], found)
+
+    def test_a_table_stands_as_it_was_printed(self):
+        table = {**RECORD, "command": "printf 'time\\n\\n| a | b |\\n|---|---|\\n| 1 | 2.50 |\\n\\nend\\n'"}
+        table["figures"] = {"cells": {**FIGURE, "read": "text:^(\\| a .*?)\n\n", "format": "\n{}\n"}}
+        self.write("<!--figure:demo.cells-->old<!--/figure-->", table)
+        self.assertEqual(self.run_with("--measure", "demo")[0], 0)
+        self.assertEqual((self.root / "README.md").read_text(),
+                         "<!--figure:demo.cells-->\n| a | b |\n|---|---|\n| 1 | 2.50 |\n<!--/figure-->")
+        self.assertEqual(self.run_with("--check")[0], 0)
+
     def test_a_value_that_is_not_in_the_output_changes_nothing(self):
         self.write("<!--figure:demo.cells-->19,356<!--/figure--> cells", with_figure(read="mesh.points"))
         before = (self.root / "docs" / "figures" / "demo.json").read_text()

@@ -55,13 +55,13 @@ def confusion(results):
 
 def table(results):
     """In Markdown: a row a truth, its right answers by size, the smallest size found in 90 % of the cases of that size
-    and larger, and the error on unseen trials (medians over cases, in noises)."""
+    and larger, the error on unseen trials (medians over cases, in noises), and that of hidden targets, where there are
+    any. A column that says nothing is left out."""
     rows = defaultdict(list)
     for r in results:
         rows[(r["outside"], len(r["truth"]), "+".join(r["truth"]) or "null")].append(r)
-    lines = ["| undeclared | " + " | ".join(f"right at {s} noises" for s in SIZES) +
-             " | found in 90 % from | other answers | unseen trials: declared / better model, noises |",
-             "|---|" + "---|" * (len(SIZES) + 3)]
+    lines = [["undeclared", *(f"right at {s} noises" for s in SIZES), "found in 90 % from", "other answers",
+              "unseen trials: declared / better model, noises", "hidden targets: declared / better model, mm"]]
     for (outside, count, name), cases in sorted(rows.items(), key=lambda row: (row[0][0], row[0][1], row[0][2])):
         cells = [name + (" (outside the catalogue)" if outside else "")]
         for low, high in SIZES.values():
@@ -72,10 +72,13 @@ def table(results):
         wrong = Counter("+".join(sorted(r["named"])) if r["verdict"] == "explained" else r["verdict"]
                         for r in cases if not r["right"])
         cells.append(", ".join(f"{n} {answer}" for answer, n in wrong.most_common()))
-        before, after = unseen(cases, "unseen_before"), unseen(cases, "unseen_after")
-        cells.append(f"{statistics.median(before):.2f} / {statistics.median(after):.2f}" if before and after else "")
-        lines.append("| " + " | ".join(cells) + " |")
-    return lines
+        for where in ("unseen", "hidden"):
+            before, after = unseen(cases, f"{where}_before"), unseen(cases, f"{where}_after")
+            cells.append(f"{statistics.median(before):.2f} / {statistics.median(after):.2f}" if before and after else "")
+        lines.append(cells)
+    said = [i for i in range(len(lines[0])) if any(cells[i] for cells in lines[1:])]
+    rows = ["| " + " | ".join(cells[i] for i in said) + " |" for cells in lines]
+    return [rows[0], "|" + "---|" * len(said), *rows[1:]]
 
 
 def smallest_found(cases):

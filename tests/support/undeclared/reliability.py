@@ -4,6 +4,7 @@ width). An explanation is right when its kinds are those that were switched on, 
 of `alike`; "nothing is missing" for a null; "something else" for an effect outside of the catalogue."""
 
 import math
+import random
 
 BINS = 10
 WORTH_COUNTING = 0.01
@@ -30,8 +31,29 @@ def reliability(results):
                 f" the likeliest is right in {sum(right for _, right in leading)} of {len(cases)};"
                 f" mean of -ln (probability of the truth) {sum(-math.log(max(p, 1e-3)) for p in of_truth) / len(cases):.2f};"
                 f" agrees with the verdict in {ways}",
+            "", "| sort | cases | expected calibration error of the likeliest | were it calibrated: median, 95th percentile |"
+            " likeliest is right |", "|---|---|---|---|---|", *sorts(cases, leading),
             "", "| probability given | likeliest: right | mean given | all: right | mean given |", "|---|---|---|---|---|",
             *rows(leading, all_of_them)]
+
+
+def sorts(cases, leading):
+    """A row for all, and one a sort of experiment where there are several."""
+    of = {"all": leading}
+    for case, pair in zip(cases, leading):
+        of.setdefault(case["sort"], []).append(pair)
+    for sort, pairs in of.items():
+        if sort == "all" or len(of) > 2:
+            median, high = by_chance([p for p, _ in pairs])
+            yield (f"| {sort} | {len(pairs)} | {error(pairs):.3f} | {median:.3f}, {high:.3f} |"
+                   f" {sum(right for _, right in pairs)} |")
+
+
+def by_chance(given, draws=2000):
+    """The error that so few cases would show if probabilities were what they say: median and 95th percentile."""
+    chance = random.Random(1)
+    errors = sorted(error([(p, chance.random() < p) for p in given]) for _ in range(draws))
+    return errors[draws // 2], errors[draws * 95 // 100]
 
 
 def bins(pairs):
