@@ -244,6 +244,12 @@ void prepare_room(const fs::path& room) {
       "model": {"mesh": "liver.vtu", "youngs_modulus_kPa": 6, "poisson_ratio": 0.45},
       "frames": [{"id": "f0", "points": "moved.ply", "noise_mm": 1,
                   "pose_guess": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]}]})");
+  write("edge.csv", "x_mm,y_mm,z_mm\n-40,-38,0\n0,-50,0\n40,-38,0\n");
+  write("seen.csv", "x_px,y_px\n100,120\n160,118\n220,121\n");
+  write("contours.json", R"({"format": "glisson-contours/1", "model": {"surface": "stl/liver.stl"},
+      "camera": {"matrix": [[400, 0, 160], [0, 400, 120], [0, 0, 1]]}, "features": [{"id": "edge", "points": "edge.csv"}],
+      "frames": [{"id": "f0", "pose_guess": [1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 250, 0, 0, 0, 1],
+                  "contours": [{"id": "edge", "pixels": "seen.csv"}]}]})");
   write("version-1/metrics.csv", "case,tre_mm\na,1\nb,2\n");
   write("version-2/metrics.csv", "case,tre_mm\na,1\nb,2.1\n");
   write("loose.json", R"({"metrics": {"tre_mm": {"percent": 20}}})");
@@ -314,6 +320,7 @@ std::vector<WritingCommand> writing_commands() {
       {"accept", {"accept", "@small.glisson", "@model.json", "--of-this-patient"}},
       {"register", {"register", "@stl/liver.stl", "@stl/tumour-1.stl", "--method", "icp", "--out", "@moved.ply"}},
       {"guide", {"guide", "@guidance.json", "--out", "@guided"}},
+      {"guide-contours", {"guide", "@contours.json", "--out", "@posed"}},
       {"guide-case",
        {"guide", "@small.glisson", "--sequence", "@seen-liver/sequence.json",
         "--pose=1,0,0,0,0,1,0,0,0,0,1,150,0,0,0,1", "--out", "@placed"}},

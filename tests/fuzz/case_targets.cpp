@@ -6,6 +6,7 @@
 #include "casefile/case.h"
 #include "casefile/history.h"
 #include "casefile/internal/history_journal.h"
+#include "casefile/marked_lines.h"
 #include "casefile/placed_landmarks.h"
 #include "casefile/resection_folder.h"
 #include "casefile/result_folder.h"
@@ -67,6 +68,9 @@ constexpr const char* result = R"({"format": "glisson-result/1", "engine": "fem"
 
 constexpr const char* landmarks = R"({"format": "glisson-landmarks/1", "landmarks": [{"name": "hilum",
  "position_mm": [1, 2.5, -3]}, {"name": "tip", "position_mm": [0, 0, 1e2]}]})";
+
+constexpr const char* lines = R"({"format": "glisson-marked-lines/1", "sequence": "aa", "lines": [{"id": "falciform",
+ "at_rest": [[0, 0, 0], [9, 0, 1]], "seen": {"2": [[0, 0, 99], [8, 0, 99]], "11": []}}, {"id": "lower-edge"}]})";
 
 void files_of_a_result(const fs::path& folder) {
   promise(bool(geometry::write_tetrahedra(folder / "result.vtu", test::box_of_tetrahedra({2, 1, 1}, {20, 10, 10}))),
@@ -146,6 +150,8 @@ std::vector<Target> targets() {
           },
           files_of_a_result),
       reader_of("landmarks", "placed.json", {landmarks}, landmarks_of_a_case, case_with_landmarks),
+      reader_of("marked-lines", "lines.json", {lines},
+                [](const fs::path& file) { return casefile::read_marked_lines(file); }),
   };
 }
 

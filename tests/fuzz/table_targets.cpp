@@ -6,6 +6,7 @@
 #include "closedloop/experiment/experiment.h"
 #include "fuzz/reader_target.h"
 #include "geometry/mesh_file.h"
+#include "guidance/contour_file.h"
 #include "guidance/guidance_file.h"
 #include "hardware/convergence_curve.h"
 #include "hardware/device_file.h"
@@ -49,6 +50,12 @@ const char* const guided = R"({"format": "glisson-guidance/1", "title": "a box",
  "noise_mm": 1}], "tools": [{"id": "t", "contact_mm": [1, 2, 3], "radius_mm": 4, "force_N": [0, 0, 1]}]}],
  "targets": "targets.csv"})";
 
+const char* const contours = R"({"format": "glisson-contours/1", "title": "a ball", "model": {"surface": "f0.ply"},
+ "camera": {"matrix": [[500, 0, 320], [0, 500, 240], [0, 0, 1]], "distortion": [-0.2, 0.3, 0, 0, -0.2]},
+ "features": [{"id": "edge", "points": "edge.csv"}], "frames": [{"id": "f0",
+ "pose_guess": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 90, 0, 0, 0, 1], "contours": [{"id": "edge", "pixels": "f0_edge.csv"},
+ {"id": "silhouette", "pixels": "f0_edge.csv"}]}], "targets": "targets.csv"})";
+
 const char* const plate = R"({"format": "glisson-experiment/1", "kind": "full-field", "title": "a square",
  "specimen": {"mesh": "square.vtp", "thickness": 1, "state": "plane-strain"}, "boundaries": {"grip": {"side": "top",
  "prescribed": ["y"]}}, "declared": {"law": "neo-hookean", "C10": 0.5, "D": 1.5}, "noise": 1e-4, "noise_reaction": 1e-3,
@@ -81,6 +88,11 @@ void files_of_a_guidance(const fs::path& folder) {
   file_of("id,x_mm,y_mm,z_mm\nt1,5,5,5\n", folder, "targets.csv");
 }
 
+void files_of_contours(const fs::path& folder) {
+  files_of_a_guidance(folder);
+  file_of("x_px,y_px\n300,200\n310,205\n320,207\n", folder, "f0_edge.csv");
+}
+
 }  // namespace
 
 std::vector<Target> targets() {
@@ -111,6 +123,13 @@ std::vector<Target> targets() {
       reader_of(
           "guidance", "guidance.json", {guided}, [](const fs::path& file) { return guidance::read_guidance(file); },
           files_of_a_guidance),
+      reader_of(
+          "contours", "contours.json", {contours},
+          [](const fs::path& file) {
+            return guidance::read_contours(file).and_then(
+                [](const guidance::ContourCase& asked) { return guidance::answer(asked); });
+          },
+          files_of_contours),
   };
 }
 

@@ -151,9 +151,10 @@ void GuidePanel::word() {
   const QString under_way = tr("It is being computed");
   const QString no_camera = tr("The sequence names no camera, so that nothing can be drawn over the video.");
   place_->setEnabled(!works);
-  place_->setToolTip(works ? under_way
-                           : tr("Finds where the liver lies in the first frame, without a guess or by the lines that are "
-                                "marked, and follows it from frame to frame"));
+  place_->setToolTip(works
+                         ? under_way
+                         : tr("Finds where the liver lies in the first frame, without a guess or by the lines that are "
+                              "marked, and follows it from frame to frame"));
   by_hand_->setEnabled(!works && state_.has_camera);
   if (!state_.has_camera) by_hand_->setToolTip(no_camera);
   lines_->set_allowed(!works && state_.has_camera, works ? under_way : no_camera);

@@ -22,7 +22,8 @@ LinePanel::LinePanel(QWidget* parent) : QWidget(parent) {
   auto* row = new QHBoxLayout;
   line_ = new QComboBox;
   line_->setObjectName("marked_line");
-  for (const char* id : {"falciform", "lower-edge", "gallbladder", "other"}) line_->addItem(QString(), QVariant(QString(id)));
+  for (const char* id : {"falciform", "lower-edge", "gallbladder", "other"})
+    line_->addItem(QString(), QVariant(QString(id)));
   remove_ = named_button("remove_line");
   row->addWidget(line_, 1);
   row->addWidget(remove_);
