@@ -2,7 +2,7 @@
 """What `explain` makes of real recordings, and how it predicts the trials that were left out: a row a recording.
 
     tests/benchmarks/recordings.py build/release/bin/glisson-cli            # nobody knows the answer
-    tests/benchmarks/recordings.py build/release/bin/glisson-cli planes     # published plates, whose law is known
+    tests/benchmarks/recordings.py --planes build/release/bin/glisson-cli   # published plates, whose law is known
 
 tests/support/measured/NAME.py makes each experiment, and says what was declared and how the
 noise was taken. Reads the shared data (tests/support/measured/recordings.py); needs python3-numpy."""
@@ -24,14 +24,14 @@ PLANES = [(f"{law}, nominal noise {noise}", f"{law}_{level}", truth)
 
 
 def main():
-    if sys.argv[2:] == ["planes"]:
+    if sys.argv[1] == "--planes":
         planes()
     else:
         recordings()
 
 
 def ask(*words):
-    return json.loads(subprocess.run([sys.argv[1], *map(str, words), "--json", "--quiet"], check=True, capture_output=True,
+    return json.loads(subprocess.run([sys.argv[-1], *map(str, words), "--json", "--quiet"], check=True, capture_output=True,
                                      text=True).stdout)
 
 

@@ -81,16 +81,17 @@ class Case:
 
         progress(fraction, stage) is told how far it is; KeyboardInterrupt cancels."""
 
-    def guide(self, sequence: str | os.PathLike[str], *, pose: Optional[numpy.typing.ArrayLike] = ..., frame: int = ..., noise_mm: float = ..., sequence_sha256: str = ..., folder: Optional[str | os.PathLike[str]] = ..., progress: Optional[Callable[[float, str], Any]] = ...) -> Any:
+    def guide(self, sequence: str | os.PathLike[str], *, pose: Optional[numpy.typing.ArrayLike] = ..., frame: int = ..., noise_mm: float = ..., sequence_sha256: str = ..., lines: Any = ..., folder: Optional[str | os.PathLike[str]] = ..., progress: Optional[Callable[[float, str], Any]] = ...) -> Any:
         """The patient's liver, its structures and landmarks on the frames of a laparoscope's sequence.json.
 
         pose      about where it lies in that frame, scan to camera, mm: (4, 4), or 16 numbers row by row; else searched for
         frame     which is answered first, from 0; the others follow from it
         noise_mm  standard deviation of each coordinate of the clouds
         sequence_sha256   of sequence.json, where another one is to be refused
+        lines     marked on the model and on frames, as the workspace Guide keeps them (glisson-marked-lines/1)
         folder    where given, guidance.json, a mesh a frame and pictures with outlines are written there
 
-        A dict, as guide() answers. Raises glisson.Error: pose-not-rigid, guide-no-frame, guide-other-sequence, case-lacks-entry."""
+        A dict, as guide() answers. Raises glisson.Error: pose-not-rigid, lines-invalid, guide-no-frame, guide-other-sequence, case-lacks-entry."""
 
     def import_study(self, path: str | os.PathLike[str], *, anatomy_uid: Optional[str] = ..., stiffness_uid: Optional[str] = ..., progress: Optional[Callable[[float, str], Any]] = ...) -> Dict[str, Any]:
         """Takes the series of a folder or file into the case: id -> notes of each volume.

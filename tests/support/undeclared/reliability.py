@@ -41,7 +41,7 @@ def sorts(cases, leading):
     """A row for all, and one a sort of experiment where there are several."""
     of = {"all": leading}
     for case, pair in zip(cases, leading):
-        of.setdefault(case["sort"], []).append(pair)
+        of.setdefault(case.get("sort", "cases"), []).append(pair)
     for sort, pairs in of.items():
         if sort == "all" or len(of) > 2:
             median, high = by_chance([p for p, _ in pairs])
