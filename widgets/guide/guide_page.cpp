@@ -1,5 +1,6 @@
 #include "widgets/guide/guide_page.h"
 
+#include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QPointer>

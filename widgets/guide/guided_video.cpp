@@ -51,7 +51,7 @@ QJsonValue json_of(const std::optional<HandPose>& pose) {
 
 std::optional<HandPose> hand_pose_of(const QJsonValue& json) {
   std::vector<double> numbers;
-  for (const QJsonValue& number : json["pose"].toArray()) numbers.push_back(number.toDouble());
+  for (const auto& number : json["pose"].toArray()) numbers.push_back(number.toDouble());
   const auto pose = guidance::rigid_pose(numbers);
   const int frame = json["frame"].toInt(-1);
   if (!pose || frame < 0) return std::nullopt;

@@ -148,7 +148,7 @@ class Writer {
     cursor_.insertImage(image_format(image, width_px));
     if (!caption.isEmpty()) paragraph(caption, 8.5, soft);
   }
-  void svg(std::string drawing, const QString& caption) {
+  void svg(const std::string& drawing, const QString& caption) {
     QByteArray bytes = QByteArray::fromStdString(drawing);
     bytes.replace("currentColor", ink.name().toUtf8());
     bytes.replace("<svg ", "<svg xmlns=\"http://www.w3.org/2000/svg\" ");  // not translated
