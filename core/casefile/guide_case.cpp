@@ -10,8 +10,10 @@ namespace glisson::casefile {
 Result<GuidedCase> guide_case(const Case& patient, const std::filesystem::path& sequence, const GuidedFrom& from,
                               const Progress& progress) {
   progress.report(0.0, GLISSON_TEXT("Reading the guidance case"));
+  const bool is_asked = !from.sequence_sha256.empty() || !from.lines.sequence.empty();
+  const std::string content = is_asked ? sha256_of_file(sequence).value_or("") : "";
   for (const std::string& asked : {from.sequence_sha256, from.lines.sequence}) {
-    if (asked.empty() || sha256_of_file(sequence).value_or("") == asked) continue;
+    if (asked.empty() || content == asked) continue;
     return failure(Error{"guide-other-sequence",
                          GLISSON_TEXT("{0} is not the sequence that was asked for: its SHA-256 is another than {1}."),
                          {sequence.string(), asked},

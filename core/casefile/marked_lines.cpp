@@ -13,7 +13,7 @@ using Eigen::Vector3d;
 namespace {
 
 constexpr const char* format = "glisson-marked-lines/1";
-constexpr std::size_t most_places = 10'000, most_frames = 1'000'000;
+constexpr std::size_t most_places = 10'000;
 constexpr double spacing_mm = 3;  // between places of a line that is handed on
 constexpr double noise_mm = 2;    // of each coordinate, as a hand marks it
 
@@ -49,7 +49,7 @@ std::optional<MarkedLine> line_from(const Json& json) {
                            std::all_of(frame.begin(), frame.end(), [](char c) { return c >= '0' && c <= '9'; });
     const auto seen_mm = places_from(places);
     if (!is_number || !seen_mm) return std::nullopt;
-    line.seen_mm[std::min<std::size_t>(most_frames, std::stoul(frame))] = *seen_mm;
+    line.seen_mm[std::stoul(frame)] = *seen_mm;
   }
   return line;
 }

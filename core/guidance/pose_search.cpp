@@ -9,8 +9,8 @@
 
 #include "base/parallel.h"
 #include "guidance/internal/pose_cost.h"
+#include "guidance/internal/search_parts.h"
 #include "guidance/internal/seen_depths.h"
-#include "guidance/internal/turns.h"
 #include "registration/rigid.h"
 
 namespace glisson::guidance {
@@ -38,13 +38,6 @@ constexpr double largest_cost_mm = 5;  // of a pose that is answered
 constexpr double unseen_weight = 0.5;  // of a cell that should have been seen, beside one that is not explained
 constexpr double alike_cost = 1.4;     // of the best, or of the noise: a pose elsewhere that fits as well
 constexpr Apart distinct{10, 10}, elsewhere{30, 25};
-
-struct Scored {
-  double cost = 0;  // mm: what is not explained
-  Isometry3d pose = Isometry3d::Identity();
-};
-
-bool fits_better(const Scored& a, const Scored& b) { return a.cost < b.cost; }
 
 // Iterated closest points, round by round within a shorter reach.
 Isometry3d refined_to_points(const PoseCost& cost, Isometry3d pose, int rounds) {

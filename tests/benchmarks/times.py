@@ -14,7 +14,7 @@ import subprocess
 import sys
 
 MS, S = (lambda ms: f"{ms:.3g} ms"), (lambda ms: f"{ms / 1000:.2g} s")
-TIME, CPU = "real_time", "cpu_time"  # milliseconds
+TIME = "real_time"  # milliseconds
 
 # Program, repetitions, and its rows: benchmark, what it does, what is shown of it (a counter or a time, and how).
 IMAGES = [

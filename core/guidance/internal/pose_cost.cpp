@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "guidance/internal/search_parts.h"
 #include "registration/rigid.h"
 
 namespace glisson::guidance {
@@ -18,14 +19,6 @@ constexpr std::size_t min_step_points = 10;
 // Of a step, so that what a smooth cloud does not tell stays: per point, beside the 1 that a normal has along itself.
 constexpr double damping = 1e-3, lever_mm = 20;
 constexpr double longest_turn = 0.2;  // rad, within which a step is linear enough
-
-template <typename T>
-std::vector<T> every_nth(const std::vector<T>& all, std::size_t maximum) {
-  if (all.size() <= maximum) return all;
-  std::vector<T> some;
-  for (std::size_t i = 0; i < maximum; ++i) some.push_back(all[i * all.size() / maximum]);
-  return some;
-}
 
 std::vector<Vector3d> normals_of(const geometry::Surface& surface) {
   std::vector<Vector3d> normals;
@@ -128,12 +121,7 @@ std::optional<Isometry3d> PoseCost::step_to_planes(const Isometry3d& pose, doubl
   normal_matrix.diagonal().tail<3>().array() += added * lever_mm * lever_mm;
   Vector6d step = normal_matrix.ldlt().solve(right);
   step *= std::min(1.0, longest_turn / std::max(step.tail<3>().norm(), 1e-12));
-  const double angle = step.tail<3>().norm();
-  Isometry3d moved = Isometry3d::Identity();
-  moved.translate(middle_mm_ + step.head<3>());
-  if (angle > 0) moved.rotate(Eigen::AngleAxisd(angle, step.tail<3>() / angle));
-  moved.translate(-middle_mm_);
-  return moved * pose;
+  return moved_about(pose, middle_mm_, step);
 }
 
 }  // namespace glisson::guidance

@@ -15,7 +15,7 @@ import zlib
 sys.dont_write_bytecode = True
 import numpy as np
 
-from recordings import SHARED, asked_for
+from recordings import asked_for
 
 
 def main():

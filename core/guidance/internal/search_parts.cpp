@@ -1,4 +1,4 @@
-#include "guidance/internal/turns.h"
+#include "guidance/internal/search_parts.h"
 
 #include <cmath>
 #include <numbers>
@@ -27,6 +27,15 @@ std::vector<Eigen::Matrix3d> even_rotations() {
 bool lie_apart(const Isometry3d& pose, const Isometry3d& other, const Vector3d& middle_mm, const Apart& apart) {
   const double turn = Eigen::AngleAxisd(pose.linear().transpose() * other.linear()).angle();
   return (pose * middle_mm - other * middle_mm).norm() > apart.mm || turn * 180 / std::numbers::pi > apart.deg;
+}
+
+Isometry3d moved_about(const Isometry3d& pose, const Vector3d& about_mm, const Eigen::Matrix<double, 6, 1>& step) {
+  const double angle = step.tail<3>().norm();
+  Isometry3d moved = Isometry3d::Identity();
+  moved.translate(about_mm + step.head<3>());
+  if (angle > 0) moved.rotate(Eigen::AngleAxisd(angle, step.tail<3>() / angle));
+  moved.translate(-about_mm);
+  return moved * pose;
 }
 
 }  // namespace glisson::guidance
