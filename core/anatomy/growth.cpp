@@ -5,8 +5,8 @@
 #include <Eigen/Geometry>
 #include <optional>
 
-#include "anatomy/capsules.h"
 #include "anatomy/implicit.h"
+#include "anatomy/internal/capsules.h"
 
 namespace glisson::anatomy {
 

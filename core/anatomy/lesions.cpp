@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "anatomy/capsules.h"
 #include "anatomy/implicit.h"
+#include "anatomy/internal/capsules.h"
 #include "base/noise.h"
 
 namespace glisson::anatomy {

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 #include <algorithm>
 
-#include "anatomy/artery_trunk.h"
-#include "anatomy/trunks.h"
+#include "anatomy/internal/artery_trunk.h"
+#include "anatomy/internal/trunks.h"
 #include "base/noise.h"
 
 namespace glisson::anatomy {

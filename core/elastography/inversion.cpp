@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "elastography/helmholtz.h"
+#include "elastography/internal/helmholtz.h"
 #include "elastography/internal/wave_directions.h"
 #include "elastography/local_frequency.h"
 #include "imaging/filters.h"

@@ -20,7 +20,7 @@
 namespace glisson::elastography {
 
 enum class InversionMethod {
-  direct,          // the complex modulus (helmholtz.h)
+  direct,          // the complex modulus (internal/helmholtz.h)
   local_frequency  // density times squared wave speed (local_frequency.h): the storage modulus where nothing is lost
 };
 [[nodiscard]] std::string_view method_name(InversionMethod method);  // "direct", "lfe"

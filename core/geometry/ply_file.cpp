@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "base/files.h"
-#include "geometry/mesh_file_guard.h"
+#include "geometry/internal/mesh_file_guard.h"
 
 namespace glisson::geometry {
 namespace {

@@ -9,9 +9,9 @@
 #include <Eigen/Geometry>
 #include <map>
 
-#include "imaging/file_bytes.h"
 #include "imaging/internal/cielab.h"
 #include "imaging/internal/dicom_fields.h"
+#include "imaging/internal/file_bytes.h"
 
 namespace glisson::imaging {
 namespace fs = std::filesystem;

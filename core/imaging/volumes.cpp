@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "imaging/stacks.h"
+#include "imaging/internal/stacks.h"
 
 namespace glisson::imaging {
 namespace {

@@ -8,10 +8,10 @@
 
 #include "base/units.h"
 #include "geometry/nearest.h"
-#include "meshing/delaunay_refinement.h"
-#include "meshing/label_field.h"
-#include "meshing/pinches.h"
-#include "meshing/voxel_faces.h"
+#include "meshing/internal/delaunay_refinement.h"
+#include "meshing/internal/label_field.h"
+#include "meshing/internal/pinches.h"
+#include "meshing/internal/voxel_faces.h"
 
 namespace glisson::meshing {
 namespace {

@@ -5,8 +5,8 @@
 #include "closedloop/explanation_file.h"
 #include "closedloop/posterior_history.h"
 #include "closedloop/where_it_holds.h"
-#include "report/explanation_page.h"
 #include "report/html.h"
+#include "report/internal/explanation_page.h"
 
 namespace glisson::report {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "scene/on_tissue.h"
+#include "scene/internal/on_tissue.h"
 #include "vision/draw.h"
 
 namespace glisson::scene {

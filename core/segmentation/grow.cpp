@@ -12,7 +12,7 @@
 #include "base/upper_median.h"
 #include "imaging/filters.h"
 #include "segmentation/edit.h"
-#include "segmentation/growth_doubts.h"
+#include "segmentation/internal/growth_doubts.h"
 #include "segmentation/internal/outline_border.h"
 #include "segmentation/internal/seeds.h"
 #include "segmentation/internal/slice_holes.h"

@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "anatomy/capsules.h"
+#include "anatomy/internal/capsules.h"
 #include "anatomy/landmarks.h"
 #include "anatomy/patient.h"
 #include "base/parallel.h"

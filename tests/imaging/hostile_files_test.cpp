@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "base/files.h"
-#include "imaging/checked_dicom.h"
+#include "imaging/internal/checked_dicom.h"
 #include "imaging/mosaic.h"
 #include "imaging/read_series.h"
 #include "support/dicom_files.h"

@@ -1,6 +1,6 @@
 // Bodies that touch themselves in a point or an edge.
 
-#include "meshing/pinches.h"
+#include "meshing/internal/pinches.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // The report of a closed loop shows what was found, and drawings that hold whatever was measured.
 
-#include "report/explanation_page.h"
+#include "report/internal/explanation_page.h"
 
 #include <gmock/gmock.h>
 

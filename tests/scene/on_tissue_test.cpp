@@ -7,7 +7,7 @@
 
 #include "colour_difference.h"
 #include "scene/heat_overlay.h"
-#include "scene/on_tissue.h"
+#include "scene/internal/on_tissue.h"
 #include "support/data.h"
 #include "vision/frame.h"
 

@@ -10,8 +10,8 @@
 #include "imaging/internal/motion_encoding.h"
 #include "imaging/internal/place_slices.h"
 #include "imaging/internal/roles.h"
+#include "imaging/internal/stacks.h"
 #include "imaging/internal/voxel_layout.h"
-#include "imaging/stacks.h"
 
 namespace glisson::imaging {
 namespace {

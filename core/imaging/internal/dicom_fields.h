@@ -10,7 +10,7 @@
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 
-#include "imaging/checked_dicom.h"
+#include "imaging/internal/checked_dicom.h"
 
 namespace glisson::imaging {
 

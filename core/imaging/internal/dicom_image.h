@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/result.h"
-#include "imaging/checked_dicom.h"
+#include "imaging/internal/checked_dicom.h"
 
 namespace glisson::imaging {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/result.h"
-#include "imaging/file_bytes.h"
+#include "imaging/internal/file_bytes.h"
 #include "imaging/internal/voxel_layout.h"
 
 namespace glisson::imaging {

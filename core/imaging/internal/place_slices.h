@@ -6,7 +6,7 @@
 
 #include "imaging/image.h"
 #include "imaging/internal/slice_spacing.h"
-#include "imaging/stacks.h"
+#include "imaging/internal/stacks.h"
 
 namespace glisson::imaging {
 

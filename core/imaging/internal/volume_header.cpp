@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "base/text.h"
-#include "imaging/file_bytes.h"
+#include "imaging/internal/file_bytes.h"
 
 namespace glisson::imaging {
 namespace fs = std::filesystem;

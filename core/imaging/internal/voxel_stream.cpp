@@ -9,7 +9,7 @@
 #include <memory>
 #include <vector>
 
-#include "imaging/file_bytes.h"
+#include "imaging/internal/file_bytes.h"
 
 namespace glisson::imaging {
 namespace fs = std::filesystem;

@@ -10,7 +10,7 @@
 #include <array>
 #include <Eigen/Core>
 
-#include "vasculature/liver_frame.h"
+#include "vasculature/internal/liver_frame.h"
 
 namespace glisson::vasculature {
 

@@ -1,4 +1,4 @@
-#include "elastography/helmholtz.h"
+#include "elastography/internal/helmholtz.h"
 
 #include <algorithm>
 #include <cmath>

@@ -10,7 +10,7 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "geometry/tetrahedra.h"
-#include "meshing/label_field.h"
+#include "meshing/internal/label_field.h"
 
 namespace glisson::meshing {
 

@@ -1,4 +1,4 @@
-#include "segmentation/growth_doubts.h"
+#include "segmentation/internal/growth_doubts.h"
 
 #include <fmt/format.h>
 #include <algorithm>

@@ -1,6 +1,6 @@
 // Walks the structure of a DICOM file (PS3.5 chapter 7 and annex A) with a stack of its own in place of recursion.
 
-#include "imaging/checked_dicom.h"
+#include "imaging/internal/checked_dicom.h"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctag.h>
 
-#include "imaging/file_bytes.h"
+#include "imaging/internal/file_bytes.h"
 
 namespace glisson::imaging {
 namespace {

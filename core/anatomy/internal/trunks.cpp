@@ -1,9 +1,9 @@
-#include "anatomy/trunks.h"
+#include "anatomy/internal/trunks.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "anatomy/capsules.h"
+#include "anatomy/internal/capsules.h"
 
 namespace glisson::anatomy {
 

@@ -1,4 +1,4 @@
-#include "anatomy/capsules.h"
+#include "anatomy/internal/capsules.h"
 
 #include <algorithm>
 #include <cmath>

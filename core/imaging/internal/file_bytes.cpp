@@ -1,7 +1,7 @@
 // Reading a file piece by piece, with the system's pread. Threads share no position. A file that shrinks meanwhile
 // gives fewer bytes, where a memory map would end the program.
 
-#include "imaging/file_bytes.h"
+#include "imaging/internal/file_bytes.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>

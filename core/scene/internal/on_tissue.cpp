@@ -1,4 +1,4 @@
-#include "scene/on_tissue.h"
+#include "scene/internal/on_tissue.h"
 
 #include <algorithm>
 #include <array>

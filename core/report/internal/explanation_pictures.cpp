@@ -1,4 +1,4 @@
-#include "report/explanation_pictures.h"
+#include "report/internal/explanation_pictures.h"
 
 #include <fmt/format.h>
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "vasculature/liver_frame.h"
+#include "vasculature/internal/liver_frame.h"
 
 #include <fmt/format.h>
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "geometry/obj_file.h"
+#include "geometry/internal/obj_file.h"
 
 #include <fmt/format.h>
 #include <charconv>

@@ -1,4 +1,4 @@
-#include "geometry/mesh_file_guard.h"
+#include "geometry/internal/mesh_file_guard.h"
 
 #include <algorithm>
 #include <cctype>

@@ -1,4 +1,4 @@
-#include "meshing/pinches.h"
+#include "meshing/internal/pinches.h"
 
 #include <algorithm>
 #include <set>

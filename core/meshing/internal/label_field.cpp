@@ -1,4 +1,4 @@
-#include "meshing/label_field.h"
+#include "meshing/internal/label_field.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // The one file that includes Mesh_3.
-#include "meshing/delaunay_refinement.h"
+#include "meshing/internal/delaunay_refinement.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/exude_mesh_3.h>

@@ -1,10 +1,10 @@
-#include "anatomy/artery_trunk.h"
+#include "anatomy/internal/artery_trunk.h"
 
 #include <algorithm>
 #include <cmath>
 #include <Eigen/Geometry>
 
-#include "anatomy/capsules.h"
+#include "anatomy/internal/capsules.h"
 
 namespace glisson::anatomy {
 

@@ -1,6 +1,6 @@
 // What belongs in one stack, by size, orientation, spacing, echo and part of the complex signal.
 
-#include "imaging/stacks.h"
+#include "imaging/internal/stacks.h"
 
 #include <algorithm>
 #include <cmath>

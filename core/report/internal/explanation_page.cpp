@@ -1,10 +1,10 @@
-#include "report/explanation_page.h"
+#include "report/internal/explanation_page.h"
 
 #include <fmt/format.h>
 #include <utility>
 
 #include "closedloop/inference/posterior.h"
-#include "report/explanation_pictures.h"
+#include "report/internal/explanation_pictures.h"
 
 namespace glisson::report {
 namespace {

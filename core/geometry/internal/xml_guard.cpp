@@ -1,6 +1,6 @@
 // The format: "VTK File Formats", Kitware, section "XML File Formats".
 
-#include "geometry/xml_guard.h"
+#include "geometry/internal/xml_guard.h"
 
 #include <algorithm>
 #include <array>

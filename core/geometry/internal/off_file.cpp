@@ -1,4 +1,4 @@
-#include "geometry/off_file.h"
+#include "geometry/internal/off_file.h"
 
 #include <charconv>
 #include <optional>

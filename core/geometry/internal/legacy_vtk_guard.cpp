@@ -1,7 +1,7 @@
 // The format: "VTK File Formats", Kitware, section "Simple Legacy Formats"; cells as offsets and connectivity
 // since 5.1.
 
-#include "geometry/legacy_vtk_guard.h"
+#include "geometry/internal/legacy_vtk_guard.h"
 
 #include <algorithm>
 #include <cctype>

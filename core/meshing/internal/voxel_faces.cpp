@@ -1,4 +1,4 @@
-#include "meshing/voxel_faces.h"
+#include "meshing/internal/voxel_faces.h"
 
 namespace glisson::meshing {
 
