@@ -44,13 +44,7 @@ Result<Question> question(const SimulateCommand& options, mechanics::Scenario sc
   if (!patient) return failure(patient.error());
   auto model = casefile::read_model(*patient);
   if (!model) return failure(model.error());
-  if (options.data_file) {  // which say how stiff the organ is, in every direction
-    model->capsule.reset();
-    model->anisotropy.reset();
-    std::erase_if(model->evidence.effects, [](const closedloop::LearntEffect& effect) {
-      return effect.kind != "support-compliance" && effect.kind != "preload";
-    });
-  }
+  if (options.data_file) leave_stiffness_to_data(*model);
   std::vector<Sentence> remarks = casefile::model_remarks(*patient);
   if (model->assumed && !scenario.youngs_modulus && !options.data_file) remarks.push_back(*model->assumed);
   std::vector<Sentence> evidence = casefile::put_into(scenario, *model);

@@ -51,6 +51,8 @@ struct History::Impl {
   Result<void> take_up();
   Result<void> begin(const Sentence& name, const std::vector<std::string>& touches);
   Result<void> finish();
+  [[nodiscard]] Result<std::vector<EntryChange>> changes_since(const BegunStep& begun,
+                                                               std::vector<std::string>& needed) const;
   Result<Moved> move(const Step& step, Side to);
   Result<Moved> move_entries(const Step& step, Side to);
   Failure overtaken(const std::string& what);
@@ -224,84 +226,73 @@ Result<void> History::Impl::take_up() {
 Result<void> History::Impl::begin(const Sentence& name, const std::vector<std::string>& touches) {
   const auto before = Case::open(case_folder);
   if (!before) return failure(before.error());
-  Json entries = Json::array();
+  BegunStep begun{listing.next, name, touches, {}, {}};
   for (const Entry& entry : before->entries()) {
     if (!touches.empty() && std::find(touches.begin(), touches.end(), entry.id) == touches.end()) continue;
     std::error_code ignored;
     if (fs::exists(case_folder / entry.file, ignored)) {
       if (auto held = kept.keep(case_folder, entry); !held) return held;
     }
-    entries.push_back(Json::parse(record_of(entry)));
+    begun.entries.push_back(entry);
   }
-  Json begun{{"number", listing.next}, {"name", json_of(name)}, {"touches", touches}, {"entries", entries}};
   if (touches.empty()) {
-    const FollowedFiles files = followed_files(case_folder);
-    if (auto held = keep_followed(case_folder, kept, files); !held) return held;
-    begun["followed"] = files;
+    begun.followed = followed_files(case_folder);
+    if (auto held = keep_followed(case_folder, kept, *begun.followed); !held) return held;
   }
-  return write_json_file(begun_file(), begun);
+  return write_json_file(begun_file(), json_of(begun));
 }
 
 // Makes a step of what has changed since begin(), by this program or, after a kill, by the one before.
 Result<void> History::Impl::finish() {
   std::error_code ignored;
   if (!fs::exists(begun_file(), ignored)) return {};
-  const auto begun = read_json_file(begun_file());
-  if (!begun) return history_damaged(begun_file());
-  Result<void> outcome;
-  try {
-    const int number = begun->at("number");
-    const auto touches = begun->at("touches").get<std::vector<std::string>>();
-    const auto now = Case::open(case_folder);
-    if (!now) return failure(now.error());
-    std::vector<Entry> before;
-    std::set<std::string> ids(touches.begin(), touches.end());
-    for (const Json& json : begun->at("entries")) {
-      auto entry = entry_of(json.dump(), begun_file());
-      if (!entry) return history_damaged(begun_file());
-      ids.insert(entry->id);
-      before.push_back(std::move(*entry));
+  const auto begun = read_begun_step(begun_file());
+  if (!begun) return failure(begun.error());
+  Step step{begun->number, begun->name, {}, {}};
+  const auto changes = changes_since(*begun, step.kept);
+  if (!changes) return failure(changes.error());
+  if (begun->followed) step.followed = changes_between(*begun->followed, followed_files(case_folder));
+  for (const FileChange& change : step.followed) {
+    for (const std::string& content : {change.before, change.after}) {
+      if (!content.empty()) step.kept.push_back(kept.place_of(entry_for(change.file, content)).filename().string());
     }
-    if (touches.empty()) {
-      for (const Entry& entry : now->entries()) ids.insert(entry.id);
-    }
-    Step step{number, sentence_from(begun->at("name")), {}, {}};
-    std::vector<EntryChange> changes;
-    for (const std::string& id : ids) {
-      EntryChange change{id, {find(before, id), find(now->entries(), id)}, {}};
-      const auto& [was, is] = change.sides;
-      if (!was && !is) continue;
-      if (was && is && record_of(*was) == record_of(*is)) continue;
-      auto content = difference_of(case_folder, kept, change.sides, runs_file(number, id));
-      if (!content) return failure(content.error());
-      change.content = std::move(*content);
-      if (is_whole_file(change.content)) {
-        for (const auto& side : {was, is}) {
-          if (side) step.kept.push_back(kept.place_of(*side).filename().string());
-        }
-      }
-      changes.push_back(std::move(change));
-    }
-    if (begun->contains("followed")) {
-      const FollowedFiles files = followed_files(case_folder);
-      step.followed = changes_between(begun->at("followed").get<FollowedFiles>(), files);
-      for (const FileChange& change : step.followed) {
-        for (const std::string& content : {change.before, change.after}) {
-          if (!content.empty()) step.kept.push_back(kept.place_of(entry_for(change.file, content)).filename().string());
-        }
-      }
-    }
-    if (number == listing.next && !(changes.empty() && step.followed.empty())) {
-      if (auto written = write_json_file(step_file(number), json_of(changes)); !written) return written;
-      outcome = append(listing, std::move(step));
-    }
-  } catch (const Json::exception&) {
-    return history_damaged(begun_file());
   }
-  if (!outcome) return outcome;
+  if (begun->number == listing.next && !(changes->empty() && step.followed.empty())) {
+    if (auto written = write_json_file(step_file(begun->number), json_of(*changes)); !written) return written;
+    if (auto appended = append(listing, std::move(step)); !appended) return appended;
+  }
   fs::remove(begun_file(), ignored);
   sweep();
   return {};
+}
+
+// `needed` gets the names of the kept files that lead back and forth.
+Result<std::vector<EntryChange>> History::Impl::changes_since(const BegunStep& begun,
+                                                              std::vector<std::string>& needed) const {
+  const auto now = Case::open(case_folder);
+  if (!now) return failure(now.error());
+  std::set<std::string> ids(begun.touches.begin(), begun.touches.end());
+  for (const Entry& entry : begun.entries) ids.insert(entry.id);
+  if (begun.touches.empty()) {
+    for (const Entry& entry : now->entries()) ids.insert(entry.id);
+  }
+  std::vector<EntryChange> changes;
+  for (const std::string& id : ids) {
+    EntryChange change{id, {find(begun.entries, id), find(now->entries(), id)}, {}};
+    const auto& [was, is] = change.sides;
+    if (!was && !is) continue;
+    if (was && is && record_of(*was) == record_of(*is)) continue;
+    auto content = difference_of(case_folder, kept, change.sides, runs_file(begun.number, id));
+    if (!content) return failure(content.error());
+    change.content = std::move(*content);
+    if (is_whole_file(change.content)) {
+      for (const auto& side : {was, is}) {
+        if (side) needed.push_back(kept.place_of(*side).filename().string());
+      }
+    }
+    changes.push_back(std::move(change));
+  }
+  return changes;
 }
 
 Result<void> History::Impl::append(Listing next, Step step) {

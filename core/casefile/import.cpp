@@ -7,7 +7,7 @@
 
 #include "base/text.h"
 #include "casefile/internal/motion_options.h"
-#include "casefile/new_case.h"
+#include "casefile/internal/new_case.h"
 #include "imaging/read_series.h"
 #include "imaging/stiffness_map.h"
 #include "imaging/volume_file.h"

@@ -210,8 +210,8 @@ std::optional<Command> stiffness(const std::string&, const Provenance& made) {
     return Command{{"stiffness", the_case, "--uniform-kPa", fmt::format("{}", uniform->youngs_kPa)},
                    fmt::format("patient.assign_stiffness(uniform_kPa={})", uniform->youngs_kPa)};
   }
-  if (const auto* reference = std::get_if<FromPopulationMean>(&choice)) {
-    const char* shear_kPa = reference->reference == elastography::PopulationMean::published_cohort ? "2.6" : "2.1";
+  if (const auto* mean = std::get_if<FromPopulationMean>(&choice)) {
+    const char* shear_kPa = mean->mean == elastography::PopulationMean::published_cohort ? "2.6" : "2.1";
     return Command{{"stiffness", the_case, "--atlas", shear_kPa},
                    fmt::format("patient.assign_stiffness(atlas_kPa={})", shear_kPa)};
   }

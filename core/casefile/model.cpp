@@ -104,9 +104,9 @@ Result<elastography::CellStiffness> assign_stiffness(Case& patient, const Stiffn
     stiffness = stiffness_from_mre(patient, *mesh, options, made);
   } else {
     const auto* uniform = std::get_if<Uniform>(&choice);
-    const double youngs_kPa = uniform ? uniform->youngs_kPa
-                                      : elastography::reference_youngs_kPa(
-                                            std::get<FromPopulationMean>(choice).reference, options.poisson_ratio);
+    const double youngs_kPa =
+        uniform ? uniform->youngs_kPa
+                : elastography::reference_youngs_kPa(std::get<FromPopulationMean>(choice).mean, options.poisson_ratio);
     if (!(youngs_kPa > 0) || !std::isfinite(youngs_kPa)) {
       return failure("stiffness-invalid", GLISSON_TEXT("A Young's modulus of {0} kPa is not possible."),
                      {fmt::format("{}", youngs_kPa)});

@@ -32,7 +32,7 @@ struct Uniform {
   double youngs_kPa;
 };
 struct FromPopulationMean {
-  elastography::PopulationMean reference = elastography::PopulationMean::dissertation_cohort;
+  elastography::PopulationMean mean = elastography::PopulationMean::dissertation_cohort;
 };
 using StiffnessChoice = std::variant<FromMre, Uniform, FromPopulationMean>;
 
@@ -98,5 +98,9 @@ struct LiveSetup {
 // for that, or because the scenario's engine or material cannot hold it. The answer says what is left out, and what is
 // carried.
 std::vector<Sentence> put_into(mechanics::Scenario& scenario, const PatientModel& model);
+
+// Takes out of the model what measured strain and stress say in its place: stiffness, capsule and fibre direction that
+// evidence found. What holds the organ stays.
+void leave_stiffness_to_data(PatientModel& model);
 
 }  // namespace glisson::casefile

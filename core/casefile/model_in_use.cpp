@@ -78,4 +78,12 @@ std::vector<Sentence> put_into(mechanics::Scenario& scenario, const PatientModel
   return said;
 }
 
+void leave_stiffness_to_data(PatientModel& model) {
+  model.capsule.reset();
+  model.anisotropy.reset();
+  std::erase_if(model.evidence.effects, [](const closedloop::LearntEffect& effect) {
+    return effect.kind != "support-compliance" && effect.kind != "preload";
+  });
+}
+
 }  // namespace glisson::casefile

@@ -129,10 +129,10 @@ std::optional<Sentence> assumed_stiffness(const Case& patient) {
                      "with the atlas."),
         {fmt::format("{:.3g}", uniform->youngs_kPa)}};
   }
-  if (const auto* reference = std::get_if<FromPopulationMean>(&choice)) {
+  if (const auto* mean = std::get_if<FromPopulationMean>(&choice)) {
     return Sentence{GLISSON_TEXT("The stiffness is assumed, the atlas's {0} kPa for all cells, and not measured: it is "
                                  "not compared with the atlas."),
-                    {fmt::format("{:.3g}", elastography::reference_youngs_kPa(reference->reference))}};
+                    {fmt::format("{:.3g}", elastography::reference_youngs_kPa(mean->mean))}};
   }
   return {};
 }

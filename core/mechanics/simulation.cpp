@@ -62,6 +62,7 @@ Result<Simulation> simulate(const geometry::TetMesh& whole, const Scenario& scen
   simulation.steps = std::move(answer->steps);
   simulation.tools = std::move(answer->tools);
   simulation.contact = answer->contact;
+  simulation.share_beyond_data = answer->share_beyond_data;
   simulation.mesh = mesh;
   set_result_fields(answer->result, scenario, std::move(moduli->youngs_kPa), std::move(answer->von_mises_kPa),
                     simulation.mesh);
@@ -301,7 +302,9 @@ Result<Answer> equilibrium_from_data(const Question& question, const MaterialDat
   const auto body = prepare_body(question.mesh, question.youngs_kPa, scenario.supports, options, Holding::required);
   if (!body) return failure(body.error());
   auto landmarks_mm = displacement_at(*body, found->result, question.places);
-  return Answer{std::move(found->result), std::move(landmarks_mm), std::move(found->von_mises_kPa), {}, {}, {}};
+  Answer answer{std::move(found->result), std::move(landmarks_mm), std::move(found->von_mises_kPa), {}, {}, {}};
+  answer.share_beyond_data = found->share_beyond_data;
+  return answer;
 }
 
 void set_result_fields(const StaticResult& result, const Scenario& scenario, std::vector<double> youngs_kPa,

@@ -61,6 +61,7 @@ struct Simulation {
   std::vector<ToolContact> tools;        // in contact, as the scenario lists them
   std::optional<ContactReport> contact;  // where there are any
   std::optional<CutOpening> cut;         // where the body was cut
+  double share_beyond_data = 0;          // of an equilibrium from data (data_driven.h)
   std::vector<TimeStep> steps;           // of a motion; empty for an equilibrium
   geometry::TetMesh mesh;                // the rest mesh with point field "displacement_mm" (3) and cell fields
                                          // "youngs_modulus_kPa" and "von_mises_kPa", as written to result.vtu

@@ -5,7 +5,7 @@
 
 #include "base/files.h"
 #include "casefile/case.h"
-#include "casefile/new_case.h"
+#include "casefile/internal/new_case.h"
 
 namespace glisson::casefile {
 namespace {

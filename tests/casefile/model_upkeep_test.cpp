@@ -93,7 +93,7 @@ TEST_F(ModelUpkeep, KnowsWhoseStiffnessItHas) {
        {elastography::PopulationMean::dissertation_cohort, elastography::PopulationMean::published_cohort}) {
     auto patient = open();
     ASSERT_TRUE(assign_stiffness(patient, FromPopulationMean{reference}));
-    EXPECT_EQ(std::get<FromPopulationMean>(stiffness_choice_of(patient)).reference, reference);
+    EXPECT_EQ(std::get<FromPopulationMean>(stiffness_choice_of(patient)).mean, reference);
   }
 }
 

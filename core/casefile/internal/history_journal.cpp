@@ -127,6 +127,31 @@ Result<std::vector<EntryChange>> read_changes(const std::filesystem::path& file)
   return changes;
 }
 
+Json json_of(const BegunStep& begun) {
+  Json entries = Json::array();
+  for (const Entry& entry : begun.entries) entries.push_back(Json::parse(record_of(entry)));
+  Json json{{"number", begun.number}, {"name", json_of(begun.name)}, {"touches", begun.touches}, {"entries", entries}};
+  if (begun.followed) json["followed"] = *begun.followed;
+  return json;
+}
+
+Result<BegunStep> read_begun_step(const std::filesystem::path& file) {
+  const auto json = read_json_file(file);
+  if (!json) return history_damaged(file);
+  try {
+    BegunStep begun{json->at("number"), sentence_from(json->at("name")), json->at("touches"), {}, {}};
+    for (const Json& one : json->at("entries")) {
+      auto entry = entry_of(one.dump(), file);
+      if (!entry) return history_damaged(file);
+      begun.entries.push_back(std::move(*entry));
+    }
+    if (json->contains("followed")) begun.followed = json->at("followed").get<FollowedFiles>();
+    return begun;
+  } catch (const Json::exception&) {
+    return history_damaged(file);
+  }
+}
+
 Failure history_damaged(const std::filesystem::path& file) {
   return failure(Error{
       "history-damaged", GLISSON_TEXT("The history of the case cannot be read: {0}."), {file.string()}, {}, file});

@@ -60,6 +60,17 @@ struct EntryChange {
 Json json_of(const std::vector<EntryChange>& changes);
 Result<std::vector<EntryChange>> read_changes(const std::filesystem::path& file);
 
+// A change under way: what the case held when it began. begun.json holds it until the change is a step.
+struct BegunStep {
+  int number = 0;
+  Sentence name;
+  std::vector<std::string> touches;       // the entries that may change, by id; empty: all
+  std::vector<Entry> entries;             // of these, those that were there
+  std::optional<FollowedFiles> followed;  // where all may change
+};
+Json json_of(const BegunStep& begun);
+Result<BegunStep> read_begun_step(const std::filesystem::path& file);
+
 Failure history_damaged(const std::filesystem::path& file);
 
 }  // namespace glisson::casefile

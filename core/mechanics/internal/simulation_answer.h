@@ -19,6 +19,7 @@ struct Answer {
   std::vector<TimeStep> steps;
   std::vector<ToolContact> tools;  // in contact
   std::optional<ContactReport> contact;
+  double share_beyond_data = 0;  // of an answer from data
 };
 using Places = std::vector<PointInMesh>;
 

@@ -1,4 +1,4 @@
-#include "casefile/new_case.h"
+#include "casefile/internal/new_case.h"
 
 #include <system_error>
 
