@@ -8162,6 +8162,73 @@ Keine Messungen zur Hand? Probieren Sie das Beispiel: eine simulierte Gewebeprob
     </message>
 </context>
 <context>
+    <name>glisson::widgets::FromMeasurements</name>
+    <message>
+        <source>Straight from measurements</source>
+        <translation>Direkt aus Messwerten</translation>
+    </message>
+    <message>
+        <source>The liver lifted at segment VI by what was measured of the tissue, without a law.</source>
+        <translation>Die Leber am Segment VI gehoben nach dem, was am Gewebe gemessen wurde, ohne Gesetz.</translation>
+    </message>
+    <message>
+        <source> N</source>
+        <translation> N</translation>
+    </message>
+    <message>
+        <source>Force of the retractor at segment VI</source>
+        <translation>Kraft des Retraktors am Segment VI</translation>
+    </message>
+    <message>
+        <source>Strain and stress...</source>
+        <translation>Dehnung und Spannung...</translation>
+    </message>
+    <message>
+        <source>A table with the columns strain and stress_kPa, or a material experiment; compression is negative</source>
+        <translation>Eine Tabelle mit den Spalten strain und stress_kPa oder ein Materialexperiment; Druck ist negativ</translation>
+    </message>
+    <message>
+        <source>Show it in 3D</source>
+        <translation>In 3D zeigen</translation>
+    </message>
+    <message>
+        <source>Measured strain and stress</source>
+        <translation>Gemessene Dehnung und Spannung</translation>
+    </message>
+    <message>
+        <source>Tables and experiments (*.csv *.json)</source>
+        <translation>Tabellen und Experimente (*.csv *.json)</translation>
+    </message>
+    <message>
+        <source>Retracting by %1</source>
+        <translation>Retraktion nach %1</translation>
+    </message>
+    <message>
+        <source>%1: %2 measurements, %3 N</source>
+        <translation>%1: %2 Messwerte, %3 N</translation>
+    </message>
+    <message>
+        <source>Lifted by up to %1 mm; by the model&apos;s stiffness %2 mm.</source>
+        <translation>Gehoben um bis zu %1 mm; nach der Steifigkeit des Modells %2 mm.</translation>
+    </message>
+    <message>
+        <source>Apart by %1 mm on average, %2 mm at most.</source>
+        <translation>Im Mittel %1 mm auseinander, höchstens %2 mm.</translation>
+    </message>
+    <message>
+        <source>Landmark %1: %2 mm apart, the most of all.</source>
+        <translation>Landmarke %1: %2 mm auseinander, am weitesten von allen.</translation>
+    </message>
+    <message>
+        <source>▲ %1 % of the liver is strained farther than was measured.</source>
+        <translation>▲ %1 % der Leber sind weiter gedehnt, als gemessen wurde.</translation>
+    </message>
+    <message>
+        <source>From the model&apos;s answer (mm)</source>
+        <translation>Von der Antwort des Modells (mm)</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::FromVideo</name>
     <message>
         <source>Back</source>
@@ -11343,7 +11410,7 @@ sicher %</translation>
     </message>
 </context>
 <context>
-    <name>glisson::widgets::SequenceToldView</name>
+    <name>glisson::widgets::SequenceReportView</name>
     <message>
         <source>Calibration: read; the eyes are %1 mm apart.</source>
         <translation>Kalibrierung: gelesen; die Augen sind %1 mm auseinander.</translation>
@@ -11685,6 +11752,21 @@ sicher %</translation>
     <message>
         <source>%1, %2</source>
         <translation>%1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::StressStrainPlot</name>
+    <message>
+        <source>Measured strain and stress</source>
+        <translation>Gemessene Dehnung und Spannung</translation>
+    </message>
+    <message>
+        <source>strain, %</source>
+        <translation>Dehnung, %</translation>
+    </message>
+    <message>
+        <source>stress, kPa</source>
+        <translation>Spannung, kPa</translation>
     </message>
 </context>
 <context>

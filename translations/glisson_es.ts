@@ -8162,6 +8162,73 @@ Glisson dice cuánto se equivoca el modelo declarado, qué le falta y con qué c
     </message>
 </context>
 <context>
+    <name>glisson::widgets::FromMeasurements</name>
+    <message>
+        <source>Straight from measurements</source>
+        <translation>Directamente de mediciones</translation>
+    </message>
+    <message>
+        <source>The liver lifted at segment VI by what was measured of the tissue, without a law.</source>
+        <translation>El hígado levantado en el segmento VI según lo medido en el tejido, sin ley.</translation>
+    </message>
+    <message>
+        <source> N</source>
+        <translation> N</translation>
+    </message>
+    <message>
+        <source>Force of the retractor at segment VI</source>
+        <translation>Fuerza del separador en el segmento VI</translation>
+    </message>
+    <message>
+        <source>Strain and stress...</source>
+        <translation>Deformación y tensión...</translation>
+    </message>
+    <message>
+        <source>A table with the columns strain and stress_kPa, or a material experiment; compression is negative</source>
+        <translation>Una tabla con las columnas strain y stress_kPa, o un experimento de material; la compresión es negativa</translation>
+    </message>
+    <message>
+        <source>Show it in 3D</source>
+        <translation>Mostrarlo en 3D</translation>
+    </message>
+    <message>
+        <source>Measured strain and stress</source>
+        <translation>Deformación y tensión medidas</translation>
+    </message>
+    <message>
+        <source>Tables and experiments (*.csv *.json)</source>
+        <translation>Tablas y experimentos (*.csv *.json)</translation>
+    </message>
+    <message>
+        <source>Retracting by %1</source>
+        <translation>Retracción según %1</translation>
+    </message>
+    <message>
+        <source>%1: %2 measurements, %3 N</source>
+        <translation>%1: %2 mediciones, %3 N</translation>
+    </message>
+    <message>
+        <source>Lifted by up to %1 mm; by the model&apos;s stiffness %2 mm.</source>
+        <translation>Levantado hasta %1 mm; según la rigidez del modelo, %2 mm.</translation>
+    </message>
+    <message>
+        <source>Apart by %1 mm on average, %2 mm at most.</source>
+        <translation>Separados %1 mm de media, %2 mm como máximo.</translation>
+    </message>
+    <message>
+        <source>Landmark %1: %2 mm apart, the most of all.</source>
+        <translation>Punto de referencia %1: %2 mm de separación, la mayor de todas.</translation>
+    </message>
+    <message>
+        <source>▲ %1 % of the liver is strained farther than was measured.</source>
+        <translation>▲ El %1 % del hígado está deformado más allá de lo medido.</translation>
+    </message>
+    <message>
+        <source>From the model&apos;s answer (mm)</source>
+        <translation>De la respuesta del modelo (mm)</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::FromVideo</name>
     <message>
         <source>Back</source>
@@ -11346,7 +11413,7 @@ seguro %</translation>
     </message>
 </context>
 <context>
-    <name>glisson::widgets::SequenceToldView</name>
+    <name>glisson::widgets::SequenceReportView</name>
     <message>
         <source>Calibration: read; the eyes are %1 mm apart.</source>
         <translation>Calibración: leída; los ojos distan %1 mm.</translation>
@@ -11688,6 +11755,21 @@ seguro %</translation>
     <message>
         <source>%1, %2</source>
         <translation>%1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::StressStrainPlot</name>
+    <message>
+        <source>Measured strain and stress</source>
+        <translation>Deformación y tensión medidas</translation>
+    </message>
+    <message>
+        <source>strain, %</source>
+        <translation>deformación, %</translation>
+    </message>
+    <message>
+        <source>stress, kPa</source>
+        <translation>tensión, kPa</translation>
     </message>
 </context>
 <context>

@@ -8162,6 +8162,73 @@ Pas de mesures sous la main&#xa0;? Essayez l’exemple&#xa0;: un échantillon de
     </message>
 </context>
 <context>
+    <name>glisson::widgets::FromMeasurements</name>
+    <message>
+        <source>Straight from measurements</source>
+        <translation>Directement d’après des mesures</translation>
+    </message>
+    <message>
+        <source>The liver lifted at segment VI by what was measured of the tissue, without a law.</source>
+        <translation>Le foie soulevé au segment VI d’après ce qui a été mesuré du tissu, sans loi.</translation>
+    </message>
+    <message>
+        <source> N</source>
+        <translation> N</translation>
+    </message>
+    <message>
+        <source>Force of the retractor at segment VI</source>
+        <translation>Force de l’écarteur au segment VI</translation>
+    </message>
+    <message>
+        <source>Strain and stress...</source>
+        <translation>Déformation et contrainte...</translation>
+    </message>
+    <message>
+        <source>A table with the columns strain and stress_kPa, or a material experiment; compression is negative</source>
+        <translation>Un tableau avec les colonnes strain et stress_kPa, ou une expérience de matériau ; la compression est négative</translation>
+    </message>
+    <message>
+        <source>Show it in 3D</source>
+        <translation>Le montrer en 3D</translation>
+    </message>
+    <message>
+        <source>Measured strain and stress</source>
+        <translation>Déformation et contrainte mesurées</translation>
+    </message>
+    <message>
+        <source>Tables and experiments (*.csv *.json)</source>
+        <translation>Tableaux et expériences (*.csv *.json)</translation>
+    </message>
+    <message>
+        <source>Retracting by %1</source>
+        <translation>Rétraction d’après %1</translation>
+    </message>
+    <message>
+        <source>%1: %2 measurements, %3 N</source>
+        <translation>%1 : %2 mesures, %3 N</translation>
+    </message>
+    <message>
+        <source>Lifted by up to %1 mm; by the model&apos;s stiffness %2 mm.</source>
+        <translation>Soulevé jusqu’à %1 mm ; d’après la rigidité du modèle, %2 mm.</translation>
+    </message>
+    <message>
+        <source>Apart by %1 mm on average, %2 mm at most.</source>
+        <translation>Écart de %1 mm en moyenne, %2 mm au plus.</translation>
+    </message>
+    <message>
+        <source>Landmark %1: %2 mm apart, the most of all.</source>
+        <translation>Repère %1 : %2 mm d’écart, le plus grand de tous.</translation>
+    </message>
+    <message>
+        <source>▲ %1 % of the liver is strained farther than was measured.</source>
+        <translation>▲ %1 % du foie est déformé plus loin que les mesures.</translation>
+    </message>
+    <message>
+        <source>From the model&apos;s answer (mm)</source>
+        <translation>De la réponse du modèle (mm)</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::FromVideo</name>
     <message>
         <source>Back</source>
@@ -11346,7 +11413,7 @@ sûr %</translation>
     </message>
 </context>
 <context>
-    <name>glisson::widgets::SequenceToldView</name>
+    <name>glisson::widgets::SequenceReportView</name>
     <message>
         <source>Calibration: read; the eyes are %1 mm apart.</source>
         <translation>Calibrage : lu ; les yeux sont à %1 mm l&apos;un de l&apos;autre.</translation>
@@ -11688,6 +11755,21 @@ sûr %</translation>
     <message>
         <source>%1, %2</source>
         <translation>%1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::StressStrainPlot</name>
+    <message>
+        <source>Measured strain and stress</source>
+        <translation>Déformation et contrainte mesurées</translation>
+    </message>
+    <message>
+        <source>strain, %</source>
+        <translation>déformation, %</translation>
+    </message>
+    <message>
+        <source>stress, kPa</source>
+        <translation>contrainte, kPa</translation>
     </message>
 </context>
 <context>

@@ -86,7 +86,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), diary_(diary_file
   offer_lost_work();
   diary_.note("The window is made.");
   keep_translated(this, [this] {
-    word_patient();
+    update_patient_text();
     patient_views_->reword();
     QTimer::singleShot(0, this, [this] { name_controls(*this); });  // once all of it has its words
   });

@@ -110,7 +110,7 @@ class MainWindow : public QMainWindow {
   void show_error(const Error& error);
   [[nodiscard]] bool may_change();  // or says why not
   [[nodiscard]] bool asked_to_give_up();
-  void word_patient();
+  void update_patient_text();
 
   Diary diary_;
   StallWatch stalls_;

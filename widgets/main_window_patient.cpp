@@ -119,7 +119,7 @@ void MainWindow::show_patient(const Patient& patient) {
   bar_->show_patient(patient);
   allow_for_case();
   next_step_->show_case(patient.folder);
-  word_patient();
+  update_patient_text();
   if (!patient.folder.empty()) remember_case(patient.folder);
   keep_open_work();
   diary_.note("A patient is shown.");
@@ -135,7 +135,7 @@ void MainWindow::allow_for_case() {
   close_case_->setEnabled(has_case);
 }
 
-void MainWindow::word_patient() {
+void MainWindow::update_patient_text() {
   setWindowTitle(patient_.name.empty() ? tr("Glisson") : tr("%1 - Glisson").arg(patient_label(patient_.name)));
 }
 

@@ -4,11 +4,14 @@
 #include <QComboBox>
 #include <QDir>
 #include <QDoubleSpinBox>
+#include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QTemporaryDir>
 #include <QTreeWidget>
 #include <QtTest>
 
+#include "base/write_file.h"
 #include "kept_pictures.h"
 #include "modelled_case.h"
 #include "run_test.h"
@@ -117,6 +120,47 @@ class ModelTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(panel_->facts() && panel_->state().current, patience_ms);
     QVERIFY(panel_->facts()->mesh_ml > 1.3 * before_ml);  // (14 / 12)^3 = 1.59
     QVERIFY(!primary()->isVisible());
+  }
+
+  // A table of a tissue half as stiff as the model: chapter 5's retraction goes farther by it.
+  void retracts_the_liver_straight_from_measurements() {
+    const fs::path table = fs::path(temporary_.path().toStdString()) / "soft.csv";
+    std::string text = "strain,stress_kPa\n";
+    for (int i = -20; i <= 20; ++i) text += std::to_string(0.01 * i) + "," + std::to_string(0.03 * i) + "\n";
+    QVERIFY(bool(write_text_file(table, text)));
+    const auto* told = child<QLabel>("measured_told");
+    QVERIFY(!told->isVisible());
+    auto* force = child<QDoubleSpinBox>("measured_force");
+    force->setFocus();
+    force->selectAll();
+    QTest::keyClicks(force, "0.1");
+    QTest::keyClick(force, Qt::Key_Return);
+    QTest::qWait(100);
+    const QImage before = window_->views().space().picture();
+    panel_->findChild<FromMeasurements*>()->retract_by(table);
+    QTRY_VERIFY_WITH_TIMEOUT(told->isVisible(), patience_ms);
+    QVERIFY2(told->text().contains("soft.csv: 41 measurements, 0.1 N"), qPrintable(told->text()));
+    QVERIFY2(told->text().contains("Lifted by up to"), qPrintable(told->text()));
+    auto* see = child<QPushButton>("see_measured");
+    QVERIFY(see->isChecked());
+    QTest::qWait(100);
+    const QImage retracted = window_->views().space().picture();
+    QVERIFY(retracted != before);
+    panel_->findChild<QScrollArea*>()->ensureWidgetVisible(see);
+    QVERIFY(window_->grab().save(glisson::test::kept_picture("model_measurements.png")));
+    QTest::mouseClick(see, Qt::LeftButton);
+    QTest::qWait(100);
+    QVERIFY(window_->views().space().picture() != retracted);
+  }
+
+  void a_table_that_is_none_says_so_and_leaves_the_answer() {
+    const fs::path table = fs::path(temporary_.path().toStdString()) / "words.csv";
+    QVERIFY(bool(write_text_file(table, "strain,stress_kPa\n0.1,soft\n")));
+    const QString before = child<QLabel>("measured_told")->text();
+    panel_->findChild<FromMeasurements*>()->retract_by(table);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->findChild<QLabel*>("notice_text")->text().contains("In line 2 no number stands"),
+                             patience_ms);
+    QCOMPARE(child<QLabel>("measured_told")->text(), before);
   }
 
   void shows_stiffness_and_supports_in_space() {

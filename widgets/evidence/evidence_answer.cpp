@@ -39,7 +39,7 @@ EvidenceAnswer::EvidenceAnswer(QWidget* parent) : QScrollArea(parent) {
   details_ = new QCheckBox(page);
   details_->setObjectName("evidence_details");
   column->addWidget(details_);
-  connect(details_, &QCheckBox::toggled, this, &EvidenceAnswer::word);
+  connect(details_, &QCheckBox::toggled, this, &EvidenceAnswer::update_text);
   shape_ = label("faint", page);
   column->addWidget(shape_);
   across_ = new QSplitter(Qt::Horizontal, page);
@@ -63,7 +63,7 @@ EvidenceAnswer::EvidenceAnswer(QWidget* parent) : QScrollArea(parent) {
   column->addWidget(next_);
   notes_ = label("faint", page);
   column->addWidget(notes_);
-  keep_translated(this, [this] { word(); });
+  keep_translated(this, [this] { update_text(); });
 }
 
 QWidget* EvidenceAnswer::make_residual() {
@@ -95,8 +95,8 @@ QWidget* EvidenceAnswer::make_residual() {
   space_->setObjectName("residual_space");
   space_->setMinimumHeight(320);
   column->addWidget(space_, 1);
-  scale_told_ = label("faint", group);
-  column->addWidget(scale_told_);
+  scale_text_ = label("faint", group);
+  column->addWidget(scale_text_);
   connect(trial_, &QComboBox::currentIndexChanged, this, &EvidenceAnswer::show_residual);
   connect(which, &QButtonGroup::buttonClicked, this, &EvidenceAnswer::show_residual);
   return group;
@@ -136,7 +136,7 @@ void EvidenceAnswer::show_record(std::shared_ptr<const EvidenceRecord> record,
   }
   before_->setChecked(true);
   show_drawings();
-  word();
+  update_text();
   across_->setSizes(in_space ? QList<int>{520, 330, 460} : QList<int>{0, 660, 560});
   if (in_space) {
     show_residual();
@@ -155,7 +155,7 @@ void EvidenceAnswer::show_residual() {
                                    before_->isChecked() ? ResidualOf::declared : ResidualOf::better,
                                    tr("Residual (mm)").toStdString());
   space_->show_scene(made.scene);
-  scale_told_->setText(
+  scale_text_->setText(
       tr("Measured less predicted, where this trial was farthest off. Arrows %1 times as long as they are; "
          "colours reach to %2 mm, between markers interpolated.")
           .arg(made.magnification, 0, 'g', 2)
@@ -187,7 +187,7 @@ QString EvidenceAnswer::next_measurement(const EvidenceRecord& record) {
   return lines.join("\n");
 }
 
-void EvidenceAnswer::word() {
+void EvidenceAnswer::update_text() {
   before_->setText(tr("Before"));
   after_->setText(tr("After"));
   details_->setText(tr("Details"));

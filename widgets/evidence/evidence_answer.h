@@ -37,7 +37,7 @@ class EvidenceAnswer : public QScrollArea {
  private:
   QWidget* make_residual();
   QWidget* make_numbers();
-  void word();
+  void update_text();
   [[nodiscard]] static QString next_measurement(const EvidenceRecord& record);
   void show_residual();
   void show_drawings();
@@ -54,7 +54,7 @@ class EvidenceAnswer : public QScrollArea {
   QComboBox* trial_;
   QPushButton* before_;
   QPushButton* after_;
-  QLabel* scale_told_;
+  QLabel* scale_text_;
   QWidget* drawings_;
   ErrorsTable* errors_;
   FoundTree* found_;

@@ -46,15 +46,15 @@ EvidenceView::EvidenceView(WorkspaceContext context, QWidget* parent) : QWidget(
   answer_ = new EvidenceAnswer(this);
   right_->addWidget(answer_);
   across->addWidget(right_, 1);
-  connect(&answer_->found(), &FoundTree::ticked, this, &EvidenceView::word_state);
+  connect(&answer_->found(), &FoundTree::ticked, this, &EvidenceView::update_text);
   connect(&context_.work, &BackgroundWork::progressed, this, [this](double fraction) { tell_time_left(fraction); });
   connect(&context_.work, &BackgroundWork::finished, this, [this] {
     explaining_ = false;
     time_left_->clear();
-    word_state();
+    update_text();
   });
   keep_translated(this, [this] {
-    word_state();
+    update_text();
     reword_page();
   });
 }
@@ -197,7 +197,7 @@ void EvidenceView::explain(const fs::path& experiment) {
   if (!begun) return;
   explaining_ = true;
   since_.start();
-  word_state();
+  update_text();
 }
 
 void EvidenceView::show_report(const fs::path& folder, std::shared_ptr<const closedloop::Explained> explained) {
@@ -209,7 +209,7 @@ void EvidenceView::show_report(const fs::path& folder, std::shared_ptr<const clo
   answer_->show_record(record_, std::move(explained));
   comparison_->hide();
   weigh();
-  word_state();
+  update_text();
   reword_page();
 }
 
@@ -228,7 +228,7 @@ void EvidenceView::reword_page() {
 void EvidenceView::show_patient(const Patient& patient) {
   patient_ = patient;
   weigh();
-  word_state();
+  update_text();
 }
 
 void EvidenceView::weigh() {
@@ -266,7 +266,7 @@ QString EvidenceView::why_not_accept() const {
   return {};
 }
 
-void EvidenceView::word_state() {
+void EvidenceView::update_text() {
   const bool busy = explaining_;
   if (weighed_) answer_->found().show_consequences(weighed_->effects);
   for (QPushButton* each : {open_, example_, open_report_}) each->setEnabled(!busy);

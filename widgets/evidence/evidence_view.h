@@ -50,7 +50,7 @@ class EvidenceView : public QWidget {
   void choose_experiment();
   void choose_report();
   void choose_trials();
-  void word_state();
+  void update_text();
   void tell_time_left(double fraction);
   // Why what was found cannot be accepted; empty where it can.
   [[nodiscard]] QString why_not_accept() const;

@@ -57,7 +57,7 @@ GuidePage::GuidePage(WorkspaceContext context, QWidget* parent) : QWidget(parent
   connect_lines();
   keep_translated(this, [this] {
     show_overlay();
-    word();
+    update_text();
   });
 }
 
@@ -143,7 +143,7 @@ void GuidePage::connect_parts() {
 void GuidePage::start(Task task, const QString& title, BackgroundWork::Work work) {
   said_ = {};
   if (context_.work.start(title, std::move(work))) task_ = task;  // refused, what is under way may still be this page's
-  word();
+  update_text();
 }
 
 void GuidePage::connect_work() {
@@ -153,7 +153,7 @@ void GuidePage::connect_work() {
   connect(&context_.work, &BackgroundWork::finished, this, [this] {
     task_ = Task::none;
     follows_answers_ = false;
-    word();
+    update_text();
   });
 }
 
@@ -290,7 +290,7 @@ void GuidePage::close_video() {
   panel_->set_by_hand(false);
   panel_->lines().set_on(false);
   pages_->setCurrentIndex(0);
-  word();
+  update_text();
 }
 
 void GuidePage::take(std::shared_ptr<const GuidedVideo> video) {
@@ -320,7 +320,7 @@ void GuidePage::take_frame(std::size_t frame, std::shared_ptr<const GuidedFrame>
   } else if (frame == this->frame()) {
     show_frame();
   } else {
-    word();
+    update_text();
   }
 }
 
@@ -336,7 +336,7 @@ void GuidePage::say_error(const Error& error) {
 
 void GuidePage::say(std::function<QString()> words) {
   said_ = std::move(words);
-  word();
+  update_text();
 }
 
 void GuidePage::keyPressEvent(QKeyEvent* event) {

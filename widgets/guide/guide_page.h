@@ -93,7 +93,7 @@ class GuidePage : public QWidget {
   void show_frame();
   void show_overlay();
   void show_in_space();
-  void word();
+  void update_text();
   [[nodiscard]] OverlayPicture picture_of(const std::vector<guidance::PlacedOutline>& outlines) const;
   [[nodiscard]] QString label_of(const guidance::PlacedOutline& outline) const;
   [[nodiscard]] QString remark() const;   // over the frame

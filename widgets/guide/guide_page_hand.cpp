@@ -70,7 +70,7 @@ void GuidePage::keep_hand_pose() {
   if (hand_) hand_ = hand_pose_of(now);  // what is kept is what a refinement begins from, to the bit
   context_.undo.value_changed({GLISSON_TEXT("Place the liver by hand"), {}}, pose_key, kept_, now);
   kept_ = now;
-  word();
+  update_text();
 }
 
 void GuidePage::read_kept_pose() {
@@ -83,7 +83,7 @@ void GuidePage::take_kept_pose(const QJsonValue& kept) {
   hand_ = hand_pose_of(kept);
   const bool is_of_this = hand_ && has_video() && hand_->sequence == video_->content && hand_->frame < answers_.size();
   if (!is_of_this) hand_.reset();
-  word();
+  update_text();
 }
 
 }  // namespace glisson::widgets

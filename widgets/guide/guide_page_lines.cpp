@@ -46,7 +46,7 @@ void GuidePage::set_marking(bool on) {
   if (on) view_->setFocus();
   show_marks();
   show_in_space();
-  word();
+  update_text();
 }
 
 void GuidePage::mark_on_frame(const QPointF& at_px) {
@@ -78,7 +78,7 @@ void GuidePage::change_lines(const std::function<void(casefile::MarkedLines&)>& 
   take_kept_lines(now);
   show_marks();
   show_in_space();
-  word();
+  update_text();
 }
 
 void GuidePage::read_kept_lines() {

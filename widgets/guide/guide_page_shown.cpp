@@ -7,6 +7,7 @@
 #include "guidance/hand_pose.h"
 #include "widgets/guide/guide_page.h"
 #include "widgets/guide/placed_scene.h"
+#include "widgets/panels/parts.h"
 #include "widgets/words/numbers.h"
 #include "widgets/words/paths.h"
 #include "widgets/words/translated.h"
@@ -48,7 +49,7 @@ void GuidePage::show_overlay() {
     const GuidedFrame* here = answered(frame());
     view_->show_overlay(here != nullptr ? picture_of(here->overlay.outlines) : OverlayPicture{});
   }
-  word();
+  update_text();
 }
 
 void GuidePage::show_in_space() {
@@ -154,7 +155,7 @@ QString GuidePage::reading() const {
              .arg(number(100 * here->placement.visible_share, 0), number(here->placement.elastic_rms_mm));
 }
 
-void GuidePage::word() {
+void GuidePage::update_text() {
   const QString said = said_ ? said_() : QString();
   welcome_->say(task_ == Task::opening ? tr("One moment...") : said);
   using Work = GuidePanel::Work;
@@ -170,11 +171,8 @@ void GuidePage::word() {
   const QString name = text_of(video_->file.parent_path().filename());
   file_->setText(placed == 0 ? tr("%1: %2 frames").arg(name).arg(answers_.size())
                              : tr("%1: placed in %2 of %3 frames").arg(name).arg(placed).arg(answers_.size()));
-  origin_->setText(translated(video_->sequence.simulated));
-  origin_->setVisible(!video_->sequence.simulated.empty());
-  const QString conclusion = said.isEmpty() ? reading() : said;
-  reading_->setText(conclusion);
-  reading_->setVisible(!conclusion.isEmpty());
+  show_text(origin_, translated(video_->sequence.simulated));
+  show_text(reading_, said.isEmpty() ? reading() : said);
   view_->setAccessibleName(tr("Frame %1 with outlines").arg(timeline_->frame() + 1));
   view_->say(remark());
   const GuidedFrame* here = answered(frame());

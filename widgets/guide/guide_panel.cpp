@@ -27,7 +27,7 @@ GuidePanel::GuidePanel(QWidget* parent) : QWidget(parent) {
   film_ = named_button("guide_film");
   column->addWidget(film_);
   connect(film_, &QPushButton::clicked, this, &GuidePanel::film_wanted);
-  keep_translated(this, [this] { word(); });
+  keep_translated(this, [this] { update_text(); });
 }
 
 void GuidePanel::add_placing(QVBoxLayout& column) {
@@ -60,7 +60,7 @@ void GuidePanel::add_placing(QVBoxLayout& column) {
   connect(refine_, &QPushButton::clicked, this, &GuidePanel::refining_wanted);
   connect(cancel_, &QPushButton::clicked, this, &GuidePanel::cancel_wanted);
   connect(by_hand_, &QPushButton::toggled, this, [this](bool by_hand) {
-    word();
+    update_text();
     Q_EMIT by_hand_changed(by_hand);
   });
   keep_translated(place_, [=, this] {
@@ -138,7 +138,7 @@ OverlayLook GuidePanel::look() const {
 void GuidePanel::show_state(const State& state) {
   if (state.work != state_.work && state.work != Work::none) show_progress(0, {});
   state_ = state;
-  word();
+  update_text();
 }
 
 void GuidePanel::show_progress(double fraction, const QString& stage) {
@@ -146,7 +146,7 @@ void GuidePanel::show_progress(double fraction, const QString& stage) {
   stage_->setText(translated_stage(stage));
 }
 
-void GuidePanel::word() {
+void GuidePanel::update_text() {
   const bool works = state_.work != Work::none;
   const QString under_way = tr("It is being computed");
   const QString no_camera = tr("The sequence names no camera, so that nothing can be drawn over the video.");

@@ -51,7 +51,7 @@ class GuidePanel : public QWidget {
  private:
   void add_placing(QVBoxLayout& column);
   void add_look(QVBoxLayout& column);
-  void word();
+  void update_text();
 
   State state_;
   QPushButton* place_;

@@ -42,16 +42,16 @@ GuideWelcome::GuideWelcome(QWidget* parent) : QWidget(parent) {
            "are drawn where they are, with how far they may be off. Begin with the video of a stereo laparoscope and "
            "its calibration, or pictures of a board; or open a sequence that was made of one. The example is simulated "
            "and shows the demo patient's liver."));
-    word();
+    update_text();
   });
 }
 
 void GuideWelcome::show_missing(const QString& missing) {
   missing_ = missing;
-  word();
+  update_text();
 }
 
-void GuideWelcome::word() {
+void GuideWelcome::update_text() {
   video_->setText(tr("From a video..."));
   open_->setText(tr("Open a sequence..."));
   make_->setText(tr("Open the example"));

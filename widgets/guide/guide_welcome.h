@@ -23,7 +23,7 @@ class GuideWelcome : public QWidget {
   void example_wanted();
 
  private:
-  void word();
+  void update_text();
 
   QString missing_;
   QPushButton* video_;

@@ -40,7 +40,7 @@ LinePanel::LinePanel(QWidget* parent) : QWidget(parent) {
   });
   connect(line_, &QComboBox::currentIndexChanged, this, &LinePanel::line_chosen);
   connect(remove_, &QPushButton::clicked, this, &LinePanel::removing_wanted);
-  keep_translated(this, [this] { word(); });
+  keep_translated(this, [this] { update_text(); });
 }
 
 void LinePanel::set_allowed(bool allowed, const QString& why_not) {
@@ -53,10 +53,10 @@ void LinePanel::set_allowed(bool allowed, const QString& why_not) {
 void LinePanel::show_places(std::size_t on_frame, std::size_t on_model) {
   on_frame_ = on_frame;
   on_model_ = on_model;
-  word();
+  update_text();
 }
 
-void LinePanel::word() {
+void LinePanel::update_text() {
   mark_->setText(tr("Mark lines"));
   const QStringList names{tr("Falciform ligament"), tr("Lower edge"), tr("Gall bladder's border"), tr("Another line")};
   for (int n = 0; n < names.size(); ++n) line_->setItemText(n, names[n]);

@@ -30,7 +30,7 @@ class LinePanel : public QWidget {
   void removing_wanted();
 
  private:
-  void word();
+  void update_text();
 
   std::size_t on_frame_ = 0, on_model_ = 0;
   QPushButton* mark_;

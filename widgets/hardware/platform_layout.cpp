@@ -170,12 +170,12 @@ QWidget* PlatformView::make_answer() {
   quantity_->setObjectName("quantity");
   quantity_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   for (const Quantity quantity : {surface_C, frames, battery, power}) quantity_->addItem({}, quantity);
-  quantity_told_ = new QLabel;
-  quantity_told_->setObjectName("quantity_told");
-  quantity_told_->setWordWrap(true);
+  quantity_text_ = new QLabel;
+  quantity_text_->setObjectName("quantity_told");
+  quantity_text_->setWordWrap(true);
   auto* plot_title = new QHBoxLayout;
   plot_title->addWidget(quantity_);
-  plot_title->addWidget(quantity_told_, 1);
+  plot_title->addWidget(quantity_text_, 1);
   plot_column->addLayout(plot_title);
   contours_ = new ContourPlot;
   plot_column->addWidget(contours_, 1);

@@ -102,7 +102,7 @@ PlatformView::PlatformView(std::vector<Device> devices, hardware::ConvergenceCur
     show_lower_left();
   });
   keep_translated(this, [this] {
-    word_case();
+    update_case_text();
     replan();
   });
 }
@@ -137,12 +137,12 @@ void PlatformView::show_case(const QString& name, double liver_volume_cm3, doubl
            : stiffness           ? tr("Stiffness of %1; its volume is not known").arg(shown)
                                  : tr("%1 has no outlined liver yet: type its volume").arg(shown);
   };
-  word_case();
+  update_case_text();
   set_accuracy_range();
   replan();
 }
 
-void PlatformView::word_case() {
+void PlatformView::update_case_text() {
   case_name_->setText(case_name_words_ ? case_name_words_() : tr("No case is open: type its figures"));
 }
 
@@ -326,7 +326,7 @@ void PlatformView::show_picture() {
     if (resolution_mm3 && error_mm <= here.points.back().error_mm)
       picture.accuracies.push_back({*resolution_mm3, error_mm});
   }
-  quantity_told_->setText(quantity_told);
+  quantity_text_->setText(quantity_told);
   contours_->show_picture(picture);
 }
 

@@ -51,7 +51,7 @@ class PlatformView : public QWidget {
   void plan_with_trace();
   void refuse(const Error& error);
   void show_lower_left();
-  void word_case();
+  void update_case_text();
   void set_accuracy_range();
   void choose_task();
   void replan();
@@ -80,7 +80,7 @@ class PlatformView : public QWidget {
   PlatformTable* table_;
   QWidget* plot_;
   QComboBox* quantity_;
-  QLabel* quantity_told_;
+  QLabel* quantity_text_;
   ContourPlot* contours_;
   TraceView* trace_;
   bool trace_open_ = false;

@@ -71,7 +71,7 @@ TraceView::TraceView(QWidget* parent) : QWidget(parent) {
            "times the supply's voltage. Negative turns the sign."));
     time_name->setText(tr("Time"));
     fill_columns();
-    word_answer();
+    update_answer_text();
   });
 }
 
@@ -102,7 +102,7 @@ QString TraceView::file_name() const { return recording_ ? text_of(recording_->f
 
 void TraceView::set_platform(const QString& name) {
   platform_ = name;
-  word_answer();
+  update_answer_text();
 }
 
 void TraceView::take(std::shared_ptr<const Recording> recording) {
@@ -164,11 +164,11 @@ void TraceView::read_columns() {
         if (question != asked_) return;
         reading_ = std::move(reading);
         if (reading_.trace) plot_->show_trace(*reading_.trace, reading_.runs);
-        word_answer();
+        update_answer_text();
       });
 }
 
-void TraceView::word_answer() {
+void TraceView::update_answer_text() {
   use_->setEnabled(reading_.runs && !platform_.isEmpty());
   use_->setText(platform_.isEmpty() ? tr("Plan with it") : tr("Plan with it as %1").arg(platform_));
   use_->setToolTip(tr("Adds that platform once more, with the idle and active power of this recording"));

@@ -52,7 +52,7 @@ class TraceView : public QWidget {
   void take(std::shared_ptr<const Recording> recording);
   void fill_columns();
   void read_columns();
-  void word_answer();
+  void update_answer_text();
 
   std::shared_ptr<const Recording> recording_;
   Reading reading_;

@@ -44,7 +44,7 @@ TourCard::TourCard(QWidget* parent) : QFrame(parent) {
   keep_translated(this, [=, this] {
     leave->setText(tr("End the tour"));
     back_->setText(tr("Back"));
-    word();
+    update_text();
   });
 }
 
@@ -62,13 +62,13 @@ void TourCard::end() {
 
 void TourCard::go(int stop) {
   stop_ = stop;
-  word();
+  update_text();
   const TourStop here = stops_.at(static_cast<std::size_t>(stop));
   Q_EMIT arrived(here.workspace);
   here.act();
 }
 
-void TourCard::word() {
+void TourCard::update_text() {
   if (stops_.empty()) return;
   const TourStop& here = stops_.at(static_cast<std::size_t>(stop_));
   title_->setText(here.title());

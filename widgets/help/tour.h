@@ -35,7 +35,7 @@ class TourCard : public QFrame {
 
  private:
   void go(int stop);
-  void word();
+  void update_text();
 
   std::vector<TourStop> stops_;
   int stop_ = 0;

@@ -69,19 +69,22 @@ ModelPanel::ModelPanel(WorkspaceContext context, QWidget* parent) : QWidget(pare
   const auto [title, missing, controls, column] = lay_out_side_panel(this);
   missing_ = missing;
   controls_ = controls;
-  state_told_ = wrapped_label("model_state", controls_);
-  column->addWidget(state_told_);
+  state_text_ = wrapped_label("model_state", controls_);
+  column->addWidget(state_text_);
   update_ = named_button("primary", controls_);
   column->addWidget(update_);
+  measured_ = new FromMeasurements(context_, controls_);
   for (QWidget* each : {make_shown(), make_facts(), make_stiffness(), make_building()}) column->addWidget(each);
+  column->addWidget(measured_);
   notes_ = wrapped_label("faint", controls_);
   column->addWidget(notes_);
   column->addStretch(1);
   connect(update_, &QPushButton::clicked, this, [this] { rebuild({}); });
+  connect(measured_, &FromMeasurements::scene_changed, this, &ModelPanel::show_scene);
   keep_translated(this, [this, title = title] {
     title->setText(tr("Model"));
     update_->setText(tr("Bring it up to date"));
-    word_state();
+    update_text();
   });
 }
 
@@ -117,10 +120,11 @@ QWidget* ModelPanel::make_shown() {
   }
   choices[0]->setChecked(true);
   part.column->addLayout(row);
-  supports_told_ = part.label("faint");
+  supports_text_ = part.label("faint");
   connect(show_, &QButtonGroup::idClicked, this, [this](int shown) {
     shown_ = static_cast<Shown>(shown);
-    word_state();
+    measured_->hide_scene();
+    update_text();
     show_scene();
   });
   keep_translated(part.group, [=, title = part.title] {
@@ -164,7 +168,7 @@ QWidget* ModelPanel::make_stiffness() {
   part.column->addLayout(row);
   waves_ = named_button("model_waves", part.group);
   part.column->addWidget(waves_);
-  connect(source_, &QComboBox::currentIndexChanged, this, &ModelPanel::word_state);
+  connect(source_, &QComboBox::currentIndexChanged, this, &ModelPanel::update_text);
   connect(give_, &QPushButton::clicked, this, [this] { rebuild({}); });
   connect(waves_, &QPushButton::clicked, this, &ModelPanel::show_waves);
   keep_translated(part.group, [=, this, title = part.title] {
@@ -184,12 +188,8 @@ QWidget* ModelPanel::make_stiffness() {
 QWidget* ModelPanel::make_building() {
   const Part part(6, 6);
   auto* row = new QHBoxLayout;
-  target_ = new NumberBox(part.group);
-  target_->setDecimals(0);
-  target_->setObjectName("model_target");
-  target_->setRange(500, 200000);
+  target_ = whole_number("model_target", 500, 200000, meshing::MeshOptions{}.target_cells, part.group);
   target_->setSingleStep(5000);
-  target_->setValue(meshing::MeshOptions{}.target_cells);
   build_ = named_button("model_build", part.group);
   row->addWidget(target_);
   row->addWidget(build_, 1);
@@ -207,15 +207,16 @@ void ModelPanel::show_patient(const Patient& patient) {
   const bool completed = patient.completes(patient_);
   patient_ = patient;
   if (completed) {  // its facts are there already, or on their way
-    word_state();
+    update_text();
     if (isVisible()) show_scene();
     return;
   }
   facts_.reset();
+  measured_->show_model(patient.folder, false);
   state_ = {};
   has_waves_ = !patient.folder.empty() && WaveView::has_waves(patient.folder);
   read();
-  word_state();
+  update_text();
 }
 
 void ModelPanel::read() {
@@ -230,7 +231,8 @@ void ModelPanel::read() {
     has_liver_ = reading.has_liver;
     take_choice(reading.choice);
     if (facts_) target_->setValue(facts_->target_cells);
-    word_state();
+    measured_->show_model(patient_.folder, facts_ != nullptr);
+    update_text();
     show_scene();
   };
   run_in_background(
@@ -242,9 +244,9 @@ void ModelPanel::take_choice(const StiffnessChoice& choice) {
   if (const auto* uniform = std::get_if<casefile::Uniform>(&choice)) {
     source_->setCurrentIndex(one_value);
     value_->setValue(uniform->youngs_kPa);
-  } else if (const auto* reference = std::get_if<casefile::FromPopulationMean>(&choice)) {
-    source_->setCurrentIndex(reference->reference == elastography::PopulationMean::published_cohort ? published_mean
-                                                                                                    : own_cohort_mean);
+  } else if (const auto* mean = std::get_if<casefile::FromPopulationMean>(&choice)) {
+    source_->setCurrentIndex(mean->mean == elastography::PopulationMean::published_cohort ? published_mean
+                                                                                          : own_cohort_mean);
   } else {
     source_->setCurrentIndex(mre);
   }

@@ -1,6 +1,6 @@
 #pragma once
 // Model: the cells, their stiffness and what holds them, whether all that is still what the case's outlines and maps
-// make, and building it anew.
+// make, building it anew, and the liver retracted by measurements in place of that stiffness.
 
 #include <memory>
 #include <QButtonGroup>
@@ -10,6 +10,7 @@
 #include <QWidget>
 
 #include "casefile/model_upkeep.h"
+#include "widgets/model/from_measurements.h"
 #include "widgets/plots/histogram_plot.h"
 #include "widgets/words/number_box.h"
 #include "widgets/workspaces/workspace.h"
@@ -45,7 +46,7 @@ class ModelPanel : public QWidget {
   void rebuild(const std::optional<int>& target_cells);
   void show_waves();
   void show_scene();
-  void word_state();
+  void update_text();
   [[nodiscard]] casefile::StiffnessChoice choice() const;
 
   WorkspaceContext context_;
@@ -59,7 +60,7 @@ class ModelPanel : public QWidget {
   Shown shown_ = Shown::stiffness;
   QLabel* missing_;
   QWidget* controls_;
-  QLabel* state_told_;
+  QLabel* state_text_;
   QPushButton* update_;
   QLabel* cells_;
   QLabel* volume_;
@@ -73,8 +74,9 @@ class ModelPanel : public QWidget {
   QPushButton* waves_;
   NumberBox* target_;
   QPushButton* build_;
+  FromMeasurements* measured_;
   QButtonGroup* show_;
-  QLabel* supports_told_;
+  QLabel* supports_text_;
   QLabel* notes_;
 };
 

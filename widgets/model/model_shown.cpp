@@ -26,6 +26,10 @@ std::shared_ptr<const geometry::Surface> lifted(const geometry::Surface& patch) 
 
 void ModelPanel::show_scene() {
   if (!isVisible()) return;
+  if (auto retracted = measured_->scene()) {
+    context_.patient_views.set_workspace_scene(*std::move(retracted));
+    return;
+  }
   if (!facts_ || shown_ == Shown::patient) {
     context_.patient_views.set_workspace_scene({});
     return;
@@ -59,7 +63,7 @@ void ModelPanel::show_scene() {
   context_.patient_views.set_workspace_scene(std::move(scene));
 }
 
-void ModelPanel::word_state() {
+void ModelPanel::update_text() {
   const bool outlined = patient_.liver() != nullptr;
   missing_->setVisible(patient_.folder.empty() || !outlined);
   missing_->setText(patient_.folder.empty() ? tr("Needs a case: open one, or the demo patient.")
@@ -69,7 +73,7 @@ void ModelPanel::word_state() {
   for (const std::string& id : state_.changed) {
     changed << structure_label(id.substr(id.find('/') + 1));
   }
-  state_told_->setText(!state_.built && facts_ == nullptr ? tr("There is no model yet. Build it from the outline.")
+  state_text_->setText(!state_.built && facts_ == nullptr ? tr("There is no model yet. Build it from the outline.")
                        : state_.current                   ? tr("✓ The model is up to date.")
                        : state_.missing_file              ? tr("▲ A file of the model is gone.")
                        : state_.changed_outside           ? tr("▲ Another program has changed a file of the model.")
@@ -91,11 +95,11 @@ void ModelPanel::word_state() {
   build_->setToolTip(no_map ? give_->toolTip() : tr("Makes the cells anew and gives them the stiffness chosen above"));
   waves_->setEnabled(has_waves_);
   waves_->setToolTip(has_waves_ ? tr("See the waves and invert them") : tr("This case has no raw waves"));
-  supports_told_->setText(shown_ == Shown::supports
+  supports_text_->setText(shown_ == Shown::supports
                               ? tr("Assumed from the liver's shape: the bare area at the vena cava is held, the dome "
                                    "below the diaphragm rests on springs of 1.1 kPa/mm.")
                               : QString());
-  supports_told_->setVisible(shown_ == Shown::supports);
+  supports_text_->setVisible(shown_ == Shown::supports);
   notes_->setVisible(facts_ != nullptr && !facts_->notes.empty());
   if (!facts_) return;
   const casefile::ModelFacts& facts = *facts_;

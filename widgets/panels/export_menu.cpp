@@ -29,10 +29,10 @@ ExportMenu::ExportMenu(const WorkspaceContext& context, QWidget* parent) : QMenu
     if (one.format == ExportFormat::dicom_seg || one.format == ExportFormat::vtp) addSeparator();
   }
   connect(with_plan_, &QMenu::aboutToShow, this, &ExportMenu::list_plans);
-  keep_translated(this, [this] { word(); });
+  keep_translated(this, [this] { update_text(); });
 }
 
-void ExportMenu::word() {
+void ExportMenu::update_text() {
   with_plan_->setTitle(tr("Outlines, remnant and specimen as DICOM SEG"));
   for (const auto& [action, format] : formats_) {
     switch (format) {

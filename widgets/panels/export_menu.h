@@ -22,7 +22,7 @@ class ExportMenu : public QMenu {
  private:
   void ask(casefile::ExportFormat format, const casefile::SegmentationExport& with = {});
   void list_plans();
-  void word();
+  void update_text();
 
   WorkspaceContext context_;
   std::vector<std::pair<QAction*, casefile::ExportFormat>> formats_;

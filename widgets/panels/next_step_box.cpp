@@ -22,7 +22,7 @@ NextStepBox::NextStepBox(QWidget* parent) : QWidget(parent) {
   connect(button_, &QPushButton::clicked, this, [this] { Q_EMIT wanted(next_); });
   connect(waves_, &QPushButton::clicked, this, &NextStepBox::waves_wanted);
   hide();
-  keep_translated(this, [this] { word(); });
+  keep_translated(this, [this] { update_text(); });
 }
 
 void NextStepBox::show_case(const std::filesystem::path& folder) {
@@ -30,10 +30,10 @@ void NextStepBox::show_case(const std::filesystem::path& folder) {
   setVisible(next_ != NextStep::none);
   const bool waves = !folder.empty() && has_waves_to_invert(folder);
   for (QWidget* each : std::initializer_list<QWidget*>{waves_text_, waves_}) each->setVisible(waves);
-  word();
+  update_text();
 }
 
-void NextStepBox::word() {
+void NextStepBox::update_text() {
   const bool outline = next_ == NextStep::outline_liver;
   text_->setText(outline ? tr("Next: put the crosshair inside the liver, away from large vessels.")
                          : tr("Next: build the model of the liver from its outline and stiffness."));

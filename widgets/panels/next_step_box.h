@@ -23,7 +23,7 @@ class NextStepBox : public QWidget {
   void waves_wanted();
 
  private:
-  void word();
+  void update_text();
 
   NextStep next_ = NextStep::none;
   QLabel* text_;

@@ -44,6 +44,11 @@ SidePanel lay_out_side_panel(QWidget* panel) {
   return made;
 }
 
+void show_text(QLabel* label, const QString& text) {
+  label->setText(text);
+  label->setVisible(!text.isEmpty());
+}
+
 QHBoxLayout* in_the_middle(QLabel* text) {
   constexpr int widest = 640;
   text->setFixedWidth(widest);

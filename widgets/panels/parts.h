@@ -12,6 +12,8 @@ namespace glisson::widgets {
 [[nodiscard]] QLabel* heading(QWidget* parent = nullptr);
 // Breaks its lines where the panel ends.
 [[nodiscard]] QLabel* wrapped_label(const char* name, QWidget* parent = nullptr);
+// A label that takes no room while it has nothing to say.
+void show_text(QLabel* label, const QString& text);
 // A text of a whole page, in its middle, as wide as is read easily; a layout's alignment would cut wrapped lines off.
 [[nodiscard]] QHBoxLayout* in_the_middle(QLabel* text);
 [[nodiscard]] QPushButton* named_button(const char* name, QWidget* parent = nullptr);

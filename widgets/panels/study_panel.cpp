@@ -70,14 +70,14 @@ StudyPanel::StudyPanel(QWidget* parent) : QWidget(parent) {
     slice_image_->setItemText(1, tr("Stiffness (MR elastography)"));
     structures_title->setText(tr("Structures"));
     structures_->setHeaderLabels({tr("Structure"), tr("ml")});
-    word_patient();
+    update_patient_text();
   });
 }
 
 void StudyPanel::show_patient(const Patient& patient) {
   const bool seen = patient.completes(patient_);
   patient_ = patient;
-  if (seen) return word_patient();
+  if (seen) return update_patient_text();
   slice_image_->setCurrentIndex(0);
   slice_image_->setEnabled(patient.stiffness != nullptr);
 
@@ -104,10 +104,10 @@ void StudyPanel::list(const std::vector<PatientStructure>& structures) {
     row->setText(1, QLocale().toString(structure.volume_ml, 'f', structure.volume_ml < 100 ? 1 : 0));
     row->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
   }
-  word_patient();
+  update_patient_text();
 }
 
-void StudyPanel::word_patient() {
+void StudyPanel::update_patient_text() {
   name_->setText(patient_.name.empty() ? tr("No patient open") : patient_label(patient_.name));
   QStringList facts;
   if (patient_.anatomy) {

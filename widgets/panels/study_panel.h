@@ -26,7 +26,7 @@ class StudyPanel : public QWidget {
   void structure_shown(const std::string& name, bool shown);
 
  private:
-  void word_patient();
+  void update_patient_text();
 
   Patient patient_;
   QLabel* name_;

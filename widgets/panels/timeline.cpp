@@ -39,16 +39,16 @@ Timeline::Timeline(QWidget* parent) : QWidget(parent) {
   connect(&clock_, &QTimer::timeout, this, [this] { show_frame((frame() + 1) % frames()); });
   connect(play_, &QPushButton::toggled, this, [this](bool playing) {
     playing ? clock_.start() : clock_.stop();
-    word();
+    update_text();
   });
   connect(back_, &QPushButton::clicked, this, [this] { step(-1); });
   connect(forth_, &QPushButton::clicked, this, [this] { step(1); });
   connect(slider_, &QSlider::valueChanged, this, [this](int frame) {
-    word();
+    update_text();
     Q_EMIT moved(frame);
   });
   set_frames(0);
-  keep_translated(this, [this] { word(); });
+  keep_translated(this, [this] { update_text(); });
 }
 
 void Timeline::set_frames(int frames) {
@@ -60,7 +60,7 @@ void Timeline::set_frames(int frames) {
                         static_cast<QWidget*>(slider_)}) {
     part->setEnabled(frames > 1);
   }
-  word();
+  update_text();
 }
 
 void Timeline::show_frame(int frame) { slider_->setValue(frame); }
@@ -72,7 +72,7 @@ void Timeline::step(int frames) {
 
 void Timeline::play(bool playing) { play_->setChecked(playing && !empty_); }
 
-void Timeline::word() {
+void Timeline::update_text() {
   play_->setText(play_->isChecked() ? tr("Pause") : tr("Play"));
   back_->setAccessibleName(tr("One frame back"));
   forth_->setAccessibleName(tr("One frame on"));

@@ -31,7 +31,7 @@ class Timeline : public QWidget {
   void moved(int frame);
 
  private:
-  void word();
+  void update_text();
 
   QTimer clock_;
   QPushButton* play_;

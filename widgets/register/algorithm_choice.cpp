@@ -78,7 +78,7 @@ AlgorithmChoice::AlgorithmChoice(QWidget* parent) : QWidget(parent) {
     cancel_->setText(tr("Cancel"));
     cancel_->setToolTip(tr("Stops registering; what was computed before stays"));
     progress_->setAccessibleName(tr("Progress"));
-    word();
+    update_text();
   });
 }
 
@@ -99,7 +99,7 @@ void AlgorithmChoice::offer(const OpenedSequence& sequence) {
                           [&](int i) { return box.itemData(i).toInt() == static_cast<int>(SequenceMethod::given); });
     box.setCurrentIndex(possible[std::min(side, possible.size() - 1)]);
   }
-  word();
+  update_text();
 }
 
 std::optional<SequenceMethod> AlgorithmChoice::method(int side) const {
@@ -110,7 +110,7 @@ std::optional<SequenceMethod> AlgorithmChoice::method(int side) const {
 void AlgorithmChoice::show_work(Work work) {
   if (work != work_ && work == Work::under_way) show_progress(0, {});
   work_ = work;
-  word();
+  update_text();
 }
 
 void AlgorithmChoice::show_progress(double fraction, const QString& stage) {
@@ -118,7 +118,7 @@ void AlgorithmChoice::show_progress(double fraction, const QString& stage) {
   stage_->setText(translated_stage(stage));
 }
 
-void AlgorithmChoice::word() {
+void AlgorithmChoice::update_text() {
   for (QComboBox* box : methods_) {
     const auto* items = qobject_cast<QStandardItemModel*>(box->model());
     for (int i = 0; i < box->count(); ++i) {

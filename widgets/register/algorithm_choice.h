@@ -38,7 +38,7 @@ class AlgorithmChoice : public QWidget {
   void cancel_wanted();
 
  private:
-  void word();
+  void update_text();
 
   std::array<QComboBox*, 2> methods_{};
   QPushButton* compute_;

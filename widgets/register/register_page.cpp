@@ -45,7 +45,7 @@ RegisterPage::RegisterPage(BackgroundWork& work, QWidget* parent) : QWidget(pare
   column->addWidget(pages_);
   connect_work();
   connect_parts();
-  keep_translated(this, [this] { word(); });
+  keep_translated(this, [this] { update_text(); });
 }
 
 Workspace RegisterPage::workspace(const WorkspaceContext& context) {
@@ -128,7 +128,7 @@ void RegisterPage::compute() {
             if (problem) page->say([error = *problem] { return translated(error); });
             page->choose_none();
             page->show_meshes();
-            page->word();
+            page->update_text();
             if (!problem) Q_EMIT page->computed();
           };
         });
@@ -141,11 +141,11 @@ void RegisterPage::connect_work() {
   });
   connect(&work_, &BackgroundWork::started, this, [this] {
     // Not known yet whether it is for this page: see start(), which returns later in this turn of the event loop.
-    QMetaObject::invokeMethod(this, &RegisterPage::word, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(this, &RegisterPage::update_text, Qt::QueuedConnection);
   });
   connect(&work_, &BackgroundWork::finished, this, [this] {
     working_ = false;
-    word();
+    update_text();
   });
 }
 
@@ -193,8 +193,8 @@ QWidget* RegisterPage::make_pictures() {
   origin_->setWordWrap(true);
   origin_->hide();
   column->addWidget(origin_);
-  reading_told_ = wrapped_label("register_reading");
-  column->addWidget(reading_told_);
+  reading_text_ = wrapped_label("register_reading");
+  column->addWidget(reading_text_);
   auto* row = new QHBoxLayout;
   row->setSpacing(8);
   for (std::size_t side = 0; side < 2; ++side) {
@@ -239,15 +239,15 @@ void RegisterPage::connect_parts() {
   connect(algorithms_, &AlgorithmChoice::chosen, this, [this] {
     choose_none();
     show_meshes();
-    word();
+    update_text();
   });
   connect(reading_, &ReadingPanel::value_chosen, this, [this] {
     show_meshes();
-    word_views();
+    update_view_text();
   });
   connect(reading_, &ReadingPanel::tolerance_changed, this, [this] {
     show_meshes();
-    word_views();
+    update_view_text();
     show_figures();
     show_history();
   });
@@ -281,7 +281,7 @@ void RegisterPage::take(std::shared_ptr<const OpenedSequence> sequence) {
   const QSignalBlocker quiet(timeline_);
   timeline_->set_frames(static_cast<int>(sequence_->files.clouds.size()));
   pages_->setCurrentIndex(1);
-  word();
+  update_text();
   show_frame();
   show_meshes();
   setFocus();
@@ -290,7 +290,7 @@ void RegisterPage::take(std::shared_ptr<const OpenedSequence> sequence) {
 
 void RegisterPage::say(std::function<QString()> words) {
   said_ = std::move(words);
-  word();
+  update_text();
 }
 
 void RegisterPage::keyPressEvent(QKeyEvent* event) {

@@ -76,8 +76,8 @@ class RegisterPage : public QWidget {
   void choose_triangle(std::optional<std::size_t> triangle);
   void choose(std::optional<std::size_t> first, std::optional<std::size_t> second);
   void choose_none() { choose(std::nullopt, std::nullopt); }
-  void word();
-  void word_views();
+  void update_text();
+  void update_view_text();
   [[nodiscard]] QString hint(int side, std::size_t triangle) const;
   // The words are asked for again when the language changes.
   void say(std::function<QString()> words);
@@ -96,7 +96,7 @@ class RegisterPage : public QWidget {
   FromVideo* from_video_;
   QLabel* file_;
   QLabel* origin_;
-  QLabel* reading_told_;  // what to conclude
+  QLabel* reading_text_;  // what to conclude
   std::array<HeatVideo*, 2> videos_{};
   HeatLegend* legend_;
   Timeline* timeline_;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <QLocale>
 
+#include "widgets/panels/parts.h"
 #include "widgets/register/reading_sentence.h"
 #include "widgets/register/register_page.h"
 #include "widgets/words/numbers.h"
@@ -48,8 +49,7 @@ void RegisterPage::show_figures() {
       has_sequence() ? reading_of({NamedJudgement{side_name(0), judged(0)}, NamedJudgement{side_name(1), judged(1)}},
                                   tolerance_mm(), static_cast<std::size_t>(timeline_->frame()), sequence_->files.camera)
                      : QString();
-  reading_told_->setText(reading);
-  reading_told_->setVisible(!reading.isEmpty());
+  show_text(reading_text_, reading);
 }
 
 void RegisterPage::choose_at(const QPointF& pixel) {
@@ -112,7 +112,7 @@ QString RegisterPage::hint(int side, std::size_t triangle) const {
 
 // ---- Words ----
 
-void RegisterPage::word() {
+void RegisterPage::update_text() {
   bool known = true;
   for (const int side : {0, 1}) known = known && (!algorithms_->method(side) || judged(side) != nullptr);
   using Work = AlgorithmChoice::Work;
@@ -136,14 +136,13 @@ void RegisterPage::word() {
     if (judged(side) == nullptr) continue;
     for (const Sentence& note : judged(side)->quality.notes) notes << side_name(side) + ": " + translated(note) + ".";
   }
-  notes_->setText(notes.join(" "));
-  notes_->setVisible(!notes.isEmpty());
-  word_views();
+  show_text(notes_, notes.join(" "));
+  update_view_text();
   show_figures();
   show_history();
 }
 
-void RegisterPage::word_views() {
+void RegisterPage::update_view_text() {
   for (const int side : {0, 1}) {
     HeatVideo& video = *videos_[static_cast<std::size_t>(side)];
     const auto chosen = algorithms_->method(side);

@@ -93,7 +93,7 @@ TriangleHistory::TriangleHistory(QWidget* parent) : QWidget(parent) {
   show_frame(0);
   themed(plot_);
   column->addWidget(plot_, 1);
-  keep_translated(this, [this] { word(); });
+  keep_translated(this, [this] { update_text(); });
 }
 
 QWidget* TriangleHistory::make_head() {
@@ -103,10 +103,7 @@ QWidget* TriangleHistory::make_head() {
   row->setSpacing(10);
   QLabel* title = heading();
   row->addWidget(title);
-  triangle_ = new NumberBox;
-  triangle_->setDecimals(0);
-  triangle_->setObjectName("triangle");
-  triangle_->setRange(0, 0);
+  triangle_ = whole_number("triangle", 0, 0, 0);
   triangle_->setMinimumWidth(76);
   title->setBuddy(triangle_);
   row->addWidget(triangle_);
@@ -137,15 +134,15 @@ void TriangleHistory::show_triangle(std::size_t count, std::optional<std::size_t
 void TriangleHistory::show_courses(const std::array<std::optional<Line>, 2>& lines, double tolerance_mm) {
   shown_ = lines;
   tolerance_mm_ = tolerance_mm;
-  word();
+  update_text();
 }
 
 void TriangleHistory::show_frames(const std::array<std::optional<Frames>, 2>& frames) {
   frames_ = frames;
-  word();
+  update_text();
 }
 
-void TriangleHistory::word() {
+void TriangleHistory::update_text() {
   setAccessibleName(tr("The chosen triangle over the frames"));
   for (QCPAxisRect* rect : {errors_, motions_}) rect->axis(QCPAxis::atBottom)->setLabel(tr("Frame"));
   plot_->clearGraphs();

@@ -51,7 +51,7 @@ class TriangleHistory : public QWidget {
 
  private:
   QWidget* make_head();
-  void word();
+  void update_text();
   void draw_triangle();
   void draw_frames();
   void set_ranges(double frames, double left_mm, double right_mm);

@@ -22,7 +22,7 @@ ComparisonChoice::ComparisonChoice(QWidget* parent) : QWidget(parent), group_(ne
   add(Bodies::reference, "middle");
   add(Bodies::both, "middle");
   add(Bodies::side_by_side, "last");
-  keep_translated(this, [this] { word(); });
+  keep_translated(this, [this] { update_text(); });
   choose(Bodies::patient);
   connect(group_, &QButtonGroup::idClicked, this, [this](int id) { Q_EMIT changed(static_cast<Bodies>(id)); });
 }
@@ -34,10 +34,10 @@ void ComparisonChoice::set_comparable(bool comparable) {
   for (const Bodies bodies : {Bodies::reference, Bodies::both, Bodies::side_by_side}) {
     group_->button(static_cast<int>(bodies))->setEnabled(comparable);
   }
-  word();
+  update_text();
 }
 
-void ComparisonChoice::word() {
+void ComparisonChoice::update_text() {
   const auto say = [this](Bodies bodies, const QString& name, const QString& tip) {
     QAbstractButton* button = group_->button(static_cast<int>(bodies));
     button->setText(name);

@@ -24,7 +24,7 @@ class ComparisonChoice : public QWidget {
   void changed(glisson::widgets::Bodies bodies);
 
  private:
-  void word();
+  void update_text();
 
   QButtonGroup* group_;
   bool comparable_ = true;

@@ -40,10 +40,10 @@ DeformationChoice::DeformationChoice(LiveRehearsal& rehearsal, QWidget* parent)
   connect(offer_, &QPushButton::clicked, this, [this] { rehearsal_.set_deformations(Deformations::large); });
   connect(&rehearsal_, &LiveRehearsal::state_changed, this, &DeformationChoice::show_state);
   connect(&rehearsal_, &LiveRehearsal::solving_changed, this, &DeformationChoice::show_state);
-  keep_translated(this, [this] { word(); });
+  keep_translated(this, [this] { update_text(); });
 }
 
-void DeformationChoice::word() {
+void DeformationChoice::update_text() {
   name_->setText(tr("Deformations"));
   choice_->setAccessibleName(name_->text());
   choice_->setItemText(0, tr("Small (at once)"));
@@ -65,8 +65,7 @@ void DeformationChoice::show_state() {
   choice_->setEnabled(!rehearsal_.frozen() && rehearsal_.knows_large_deformations());
   const auto& state = rehearsal_.state();
   offer_->setVisible(!large && state && is_beyond_small(*state) && choice_->isEnabled());
-  why_->setText(what_is_at_work());
-  why_->setVisible(!why_->text().isEmpty());
+  show_text(why_, what_is_at_work());
 }
 
 QString DeformationChoice::what_is_at_work() const {

@@ -18,7 +18,7 @@ class DeformationChoice : public QWidget {
   explicit DeformationChoice(LiveRehearsal& rehearsal, QWidget* parent = nullptr);
 
  private:
-  void word();
+  void update_text();
   void show_state();
   [[nodiscard]] QString what_is_at_work() const;
 

@@ -20,8 +20,8 @@ KeptOrders::KeptOrders(QWidget* parent) : QWidget(parent) {
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
   column->addWidget(table_);
-  told_ = wrapped_label("faint", this);
-  column->addWidget(told_);
+  text_ = wrapped_label("faint", this);
+  column->addWidget(text_);
   name_ = new QLineEdit(this);
   name_->setObjectName("order_name");
   keep_ = named_button("keep_order", this);
@@ -48,10 +48,10 @@ KeptOrders::KeptOrders(QWidget* parent) : QWidget(parent) {
   });
   connect(table_, &QTableWidget::itemSelectionChanged, this,
           [this] { drop_->setEnabled(!table_->selectedItems().isEmpty()); });
-  keep_translated(this, [this] { word(); });
+  keep_translated(this, [this] { update_text(); });
 }
 
-void KeptOrders::word() {
+void KeptOrders::update_text() {
   table_->setHorizontalHeaderLabels(
       {tr("Order"), tr("Steps"), tr("mm"), tr("N"), "%"});  // units, so that names have room
   table_->horizontalHeaderItem(displacement_column)
@@ -96,8 +96,7 @@ void KeptOrders::fill() {
                                  [this](const casefile::KeptOrder& order) { return figures_of(order) != nullptr; });
     if (!all) told << tr("Kept since: compare again.");
   }
-  told_->setText(told.join("\n"));
-  told_->setVisible(!told.isEmpty());
+  show_text(text_, told.join("\n"));
 }
 
 void KeptOrders::fill_row(int row) {

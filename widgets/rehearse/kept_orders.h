@@ -34,7 +34,7 @@ class KeptOrders : public QWidget {
   void compare_wanted();
 
  private:
-  void word();
+  void update_text();
   void fill();
   void fill_row(int row);
   [[nodiscard]] const rehearsal::OrderOfSteps* figures_of(const casefile::KeptOrder& order) const;
@@ -43,7 +43,7 @@ class KeptOrders : public QWidget {
   std::optional<casefile::ComparedOrders> compared_;
   bool allowed_ = false;
   QTableWidget* table_;
-  QLabel* told_;
+  QLabel* text_;
   QLineEdit* name_;
   QPushButton* keep_;
   QPushButton* compare_;

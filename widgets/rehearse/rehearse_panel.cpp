@@ -121,7 +121,7 @@ RehearsePanel::RehearsePanel(LiveRehearsal& rehearsal, QWidget* parent) : QWidge
     missing_->setText(tr("Open a case with a model of the liver, or the demo patient, to rehearse a retraction."));
     look_title->setText(tr("Show the liver with the stiffness of"));
     landmarks_title->setText(tr("Landmarks"));
-    word_evidence();
+    update_evidence_text();
     set_landmark_->setText(tr("Set"));
     set_landmark_->setToolTip(tr("Sets a landmark where the crosshair is: click in a slice or in 3D first"));
     remove_landmark_->setText(tr("Remove"));
@@ -137,7 +137,7 @@ RehearsePanel::RehearsePanel(LiveRehearsal& rehearsal, QWidget* parent) : QWidge
 void RehearsePanel::show_evidence(const casefile::Evidence& evidence) {
   evidence_ = evidence;
   evidence_text_->setVisible(!evidence.effects.empty());
-  word_evidence();
+  update_evidence_text();
 }
 
 void RehearsePanel::show_plan(std::optional<rehearsal::CutCourse> course, std::optional<Sentence> why_not,
@@ -146,7 +146,7 @@ void RehearsePanel::show_plan(std::optional<rehearsal::CutCourse> course, std::o
   advance_->set_course(std::move(course), std::move(why_not));
 }
 
-void RehearsePanel::word_evidence() {
+void RehearsePanel::update_evidence_text() {
   QStringList changed, left_out;
   for (const closedloop::LearntEffect& effect : evidence_.effects) {
     (effect.carried ? changed : left_out) << translated(effect.sentence);

@@ -82,7 +82,7 @@ class RehearsePanel : public QWidget {
   void hideEvent(QHideEvent* event) override;
 
  private:
-  void word_evidence();
+  void update_evidence_text();
   QWidget* make_look_group();
   void show_state();
   void show_orders_fold();

@@ -51,9 +51,7 @@ void SolvingLight::show_state() {
   figures_->setToolTip(
       state ? tr("Residual %1: how far the equations are from balance").arg(state->relative_residual, 0, 'e', 0)
             : QString());
-  const QString told = trouble();
-  trouble_->setText(told);
-  trouble_->setVisible(!told.isEmpty());
+  show_text(trouble_, trouble());
 }
 
 namespace {

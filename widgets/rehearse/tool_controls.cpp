@@ -96,13 +96,13 @@ ToolControls::ToolControls(LiveRehearsal& rehearsal, QWidget* parent)
     direction_name->setText(tr("Direction"));
     force_name->setText(tr("Force"));
     force_slider_->setAccessibleName(tr("Force"));
-    word();
+    update_text();
   });
   preset_chosen();
   follow();
 }
 
-void ToolControls::word() {
+void ToolControls::update_text() {
   for (int k = 0; k < tool_->count(); ++k) {
     const rehearsal::ToolPreset& preset = rehearsal::tool_presets()[static_cast<std::size_t>(k)];
     tool_->setItemText(k, translated(preset.name));

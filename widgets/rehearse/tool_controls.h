@@ -47,7 +47,7 @@ class ToolControls : public QWidget {
   void mark_where_the_model_ends();
   void set_force(double force_N);
   void hold(const Eigen::Vector3d& center_mm);
-  void word();
+  void update_text();
 
   LiveRehearsal& rehearsal_;
   bool force_is_usual_ = true;         // nobody has chosen it yet

@@ -109,7 +109,7 @@ ReportView::ReportView(WorkspaceContext context, PlanOfNow plan, QWidget* parent
     html_->setText(tr("Save as a web page..."));
     pdf_->setText(tr("Print to PDF..."));
     paper_->setAccessibleName(tr("Report"));
-    word_state();
+    update_text();
     if (page_ && page_->language != spoken_language().toStdString()) {
       stale_ = true;
       if (isVisible()) refresh();
@@ -141,7 +141,7 @@ void ReportView::show_patient(const Patient& patient) {
   }
   patient_ = patient;
   stale_ = true;
-  word_state();
+  update_text();
   if (isVisible()) refresh();
 }
 
@@ -154,7 +154,7 @@ void ReportView::showEvent(QShowEvent* event) {
 void ReportView::refresh() {
   waiting_ = context_.work.busy();
   if (patient_.folder.empty() || waiting_) {
-    word_state();
+    update_text();
     return;
   }
   report::PatientPageContent content;
@@ -209,10 +209,10 @@ void ReportView::show_page(const report::Page& page) {
   auto document = document_of(page);
   paper_->setDocument(document.get());
   document_ = std::move(document);
-  word_state();
+  update_text();
 }
 
-void ReportView::word_state() {
+void ReportView::update_text() {
   const bool ready = page_.has_value();
   state_->setText(patient_.folder.empty() ? tr("Open a case, or the demo patient, to see its page.")
                   : !ready                ? tr("The page is being collected.")

@@ -42,7 +42,7 @@ class ReportView : public QWidget {
   void show_page(const report::Page& page);
   void choose_html();
   void choose_pdf();
-  void word_state();
+  void update_text();
   // What the views show, with the saved cut where there is one: in space, then the three slices.
   struct Taken {
     QImage image;

@@ -17,11 +17,7 @@ AblationControls::AblationControls(QWidget* parent) : QWidget(parent) {
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   const auto box = [&](const char* name) {
-    auto* made = new NumberBox(this);
-    made->setObjectName(name);
-    made->setRange(2, 2 * planning::largest_ablation_mm);
-    made->setDecimals(0);
-    made->setValue(30);
+    NumberBox* made = whole_number(name, 2, static_cast<int>(2 * planning::largest_ablation_mm), 30, this);
     connect(made, &NumberBox::valueChanged, this, &AblationControls::changed);
     return made;
   };

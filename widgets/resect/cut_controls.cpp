@@ -43,7 +43,7 @@ CutControls::CutControls(QWidget* parent) : QWidget(parent) {
   keep_translated(this, [this] {
     kind_->setItemText(plane_cut, tr("Cut by a plane"));
     kind_->setItemText(sheet_cut, tr("Cut by a smooth surface through points"));
-    word_points();
+    update_points_text();
   });
 }
 
@@ -121,10 +121,10 @@ QWidget* CutControls::make_sheet() {
   auto* fewer = new QHBoxLayout;
   for (QPushButton* each : {drop_last_, clear_}) fewer->addWidget(each);
   column->addLayout(fewer);
-  points_told_ = new QLabel(group);
-  points_told_->setObjectName("faint");
-  points_told_->setWordWrap(true);
-  column->addWidget(points_told_);
+  points_text_ = new QLabel(group);
+  points_text_->setObjectName("faint");
+  points_text_->setWordWrap(true);
+  column->addWidget(points_text_);
   column->addStretch(1);
   connect(draw_, &QPushButton::toggled, this, [this](bool on) {
     if (on) freehand_->setChecked(false);
@@ -173,11 +173,11 @@ void CutControls::show_points(std::size_t count) {
   points_ = count;
   drop_last_->setEnabled(count > 0);
   clear_->setEnabled(count > 0);
-  word_points();
+  update_points_text();
 }
 
-void CutControls::word_points() {
-  points_told_->setText(
+void CutControls::update_points_text() {
+  points_text_->setText(
       (points_ < 3 ? tr("Points set: %1. Three are needed.") : tr("Points set: %1. Drag them in any view."))
           .arg(points_));
 }

@@ -46,7 +46,7 @@ class CutControls : public QWidget {
 
   QWidget* make_plane();
   QWidget* make_sheet();
-  void word_points();
+  void update_points_text();
 
   QComboBox* kind_;
   QStackedWidget* kinds_;
@@ -60,7 +60,7 @@ class CutControls : public QWidget {
   QPushButton* freehand_;
   QPushButton* drop_last_;
   QPushButton* clear_;
-  QLabel* points_told_;
+  QLabel* points_text_;
   std::size_t points_ = 0;
 };
 

@@ -53,8 +53,8 @@ GrowthControls::GrowthControls(QWidget* parent) : QWidget(parent) {
   column->addWidget(one_patient_);
   table_ = small_table("growth_table", 5, this);
   column->addWidget(table_);
-  told_ = wrapped_label("growth_told", this);
-  column->addWidget(told_);
+  text_ = wrapped_label("growth_told", this);
+  column->addWidget(text_);
   connect(choose_, &QPushButton::clicked, this, &GrowthControls::ask);
   connect(one_patient_, &QPushButton::clicked, this, [this] {
     patients_ = GrowthQuestion::Patients::one;
@@ -84,11 +84,8 @@ QWidget* GrowthControls::make_fields() {
   plan_->setObjectName("growth_plan");
   plan_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   plan_->addItem({});
-  const auto box = [&](const char* name, double largest) {
-    auto* made = new NumberBox(fields_);
-    made->setObjectName(name);
-    made->setDecimals(0);
-    made->setRange(0, largest);
+  const auto box = [&](const char* name, int largest) {
+    NumberBox* made = whole_number(name, 0, largest, 0, fields_);
     connect(made, &NumberBox::valueChanged, this, &GrowthControls::compare);
     return made;
   };
@@ -188,11 +185,11 @@ void GrowthControls::compare() {
 
 void GrowthControls::show_result() {
   chosen_->setText(QString::fromStdString(earlier_.filename().string()));
-  for (QWidget* each : std::initializer_list<QWidget*>{chosen_, fields_, told_}) each->setVisible(!earlier_.empty());
+  for (QWidget* each : std::initializer_list<QWidget*>{chosen_, fields_, text_}) each->setVisible(!earlier_.empty());
   one_patient_->setVisible(problem_ && problem_->code == "growth-not-one-patient");
   table_->setVisible(result_ != nullptr);
   if (!result_) {
-    told_->setText(problem_ ? "▲ " + translated(*problem_) : tr("Comparing..."));
+    text_->setText(problem_ ? "▲ " + translated(*problem_) : tr("Comparing..."));
     return;
   }
   const planning::Growth& growth = result_->growth;
@@ -206,7 +203,7 @@ void GrowthControls::show_result() {
   fit_height(*table_);
   QStringList lines;
   for (const Sentence& sentence : report::growth_sentences(*result_)) lines << translated(sentence).toHtmlEscaped();
-  told_->setText(lines.join("<br>"));
+  text_->setText(lines.join("<br>"));
 }
 
 void GrowthControls::add_row(const QString& name, const planning::PartGrowth& part) {

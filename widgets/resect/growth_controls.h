@@ -51,7 +51,7 @@ class GrowthControls : public QWidget {
   NumberBox* standard_;
   QPushButton* one_patient_;
   QTableWidget* table_;
-  QLabel* told_;
+  QLabel* text_;
 };
 
 }  // namespace glisson::widgets

@@ -81,8 +81,8 @@ QWidget* PlanByAnatomy::make_anatomy() {
   column->setContentsMargins(0, 0, 0, 0);
   QLabel* title = heading(group);
   column->addWidget(title);
-  told_ = wrapped_label("anatomy_told", group);
-  column->addWidget(told_);
+  text_ = wrapped_label("anatomy_told", group);
+  column->addWidget(text_);
   find_ = named_button("find_segments", group);
   column->addWidget(find_);
 
@@ -105,11 +105,7 @@ QWidget* PlanByAnatomy::make_anatomy() {
   around->setContentsMargins(0, 0, 0, 0);
   tumour_ = new QComboBox(around_);
   tumour_->setObjectName("around_tumour");
-  margin_ = new NumberBox(around_);
-  margin_->setObjectName("around_margin");
-  margin_->setRange(0, planning::largest_margin_mm);
-  margin_->setDecimals(0);
-  margin_->setValue(10);
+  margin_ = whole_number("around_margin", 0, static_cast<int>(planning::largest_margin_mm), 10, around_);
   take_around_ = named_button("take_around", around_);
   around->addWidget(tumour_, 1);
   around->addWidget(margin_);

@@ -102,7 +102,7 @@ class PlanByAnatomy : public QWidget {
   std::shared_ptr<const LiveResectionResult> resection_;
   std::vector<planning::Cut> taken_;
   QWidget* by_anatomy_;
-  QLabel* told_;
+  QLabel* text_;
   QPushButton* find_;
   QWidget* anatomy_;
   QTableWidget* segments_;
@@ -117,7 +117,7 @@ class PlanByAnatomy : public QWidget {
   QPushButton* take_territory_;
   Fold* ablating_;
   AblationControls* ablation_;
-  QLabel* taken_told_;
+  QLabel* taken_text_;
   Fold* staging_;
   TwoStageControls* stages_;
   QWidget* answer_;

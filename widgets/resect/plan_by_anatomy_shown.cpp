@@ -8,6 +8,7 @@
 
 #include "scene/anatomy.h"
 #include "vasculature/couinaud.h"
+#include "widgets/panels/parts.h"
 #include "widgets/panels/small_table.h"
 #include "widgets/panels/swatch.h"
 #include "widgets/resect/plan_by_anatomy.h"
@@ -63,8 +64,7 @@ void PlanByAnatomy::show_anatomy() {
   if (anatomy) {
     for (const Sentence& remark : anatomy->remarks) told << translated(remark);
   }
-  told_->setText(told.join(" "));
-  told_->setVisible(!told.isEmpty());
+  show_text(text_, told.join(" "));
   find_->setVisible(anatomy && (!segments || !anatomy->remarks.empty()));
   anatomy_->setVisible(segments);
   around_->setVisible(anatomy && !anatomy->planner.tumours().empty());

@@ -44,16 +44,16 @@ QWidget* PlanByAnatomy::make_territory_and_ablation() {
   staging_ = new Fold("staging", stages_, Fold::At::closed, group);
   column->addWidget(staging_);
   connect(stages_, &TwoStageControls::changed, this, [this] { live_->set_embolisation(stages_->embolisation()); });
-  taken_told_ = wrapped_label("taken_told", group);
-  taken_told_->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
-  column->addWidget(taken_told_);
+  taken_text_ = wrapped_label("taken_told", group);
+  taken_text_->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
+  column->addWidget(taken_text_);
   connect(take_territory_, &QPushButton::clicked, this, &PlanByAnatomy::take_territory);
   connect(tumour_, &QComboBox::activated, this, &PlanByAnatomy::suggest_territory);
   connect(ablation_, &AblationControls::at_crosshair, this,
           [this] { take(ablation_->zone_at(context_.views.crosshair_mm())); });
   connect(ablation_, &AblationControls::over_tumour, this, &PlanByAnatomy::ablate_tumour);
   connect(ablation_, &AblationControls::changed, this, &PlanByAnatomy::resize_last_ablation);
-  connect(taken_told_, &QLabel::linkActivated, this, [this](const QString& cut) { give_back(cut.toULong()); });
+  connect(taken_text_, &QLabel::linkActivated, this, [this](const QString& cut) { give_back(cut.toULong()); });
   keep_translated(group, [this] {
     take_territory_->setText(tr("Along this territory"));
     take_territory_->setToolTip(
@@ -173,9 +173,8 @@ void PlanByAnatomy::show_taken() {
   for (std::size_t cut = 0; cut < taken_.size(); ++cut) {
     lines << QString("%1 <a href=\"%2\" style=\"text-decoration:none\">✕</a>").arg(told(taken_[cut])).arg(cut);
   }
-  taken_told_->setText(lines.join("<br>"));
-  taken_told_->setToolTip(tr("✕ gives it back"));
-  taken_told_->setVisible(!lines.isEmpty());
+  show_text(taken_text_, lines.join("<br>"));
+  taken_text_->setToolTip(tr("✕ gives it back"));
 }
 
 void PlanByAnatomy::suggest_territory() {

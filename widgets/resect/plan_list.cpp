@@ -55,8 +55,8 @@ PlanList::PlanList(QWidget* parent) : QWidget(parent) {
   column->addWidget(plans_);
   plot_ = new PlanPlot(this);
   column->addWidget(plot_);
-  plot_told_ = wrapped_label("faint", this);
-  column->addWidget(plot_told_);
+  plot_text_ = wrapped_label("faint", this);
+  column->addWidget(plot_text_);
   name_ = new QLineEdit(this);
   name_->setObjectName("plan_name");
   keep_ = named_button("keep_plan", this);
@@ -89,10 +89,10 @@ PlanList::PlanList(QWidget* parent) : QWidget(parent) {
   const auto marked = [this] { return plan_in(plans_->currentRow()); };
   connect(copy_, &QPushButton::clicked, this, [this, marked] { Q_EMIT copy_wanted(marked()); });
   connect(drop_, &QPushButton::clicked, this, [this, marked] { Q_EMIT drop_wanted(marked()); });
-  keep_translated(this, [this] { word(); });
+  keep_translated(this, [this] { update_text(); });
 }
 
-void PlanList::word() {
+void PlanList::update_text() {
   title_->setText(tr("Plans"));
   rank_by_->setItemText(0, tr("as they were kept"));
   rank_by_->setItemText(1, tr("widest margin first"));
@@ -103,7 +103,7 @@ void PlanList::word() {
   plans_->horizontalHeaderItem(stays_percent_column)->setToolTip(tr("Of the liver without its tumours"));
   plans_->horizontalHeaderItem(alive_column)->setToolTip(tr("What stays perfused and drained, of the same"));
   plans_->horizontalHeaderItem(cut_branches_column)->setToolTip(tr("Branches that are cut"));
-  plot_told_->setText(tr("A ring: another plan is no worse in margin, living tissue and tumours, and better in one."));
+  plot_text_->setText(tr("A ring: another plan is no worse in margin, living tissue and tumours, and better in one."));
   name_->setPlaceholderText(tr("Name of the plan"));
   keep_->setText(tr("Keep this plan"));
   copy_->setText(tr("Copy"));
@@ -208,7 +208,7 @@ void PlanList::plot() {
     plotted_.push_back(plan);
   }
   plot_->setVisible(dots.size() > 1);
-  plot_told_->setVisible(dots.size() > 1 && any_beaten);
+  plot_text_->setVisible(dots.size() > 1 && any_beaten);
   plot_->show_plans(dots);
 }
 

@@ -38,7 +38,7 @@ class PlanList : public QWidget {
   void drop_wanted(std::size_t plan);
 
  private:
-  void word();
+  void update_text();
   void fill();
   void fill_row(int row, const KeptPlanAnswer& plan);
   void plot();
@@ -54,7 +54,7 @@ class PlanList : public QWidget {
   QComboBox* rank_by_;
   QTableWidget* plans_;
   PlanPlot* plot_;
-  QLabel* plot_told_;
+  QLabel* plot_text_;
   std::vector<std::size_t> plotted_;  // of the dots
   QLineEdit* name_;
   QPushButton* keep_;

@@ -91,7 +91,7 @@ ResectPanel::ResectPanel(WorkspaceContext context, QWidget* parent) : QWidget(pa
   keep_translated(this, [this, title = title] {
     title->setText(tr("Plan a resection"));
     missing_->setText(tr("Needs a model of the liver. Build it first, or open the demo patient."));
-    word_state();
+    update_text();
     show_result();
   });
 }
@@ -382,7 +382,7 @@ void ResectPanel::cut_changed() {
   move_drawn_plane();
   live_->set_cut(cut_of_mesh());
   by_anatomy_->set_surface(cut());
-  word_state();
+  update_text();
   if (!live_->result() || !drawn_plane_ || !shown) show_scene();
   context_.views.redraw();
 }

@@ -60,7 +60,7 @@ class ResectPanel : public QWidget {
   void show_result();
   void show_scene();
   void move_drawn_plane();
-  void word_state();
+  void update_text();
   // How the tool in Rehearse holds the liver, where it does and this is asked for.
   void hold_as_rehearsed();
   void describe_holding();

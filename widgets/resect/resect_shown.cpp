@@ -18,7 +18,7 @@ void ResectPanel::show_result() {
   results_->show(live_->result().get(), live_->problem() ? translated(*live_->problem()) : why_nothing());
   pieces_ = ResectionScene(live_->result());
   show_scene();
-  word_state();
+  update_text();
 }
 
 void ResectPanel::show_scene() {
@@ -65,7 +65,7 @@ void ResectPanel::move_drawn_plane() {
   for (SliceView* slice : context_.views.slices()) slice->view().move_surface(drawn_plane_, moved_mm);
 }
 
-void ResectPanel::word_state() {
+void ResectPanel::update_text() {
   cut_controls_->show_plane(plane_);
   cut_controls_->show_points(points_mm_.size());
   const bool planned = live_->result() != nullptr;

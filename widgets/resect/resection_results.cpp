@@ -87,8 +87,7 @@ ResectionResults::ResectionResults(QWidget* parent) : QWidget(parent) {
 }
 
 void ResectionResults::show(const LiveResectionResult* result, const QString& why) {
-  why_->setText(why);
-  why_->setVisible(!why.isEmpty());
+  show_text(why_, why);
   answer_->setVisible(result != nullptr);
   if (result == nullptr) return;
   const rehearsal::Resection& plan = result->plan;

@@ -31,8 +31,8 @@ TwoStageControls::TwoStageControls(QWidget* parent) : QWidget(parent) {
   growth_name->setBuddy(growth_);
   form->addRow(branch_name, branch_);
   form->addRow(growth_name, growth_);
-  told_ = wrapped_label("two_stages_told", this);
-  form->addRow(told_);
+  text_ = wrapped_label("two_stages_told", this);
+  form->addRow(text_);
   connect(branch_, &QComboBox::currentIndexChanged, this, &TwoStageControls::changed);
   connect(growth_, &NumberBox::valueChanged, this, &TwoStageControls::changed);
   keep_translated(this, [=, this] {
@@ -78,8 +78,7 @@ void TwoStageControls::show(const LivePlanResult* result) {
     }
     lines << tr("An estimate by the growth above, not a forecast.");
   }
-  told_->setText(lines.join("<br>"));
-  told_->setVisible(!lines.isEmpty());
+  show_text(text_, lines.join("<br>"));
 }
 
 }  // namespace glisson::widgets

@@ -28,7 +28,7 @@ class TwoStageControls : public QWidget {
  private:
   QComboBox* branch_;  // the first: none
   NumberBox* growth_;
-  QLabel* told_;
+  QLabel* text_;
 };
 
 }  // namespace glisson::widgets

@@ -71,7 +71,7 @@ SegmentPanel::SegmentPanel(const WorkspaceContext& context, QWidget* parent)
   whole->setContentsMargins(0, 0, 0, 0);
   whole->addWidget(scrolled(inner));
   connect_parts();
-  keep_translated(this, [this] { word(); });
+  keep_translated(this, [this] { update_text(); });
   choose_tool(Tool::none);
 }
 

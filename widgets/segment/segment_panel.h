@@ -44,7 +44,7 @@ class SegmentPanel : public QWidget {
   QWidget* make_options();
   QWidget* make_filters();
   void connect_parts();
-  void word();
+  void update_text();
   void list_structures();
   void tell_volumes();
   void list_names(QMenu& menu, const std::function<void(const std::string&)>& chosen);

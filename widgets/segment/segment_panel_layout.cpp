@@ -190,7 +190,7 @@ QWidget* SegmentPanel::make_filters() {
   return page_of(grid);
 }
 
-void SegmentPanel::word() {
+void SegmentPanel::update_text() {
   list_title_->setText(tr("Structures"));
   list_->setHeaderLabels({tr("Structure"), tr("ml")});
   list_->setToolTip(tr("The chosen one is drawn on. The box shows or hides it."));

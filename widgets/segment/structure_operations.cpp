@@ -26,13 +26,9 @@ void refill(QComboBox& list, const std::vector<EditedStructure>& structures, int
   list.setCurrentIndex(std::max(list.findData(chosen), list.count() > 0 ? 0 : -1));
 }
 
-NumberBox* grey_value(const char* name, double value) {
-  auto* box = new NumberBox;
-  box->setObjectName(name);
-  box->setRange(-100000, 100000);
-  box->setDecimals(0);
+NumberBox* grey_value(const char* name, int value) {
+  NumberBox* box = whole_number(name, -100000, 100000, value);
   box->setSingleStep(5);
-  box->setValue(value);
   return box;
 }
 
@@ -76,7 +72,7 @@ StructureOperations::StructureOperations(QWidget* parent) : QWidget(parent) {
   connect(from_crosshair_, &QPushButton::clicked, this, &StructureOperations::range_wanted_from_crosshair);
   connect(take_, &QPushButton::clicked, this, &StructureOperations::take_asked);
   connect(combine_, &QPushButton::clicked, this, &StructureOperations::combine_asked);
-  keep_translated(this, [this] { word(); });
+  keep_translated(this, [this] { update_text(); });
 }
 
 void StructureOperations::list(const std::vector<EditedStructure>& structures, int active) {
@@ -109,7 +105,7 @@ std::string StructureOperations::within() const { return within_->currentData().
 
 std::string StructureOperations::other() const { return other_->currentData().toString().toStdString(); }
 
-void StructureOperations::word() {
+void StructureOperations::update_text() {
   title_->setText(tr("Grey values and other structures"));
   range_title_->setText(tr("Grey values from, to"));
   low_->setAccessibleName(tr("Lowest grey value"));

@@ -40,7 +40,7 @@ class StructureOperations : public QWidget {
   void combine_asked();
 
  private:
-  void word();
+  void update_text();
 
   QLabel* title_;
   QLabel* range_title_;

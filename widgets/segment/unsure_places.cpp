@@ -16,12 +16,12 @@ UnsurePlaces::UnsurePlaces(LinkedViews& views, const StructureEditor& editor, Sl
       editor_(editor),
       overlay_(overlay),
       button_(named_button("unsure_places")),
-      told_(wrapped_label("faint")) {
+      text_(wrapped_label("faint")) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(6);
   column->addWidget(button_);
-  column->addWidget(told_);
+  column->addWidget(text_);
   connect(button_, &QPushButton::clicked, this, [this] {
     if (state_ == State::found && !found_.places_mm.empty()) return go_to_next();
     look();
@@ -86,8 +86,8 @@ void UnsurePlaces::tell() {
   button_->setToolTip(
       tr("Goes to where the chosen outline lies on tissue that looks alike on both sides, as towards the heart"));
   const QString percent = QLocale().toString(100 * found_.share, 'f', 0);
-  told_->setVisible(state_ != State::not_asked);
-  told_->setText(state_ == State::looking ? tr("Looking along the border...")
+  text_->setVisible(state_ != State::not_asked);
+  text_->setText(state_ == State::looking ? tr("Looking along the border...")
                  : has_any
                      ? tr("%1 % of the border looks alike on both sides. Place %2 of %3 lies under the crosshair: "
                           "draw it as you see it.")

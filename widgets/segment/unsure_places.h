@@ -31,7 +31,7 @@ class UnsurePlaces : public QWidget {
   const StructureEditor& editor_;
   SliceOverlay& overlay_;
   QPushButton* button_;
-  QLabel* told_;
+  QLabel* text_;
   enum class State { not_asked, looking, found } state_ = State::not_asked;
   std::string of_;  // the structure that was asked about
   int asked_ = 0;   // counts, so that an answer about an outline of before is not shown

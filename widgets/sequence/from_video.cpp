@@ -16,14 +16,14 @@ FromVideo::FromVideo(BackgroundWork& work, QWidget* parent) : QWidget(parent), w
   across->setContentsMargins(0, 0, 0, 0);
   across->setSpacing(0);
   across->addWidget(make_order());
-  view_ = new SequenceToldView;
+  view_ = new SequenceReportView;
   view_->setObjectName("sequence_told");
   across->addWidget(view_, 1);
   connect_work();
   connect(form_, &VideoForm::changed, this, [this] {
     said_ = {};  // it was of another order
     cancelled_ = false;
-    word();
+    update_text();
   });
   connect(make_, &QPushButton::clicked, this, &FromVideo::make);
   connect(cancel_, &QPushButton::clicked, &work_, &BackgroundWork::cancel);
@@ -35,7 +35,7 @@ FromVideo::FromVideo(BackgroundWork& work, QWidget* parent) : QWidget(parent), w
     cancel_->setText(tr("Cancel"));
     cancel_->setToolTip(tr("Stops, and leaves nothing behind"));
     progress_->setAccessibleName(tr("Progress"));
-    word();
+    update_text();
   });
 }
 
@@ -85,7 +85,7 @@ void FromVideo::connect_work() {
   });
   connect(&work_, &BackgroundWork::finished, this, [this] {
     working_ = false;
-    word();
+    update_text();
   });
 }
 
@@ -100,8 +100,8 @@ void FromVideo::make() {
         Qt::QueuedConnection);
   };
   const SequenceHeard heard{
-      [handed_over](const CalibrationTold& told) { handed_over(&FromVideo::take_calibration, told); },
-      [handed_over](const FrameTold& told) { handed_over(&FromVideo::take_frame, told); }};
+      [handed_over](const CalibrationReport& told) { handed_over(&FromVideo::take_calibration, told); },
+      [handed_over](const FrameReport& told) { handed_over(&FromVideo::take_frame, told); }};
   const bool started = work_.start(
       tr("Making a sequence from the video"),
       [page = QPointer(this), order = form_->order(), heard](const Progress& progress) -> BackgroundWork::Then {
@@ -112,45 +112,45 @@ void FromVideo::make() {
       });
   if (!started) return;
   working_ = true;
-  told_ = {};
+  report_ = {};
   said_ = {};
   cancelled_ = false;
   progress_->setValue(0);
   stage_->clear();
-  view_->show_told(told_);
-  word();
+  view_->show_report(report_);
+  update_text();
 }
 
-void FromVideo::take_calibration(const CalibrationTold& told) {
-  told_.calibration = told;
-  view_->show_told(told_);
+void FromVideo::take_calibration(const CalibrationReport& told) {
+  report_.calibration = told;
+  view_->show_report(report_);
 }
 
-void FromVideo::take_frame(const FrameTold& told) {
-  if (!told_.first) told_.first = told;
-  told_.latest = told;
-  view_->show_told(told_);
+void FromVideo::take_frame(const FrameReport& told) {
+  if (!report_.first) report_.first = told;
+  report_.latest = told;
+  view_->show_report(report_);
 }
 
 void FromVideo::end(const Result<registration_quality::VideoSequence>& made) {
   if (!made) {
     cancelled_ = made.error().code == "cancelled";
-    if (cancelled_) return word();
+    if (cancelled_) return update_text();
     return say([error = made.error()] { return translated(error); });
   }
-  told_.made = *made;
-  view_->show_told(told_);
+  report_.made = *made;
+  view_->show_report(report_);
   form_->propose_folder();
-  word();
-  Q_EMIT this->made(made->file, [told = told_] { return summary_of(told); });
+  update_text();
+  Q_EMIT this->made(made->file, [told = report_] { return summary_of(told); });
 }
 
 void FromVideo::say(std::function<QString()> words) {
   said_ = std::move(words);
-  word();
+  update_text();
 }
 
-void FromVideo::word() {
+void FromVideo::update_text() {
   const QString missing = form_->missing();
   const QString said = said_ ? said_() : QString();
   form_->setEnabled(!working_);
@@ -158,14 +158,10 @@ void FromVideo::word() {
   make_->setToolTip(working_            ? tr("It is being computed")
                     : missing.isEmpty() ? tr("Makes clouds and tracks of the frames, and opens them")
                                         : missing);
-  const auto show = [](QLabel* label, const QString& words) {
-    label->setText(words);
-    label->setVisible(!words.isEmpty());
-  };
-  show(says_, working_ ? QString() : said);
-  show(hint_, working_ || !said.isEmpty() ? QString()
-              : cancelled_                ? tr("Cancelled. Nothing was left behind.")
-                                          : missing);
+  show_text(says_, working_ ? QString() : said);
+  show_text(hint_, working_ || !said.isEmpty() ? QString()
+                   : cancelled_                ? tr("Cancelled. Nothing was left behind.")
+                                               : missing);
   for (QWidget* part : std::initializer_list<QWidget*>{stage_, progress_, cancel_}) part->setVisible(working_);
 }
 

@@ -9,7 +9,7 @@
 #include <QPushButton>
 #include <QWidget>
 
-#include "widgets/sequence/sequence_told.h"
+#include "widgets/sequence/sequence_report.h"
 #include "widgets/sequence/video_form.h"
 #include "widgets/work/background_work.h"
 
@@ -32,14 +32,14 @@ class FromVideo : public QWidget {
   QWidget* make_order();
   void connect_work();
   void make();
-  void take_calibration(const CalibrationTold& told);
-  void take_frame(const FrameTold& told);
+  void take_calibration(const CalibrationReport& told);
+  void take_frame(const FrameReport& told);
   void end(const Result<registration_quality::VideoSequence>& made);
-  void word();
+  void update_text();
 
   BackgroundWork& work_;
   bool working_ = false;  // for this page
-  SequenceTold told_;
+  SequenceReport report_;
   std::function<QString()> said_;
   bool cancelled_ = false;
 
@@ -51,7 +51,7 @@ class FromVideo : public QWidget {
   QPushButton* cancel_;
   QPushButton* back_;
   QPushButton* make_;
-  SequenceToldView* view_;
+  SequenceReportView* view_;
 };
 
 }  // namespace glisson::widgets

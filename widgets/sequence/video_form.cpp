@@ -17,15 +17,6 @@ namespace {
 using vision::Board;
 using vision::Shared;
 
-NumberBox* whole_number(const char* name, int minimum, int maximum, int value) {
-  auto* box = new NumberBox;
-  box->setObjectName(name);
-  box->setDecimals(0);
-  box->setRange(minimum, maximum);
-  box->setValue(value);
-  return box;
-}
-
 QComboBox* choice_of(const char* name, int count) {
   auto* choice = new QComboBox;
   choice->setObjectName(name);
@@ -49,7 +40,7 @@ VideoForm::VideoForm(QWidget* parent) : QWidget(parent) {
   add_frames(*column);
   column->addStretch(1);
   connect_all();
-  keep_translated(this, [this] { word(); });
+  keep_translated(this, [this] { update_text(); });
   show_choices();
 }
 
@@ -147,7 +138,7 @@ void VideoForm::connect_all() {
   for (QComboBox* choice : {eyes_, calibrated_by_, pattern_}) {
     connect(choice, &QComboBox::currentIndexChanged, this, [this] {
       show_choices();
-      word();
+      update_text();
       Q_EMIT changed();
     });
   }
@@ -227,7 +218,7 @@ VideoOrder VideoForm::order() const {
   return order;
 }
 
-void VideoForm::word() {
+void VideoForm::update_text() {
   const QString kinds = tr("A video file, or a folder of its pictures");
   eyes_->setItemText(0, tr("Two videos, one for each eye"));
   eyes_->setItemText(1, tr("One video, left eye on the left"));

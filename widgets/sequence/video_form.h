@@ -34,7 +34,7 @@ class VideoForm : public QWidget {
   void connect_all();
   void propose_right();
   void show_choices();
-  void word();
+  void update_text();
   [[nodiscard]] bool in_one() const { return eyes_->currentIndex() > 0; }
   [[nodiscard]] bool from_board() const { return calibrated_by_->currentIndex() > 0; }
 

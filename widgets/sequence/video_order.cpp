@@ -53,7 +53,7 @@ Result<VideoSequence> make_from_video(const VideoOrder& order, const Progress& p
   constexpr auto between_pictures = std::chrono::milliseconds(400);
   std::optional<Clock::time_point> shown;
   const auto matched = [&](const MatchedFrame& frame) {
-    FrameTold told{frame.number, frame.cloud.points_mm.size(), frame.cloud.valid_fraction, frame.followed, true, {}};
+    FrameReport told{frame.number, frame.cloud.points_mm.size(), frame.cloud.valid_fraction, frame.followed, true, {}};
     const vision::Frame& seen = frame.cloud.picture;
     told.may_be_of_size = vision::may_be_of_size(*calibration, seen.width, seen.height);
     if (!shown || Clock::now() - *shown > between_pictures) {

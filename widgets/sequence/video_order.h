@@ -20,14 +20,14 @@ struct VideoOrder {
   std::filesystem::path folder;  // new
 };
 
-struct CalibrationTold {
+struct CalibrationReport {
   bool from_board = false;
   double rms_px = 0;  // of the reprojection error, and in how many pairs of how many the board was seen
   int pairs = 0, looked_at = 0;
   double baseline_mm = 0;
 };
 
-struct FrameTold {
+struct FrameReport {
   int number = 0;  // in the video, from 0
   std::size_t points = 0;
   double valid_fraction = 0;
@@ -37,16 +37,16 @@ struct FrameTold {
 };
 
 // What came on the way so far.
-struct SequenceTold {
-  std::optional<CalibrationTold> calibration;
-  std::optional<FrameTold> first, latest;
+struct SequenceReport {
+  std::optional<CalibrationReport> calibration;
+  std::optional<FrameReport> first, latest;
   std::optional<registration_quality::VideoSequence> made;
 };
 
 // Told on the worker's thread.
 struct SequenceHeard {
-  std::function<void(const CalibrationTold&)> calibrated;
-  std::function<void(const FrameTold&)> matched;
+  std::function<void(const CalibrationReport&)> calibrated;
+  std::function<void(const FrameReport&)> matched;
 };
 
 // Long work. Of more than sixty pairs of board pictures, sixty spread evenly are taken. Failures: those of

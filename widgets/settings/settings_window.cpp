@@ -51,11 +51,7 @@ SettingsWindow::SettingsWindow(QWidget* parent) : QDialog(parent) {
   connect(names, &QCheckBox::toggled, this, &show_names_outside);
   QLabel* names_why = explanation();
 
-  auto* threads = new NumberBox;
-  threads->setDecimals(0);
-  threads->setObjectName("threads");
-  threads->setRange(0, QThread::idealThreadCount());
-  threads->setValue(kept_threads());
+  NumberBox* threads = whole_number("threads", 0, QThread::idealThreadCount(), kept_threads());
   connect(threads, &NumberBox::valueChanged, this, [](double chosen) { keep_threads(static_cast<int>(chosen)); });
 
   auto* program = new QLineEdit(kept_program().command);

@@ -39,14 +39,14 @@ StudiesPage::StudiesPage(QWidget* parent) : QWidget(parent) {
   connect(&run_, &StudyRun::progressed, this, [this](double fraction, const QString& stage) {
     fraction_ = fraction;
     stage_ = stage;
-    word_state();
+    update_text();
   });
   connect(&run_, &StudyRun::ended, this, &StudiesPage::end);
   every_second_.setInterval(1000);
   connect(&every_second_, &QTimer::timeout, this, &StudiesPage::look_again);
   keep_translated(this, [this] {
     choose_kind();
-    word_state();
+    update_text();
   });
 }
 
@@ -77,7 +77,7 @@ void StudiesPage::choose_kind() {
                        : kind.of == StudyOf::one_case ? tr("Of the case")
                        : kind.of == StudyOf::livers   ? tr("Of the livers in")
                                                       : tr("Of the scans in"));
-  input_told_->setText(!input_.isEmpty()              ? QDir::toNativeSeparators(input_)
+  input_text_->setText(!input_.isEmpty()              ? QDir::toNativeSeparators(input_)
                        : kind.of == StudyOf::patients ? tr("No folder: simulated patients")
                        : kind.of == StudyOf::one_case ? tr("Open a case, or choose one")
                        : kind.of == StudyOf::livers   ? tr("Choose a folder of label maps")
@@ -119,7 +119,7 @@ void StudiesPage::start() {
   follow(path_of(out));
   run_.start(study_arguments(kind, {static_cast<int>(simulated_->value()), input_, out}));
   choose_kind();
-  word_state();
+  update_text();
 }
 
 void StudiesPage::end(bool done, const QString& trouble) {
@@ -127,7 +127,7 @@ void StudiesPage::end(bool done, const QString& trouble) {
   state_ = done ? State::done : trouble.isEmpty() ? State::stopped : State::failed;
   look_again();
   choose_kind();
-  word_state();
+  update_text();
 }
 
 void StudiesPage::follow(const fs::path& folder) {
@@ -142,13 +142,13 @@ void StudiesPage::look_again() {
   rows_->look_again();
   std::error_code problem;
   open_page_->setEnabled(fs::exists(followed_ / "report.html", problem));
-  word_state();
+  update_text();
 }
 
 void StudiesPage::open_page() { QDesktopServices::openUrl(QUrl::fromLocalFile(text_of(followed_ / "report.html"))); }
 
 // What is done of it, what is done now, and how long it still takes.
-void StudiesPage::word_state() {
+void StudiesPage::update_text() {
   const bool running = run_.running();
   stop_->setVisible(running || state_ == State::running);
   stop_->setEnabled(state_ == State::running);
@@ -158,7 +158,7 @@ void StudiesPage::word_state() {
   if (!followed_.empty()) told << QDir::toNativeSeparators(text_of(followed_));
   if (rows_->done() > 0) told << tr("Patients done: %1").arg(rows_->done());
   if (rows_->failed() > 0) told << tr("Could not be used: %1").arg(rows_->failed());
-  told_->setText(followed_.empty() ? tr("Start a study, or follow a folder that another program fills.")
+  text_->setText(followed_.empty() ? tr("Start a study, or follow a folder that another program fills.")
                                    : told.join(QStringLiteral("  ·  ")));
   QString stage;
   switch (state_) {
@@ -177,7 +177,7 @@ void StudiesPage::word_state() {
     case State::stopped: stage = tr("Stopped. Started again, it goes on from there."); break;
     case State::failed: stage = trouble_; break;
   }
-  stage_told_->setText(stage);
+  stage_text_->setText(stage);
 }
 
 QWidget* StudiesPage::make_question() {
@@ -201,11 +201,11 @@ QWidget* StudiesPage::make_question() {
   auto* input_column = new QVBoxLayout(input_row_);
   input_column->setContentsMargins(0, 0, 0, 0);
   input_name_ = heading();
-  input_told_ = wrapped_label("study_input");
+  input_text_ = wrapped_label("study_input");
   choose_input_ = named_button("choose_study_input");
   drop_input_ = named_button("drop_study_input");
   input_column->addWidget(input_name_);
-  input_column->addWidget(input_told_);
+  input_column->addWidget(input_text_);
   auto* input_buttons = new QHBoxLayout;
   input_buttons->addWidget(choose_input_, 1);
   input_buttons->addWidget(drop_input_);
@@ -215,11 +215,7 @@ QWidget* StudiesPage::make_question() {
   auto* simulated_column = new QHBoxLayout(simulated_row_);
   simulated_column->setContentsMargins(0, 0, 0, 0);
   auto* simulated_name = new QLabel;
-  simulated_ = new NumberBox;
-  simulated_->setObjectName("study_simulated");
-  simulated_->setDecimals(0);
-  simulated_->setRange(1, 100'000);
-  simulated_->setValue(119);  // as many as the dissertation's
+  simulated_ = whole_number("study_simulated", 1, 100'000, 119);  // as many as the dissertation's
   simulated_name->setBuddy(simulated_);
   simulated_column->addWidget(simulated_name, 1);
   simulated_column->addWidget(simulated_);
@@ -275,16 +271,16 @@ QWidget* StudiesPage::make_answer() {
   auto* column = new QVBoxLayout(right);
   column->setContentsMargins(14, 14, 14, 14);
   column->setSpacing(8);
-  told_ = wrapped_label("study_told");
-  column->addWidget(told_);
+  text_ = wrapped_label("study_told");
+  column->addWidget(text_);
   auto* under_way = new QHBoxLayout;
-  stage_told_ = wrapped_label("study_stage");
+  stage_text_ = wrapped_label("study_stage");
   progress_ = new QProgressBar;
   progress_->setRange(0, 1000);
   progress_->setTextVisible(false);
   progress_->setFixedWidth(220);
   stop_ = named_button("stop_study");
-  under_way->addWidget(stage_told_, 1);
+  under_way->addWidget(stage_text_, 1);
   under_way->addWidget(progress_);
   under_way->addWidget(stop_);
   column->addLayout(under_way);
@@ -299,7 +295,7 @@ QWidget* StudiesPage::make_answer() {
   connect(stop_, &QPushButton::clicked, this, [this] {
     state_ = State::stopping;
     run_.stop();
-    word_state();
+    update_text();
   });
   connect(open_page_, &QPushButton::clicked, this, &StudiesPage::open_page);
   keep_translated(right, [this] {

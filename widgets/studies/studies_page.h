@@ -44,7 +44,7 @@ class StudiesPage : public QWidget {
   void end(bool done, const QString& trouble);
   void look_again();
   void open_page();
-  void word_state();
+  void update_text();
 
   StudyRun run_;
   QString case_folder_;
@@ -63,14 +63,14 @@ class StudiesPage : public QWidget {
   NumberBox* simulated_;
   QWidget* input_row_;
   QLabel* input_name_;
-  QLabel* input_told_;
+  QLabel* input_text_;
   QPushButton* choose_input_;
   QPushButton* drop_input_;
   QLineEdit* results_;
   QPushButton* start_;
   QPushButton* stop_;
-  QLabel* told_;
-  QLabel* stage_told_;
+  QLabel* text_;
+  QLabel* stage_text_;
   QProgressBar* progress_;
   StudyRows* rows_;
   QPushButton* open_page_;

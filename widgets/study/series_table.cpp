@@ -156,7 +156,7 @@ SeriesTable::SeriesTable(QWidget* parent) : QTreeWidget(parent), stop_(std::make
   header()->resizeSection(role_column, 190);
   header()->setSectionResizeMode(problems_column, QHeaderView::Stretch);
   painters_.setMaxThreadCount(1);
-  keep_translated(this, [this] { word(); });
+  keep_translated(this, [this] { update_text(); });
 }
 
 SeriesTable::~SeriesTable() {
@@ -187,7 +187,7 @@ void SeriesTable::show_study(std::shared_ptr<const imaging::Study> study) {
     setItemWidget(row, role_column, holder);
     roles_.push_back(choice);
   }
-  word();
+  update_text();
   make_pictures();
   Q_EMIT roles_changed();
 }
@@ -213,7 +213,7 @@ int SeriesTable::chosen_images() const {
   }));
 }
 
-void SeriesTable::word() {
+void SeriesTable::update_text() {
   setHeaderLabels({tr("Series"), tr("Size and spacing"), tr("Use as"), tr("Remarks")});
   const std::array<QString, 8> names{tr("Anatomy"),   tr("Stiffness (kPa)"), tr("Confidence"),   tr("MRE magnitude"),
                                      tr("MRE phase"), tr("MRE waves"),       tr("Segmentation"), tr("Leave out")};

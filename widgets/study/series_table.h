@@ -32,7 +32,7 @@ class SeriesTable : public QTreeWidget {
   void roles_changed();
 
  private:
-  void word();
+  void update_text();
   void make_pictures();
 
   std::shared_ptr<const imaging::Study> study_;

@@ -94,7 +94,7 @@ StudyPage::StudyPage(const WorkspaceContext& context, QWidget* parent)
   connect(&context_.undo, &Undo::settled, this, [this] {
     if (isVisible()) overview_->show_case(case_);
   });
-  keep_translated(this, [this] { word(); });
+  keep_translated(this, [this] { update_text(); });
 }
 
 // A label map alone, while a case is open, is meant for it.
@@ -155,7 +155,7 @@ void StudyPage::showEvent(QShowEvent* event) {
   overview_->show_case(case_);
 }
 
-void StudyPage::word() {
+void StudyPage::update_text() {
   title_->setText(tr("Images"));
   open_->setText(tr("Look in a folder..."));
   open_->setToolTip(tr("A folder, a DICOMDIR or one file; dropping it on the window does the same"));

@@ -33,7 +33,7 @@ class StudyPage : public QWidget {
   void showEvent(QShowEvent* event) override;
 
  private:
-  void word();
+  void update_text();
   void show_state();
   void choose_folder();
   void list(const std::filesystem::path& path, const imaging::Study& study);

@@ -57,9 +57,9 @@ ViewBar::ViewBar(LinkedViews& views, MeasureTool& measure, QWidget* parent)
   window_->setSizeAdjustPolicy(QComboBox::AdjustToContents);  // its words change with the language
   for (int k = 0; k <= own; ++k) window_->addItem({});
   row->addWidget(window_);
-  window_told_ = new QLabel(this);
-  window_told_->setObjectName("window_told");
-  row->addWidget(window_told_);
+  window_text_ = new QLabel(this);
+  window_text_->setObjectName("window_told");
+  row->addWidget(window_text_);
   connect(window_, &QComboBox::activated, this, [this](int preset) {
     views_.choose_window(static_cast<WindowPreset>(preset));
     tell_window();
@@ -75,7 +75,7 @@ ViewBar::ViewBar(LinkedViews& views, MeasureTool& measure, QWidget* parent)
   straight_ = add_action("straight", "", QKeySequence("Ctrl+Shift+0"), [this] { views_.straighten(); });
   QToolButton* surgeon = add_button(surgeon_, "surgeons_side");
   QToolButton* straight = add_button(straight_, "straight");
-  dispensable_ = {volumes_button, straight, surgeon, window_told_, window_name_};
+  dispensable_ = {volumes_button, straight, surgeon, window_text_, window_name_};
   more_ = new QToolButton(this);
   more_->setObjectName("more");
   more_->setText("»");
@@ -222,7 +222,7 @@ void ViewBar::tell_window() {
   window_->setCurrentIndex(static_cast<int>(views_.window_preset()));
   const GreyWindow window = views_.window();
   const int digits = window.width < 20 ? 1 : 0;
-  window_told_->setText(tr("W %1  L %2").arg(window.width, 0, 'f', digits).arg(window.center, 0, 'f', digits));
+  window_text_->setText(tr("W %1  L %2").arg(window.width, 0, 'f', digits).arg(window.center, 0, 'f', digits));
   fit();
 }
 

@@ -48,7 +48,7 @@ class ViewBar : public QWidget {
   QMenu* volumes_;
   QLabel* window_name_;
   QComboBox* window_;
-  QLabel* window_told_;  // width and level
+  QLabel* window_text_;  // width and level
   // Where the row is too narrow for all, the first of these go first, into the menu of `more_`.
   std::vector<QWidget*> dispensable_;
   QToolButton* more_;

@@ -67,7 +67,7 @@ WaveView::WaveView(fs::path case_folder, QWidget* parent) : QWidget(parent), fol
   connect(slice_, &QSlider::valueChanged, this, &WaveView::show_slice);
   connect(play_, &QPushButton::toggled, this, [this](bool playing) {
     playing ? clock_.start() : clock_.stop();
-    word_result();
+    update_result_text();
   });
   connect(&work_, &BackgroundWork::started, this, [this] {
     invert_->setEnabled(false);
@@ -86,7 +86,7 @@ WaveView::WaveView(fs::path case_folder, QWidget* parent) : QWidget(parent), fol
   });
   keep_translated(this, [this] {
     setWindowTitle(tr("Elastography waves"));
-    word_result();
+    update_result_text();
   });
 }
 
@@ -270,10 +270,10 @@ void WaveView::show_result() {
     for (const Sentence& note : notes) sentences << translated(note);
     return sentences.join(" ");
   });
-  word_result();
+  update_result_text();
 }
 
-void WaveView::word_result() {
+void WaveView::update_result_text() {
   play_->setText(play_->isChecked() ? tr("Pause") : tr("Play"));
   if (said_) notes_->setText(said_());
   if (!has_result()) {

@@ -57,7 +57,7 @@ class WaveView : public QWidget {
   void show_result();
   void show_slice();
   void step();
-  void word_result();
+  void update_result_text();
   // The words are asked for again when the language changes.
   void say(std::function<QString()> words);
 

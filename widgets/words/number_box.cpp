@@ -58,4 +58,13 @@ void NumberBox::say(const QString& what) const {
   });
 }
 
+NumberBox* whole_number(const char* name, int minimum, int maximum, int value, QWidget* parent) {
+  auto* box = new NumberBox(parent);
+  box->setObjectName(name);
+  box->setDecimals(0);
+  box->setRange(minimum, maximum);
+  box->setValue(value);
+  return box;
+}
+
 }  // namespace glisson::widgets

@@ -8,7 +8,6 @@
 
 namespace glisson::widgets {
 
-// For whole numbers too, with setDecimals(0).
 class NumberBox : public QDoubleSpinBox {
   Q_OBJECT
 
@@ -26,5 +25,8 @@ class NumberBox : public QDoubleSpinBox {
   [[nodiscard]] QString in_full(double value) const;
   void say(const QString& what) const;
 };
+
+// A box for whole numbers.
+[[nodiscard]] NumberBox* whole_number(const char* name, int minimum, int maximum, int value, QWidget* parent = nullptr);
 
 }  // namespace glisson::widgets

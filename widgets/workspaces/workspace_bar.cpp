@@ -18,7 +18,7 @@ WorkspaceBar::WorkspaceBar(QWidget* parent) : QWidget(parent) {
   connect(group_, &QButtonGroup::idToggled, this, [this](int index, bool on) {
     if (on) Q_EMIT chosen(index);
   });
-  keep_translated(this, [this] { word(); });
+  keep_translated(this, [this] { update_text(); });
 }
 
 void WorkspaceBar::add(const Workspace& workspace) {
@@ -36,17 +36,17 @@ void WorkspaceBar::add(const Workspace& workspace) {
   group_->addButton(button, static_cast<int>(buttons_.size()));
   buttons_.push_back(button);
   workspaces_.push_back(workspace);
-  word();
+  update_text();
 }
 
 void WorkspaceBar::choose(int index) { buttons_.at(static_cast<std::size_t>(index))->setChecked(true); }
 
 void WorkspaceBar::show_patient(const Patient& patient) {
   patient_ = patient;
-  word();
+  update_text();
 }
 
-void WorkspaceBar::word() {
+void WorkspaceBar::update_text() {
   if (research_ != nullptr) research_->setText(tr("Research"));
   for (std::size_t k = 0; k < buttons_.size(); ++k) {
     const Workspace& workspace = workspaces_[k];

@@ -27,7 +27,7 @@ class WorkspaceBar : public QWidget {
   void chosen(int index);
 
  private:
-  void word();
+  void update_text();
 
   QHBoxLayout* row_;
   QLabel* research_ = nullptr;  // before the first of that group

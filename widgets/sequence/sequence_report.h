@@ -27,17 +27,17 @@ class FittedPicture : public QWidget {
   QImage picture_;
 };
 
-class SequenceToldView : public QWidget {
+class SequenceReportView : public QWidget {
   Q_OBJECT
 
  public:
-  explicit SequenceToldView(QWidget* parent = nullptr);
-  void show_told(const SequenceTold& told);
+  explicit SequenceReportView(QWidget* parent = nullptr);
+  void show_report(const SequenceReport& report);
 
  private:
-  void word();
+  void update_text();
 
-  SequenceTold told_;
+  SequenceReport report_;
   QLabel* nothing_;
   std::array<QLabel*, 4> lines_{};
   QLabel* doubt_;
@@ -46,6 +46,6 @@ class SequenceToldView : public QWidget {
 };
 
 // In the language of now, for who comes to the sequence: the same in one line.
-[[nodiscard]] QString summary_of(const SequenceTold& told);
+[[nodiscard]] QString summary_of(const SequenceReport& report);
 
 }  // namespace glisson::widgets
