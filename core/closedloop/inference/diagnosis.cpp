@@ -198,6 +198,7 @@ Result<std::optional<HeldOut>> Diagnosis::held_out(const Candidate& named, doubl
   const auto refitted =
       leave_out_with_refits(search_.model(), named.fit, search_.folds(), options_.evidence, progress_);
   if (!refitted && progress_.cancelled()) return failure(refitted.error());
+  if (!refitted && !named.left_out.given) return std::nullopt;
   Eigen::VectorXd predicted = refitted ? refitted->predicted : named.left_out.predicted;
   if (mesh_error_share != 0) {
     const Eigen::VectorXd& expected = search_.systematic().expected;
@@ -248,8 +249,14 @@ std::vector<Sentence> Diagnosis::notes_on_verdict(const Choice& choice, const Re
 
 std::vector<Sentence> notes_on_ranking(const std::vector<RankedCandidate>& ranking) {
   std::vector<Sentence> notes;
-  for (const RankedCandidate& candidate : ranking)
+  for (const RankedCandidate& candidate : ranking) {
     if (candidate.failed) notes.push_back({GLISSON_TEXT("{0} was left out: {1}"), {candidate.kind, candidate.removed}});
+    if (!candidate.foretells)
+      notes.push_back(
+          {GLISSON_TEXT("Fitted without one of the trials, {0} has no solution there, or is farther off than "
+                        "a prediction of zero: it foretells nothing beyond what it was fitted to."),
+           {candidate.kind}});
+  }
   return notes;
 }
 
