@@ -164,7 +164,8 @@ Result<Choice> Diagnosis::choose() {
 Remainder Diagnosis::remainder(const Choice& choice) const {
   const Candidate& chosen = choice.found.chosen;
   const auto rows = static_cast<double>(chosen.fit.white.size());
-  Remainder left{chosen.fit.settings.size(), search_.leaves_nothing(chosen), std::sqrt(chosen.fit.chi2 / rows), {}};
+  const double rms = std::max(std::sqrt(chosen.fit.chi2 / rows), rms_of_worst_quantity(all_, chosen.fit.white));
+  Remainder left{chosen.fit.settings.size(), search_.leaves_nothing(chosen), rms, {}};
   // Several causes together, or one with much freedom, can be bent to what none of them did.
   if (left.effects > 0 && reaches_noise(left, options_)) {
     left.evidence_over_smooth =
