@@ -133,6 +133,50 @@
         <source>Another stiffness along the border</source>
         <translation>Andere Steifigkeit entlang des Randes</translation>
     </message>
+    <message>
+        <source>The neo-Hookean law</source>
+        <translation>Das neo-Hookesche Gesetz</translation>
+    </message>
+    <message>
+        <source>The law of Mooney and Rivlin</source>
+        <translation>Das Gesetz von Mooney und Rivlin</translation>
+    </message>
+    <message>
+        <source>The law of Gent and Thomas</source>
+        <translation>Das Gesetz von Gent und Thomas</translation>
+    </message>
+    <message>
+        <source>The law of Gent</source>
+        <translation>Das Gesetz von Gent</translation>
+    </message>
+    <message>
+        <source>The law of Arruda and Boyce</source>
+        <translation>Das Gesetz von Arruda und Boyce</translation>
+    </message>
+    <message>
+        <source>The law of Ogden</source>
+        <translation>Das Gesetz von Ogden</translation>
+    </message>
+    <message>
+        <source>The law of Isihara</source>
+        <translation>Das Gesetz von Isihara</translation>
+    </message>
+    <message>
+        <source>The law of Yeoh</source>
+        <translation>Das Gesetz von Yeoh</translation>
+    </message>
+    <message>
+        <source>Fibres along one direction</source>
+        <translation>Fasern in einer Richtung</translation>
+    </message>
+    <message>
+        <source>The law of Haines and Wilson</source>
+        <translation>Das Gesetz von Haines und Wilson</translation>
+    </message>
+    <message>
+        <source>Fibres along two directions (Holzapfel)</source>
+        <translation>Fasern in zwei Richtungen (Holzapfel)</translation>
+    </message>
 </context>
 <context>
     <name>entries</name>
@@ -6903,6 +6947,18 @@
         <source>Mark another line, or give a pose_guess.</source>
         <translation>Markieren Sie eine weitere Linie, oder geben Sie pose_guess an.</translation>
     </message>
+    <message>
+        <source>foretells nothing</source>
+        <translation>sagt nichts voraus</translation>
+    </message>
+    <message>
+        <source>Fitted without one of the trials, {0} has no solution there, or is farther off than a prediction of zero: it foretells nothing beyond what it was fitted to.</source>
+        <translation>Ohne einen der Versuche angepasst, hat {0} dort keine Lösung oder liegt weiter daneben als eine Vorhersage von null: Über das hinaus, woran es angepasst wurde, sagt es nichts voraus.</translation>
+    </message>
+    <message>
+        <source>one of the quantities that were measured is off by more than its noise</source>
+        <translation>eine der gemessenen Größen liegt weiter daneben als ihr Rauschen</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>
@@ -7749,6 +7805,10 @@
     <message>
         <source>%1 Of the doubt %2 % is expected to be gone then.</source>
         <translation>%1 Vom Zweifel sind dann voraussichtlich %2 % beseitigt.</translation>
+    </message>
+    <message>
+        <source>What these trials could have shown</source>
+        <translation>Was diese Versuche hätten zeigen können</translation>
     </message>
 </context>
 <context>
@@ -13065,6 +13125,37 @@ Von Hand: mit der rechten Taste ziehen</translation>
     </message>
 </context>
 <context>
+    <name>glisson::widgets::VisibleTable</name>
+    <message>
+        <source>Effect</source>
+        <translation>Effekt</translation>
+    </message>
+    <message>
+        <source>Seen from</source>
+        <translation>Sichtbar ab</translation>
+    </message>
+    <message>
+        <source>In nine of ten such experiments an effect of this size is seen</source>
+        <translation>In neun von zehn solchen Experimenten ist ein Effekt dieser Größe zu sehen</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>at no size</source>
+        <translation>in keiner Größe</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>Without effect</source>
+        <translation>Ohne Effekt</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::WaveView</name>
     <message>
         <source>Elastography waves</source>
@@ -13219,6 +13310,165 @@ Von Hand: mit der rechten Taste ziehen</translation>
     <message>
         <source>Research</source>
         <translation>Forschung</translation>
+    </message>
+</context>
+<context>
+    <name>parameters</name>
+    <message>
+        <source>amplitude</source>
+        <translation>Amplitude</translation>
+    </message>
+    <message>
+        <source>angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>azimuth</source>
+        <translation>Azimut</translation>
+    </message>
+    <message>
+        <source>center</source>
+        <translation>Mittelpunkt</translation>
+    </message>
+    <message>
+        <source>coefficient</source>
+        <translation>Koeffizient</translation>
+    </message>
+    <message>
+        <source>curve</source>
+        <translation>Kurve</translation>
+    </message>
+    <message>
+        <source>delay</source>
+        <translation>Verzögerung</translation>
+    </message>
+    <message>
+        <source>depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>efficiency</source>
+        <translation>Wirkungsgrad</translation>
+    </message>
+    <message>
+        <source>elevation</source>
+        <translation>Elevation</translation>
+    </message>
+    <message>
+        <source>energy</source>
+        <translation>Energie</translation>
+    </message>
+    <message>
+        <source>exponent</source>
+        <translation>Exponent</translation>
+    </message>
+    <message>
+        <source>factor</source>
+        <translation>Faktor</translation>
+    </message>
+    <message>
+        <source>faster</source>
+        <translation>schneller</translation>
+    </message>
+    <message>
+        <source>foundation</source>
+        <translation>Bettung</translation>
+    </message>
+    <message>
+        <source>friction</source>
+        <translation>Reibung</translation>
+    </message>
+    <message>
+        <source>full load</source>
+        <translation>Volllast</translation>
+    </message>
+    <message>
+        <source>gain</source>
+        <translation>Verstärkung</translation>
+    </message>
+    <message>
+        <source>gravity</source>
+        <translation>Schwerkraft</translation>
+    </message>
+    <message>
+        <source>length scale</source>
+        <translation>Längenmaßstab</translation>
+    </message>
+    <message>
+        <source>limit</source>
+        <translation>Grenze</translation>
+    </message>
+    <message>
+        <source>loss</source>
+        <translation>Verlust</translation>
+    </message>
+    <message>
+        <source>loss ratio</source>
+        <translation>Verlustverhältnis</translation>
+    </message>
+    <message>
+        <source>pressure</source>
+        <translation>Druck</translation>
+    </message>
+    <message>
+        <source>radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>ratio</source>
+        <translation>Verhältnis</translation>
+    </message>
+    <message>
+        <source>resistance</source>
+        <translation>Widerstand</translation>
+    </message>
+    <message>
+        <source>rotation</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>share</source>
+        <translation>Anteil</translation>
+    </message>
+    <message>
+        <source>slip strain</source>
+        <translation>Gleitdehnung</translation>
+    </message>
+    <message>
+        <source>slower</source>
+        <translation>langsamer</translation>
+    </message>
+    <message>
+        <source>static</source>
+        <translation>Grundleistung</translation>
+    </message>
+    <message>
+        <source>stiffness</source>
+        <translation>Steifigkeit</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>time constant</source>
+        <translation>Zeitkonstante</translation>
+    </message>
+    <message>
+        <source>translation</source>
+        <translation>Verschiebung</translation>
+    </message>
+    <message>
+        <source>viscosity</source>
+        <translation>Viskosität</translation>
+    </message>
+    <message>
+        <source>zero</source>
+        <translation>Nullpunkt</translation>
     </message>
 </context>
 <context>

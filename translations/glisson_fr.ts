@@ -133,6 +133,50 @@
         <source>Another stiffness along the border</source>
         <translation>Une autre rigidité le long du bord</translation>
     </message>
+    <message>
+        <source>The neo-Hookean law</source>
+        <translation>La loi néo-hookéenne</translation>
+    </message>
+    <message>
+        <source>The law of Mooney and Rivlin</source>
+        <translation>La loi de Mooney et Rivlin</translation>
+    </message>
+    <message>
+        <source>The law of Gent and Thomas</source>
+        <translation>La loi de Gent et Thomas</translation>
+    </message>
+    <message>
+        <source>The law of Gent</source>
+        <translation>La loi de Gent</translation>
+    </message>
+    <message>
+        <source>The law of Arruda and Boyce</source>
+        <translation>La loi d&apos;Arruda et Boyce</translation>
+    </message>
+    <message>
+        <source>The law of Ogden</source>
+        <translation>La loi d&apos;Ogden</translation>
+    </message>
+    <message>
+        <source>The law of Isihara</source>
+        <translation>La loi d&apos;Isihara</translation>
+    </message>
+    <message>
+        <source>The law of Yeoh</source>
+        <translation>La loi de Yeoh</translation>
+    </message>
+    <message>
+        <source>Fibres along one direction</source>
+        <translation>Fibres dans une direction</translation>
+    </message>
+    <message>
+        <source>The law of Haines and Wilson</source>
+        <translation>La loi de Haines et Wilson</translation>
+    </message>
+    <message>
+        <source>Fibres along two directions (Holzapfel)</source>
+        <translation>Fibres dans deux directions (Holzapfel)</translation>
+    </message>
 </context>
 <context>
     <name>entries</name>
@@ -6903,6 +6947,18 @@
         <source>Mark another line, or give a pose_guess.</source>
         <translation>Marquez une autre ligne, ou donnez pose_guess.</translation>
     </message>
+    <message>
+        <source>foretells nothing</source>
+        <translation>ne prédit rien</translation>
+    </message>
+    <message>
+        <source>Fitted without one of the trials, {0} has no solution there, or is farther off than a prediction of zero: it foretells nothing beyond what it was fitted to.</source>
+        <translation>Ajusté sans l&apos;un des essais, {0} n&apos;y a pas de solution, ou s&apos;en écarte plus qu&apos;une prédiction nulle : il ne prédit rien au-delà de ce à quoi il a été ajusté.</translation>
+    </message>
+    <message>
+        <source>one of the quantities that were measured is off by more than its noise</source>
+        <translation>une des grandeurs mesurées s&apos;écarte de plus que son bruit</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>
@@ -7749,6 +7805,10 @@
     <message>
         <source>%1 Of the doubt %2 % is expected to be gone then.</source>
         <translation>%1 Du doute, %2 % devraient alors avoir disparu.</translation>
+    </message>
+    <message>
+        <source>What these trials could have shown</source>
+        <translation>Ce que ces essais auraient pu montrer</translation>
     </message>
 </context>
 <context>
@@ -13068,6 +13128,37 @@ By hand: drag with the right button</source>
     </message>
 </context>
 <context>
+    <name>glisson::widgets::VisibleTable</name>
+    <message>
+        <source>Effect</source>
+        <translation>Effet</translation>
+    </message>
+    <message>
+        <source>Seen from</source>
+        <translation>Visible à partir de</translation>
+    </message>
+    <message>
+        <source>In nine of ten such experiments an effect of this size is seen</source>
+        <translation>Dans neuf expériences de ce genre sur dix, un effet de cette taille se voit</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>at no size</source>
+        <translation>à aucune valeur</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>Paramètre</translation>
+    </message>
+    <message>
+        <source>Without effect</source>
+        <translation>Sans effet</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::WaveView</name>
     <message>
         <source>Elastography waves</source>
@@ -13222,6 +13313,165 @@ By hand: drag with the right button</source>
     <message>
         <source>Research</source>
         <translation>Recherche</translation>
+    </message>
+</context>
+<context>
+    <name>parameters</name>
+    <message>
+        <source>amplitude</source>
+        <translation>amplitude</translation>
+    </message>
+    <message>
+        <source>angle</source>
+        <translation>angle</translation>
+    </message>
+    <message>
+        <source>axis</source>
+        <translation>axe</translation>
+    </message>
+    <message>
+        <source>azimuth</source>
+        <translation>azimut</translation>
+    </message>
+    <message>
+        <source>center</source>
+        <translation>centre</translation>
+    </message>
+    <message>
+        <source>coefficient</source>
+        <translation>coefficient</translation>
+    </message>
+    <message>
+        <source>curve</source>
+        <translation>courbe</translation>
+    </message>
+    <message>
+        <source>delay</source>
+        <translation>retard</translation>
+    </message>
+    <message>
+        <source>depth</source>
+        <translation>profondeur</translation>
+    </message>
+    <message>
+        <source>efficiency</source>
+        <translation>rendement</translation>
+    </message>
+    <message>
+        <source>elevation</source>
+        <translation>élévation</translation>
+    </message>
+    <message>
+        <source>energy</source>
+        <translation>énergie</translation>
+    </message>
+    <message>
+        <source>exponent</source>
+        <translation>exposant</translation>
+    </message>
+    <message>
+        <source>factor</source>
+        <translation>facteur</translation>
+    </message>
+    <message>
+        <source>faster</source>
+        <translation>plus rapide</translation>
+    </message>
+    <message>
+        <source>foundation</source>
+        <translation>appui élastique</translation>
+    </message>
+    <message>
+        <source>friction</source>
+        <translation>frottement</translation>
+    </message>
+    <message>
+        <source>full load</source>
+        <translation>pleine charge</translation>
+    </message>
+    <message>
+        <source>gain</source>
+        <translation>gain</translation>
+    </message>
+    <message>
+        <source>gravity</source>
+        <translation>pesanteur</translation>
+    </message>
+    <message>
+        <source>length scale</source>
+        <translation>échelle de longueur</translation>
+    </message>
+    <message>
+        <source>limit</source>
+        <translation>limite</translation>
+    </message>
+    <message>
+        <source>loss</source>
+        <translation>perte</translation>
+    </message>
+    <message>
+        <source>loss ratio</source>
+        <translation>facteur de perte</translation>
+    </message>
+    <message>
+        <source>pressure</source>
+        <translation>pression</translation>
+    </message>
+    <message>
+        <source>radius</source>
+        <translation>rayon</translation>
+    </message>
+    <message>
+        <source>ratio</source>
+        <translation>rapport</translation>
+    </message>
+    <message>
+        <source>resistance</source>
+        <translation>résistance</translation>
+    </message>
+    <message>
+        <source>rotation</source>
+        <translation>rotation</translation>
+    </message>
+    <message>
+        <source>share</source>
+        <translation>part</translation>
+    </message>
+    <message>
+        <source>slip strain</source>
+        <translation>déformation de glissement</translation>
+    </message>
+    <message>
+        <source>slower</source>
+        <translation>plus lent</translation>
+    </message>
+    <message>
+        <source>static</source>
+        <translation>puissance au repos</translation>
+    </message>
+    <message>
+        <source>stiffness</source>
+        <translation>raideur</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>temps</translation>
+    </message>
+    <message>
+        <source>time constant</source>
+        <translation>constante de temps</translation>
+    </message>
+    <message>
+        <source>translation</source>
+        <translation>translation</translation>
+    </message>
+    <message>
+        <source>viscosity</source>
+        <translation>viscosité</translation>
+    </message>
+    <message>
+        <source>zero</source>
+        <translation>zéro</translation>
     </message>
 </context>
 <context>

@@ -47,6 +47,27 @@ TEST(Residual, NoiseIsCalledNoise) {
   EXPECT_LE(alarms, 2);  // one in a thousand is expected
 }
 
+// Ten forces beside thousands of points.
+TEST(Residual, AFewRowsOfAnotherQuantityAreNotLostAmongMany) {
+  Observations all;
+  all.unit = "noise";
+  all.directions = {"ux", "fx"};
+  all.trials = {"a"};
+  std::vector<Observation> rows;
+  for (int row = 0; row < 3000; ++row)
+    rows.push_back({.noise = 1, .direction = row % 300 == 0 ? 1 : 0, .point = row, .load = 1});
+  all.add(rows);
+  Eigen::VectorXd white = white_noise(all.rows(), 3);
+  for (Eigen::Index row = 0; row < white.size(); row += 300) white[row] = row % 600 == 0 ? 2.5 : -2.5;
+  const auto is_noise = [&] { return residual_diagnostics(all, white, Eigen::VectorXd::Zero(all.rows())).is_noise; };
+  EXPECT_TRUE(is_noise());
+  EXPECT_EQ(rms_of_worst_quantity(all, white), 0);
+  all.quantities = {0, 1};
+  EXPECT_FALSE(is_noise());
+  EXPECT_GT(rms_of_worst_quantity(all, white), 1.15);
+  EXPECT_LT(rms_of_worst_quantity(all, white_noise(all.rows(), 3)), 1.15);
+}
+
 TEST(Residual, StructureFarBelowTheNoiseOfAPointIsFound) {
   const Observations all = pad(3, 3, 6);
   const Eigen::VectorXd noise = white_noise(all.rows(), 7);

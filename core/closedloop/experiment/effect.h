@@ -4,6 +4,7 @@
 // palpation/internal/effects.h, hardware/effects.h).
 
 #include <Eigen/Core>
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,11 @@ struct Setting {
   Eigen::VectorXd parameters;
 };
 using Settings = std::vector<Setting>;
+
+// Of an effect's parameters.
+[[nodiscard]] inline Eigen::VectorXd numbers_of(std::initializer_list<double> values) {
+  return Eigen::VectorXd::Map(values.begin(), static_cast<Eigen::Index>(values.size()));
+}
 
 // All parameters of all settings one after the other.
 [[nodiscard]] inline Eigen::Index parameter_count(const Settings& settings) {

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <Eigen/Core>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <string>
 #include <variant>
@@ -144,7 +145,9 @@ struct PlaneBoundary {
   std::array<bool, 2> prescribed{false, false};  // in x, in y
 };
 
-// Not a number where something was not measured or not said.
+// Stands where something was not measured or not said.
+constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
+
 struct PlaneTrial {
   std::string id;
   Eigen::Matrix2Xd displacement;  // of each point

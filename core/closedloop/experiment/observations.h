@@ -27,7 +27,10 @@ struct Observation {
 struct Observations {
   std::string unit;                     // "mm", "kPa"; "noise" where quantities of several units are joined
   std::vector<std::string> directions;  // what the components of a point are called: {"x","y","z"}, {"stress"}, ...
-  std::vector<std::string> trials;      // ids
+  // Which quantity each direction is of, where several instruments measured: {0, 0, 1, 1} of displacements and forces.
+  // Empty: all are judged as one.
+  std::vector<int> quantities;
+  std::vector<std::string> trials;  // ids
 
   // Appends rows. All rows of all calls have a place or none has, and have as many conditions. Takes as long as there
   // are rows already: give those of a trial, or all, at once.

@@ -40,6 +40,8 @@ double upper_tail_of_normal(double value) {
 }
 
 NoiseTest size_test(const Eigen::VectorXd& white);
+NoiseTest quantity_test(const Observations& observations, const Eigen::VectorXd& white);
+std::map<int, Eigen::VectorXd> by_quantity(const Observations& observations, const Eigen::VectorXd& white);
 NoiseTest place_neighbours_test(const Observations& observations, const Eigen::VectorXd& white);
 NoiseTest time_neighbours_test(const Observations& observations, const Eigen::VectorXd& white);
 NoiseTest score_test(std::string name, std::string sentence, const Eigen::MatrixXd& basis,
@@ -100,6 +102,7 @@ ResidualDiagnostics residual_diagnostics(const Observations& observations, const
   ResidualDiagnostics diagnostics;
   auto& tests = diagnostics.tests;
   tests.push_back(size_test(white));
+  if (!observations.quantities.empty()) tests.push_back(quantity_test(observations, white));
   tests.push_back(observations.has_places() ? place_neighbours_test(observations, white)
                                             : time_neighbours_test(observations, white));
   tests.push_back(
@@ -137,6 +140,15 @@ std::vector<std::string> ResidualDiagnostics::shape() const {
   std::vector<std::string> sentences;
   for (const NoiseTest& test : significant) sentences.push_back(test.sentence);
   return sentences;
+}
+
+double rms_of_worst_quantity(const Observations& observations, const Eigen::VectorXd& white) {
+  double worst = 0;
+  for (const auto& [quantity, values] : by_quantity(observations, white)) {
+    const auto count = static_cast<double>(values.size());
+    worst = std::max(worst, values.norm() / std::sqrt(count) / (1 + 3 / std::sqrt(2 * count)));
+  }
+  return worst;
 }
 
 double correlation_length(const Observations& observations, const Eigen::VectorXd& white) {
@@ -182,6 +194,32 @@ NoiseTest size_test(const Eigen::VectorXd& white) {
   const double allowed = reduced / (noise_is_known_to * noise_is_known_to);
   return {"size", GLISSON_TEXT("it is larger than the noise"), reduced,
           upper_tail_of_chi_squared(allowed * static_cast<double>(white.size()), static_cast<double>(white.size()))};
+}
+
+NoiseTest quantity_test(const Observations& observations, const Eigen::VectorXd& white) {
+  NoiseTest worst{"quantity", GLISSON_TEXT("one of the quantities that were measured is off by more than its noise"), 0,
+                  1};
+  const auto all = by_quantity(observations, white);
+  for (const auto& [quantity, values] : all) {
+    const NoiseTest one = size_test(values);
+    if (one.p_value > worst.p_value) continue;
+    worst.statistic = one.statistic;
+    worst.p_value = one.p_value;
+  }
+  worst.p_value = std::min(1.0, worst.p_value * static_cast<double>(all.size()));
+  return worst;
+}
+
+// None where all rows are judged as one.
+std::map<int, Eigen::VectorXd> by_quantity(const Observations& observations, const Eigen::VectorXd& white) {
+  std::map<int, std::vector<Eigen::Index>> rows;
+  for (Eigen::Index row = 0; row < white.size() && !observations.quantities.empty(); ++row) {
+    const int direction = observations.direction[static_cast<std::size_t>(row)];
+    rows[observations.quantities[static_cast<std::size_t>(direction)]].push_back(row);
+  }
+  std::map<int, Eigen::VectorXd> values;
+  for (const auto& [quantity, of_it] : rows) values[quantity] = white(of_it);
+  return values;
 }
 
 // z of sum w_ij r_i r_j, a pair counted once: its variance under independence is the number of pairs.

@@ -33,7 +33,7 @@ inline constexpr double improbable_for_noise = 1e-3;
 inline constexpr double noise_is_known_to = 1.05;
 
 struct NoiseTest {
-  std::string name;      // "size", "neighbours", "load", "time", "place", "direction", "trials", "scale"
+  std::string name;      // "size", "quantity", "neighbours", "load", "time", "place", "direction", "trials", "scale"
   std::string sentence;  // what it says where it is significant
   double statistic = 0;
   double p_value = 1;
@@ -50,11 +50,16 @@ struct ResidualDiagnostics {
 
 // `white`: the whitened residual (whitening.h), a number a row; `predicted` in the experiment's unit.
 //   size        sum of squares against chi-squared, with noise 1.05 times the stated one;
+//   quantity    the same of each of Observations::quantities, the most improbable: a few forces beside many points;
 //   neighbours  Moran's I over the nearest markers of the same moment; without places, over neighbours in time;
 //   others      score tests: the part of the residual along a few functions of the covariate, against chi-squared.
 // A residual is noise when no test is as improbable as one in a thousand, all tests taken together.
 [[nodiscard]] ResidualDiagnostics residual_diagnostics(const Observations& observations, const Eigen::VectorXd& white,
                                                        const Eigen::VectorXd& predicted);
+
+// In noises, the root mean square of the quantity that is farthest off (Observations::quantities), over what chance may
+// add to so few rows, three standard deviations. 0 where all rows are judged as one.
+[[nodiscard]] double rms_of_worst_quantity(const Observations& observations, const Eigen::VectorXd& white);
 
 // How many neighbouring rows in time repeat each other, at least 1. It is 1 + 2 sum of autocorrelations within trials
 // and directions, up to the first below 0.05. So n rows are worth n over this.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <set>
 
 #include "base/files.h"
@@ -16,7 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t maximum_field_points = 50000;  // beyond that a factor takes minutes
 
 geometry::Surface mesh_from(const Json& specimen, const Source& source, FullField& field);
@@ -47,7 +45,7 @@ FullField full_field_from(const Json& json, const Source& source, Needs needs) {
     const std::string where = "trial " + ids[t];
     only_keys(trial, {"id", "displacement", "reactions", "prescribed"}, where);
     PlaneTrial made{
-        ids[t], Eigen::Matrix2Xd::Constant(2, static_cast<Eigen::Index>(field.points.size()), no_value), {}, {}};
+        ids[t], Eigen::Matrix2Xd::Constant(2, static_cast<Eigen::Index>(field.points.size()), not_given), {}, {}};
     const auto file_of = [&](const char* key) {
       return source.named_file(text_in(required(trial, key, where), where + ", " + key));
     };
@@ -145,7 +143,7 @@ void read_declared(const Json& json, FullField& field) {
   field.law = form->name;
   const Json& numbers = json.contains("parameters") ? json["parameters"] : json;
   if (!numbers.is_object()) refuse_at("declared, parameters", GLISSON_TEXT("{0} must be an object in braces."));
-  field.law_numbers = Eigen::VectorXd::Constant(static_cast<Eigen::Index>(form->parameters.size()), no_value);
+  field.law_numbers = Eigen::VectorXd::Constant(static_cast<Eigen::Index>(form->parameters.size()), not_given);
   const auto set = [&](std::size_t which, double value) {
     field.law_numbers[static_cast<Eigen::Index>(which)] = value;
   };
@@ -238,7 +236,7 @@ Eigen::Matrix2Xd displacement_from(const fs::path& file, std::size_t points) {
   const std::size_t point = needed_column(rows.front(), {"point", "node", "id", "point_id", "node_id"}, file);
   const std::size_t x = needed_column(rows.front(), {"ux", "ux_mm", "u_x", "u"}, file);
   const std::size_t y = needed_column(rows.front(), {"uy", "uy_mm", "u_y", "v"}, file);
-  Eigen::Matrix2Xd displacement = Eigen::Matrix2Xd::Constant(2, static_cast<Eigen::Index>(points), no_value);
+  Eigen::Matrix2Xd displacement = Eigen::Matrix2Xd::Constant(2, static_cast<Eigen::Index>(points), not_given);
   for (std::size_t r = 1; r < rows.size(); ++r) {
     const double number = rows[r].number(point);
     if (!(number >= 0 && number < static_cast<double>(points)) || number != std::floor(number))
@@ -261,7 +259,7 @@ std::vector<ReactionRow> reactions_from(const fs::path& file) {
   for (std::size_t r = 1; r < rows.size(); ++r) {
     if (name >= rows[r].cells.size()) continue;
     reactions.push_back({std::string(rows[r].cells[name]),
-                         {x ? rows[r].number(*x) : no_value, y ? rows[r].number(*y) : no_value},
+                         {x ? rows[r].number(*x) : not_given, y ? rows[r].number(*y) : not_given},
                          file.filename().string() + ", line " + std::to_string(rows[r].line)});
   }
   return reactions;
@@ -274,7 +272,7 @@ std::vector<PrescribedRow> prescribed_from(const Json& json, const std::string& 
     const std::string boundary = where + ", " + entry.key();
     only_keys(entry.value(), {"ux", "uy"}, boundary);
     const auto component = [&](const char* key) {
-      return entry.value().contains(key) ? number_in(entry.value()[key], boundary + ", " + key) : no_value;
+      return entry.value().contains(key) ? number_in(entry.value()[key], boundary + ", " + key) : not_given;
     };
     rows.push_back({entry.key(), {component("ux"), component("uy")}, where});
   }

@@ -20,7 +20,6 @@ struct HardwareReach {
 };
 
 HardwareReach reach_of(const Hardware& hardware);
-Eigen::VectorXd numbers(std::initializer_list<double> values);
 
 using HardwareEffects = std::vector<HardwareEffect>;
 HardwareEffects effects_within(const Hardware& hardware, const HardwareReach& reach);
@@ -48,10 +47,6 @@ HardwareEffects effects_within(const Hardware& hardware, const HardwareReach& re
   if (reach.current || reach.load || reach.power) add_power(hardware, reach, effects);
   if (hardware.thermal_resistance_C_per_W) add_heat(hardware, reach, effects);
   return effects;
-}
-
-Eigen::VectorXd numbers(std::initializer_list<double> values) {
-  return Eigen::VectorXd::Map(values.begin(), static_cast<Eigen::Index>(values.size()));
 }
 
 HardwareReach reach_of(const Hardware& hardware) {
@@ -85,7 +80,7 @@ void add_battery(const Hardware& hardware, const HardwareReach& reach, HardwareE
         "",
         {{"resistance_ohm", 0, 0, 4 * half_ohm, 0, half_ohm}},
         GLISSON_TEXT("The battery's voltage falls under load: its own resistance turns energy into heat."),
-        {numbers({0.02 * half_ohm})}},
+        {numbers_of({0.02 * half_ohm})}},
        [](const auto& p, auto& behaviour) { behaviour.resistance_ohm = p[0]; }});
   if (hardware.thermal_resistance_C_per_W && reach.temperature)
     effects.push_back(
@@ -93,7 +88,7 @@ void add_battery(const Hardware& hardware, const HardwareReach& reach, HardwareE
           "heating",
           {{"resistance_ohm", 0, 0, 4 * half_ohm, 0, half_ohm}},
           GLISSON_TEXT("The battery's voltage falls under load, and what is lost there is what warms it."),
-          {numbers({0.02 * half_ohm}), numbers({0.2 * half_ohm})}},
+          {numbers_of({0.02 * half_ohm}), numbers_of({0.2 * half_ohm})}},
          [](const auto& p, auto& behaviour) {
            behaviour.resistance_ohm = p[0];
            behaviour.heats_by_loss = true;
@@ -101,7 +96,7 @@ void add_battery(const Hardware& hardware, const HardwareReach& reach, HardwareE
   if (hardware.capacity_Ah) {
     // The end of a discharge jumps with the exponent, so the search begins from many.
     std::vector<Eigen::VectorXd> starts;
-    for (double exponent = 1.005; exponent < 1.5; exponent += 0.001) starts.push_back(numbers({exponent}));
+    for (double exponent = 1.005; exponent < 1.5; exponent += 0.001) starts.push_back(numbers_of({exponent}));
     for (const auto& [form, hours] : {std::pair("", 5.0), std::pair("rated-1h", 1.0), std::pair("rated-20h", 20.0)}) {
       effects.push_back({{"rate-capacity",
                           form,
@@ -118,7 +113,7 @@ void add_battery(const Hardware& hardware, const HardwareReach& reach, HardwareE
                           "capacity",
                           {{"coefficient_per_C", 0, -0.02, 0.05, -0.005, 0.02}},
                           GLISSON_TEXT("The battery gives less when it is cold and more when it is warm."),
-                          {numbers({-0.005}), numbers({0.005}), numbers({0.01}), numbers({0.02})}},
+                          {numbers_of({-0.005}), numbers_of({0.005}), numbers_of({0.01}), numbers_of({0.02})}},
                          [](const auto& p, auto& behaviour) { behaviour.capacity_per_C = p[0]; }});
   }
   for (const int degree : {1, 3, 5}) {
@@ -138,27 +133,27 @@ void add_power(const Hardware& hardware, const HardwareReach& reach, HardwareEff
                       "",
                       {{"static_W", 0, -reach.largest_W, 5 * reach.largest_W, 0, reach.largest_W}},
                       GLISSON_TEXT("The computer draws power whatever it does, more than was declared."),
-                      {numbers({0.0})}},
+                      {numbers_of({0.0})}},
                      [](const auto& p, auto& behaviour) { behaviour.static_W = p[0]; }});
   effects.push_back({{"supply-loss",
                       "",
                       {{"efficiency", 1, 0.2, 1.5, 0.6, 1, Scale::logarithmic}},
                       GLISSON_TEXT("A part of the power is lost in the supply before it reaches the computer."),
-                      {numbers({0.98})}},
+                      {numbers_of({0.98})}},
                      [](const auto& p, auto& behaviour) { behaviour.efficiency = p[0]; }});
   if (reach.temperature || hardware.thermal_resistance_C_per_W)
     effects.push_back({{"self-heating",
                         "",
                         {{"coefficient_per_C", 0, -0.02, 0.1, 0, 0.03}},
                         GLISSON_TEXT("The warmer the computer gets, the more power it draws."),
-                        {numbers({0.001})}},
+                        {numbers_of({0.001})}},
                        [](const auto& p, auto& behaviour) { behaviour.power_per_C = p[0]; }});
   if (reach.load && !hardware.full_load_W)
     effects.push_back({{"dynamic-power",
                         "",
                         {{"full_load_W", 0, 0, 1e3, 0, reach.largest_W}},
                         GLISSON_TEXT("The work itself takes power that was not declared."),
-                        {numbers({0.1 * reach.largest_W})}},
+                        {numbers_of({0.1 * reach.largest_W})}},
                        [](const auto& p, auto& behaviour) { behaviour.full_load_W = p[0]; }});
 }
 
@@ -166,7 +161,7 @@ void add_heat(const Hardware& hardware, const HardwareReach& reach, HardwareEffe
   // Where it begins to act there is no gradient below, so that the search begins from many limits.
   std::vector<Eigen::VectorXd> starts;
   const double hottest = std::max(reach.hottest_C, 30.0);
-  for (double share = 0.3; share < 1.05; share += 0.05) starts.push_back(numbers({25 + share * (hottest - 25)}));
+  for (double share = 0.3; share < 1.05; share += 0.05) starts.push_back(numbers_of({25 + share * (hottest - 25)}));
   effects.push_back({{"thermal-throttling",
                       "",
                       {{"limit_C", 200, 0, 200, 40, 100}},
@@ -178,7 +173,7 @@ void add_heat(const Hardware& hardware, const HardwareReach& reach, HardwareEffe
     for (double share = 0.4; share < 1.0; share += 0.05) {
       for (const double slower : {0.003, 0.01, 0.04}) {
         for (const double faster : {0.003, 0.01})
-          in_steps.push_back(numbers({25 + share * (hottest - 25), slower, faster}));
+          in_steps.push_back(numbers_of({25 + share * (hottest - 25), slower, faster}));
       }
     }
     effects.push_back({{"thermal-throttling",
@@ -200,10 +195,10 @@ void add_heat(const Hardware& hardware, const HardwareReach& reach, HardwareEffe
                       {{"resistance_C_per_W", declared, declared / 50, declared * 20, declared / 2, declared * 2,
                         Scale::logarithmic}},
                       GLISSON_TEXT("Heat leaves the computer better or worse than declared."),
-                      {numbers({declared})}},
+                      {numbers_of({declared})}},
                      [](const auto& p, auto& behaviour) { behaviour.thermal_resistance_C_per_W = p[0]; }});
   std::vector<Eigen::VectorXd> times;
-  for (const double share : {0.03, 0.1, 0.3, 1.0}) times.push_back(numbers({share * reach.longest_s}));
+  for (const double share : {0.03, 0.1, 0.3, 1.0}) times.push_back(numbers_of({share * reach.longest_s}));
   effects.push_back({{"thermal-inertia",
                       "",
                       {{"time_constant_s", reach.longest_s, 1e-3 * reach.longest_s, 20 * reach.longest_s,

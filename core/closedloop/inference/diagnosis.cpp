@@ -164,7 +164,8 @@ Result<Choice> Diagnosis::choose() {
 Remainder Diagnosis::remainder(const Choice& choice) const {
   const Candidate& chosen = choice.found.chosen;
   const auto rows = static_cast<double>(chosen.fit.white.size());
-  Remainder left{chosen.fit.settings.size(), search_.leaves_nothing(chosen), std::sqrt(chosen.fit.chi2 / rows), {}};
+  const double rms = std::max(std::sqrt(chosen.fit.chi2 / rows), rms_of_worst_quantity(all_, chosen.fit.white));
+  Remainder left{chosen.fit.settings.size(), search_.leaves_nothing(chosen), rms, {}};
   // Several causes together, or one with much freedom, can be bent to what none of them did.
   if (left.effects > 0 && reaches_noise(left, options_)) {
     left.evidence_over_smooth =
@@ -198,6 +199,7 @@ Result<std::optional<HeldOut>> Diagnosis::held_out(const Candidate& named, doubl
   const auto refitted =
       leave_out_with_refits(search_.model(), named.fit, search_.folds(), options_.evidence, progress_);
   if (!refitted && progress_.cancelled()) return failure(refitted.error());
+  if (!refitted && !named.left_out.given) return std::nullopt;
   Eigen::VectorXd predicted = refitted ? refitted->predicted : named.left_out.predicted;
   if (mesh_error_share != 0) {
     const Eigen::VectorXd& expected = search_.systematic().expected;
@@ -248,8 +250,14 @@ std::vector<Sentence> Diagnosis::notes_on_verdict(const Choice& choice, const Re
 
 std::vector<Sentence> notes_on_ranking(const std::vector<RankedCandidate>& ranking) {
   std::vector<Sentence> notes;
-  for (const RankedCandidate& candidate : ranking)
+  for (const RankedCandidate& candidate : ranking) {
     if (candidate.failed) notes.push_back({GLISSON_TEXT("{0} was left out: {1}"), {candidate.kind, candidate.removed}});
+    if (!candidate.foretells)
+      notes.push_back(
+          {GLISSON_TEXT("Fitted without one of the trials, {0} has no solution there, or is farther off than "
+                        "a prediction of zero: it foretells nothing beyond what it was fitted to."),
+           {candidate.kind}});
+  }
   return notes;
 }
 

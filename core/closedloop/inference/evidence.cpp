@@ -112,6 +112,13 @@ LeftOut leave_out(const ForwardModel& model, const Fit& fit, const CrossValidati
   });
 }
 
+double left_out_by_zeros(const ForwardModel& model, const CrossValidationFolds& folds) {
+  double chi2 = 0;
+  for (const CrossValidationFolds::Fold& fold : folds.trials())
+    chi2 += fold.left_out.whiten(model.observations().measured).squaredNorm();
+  return chi2;
+}
+
 double share_of(const Eigen::VectorXd& expected, const Eigen::VectorXd& residual, const Eigen::VectorXd& noise,
                 const std::vector<Eigen::Index>& rows, const EvidenceOptions& options) {
   double along = 0, square = 0, left = 0;

@@ -22,7 +22,6 @@ struct MaterialReach {
 };
 
 MaterialReach reach_of(const Material& material);
-Eigen::VectorXd vector(std::initializer_list<double> values);
 
 using MaterialEffects = std::vector<MaterialEffect>;
 MaterialEffects effects_within(const Material& material, const MaterialReach& reach);
@@ -55,10 +54,6 @@ MaterialEffects effects_within(const Material& material, const MaterialReach& re
   if (reach.unloads) add_dissipation(reach, effects);
   add_load_cell(material, reach, effects);
   return effects;
-}
-
-Eigen::VectorXd vector(std::initializer_list<double> values) {
-  return Eigen::VectorXd::Map(values.begin(), static_cast<Eigen::Index>(values.size()));
 }
 
 MaterialReach reach_of(const Material& material) {
@@ -101,7 +96,7 @@ void add_stiffness(const Material&, const MaterialReach& reach, MaterialEffects&
                       "",
                       {{"factor", 1, 0.02, 50, 0.5, 2, Scale::logarithmic}},
                       GLISSON_TEXT("The specimen is stiffer or softer than declared, everywhere and at every load."),
-                      {vector({1.0})}},
+                      {numbers_of({1.0})}},
                      [](const auto& p, auto& behaviour) { behaviour.young_kPa *= p[0]; }});
   if (!reach.both_sides) return;
   const auto sentence = GLISSON_TEXT("The specimen is not equally stiff under tension and under compression.");
@@ -109,13 +104,13 @@ void add_stiffness(const Material&, const MaterialReach& reach, MaterialEffects&
                       "tension",
                       {{"ratio", 1, 0.05, 20, 0.5, 2, Scale::logarithmic}},
                       sentence,
-                      {vector({1.0})}},
+                      {numbers_of({1.0})}},
                      [](const auto& p, auto& behaviour) { behaviour.tension_factor = p[0]; }});
   effects.push_back({{"tension-compression-asymmetry",
                       "compression",
                       {{"ratio", 1, 0.05, 20, 0.5, 2, Scale::logarithmic}},
                       sentence,
-                      {vector({1.0})}},
+                      {numbers_of({1.0})}},
                      [](const auto& p, auto& behaviour) { behaviour.compression_factor = p[0]; }});
 }
 
@@ -138,22 +133,24 @@ void add_stiffening(const Material& material, const MaterialReach& reach, Materi
   const double order = 1 / strain;
   const double order2 = order * order;
   if (material.law == DeclaredLaw::linear) law("neo-hookean", ElasticLaw::neo_hookean, {}, {Eigen::VectorXd()});
-  law("quadratic", ElasticLaw::quadratic, {{"a", 0, -0.9 * order, 100 * order, -order, 4 * order}}, {vector({0.0})});
+  law("quadratic", ElasticLaw::quadratic, {{"a", 0, -0.9 * order, 100 * order, -order, 4 * order}},
+      {numbers_of({0.0})});
   law("exponential", ElasticLaw::exponential, {{"a", 0, -10 * order, 10 * order, -2 * order, 4 * order}},
-      {vector({0.0})});
-  law("mooney-rivlin", ElasticLaw::mooney_rivlin, {{"a", 0, -5, 5, -1, 1}}, {vector({0.0})});
-  law("ogden", ElasticLaw::ogden, {{"a", 2, -30, 30, -8, 8}}, {vector({3.0}), vector({-3.0}), vector({8.0})});
-  law("yeoh-2", ElasticLaw::yeoh, {{"a", 0, -0.3 * order2, 100 * order2, -order2, 2 * order2}}, {vector({0.0})});
+      {numbers_of({0.0})});
+  law("mooney-rivlin", ElasticLaw::mooney_rivlin, {{"a", 0, -5, 5, -1, 1}}, {numbers_of({0.0})});
+  law("ogden", ElasticLaw::ogden, {{"a", 2, -30, 30, -8, 8}},
+      {numbers_of({3.0}), numbers_of({-3.0}), numbers_of({8.0})});
+  law("yeoh-2", ElasticLaw::yeoh, {{"a", 0, -0.3 * order2, 100 * order2, -order2, 2 * order2}}, {numbers_of({0.0})});
   law("gent", ElasticLaw::gent, {{"a", 1e4, 1e-2, 1e5, 0.1, 1e3, Scale::logarithmic}},
-      {vector({20 * std::max(0.05, strain * strain)}), vector({1000})});
+      {numbers_of({20 * std::max(0.05, strain * strain)}), numbers_of({1000})});
   law("cubic", ElasticLaw::cubic,
       {{"a", 0, -20 * order, 100 * order, -order, 4 * order},
        {"b", 0, -20 * order2, 100 * order2, -order2, 4 * order2}},
-      {vector({0.0, 0.0})});
+      {numbers_of({0.0, 0.0})});
   law("yeoh-3", ElasticLaw::yeoh,
       {{"a", 0, -10 * order2, 100 * order2, -order2, 2 * order2},
        {"b", 0, -10 * order2 * order2, 100 * order2 * order2, -order2 * order2, 2 * order2 * order2}},
-      {vector({0.0, 0.0})});
+      {numbers_of({0.0, 0.0})});
 }
 
 void add_relaxation(const MaterialReach& reach, MaterialEffects& effects) {
@@ -202,12 +199,12 @@ void add_dissipation(const MaterialReach& reach, MaterialEffects& effects) {
   };
   const Parameter amplitude{"amplitude", 0, 0, 0.95, 0, 0.6};
   const double energy = reach.largest_stress_kPa * reach.largest_strain / 2;
-  softening("drop", SofteningLaw::drop, {amplitude}, vector({0.1}));
-  softening("approach", SofteningLaw::approach, {amplitude}, vector({0.1}));
+  softening("drop", SofteningLaw::drop, {amplitude}, numbers_of({0.1}));
+  softening("approach", SofteningLaw::approach, {amplitude}, numbers_of({0.1}));
   softening(
       "ogden-roxburgh", SofteningLaw::ogden_roxburgh,
       {amplitude, {"energy_kPa", energy, 1e-3 * energy, 100 * energy, 0.05 * energy, 2 * energy, Scale::logarithmic}},
-      vector({0.2, 0.3 * energy}));
+      numbers_of({0.2, 0.3 * energy}));
 
   const auto hysteresis_sentence =
       GLISSON_TEXT("Less force comes back on the way out than went in on the way in, in every cycle and at any speed.");
@@ -219,7 +216,7 @@ void add_dissipation(const MaterialReach& reach, MaterialEffects& effects) {
                       "proportional",
                       {{"loss", 0, 0, 0.98, 0, 0.6}, slip},
                       hysteresis_sentence,
-                      {vector({0.1, begin})}},
+                      {numbers_of({0.1, begin})}},
                      [](const Eigen::VectorXd& p, MaterialBehaviour& behaviour) {
                        behaviour.hysteresis = HysteresisLaw::proportional;
                        behaviour.loss = p[0];
@@ -266,15 +263,15 @@ void add_load_cell(const Material& material, const MaterialReach& reach, Materia
                       {{"pressure_kPa", 0, -2 * reach.largest_stress_kPa, 2 * reach.largest_stress_kPa,
                         -0.2 * reach.largest_stress_kPa, 0.2 * reach.largest_stress_kPa}},
                       GLISSON_TEXT("The specimen was already loaded when the test began."),
-                      {vector({0.0})}},
+                      {numbers_of({0.0})}},
                      [](const Eigen::VectorXd& p, MaterialBehaviour& behaviour) { behaviour.preload_kPa = p[0]; }});
-  effects.push_back({{"force-bias", "zero", {offset}, sentence, {vector({0.0})}},
+  effects.push_back({{"force-bias", "zero", {offset}, sentence, {numbers_of({0.0})}},
                      [kPa_of_unit](const Eigen::VectorXd& p, MaterialBehaviour& behaviour) {
                        behaviour.zero_kPa = p[0] * kPa_of_unit;
                      }});
-  effects.push_back({{"force-bias", "gain", {gain}, sentence, {vector({1.0})}},
+  effects.push_back({{"force-bias", "gain", {gain}, sentence, {numbers_of({1.0})}},
                      [](const Eigen::VectorXd& p, MaterialBehaviour& behaviour) { behaviour.gain = p[0]; }});
-  effects.push_back({{"force-bias", "", {offset, gain}, sentence, {vector({0.0, 1.0})}},
+  effects.push_back({{"force-bias", "", {offset, gain}, sentence, {numbers_of({0.0, 1.0})}},
                      [kPa_of_unit](const Eigen::VectorXd& p, MaterialBehaviour& behaviour) {
                        behaviour.zero_kPa = p[0] * kPa_of_unit;
                        behaviour.gain = p[1];

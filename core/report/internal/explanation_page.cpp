@@ -221,7 +221,9 @@ Table candidates_table(const Explanation& explanation, const Observations& obser
     table.rows.push_back(
         {{name},
          {figure(candidate.rms)},
-         {candidate.held_out_rms ? figure(*candidate.held_out_rms) : "-"},
+         {candidate.held_out_rms ? figure(*candidate.held_out_rms)
+          : candidate.foretells  ? "-"
+                                 : words.say(GLISSON_TEXT("foretells nothing"))},
          {fmt::format("{:.0f}", candidate.delta_bic)},
          {candidate.alike.empty() ? "" : words.say(GLISSON_TEXT("like {0}"), {joined(candidate.alike, words)})}});
   }

@@ -54,7 +54,7 @@ def main():
                 "format": "glisson-experiment/1", "kind": "full-field", "title": f"Plate with a hole, {asked.case}",
                 "specimen": {"mesh": "plate.vtu", "thickness": 1, "state": "plane-strain"},
                 "declared": json.loads(asked.declared), "noise": NOMINAL[level], "trials": chosen}, indent=1) + "\n")
-    (asked.out / "truth.json").write_text(json.dumps({"kinds": [KINDS[law]], "outside": False, "size": 8.0}) + "\n")
+    (asked.out / "truth.json").write_text(json.dumps({"kinds": [KINDS[law]], "outside": False, "level": level}) + "\n")
 
 
 def read(file):

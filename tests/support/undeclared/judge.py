@@ -112,7 +112,8 @@ def rms(document):
 
 def judge(folder, said):
     truth = json.loads((folder / "truth.json").read_text())
-    result = {"case": folder.name, "truth": truth["kinds"], "outside": truth["outside"], "size": truth["size"],
+    result = {"case": folder.name, "truth": truth["kinds"], "outside": truth["outside"],
+              "size": truth.get("size"), "level": truth.get("level"),
               "sort": sort_of(folder), "noise": truth.get("noise", "stated"),
               "seconds": said["seconds"], "processor_seconds": said["processor_seconds"]}
     if "problem" in said:

@@ -2,9 +2,9 @@
 """Makes full-field experiments of plates whose law is not the declared one: make_plane.py OUT [--laws a,b] [--levels low,high]
 [--seed N]. A plate with an elliptic hole is pulled in two directions by a solver of its own (plane.py: quadratic triangles on
 another mesh than the one that is declared), its points are seen with white noise, its forces with a load cell's. Two levels of
-noise: low, a two-thousandth of the largest displacement and of the largest force; high, four times that. Declared is a
-neo-Hookean law, softer than what was made; `null` is what it says. heldout.json has other ratios of the two pulls. A case is
-named by its law, level and seed; truth.json says 8 for the low and 2 for the high noise where judge.py asks for a size."""
+noise, those of the published plates (Joshi and others 2022): displacements of 1e-4 and 1e-3 of the plate's width, forces of a
+two-thousandth and of two thousandths of the largest. Declared is a neo-Hookean law, softer than what was made; `null` is what
+it says. heldout.json has other ratios of the two pulls. A case is named by its law, level and seed."""
 
 import argparse
 import json
@@ -18,7 +18,7 @@ import numpy as np
 
 from plane import Plate, isochoric, neo_hookean, ogden, write_plane
 
-LEVELS = {"low": (5e-4, 8.0), "high": (2e-3, 2.0)}
+LEVELS = {"low": (1e-4, 5e-4), "high": (1e-3, 2e-3)}  # of displacements in widths, of forces as a share of the largest
 PULLS = [(0.08, 0.03), (0.16, 0.06), (0.24, 0.09), (0.05, 0.12), (0.1, 0.24)]  # of right and top, in widths
 UNSEEN = [(0.16, 0.16), (0.22, 0.0)]
 
@@ -96,15 +96,14 @@ def make(out, name, level, seed):
     radii, height = (between(rng, 0.15, 0.3), between(rng, 0.15, 0.3)), between(rng, 0.9, 1.1)
     known = laws(rng)
     law, numbers = known[name if name in known else "neo-hookean"]
-    body = Plate(radii, height, 20, 18, True, *([graded] if name == "graded" else []))
-    declared_mesh = Plate(radii, height, 17, 15, False)
+    body = Plate(radii, height, 29, 26, True, *([graded] if name == "graded" else []))
+    declared_mesh = Plate(radii, height, 26, 23, False)
     seen = body.interpolation(declared_mesh.points)
     states = {}
     for pull in sorted([*PULLS, *UNSEEN], key=sum):
         near = min(states, key=lambda other: np.hypot(other[0] - pull[0], other[1] - pull[1]), default=None)
         states[pull] = body.pulled(law, *pull, None if near is None else states[near][0])
-    share, size = LEVELS[level]
-    noise = share * 0.24
+    noise, share = LEVELS[level]
     force_noise = share * max(abs(f) for p in PULLS for f in states[p][1].values())
     folder.mkdir(parents=True, exist_ok=True)
     write_plane(folder / "plate.vtu", declared_mesh.points, declared_mesh.triangles)
@@ -129,8 +128,8 @@ def make(out, name, level, seed):
             "declared": {"law": "neo-hookean", "C10": numbers["C10"] * softer, "D": numbers["D"] * more},
             "noise": round(noise, 9), "noise_reaction": round(force_noise, 9), "trials": chosen}, indent=1) + "\n")
     (folder / "truth.json").write_text(json.dumps({
-        "kinds": [] if name == "null" else [name], "outside": name in OUTSIDE, "parameters": numbers, "level": level,
-        "size": 0.0 if name == "null" else size}, indent=1) + "\n")
+        "kinds": [] if name == "null" else [name], "outside": name in OUTSIDE, "parameters": numbers, "level": level},
+        indent=1) + "\n")
     print(f"{folder.name}: a noise of {noise:.2g}, of forces {force_noise:.2g}", flush=True)
 
 

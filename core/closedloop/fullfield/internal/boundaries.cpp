@@ -12,8 +12,6 @@
 namespace glisson::closedloop {
 namespace {
 
-constexpr double no_place = std::numeric_limits<double>::quiet_NaN();
-
 std::string letters_and_digits(const std::string& name) {
   std::string kept;
   for (const char c : name) {
@@ -275,7 +273,7 @@ void assign_boundaries(const Json& declared, const geometry::Surface& mesh,
 
   const auto count = static_cast<Eigen::Index>(field.boundaries.size());
   for (PlaneTrial& trial : field.trials) {
-    trial.prescribed = trial.reaction = Eigen::Matrix2Xd::Constant(2, count, no_place);
+    trial.prescribed = trial.reaction = Eigen::Matrix2Xd::Constant(2, count, not_given);
   }
   for (const Place& place : forces)
     field.trials[place.trial].reaction.col(static_cast<Eigen::Index>(place.boundary)) = place.value;
@@ -284,7 +282,7 @@ void assign_boundaries(const Json& declared, const geometry::Surface& mesh,
   for (std::size_t b = 0; b < field.boundaries.size(); ++b) {
     for (int d = 0; d < 2; ++d) {
       if (field.boundaries[b].prescribed[static_cast<std::size_t>(d)]) continue;
-      for (PlaneTrial& trial : field.trials) trial.reaction(d, static_cast<Eigen::Index>(b)) = no_place;
+      for (PlaneTrial& trial : field.trials) trial.reaction(d, static_cast<Eigen::Index>(b)) = not_given;
     }
   }
   for (int d = 0; d < 2; ++d) {

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <Eigen/Geometry>
 #include <Eigen/QR>
-#include <limits>
 #include <set>
 
 #include "closedloop/fullfield/internal/boundaries.h"
@@ -16,7 +15,6 @@ namespace {
 // share an error would make a small one look certain.
 constexpr std::size_t maximum_plate_points = 300;
 constexpr std::size_t maximum_points_if_smoothed = 30;
-constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<std::pair<std::size_t, int>> moved_of(const FullField& field) {
   std::vector<std::pair<std::size_t, int>> moved;
@@ -134,6 +132,7 @@ void Plate::choose_rows() {
 
   observations_.unit = "noise";
   observations_.directions = {"ux", "uy", "fx", "fy"};
+  observations_.quantities = {0, 0, 1, 1};
   std::vector<Observation> all;
   int number = 0;
   for (std::size_t t = 0; t < field_.trials.size(); ++t) {
@@ -197,7 +196,7 @@ void Plate::add_reactions(std::size_t t, std::vector<Observation>& all) {
       const auto& points = field_.boundaries[moved_[static_cast<std::size_t>(known[k])].first].points;
       for (const int point : points)
         middle += field_.points[static_cast<std::size_t>(point)] / static_cast<double>(points.size());
-      all.push_back({.measured = nothing_measured ? no_number : measured,
+      all.push_back({.measured = nothing_measured ? not_given : measured,
                      .noise = 1,
                      .trial = static_cast<int>(t),
                      .direction = 2 + d,

@@ -9,18 +9,11 @@
 #include <optional>
 
 #include "closedloop/experiment/whitening.h"
+#include "closedloop/fullfield/internal/law_shapes.h"
 
 namespace glisson::closedloop {
 namespace {
 
-// A law with its coefficients by least squares about a state.
-struct Fitted {
-  PlaneLaw law;
-  double chi2 = std::numeric_limits<double>::infinity();
-  double bic = std::numeric_limits<double>::infinity();
-};
-
-std::vector<Eigen::VectorXd> shapes_to_try(const LawForm& form);
 bool is_stable(const PlaneLaw& law);
 
 class Finding {
@@ -292,6 +285,10 @@ std::vector<std::vector<Fitted>> Finding::fit_laws(const Eigen::VectorXd& correc
     for (const Eigen::VectorXd& shapes : shapes_to_try(form)) of_form.push_back(fit(form, shapes, whitening, white));
     std::stable_sort(of_form.begin(), of_form.end(), [](const Fitted& a, const Fitted& b) { return a.chi2 < b.chi2; });
     if (of_form.size() > 2) of_form.resize(2);
+    if (std::isfinite(of_form.front().chi2))
+      of_form.front() = with_better_shapes(std::move(of_form.front()), [&](const Eigen::VectorXd& shapes) {
+        return fit(form, shapes, whitening, white);
+      });
     fitted.push_back(std::move(of_form));
   }
   return fitted;
@@ -338,22 +335,6 @@ const Eigen::VectorXd& Finding::response(const LawForm& form, Eigen::Index coeff
     found->second.segment(plate_.first_row(t), plate_.row_count(t)) = plate_.response(t, tangents_[t], *forces);
   }
   return found->second;
-}
-
-// All combinations of what its shapes' lists hold.
-std::vector<Eigen::VectorXd> shapes_to_try(const LawForm& form) {
-  std::vector<Eigen::VectorXd> all{Eigen::VectorXd()};
-  for (std::size_t p = static_cast<std::size_t>(form.coefficients()); p < form.parameters.size(); ++p) {
-    std::vector<Eigen::VectorXd> longer;
-    for (const Eigen::VectorXd& shorter : all) {
-      for (const double value : form.parameters[p].tried) {
-        longer.emplace_back(shorter.size() + 1);
-        longer.back() << shorter, value;
-      }
-    }
-    all = std::move(longer);
-  }
-  return all;
 }
 
 // At rest.

@@ -35,12 +35,13 @@ Result<FoundEffects> found_effects(const Search& search, const Candidate& declar
     effect.parameters = std::move(parameters.of_setting[which]);
     effect.delta_bic = search.bic_of(chosen) - search.bic_of(*smaller);
     effect.held_out_rms = held_out_rms;
-    if (search.folds().any()) effect.held_out_rms_without = error_figures(all, smaller->left_out.predicted).rms;
+    if (search.folds().any() && smaller->left_out.given)
+      effect.held_out_rms_without = error_figures(all, smaller->left_out.predicted).rms;
     effect.removed_rms = error_figures(all, smaller->fit.predicted).rms - rms;
     for (const Candidate& other : in_place[which]) {
       const bool known =
           other.kind == setting.kind || std::count(effect.alike.begin(), effect.alike.end(), other.kind) > 0;
-      if (!known && search.bic_of(other) < search.bic_of(chosen) + search.options().alike_bic)
+      if (!known && other.left_out.given && search.bic_of(other) < search.bic_of(chosen) + search.options().alike_bic)
         effect.alike.push_back(other.kind);
     }
     found.effects.push_back(std::move(effect));
@@ -60,7 +61,9 @@ std::vector<RankedCandidate> ranking(const Search& search, const Candidate& decl
     if (single.fitted()) {
       candidate.rms = error_figures(all, single.fit.predicted).rms;
       candidate.delta_bic = search.bic_of(single) - search.bic_of(declared);
-      if (search.folds().any()) candidate.held_out_rms = error_figures(all, single.left_out.predicted).rms;
+      candidate.foretells = single.left_out.given;
+      if (search.folds().any() && single.left_out.given)
+        candidate.held_out_rms = error_figures(all, single.left_out.predicted).rms;
     }
     const auto same =
         std::find_if(ranking.begin(), ranking.end(), [&](const auto& s) { return s.kind == single.kind; });
@@ -73,9 +76,10 @@ std::vector<RankedCandidate> ranking(const Search& search, const Candidate& decl
   std::stable_sort(ranking.begin(), ranking.end(), [](const RankedCandidate& a, const RankedCandidate& b) {
     return std::pair(!a.removed.empty(), a.delta_bic) < std::pair(!b.removed.empty(), b.delta_bic);
   });
+  const auto stands = [](const RankedCandidate& one) { return one.removed.empty() && one.foretells; };
   for (RankedCandidate& candidate : ranking) {
     for (const RankedCandidate& other : ranking) {
-      if (&other != &candidate && candidate.removed.empty() && other.removed.empty() &&
+      if (&other != &candidate && stands(candidate) && stands(other) &&
           std::abs(other.delta_bic - candidate.delta_bic) < search.options().alike_bic)
         candidate.alike.push_back(other.kind);
     }

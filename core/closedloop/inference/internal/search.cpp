@@ -36,7 +36,8 @@ Search::Search(const ForwardModel& model, const DiagnosisOptions& options, const
       progress_(progress),
       systematic_(model.systematic_uncertainty()),
       whitening_(model.observations().noise, systematic_, all_rows(model.observations())),
-      folds_(model, options.evidence) {}
+      folds_(model, options.evidence),
+      left_out_by_zeros_(left_out_by_zeros(model, folds_)) {}
 
 double Search::bic_of(const Candidate& candidate) const {
   return bic(candidate.fit.chi2, candidate.fit.white.size(), parameter_count(candidate.fit.settings), correlation_);
@@ -49,12 +50,27 @@ double Search::cost_of_choice(const Candidate& candidate) const {
 }
 
 Candidate Search::evaluated(Fit fit) const {
-  LeftOut left_out = leave_out(model_, fit, folds_);
-  if (model_.predicts_quickly() && left_out.chi2 > options_.search.beyond_first_order * fit.chi2) {
-    if (auto refitted = leave_out_with_refits(model_, fit, folds_, options_.evidence, progress_))
-      left_out = std::move(*refitted);
-  }
+  LeftOut left_out = foretold(fit);
   return {{}, {}, std::move(fit), std::move(left_out), {}, false};
+}
+
+// To first order; with new fits where that is too far, if they are quick, and where it is off by more than zeros would
+// be. What has no solution then, or is as far off as before, foretells nothing.
+LeftOut Search::foretold(const Fit& fit) const {
+  LeftOut left_out = leave_out(model_, fit, folds_);
+  if (!folds_.any() || parameter_count(fit.settings) == 0) return left_out;
+  const auto says_nothing = [&](const LeftOut& one) { return !(one.chi2 <= left_out_by_zeros_); };
+  const bool quick = model_.predicts_quickly() && left_out.chi2 > options_.search.beyond_first_order * fit.chi2;
+  const bool astray = says_nothing(left_out);
+  if (!quick && !astray) return left_out;
+  if (auto refitted = leave_out_with_refits(model_, fit, folds_, options_.evidence, progress_)) {
+    left_out = std::move(*refitted);
+  } else if (!astray) {
+    return left_out;
+  }
+  if (!model_.predicts_quickly() && says_nothing(left_out))
+    return {fit.predicted, std::numeric_limits<double>::infinity(), false};
+  return left_out;
 }
 
 Result<Candidate> Search::declared() const {
@@ -254,7 +270,7 @@ bool Search::shows(const Candidate& candidate, const Candidate& current) const {
   const double change =
       (candidate.fit.predicted - current.fit.predicted).cwiseQuotient(model_.observations().noise).norm();
   return change > indistinct() * std::sqrt(rows) &&
-         plain_square(candidate.fit.predicted) < plain_square(current.fit.predicted) &&
+         plain_square(candidate.fit.predicted) < plain_square(current.fit.predicted) && candidate.left_out.given &&
          plain_square(candidate.left_out.predicted) < plain_square(current.left_out.predicted);
 }
 

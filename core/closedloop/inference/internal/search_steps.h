@@ -92,6 +92,7 @@ class Search {
   void consider(const std::vector<Candidate>& candidates);
   void finish_near_the_best(std::vector<Candidate>& candidates, double chi2_without) const;
   [[nodiscard]] Candidate evaluated(Fit fit) const;
+  [[nodiscard]] LeftOut foretold(const Fit& fit) const;
   [[nodiscard]] double plain_square(const Eigen::VectorXd& predicted) const;
   [[nodiscard]] bool shows(const Candidate& candidate, const Candidate& current) const;
   [[nodiscard]] bool predicts_better(const Candidate& candidate, const Candidate& current) const;
@@ -105,6 +106,7 @@ class Search {
   SystematicUncertainty systematic_;
   Whitening whitening_;
   CrossValidationFolds folds_;
+  double left_out_by_zeros_ = 0;
   std::vector<LocalFit> considered_;
   bool pairs_considered_ = false;
   double correlation_ = 1;  // of what the best candidate so far leaves

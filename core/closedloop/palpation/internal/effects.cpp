@@ -23,10 +23,6 @@ struct Sizes {
 };
 Sizes sizes_of(const Palpation& experiment, const SpecimenBody& specimen);
 
-Eigen::VectorXd values(std::initializer_list<double> list) {
-  return Eigen::Map<const Eigen::VectorXd>(list.begin(), static_cast<Eigen::Index>(list.size()));
-}
-
 Effect stiffness_scale();
 std::vector<Effect> strain_stiffening();
 Effect support_compliance(const Sizes& sizes, const SpecimenBody& specimen);
@@ -111,7 +107,7 @@ Effect stiffness_scale() {
           "",
           {{"factor", 1, 0.05, 20, 0.5, 2, Scale::logarithmic}},
           GLISSON_TEXT("The whole specimen is stiffer or softer than declared, everywhere by the same factor."),
-          {values({1.1})}};
+          {numbers_of({1.1})}};
 }
 
 std::vector<Effect> strain_stiffening() {
@@ -119,7 +115,7 @@ std::vector<Effect> strain_stiffening() {
       "The tissue stiffens the further it is strained: pressing twice as hard dents it less "
       "than twice as deep.");
   const auto form = [&](const std::string& name, const Parameter& coefficient, double start) {
-    return Effect{palpation::strain_stiffening, name, {coefficient}, sentence, {values({start})}};
+    return Effect{palpation::strain_stiffening, name, {coefficient}, sentence, {numbers_of({start})}};
   };
   // Coefficients that stiffen by a tenth at a tenth of strain are 1 (linear) and 10 (exponential); of Yeoh's law and
   // Ogden's, those of soft tissue and gels.
@@ -138,7 +134,7 @@ Effect support_compliance(const Sizes& sizes, const SpecimenBody& specimen) {
           "",
           {{"foundation_kPa_per_mm", held, 1e-3 * usual, held, 0.1 * usual, 10 * usual, Scale::logarithmic}},
           GLISSON_TEXT("What holds the specimen gives way like a spring: all of it moves a little when it is pressed."),
-          {values({usual})}};
+          {numbers_of({usual})}};
 }
 
 Effect stiff_inclusion(const Sizes& sizes) {
@@ -157,7 +153,7 @@ Effect stiff_inclusion(const Sizes& sizes) {
   effect.parameters.push_back({"radius_mm", 0.25 * sizes.extent_mm, std::min(smallest, 0.5 * largest), largest,
                                smallest, largest, Scale::logarithmic});
   effect.parameters.push_back({"ratio", 1, 0.1, 100, 1, 20, Scale::logarithmic});
-  effect.starts = {values({center[0], center[1], center[2], 0.25 * sizes.extent_mm, 2})};
+  effect.starts = {numbers_of({center[0], center[1], center[2], 0.25 * sizes.extent_mm, 2})};
   return effect;
 }
 
@@ -176,9 +172,9 @@ Effect creep(const Sizes& sizes, int terms) {
   // The usual relaxation times of soft tissue are as long as a trial, a good deal shorter, or in between.
   const double fast = sizes.shortest_s, slow = sizes.longest_s, middle = std::sqrt(fast * slow);
   if (terms == 1) {
-    effect.starts = {values({0.2, middle}), values({0.2, 0.5 * fast}), values({0.2, slow})};
+    effect.starts = {numbers_of({0.2, middle}), numbers_of({0.2, 0.5 * fast}), numbers_of({0.2, slow})};
   } else {
-    effect.starts = {values({0.2, 0.2, fast, slow}), values({0.2, 0.2, 0.5 * fast, middle})};
+    effect.starts = {numbers_of({0.2, 0.2, fast, slow}), numbers_of({0.2, 0.2, 0.5 * fast, middle})};
   }
   return effect;
 }
@@ -194,7 +190,7 @@ Effect force_bias(const Sizes& sizes, const Palpation& experiment) {
       {{"zero_N", 0, low, high, -0.1 * sizes.largest_force_N, 0.1 * sizes.largest_force_N, Scale::linear},
        {"gain", 1, 0.1, 10, 0.7, 1.4, Scale::logarithmic}},
       GLISSON_TEXT("The load cell is off: it does not read zero when untouched, or it reads too much or too little."),
-      {values({untouched_N, 1.05})}};
+      {numbers_of({untouched_N, 1.05})}};
 }
 
 Effect frame_misalignment(const Sizes& sizes) {
@@ -228,7 +224,7 @@ std::vector<Effect> anisotropy(double poisson_ratio) {
           {"axis", 1, -2, 2, -1, 1, Scale::linear},
           {"ratio", 1, lowest, 20, 0.5, 4, Scale::logarithmic}},
          GLISSON_TEXT("The tissue has a grain: it is stiffer (or softer) along one direction than across it."),
-         {values({1, 0, 0, 1.3}), values({0, 1, 0, 1.3}), values({0, 0, 1, 1.3})},
+         {numbers_of({1, 0, 0, 1.3}), numbers_of({0, 1, 0, 1.3}), numbers_of({0, 0, 1, 1.3})},
          form == palpation::form_engineering});
   }
   return effects;
@@ -240,7 +236,7 @@ Effect capsule(const Sizes& sizes) {
           "",
           {{"stiffness_N_per_mm", 0, 0, 50 * usual, 0, usual, Scale::linear}},
           GLISSON_TEXT("A skin around the specimen (as Glisson's capsule around the liver) carries part of the load."),
-          {values({0.05 * usual})}};
+          {numbers_of({0.05 * usual})}};
 }
 
 std::vector<Effect> preload(const Sizes& sizes) {
@@ -252,7 +248,7 @@ std::vector<Effect> preload(const Sizes& sizes) {
            {{"pressure_kPa", 0, -0.5 * sizes.youngs_kPa, 0.5 * sizes.youngs_kPa, -0.1 * sizes.youngs_kPa,
              0.1 * sizes.youngs_kPa, Scale::linear}},
            sentence,
-           {values({0})}},
+           {numbers_of({0})}},
           {palpation::preload,
            palpation::form_gravity,
            {{"gravity_m_s2", 0, -30, 30, -10, 10, Scale::linear},

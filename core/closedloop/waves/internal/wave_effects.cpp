@@ -40,10 +40,6 @@ std::vector<Effect> wave_effects(const Elastography& waves, double typical_radiu
 
 namespace {
 
-Eigen::VectorXd numbers_of(std::initializer_list<double> values) {
-  return Eigen::VectorXd::Map(values.begin(), static_cast<Eigen::Index>(values.size()));
-}
-
 Effect shear_stiffness() {
   Effect effect{"stiffness-scale",
                 "",
