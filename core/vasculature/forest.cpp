@@ -28,7 +28,7 @@ constexpr ForestCosts forest_costs;
 constexpr int moves_a_piece = 1500;
 constexpr double hot = 2, cold = 0.15;
 constexpr int other_forests = 50, moves_between = 6;  // a piece
-constexpr double warm = 1.5;
+constexpr double warm = 2.2;
 
 // Quadratic, and linear beyond `linear_from`: one odd place is no proof (Huber 1964, Ann Math Stat 35:73).
 double robust(double off, double linear_from) {
