@@ -48,32 +48,15 @@ Result<CouinaudSegments> couinaud_segments(const Mask& liver, const VesselTrees*
 Result<LiverAnatomy> explain_vessels(const VesselGraph& graph, const Mask& liver, const Clicks& clicks,
                                      const Progress& progress) {
   progress.report(0, GLISSON_TEXT("looking at the liver"));
-  const auto evidence = evidence_of(liver);
+  auto evidence = evidence_of(liver);
   if (!evidence) return failure(evidence.error());
   progress.report(0.2, GLISSON_TEXT("finding the segments"));
   const PlaneParameters by_shape = most_probable(*evidence).planes;
-  const std::vector<VesselEntries> entries = possible_entries(graph, entries_of(*evidence, by_shape), clicks);
-  struct Guess {
-    VesselTrees trees;
-    Evidence evidence;
-    Answer answer;
-    Result<void> added;
-  };
-  std::vector<Guess> guesses(entries.size());
-  parallel_for(entries.size(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t n = begin; n < end && !progress.cancelled(); ++n) {
-      Guess& guess = guesses[n];
-      guess.trees = classify_vessels(graph, entries[n]);
-      guess.evidence = *evidence;
-      guess.added = add_vessels(liver, guess.trees, guess.evidence);
-      guess.answer = descended(guess.evidence, by_shape);
-    }
-  });
+  LiverAnatomy anatomy;
+  anatomy.trees = classify_vessels(graph, entries_of(*evidence, by_shape), evidence->places_mm, clicks);
   if (progress.cancelled()) return cancelled();
-  const auto best = std::min_element(guesses.begin(), guesses.end(),
-                                     [](const Guess& a, const Guess& b) { return a.answer.energy < b.answer.energy; });
-  if (!best->added) return failure(best->added.error());
-  LiverAnatomy anatomy{std::move(best->trees), segments_of(liver, best->evidence, best->answer.planes)};
+  if (auto added = add_vessels(liver, anatomy.trees, *evidence); !added) return failure(std::move(added.error()));
+  anatomy.segments = segments_of(liver, *evidence, descended(*evidence, by_shape).planes);
   name_branches(anatomy.trees, anatomy.segments);
   progress.report(1, GLISSON_TEXT("done"));
   return anatomy;

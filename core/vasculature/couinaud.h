@@ -43,8 +43,7 @@ void measure(CouinaudSegments& segments);
 // Where vessels enter, by the liver's shape alone. Fails as liver_frame does.
 Result<VesselEntries> expected_entries(const imaging::Mask& liver);
 
-// Vessels of one class told apart, and the segments with them. Of all that the places of entry may be, it takes what
-// makes the segments most probable. Fails as couinaud_segments does.
+// Vessels of one class told apart, and the segments with them. Fails as couinaud_segments does.
 struct LiverAnatomy {
   VesselTrees trees;
   CouinaudSegments segments;

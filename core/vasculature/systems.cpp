@@ -1,11 +1,12 @@
 #include "vasculature/systems.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <queue>
 #include <tuple>
+
+#include "vasculature/internal/told_apart.h"
 
 namespace glisson::vasculature {
 
@@ -13,7 +14,6 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr std::array<System, 2> systems = {System::portal_vein, System::hepatic_vein};
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 // What it costs: chosen, and looked at on generated patients 1 to 3.
@@ -37,42 +37,28 @@ struct Way {
   [[nodiscard]] double widening() const;
 };
 
-// Costs of reaching each way (2 branch + backwards) of a system, and the way before.
-struct Reached {
-  std::vector<double> cost;
-  std::vector<int> before;
-};
-
+// One system grows along a graph from where it enters.
 class Growth {
  public:
-  Growth(const VesselGraph& graph, const std::array<Vector3d, 2>& entries_mm, const std::array<bool, 2>& allowed);
+  Growth(const VesselGraph& graph, const Vector3d& entry_mm);
 
-  // Both systems at once: each branch goes to the first.
+  // Each branch by the way in which it is reached at least cost.
   struct Claim {
-    int system = -1;
-    int way = -1, before = -1;  // before: a way
-    double added = 0;           // to the cost of the way before
+    int way = -1, before = -1;  // ways
   };
   [[nodiscard]] std::vector<Claim> claims() const;
-  // Cost of each branch for a system that has the graph to itself.
-  [[nodiscard]] std::vector<double> costs(int system) const;
 
  private:
   [[nodiscard]] Way way(int w) const { return {&graph_, w / 2, w % 2 == 1}; }
-  [[nodiscard]] double start_cost(int system, int w) const;
-  [[nodiscard]] double own_cost(int w) const;
+  [[nodiscard]] double start_cost(int w) const;
   [[nodiscard]] double turn_cost(int from, int to) const;
-  // Calls visit(way) for those that leave where `w` arrives.
-  template <typename Visit>
-  void for_next(int w, const Visit& visit) const;
 
   const VesselGraph& graph_;
-  std::array<Vector3d, 2> entries_mm_;
-  std::array<bool, 2> allowed_;
+  Vector3d entry_mm_;
   std::vector<int> cluster_;               // of each vertex: those joined by stretches shorter than they are wide
   std::vector<std::vector<int>> leaving_;  // ways that leave each cluster
   std::vector<double> own_;
-  std::array<double, 2> widest_{};  // radius near the entry
+  double widest_ = 0;  // radius near the entry
 };
 
 Vector3d Way::direction(bool at_head) const {
@@ -101,8 +87,8 @@ double Way::widening() const {
   return most;
 }
 
-Growth::Growth(const VesselGraph& graph, const std::array<Vector3d, 2>& entries_mm, const std::array<bool, 2>& allowed)
-    : graph_(graph), entries_mm_(entries_mm), allowed_(allowed), cluster_(graph.vertices_mm.size()) {
+Growth::Growth(const VesselGraph& graph, const Vector3d& entry_mm)
+    : graph_(graph), entry_mm_(entry_mm), cluster_(graph.vertices_mm.size()) {
   for (std::size_t v = 0; v < cluster_.size(); ++v) cluster_[v] = static_cast<int>(v);
   const auto root = [&](int v) {
     while (cluster_[static_cast<std::size_t>(v)] != v) v = cluster_[static_cast<std::size_t>(v)];
@@ -128,24 +114,18 @@ Growth::Growth(const VesselGraph& graph, const std::array<Vector3d, 2>& entries_
     own_.push_back(cost + of_widening * way(w).widening());
   }
   for (const GraphBranch& branch : graph.branches) {
-    for (std::size_t s = 0; s < 2; ++s) {
-      for (const CenterPoint& point : branch.points) {
-        if ((point.position_mm - entries_mm_[s]).norm() < 30) widest_[s] = std::max(widest_[s], point.radius_mm);
-      }
+    for (const CenterPoint& point : branch.points) {
+      if ((point.position_mm - entry_mm_).norm() < 30) widest_ = std::max(widest_, point.radius_mm);
     }
   }
 }
 
-double Growth::start_cost(int system, int w) const {
-  const auto s = static_cast<std::size_t>(system);
-  if (!allowed_[s]) return infinite;
+double Growth::start_cost(int w) const {
   const Way start = way(w);
-  const double away = (start.point(0).position_mm - entries_mm_[s]).norm();
-  const double thin = std::log(std::max(1.0, std::max(widest_[s], 3.0) / std::max(0.5, start.of().radius_mm)));
+  const double away = (start.point(0).position_mm - entry_mm_).norm();
+  const double thin = std::log(std::max(1.0, std::max(widest_, 3.0) / std::max(0.5, start.of().radius_mm)));
   return of_entry_distance_per_mm * away + of_entry_thinness * thin + own_[static_cast<std::size_t>(w)];
 }
-
-double Growth::own_cost(int w) const { return own_[static_cast<std::size_t>(w)]; }
 
 double Growth::turn_cost(int from, int to) const {
   const Way a = way(from), b = way(to);
@@ -154,65 +134,26 @@ double Growth::turn_cost(int from, int to) const {
   return of_turn * (1 - straight) * (1 - straight) + of_widening * std::max(0.0, wider);
 }
 
-template <typename Visit>
-void Growth::for_next(int w, const Visit& visit) const {
-  for (const int next : leaving_[static_cast<std::size_t>(cluster_[static_cast<std::size_t>(way(w).head())])]) {
-    if (next / 2 != w / 2) visit(next);
-  }
-}
-
-std::vector<double> Growth::costs(int system) const {
-  std::vector<double> cost(own_.size(), infinite);
-  using Waiting = std::pair<double, int>;
-  std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>> queue;
-  for (int w = 0; w < static_cast<int>(own_.size()); ++w) {
-    cost[static_cast<std::size_t>(w)] = start_cost(system, w);
-    if (cost[static_cast<std::size_t>(w)] < infinite) queue.emplace(cost[static_cast<std::size_t>(w)], w);
-  }
-  while (!queue.empty()) {
-    const auto [reached, w] = queue.top();
-    queue.pop();
-    if (reached > cost[static_cast<std::size_t>(w)]) continue;
-    for_next(w, [&, from = w, so_far = reached](int next) {
-      const double offered = so_far + turn_cost(from, next) + own_cost(next);
-      if (offered >= cost[static_cast<std::size_t>(next)]) return;
-      cost[static_cast<std::size_t>(next)] = offered;
-      queue.emplace(offered, next);
-    });
-  }
-  std::vector<double> of_branch(own_.size() / 2);
-  for (std::size_t b = 0; b < of_branch.size(); ++b) of_branch[b] = std::min(cost[2 * b], cost[2 * b + 1]);
-  return of_branch;
-}
-
 std::vector<Growth::Claim> Growth::claims() const {
   struct Waiting {
     double cost;
-    int system, way, before;
-    double added;
-    bool operator>(const Waiting& other) const {
-      return std::tie(cost, system, way) > std::tie(other.cost, other.system, other.way);
-    }
+    int way, before;
+    bool operator>(const Waiting& other) const { return std::tie(cost, way) > std::tie(other.cost, other.way); }
   };
   std::vector<Claim> claims(own_.size() / 2);
   std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>> queue;
-  for (int system = 0; system < 2; ++system) {
-    for (int w = 0; w < static_cast<int>(own_.size()); ++w) {
-      const double cost = start_cost(system, w);
-      if (cost < infinite) queue.push({cost, system, w, -1, cost});
-    }
-  }
+  for (int w = 0; w < static_cast<int>(own_.size()); ++w) queue.push({start_cost(w), w, -1});
   while (!queue.empty()) {
     const Waiting first = queue.top();
     queue.pop();
     Claim& claim = claims[static_cast<std::size_t>(first.way / 2)];
-    if (claim.system >= 0) continue;
-    claim = {first.system, first.way, first.before, first.added};
-    for_next(first.way, [&](int next) {
-      if (claims[static_cast<std::size_t>(next / 2)].system >= 0) return;
-      const double added = turn_cost(first.way, next) + own_cost(next);
-      queue.push({first.cost + added, first.system, next, first.way, added});
-    });
+    if (claim.way >= 0) continue;
+    claim = {first.way, first.before};
+    for (const int next :
+         leaving_[static_cast<std::size_t>(cluster_[static_cast<std::size_t>(way(first.way).head())])]) {
+      if (next / 2 == first.way / 2 || claims[static_cast<std::size_t>(next / 2)].way >= 0) continue;
+      queue.push({first.cost + turn_cost(first.way, next) + own_[static_cast<std::size_t>(next)], next, first.way});
+    }
   }
   return claims;
 }
@@ -237,13 +178,14 @@ std::vector<Vector3d> thick_places(const VesselGraph& graph, const Vector3d& exp
   return places;
 }
 
-// Trees of claimed branches, parents first. Contacts and bridges that lead nowhere are left out.
-void add_trees(const VesselGraph& graph, const std::vector<Growth::Claim>& claims,
-               const std::vector<double>& confidence, VesselTrees& trees) {
+// Trees of all branches of a graph, parents first. Contacts and bridges that lead nowhere are left out.
+void add_trees(const VesselGraph& graph, System system, const std::vector<double>& confidence, VesselTrees& trees) {
+  const bool portal = system == System::portal_vein;
+  const std::vector<Growth::Claim> claims =
+      Growth(graph, portal ? trees.portal_entry_mm : trees.hepatic_entry_mm).claims();
   std::vector<std::vector<int>> children(claims.size());
   std::vector<int> roots;
   for (std::size_t b = 0; b < claims.size(); ++b) {
-    if (claims[b].system < 0) continue;
     if (claims[b].before < 0) {
       roots.push_back(static_cast<int>(b));
     } else {
@@ -272,7 +214,7 @@ void add_trees(const VesselGraph& graph, const std::vector<Growth::Claim>& claim
     index[i] = static_cast<int>(trees.branches.size());
     const GraphBranch& from = graph.branches[i];
     TreeBranch branch;
-    branch.system = systems.at(static_cast<std::size_t>(claims[i].system));
+    branch.system = system;
     branch.confidence = confidence[i];
     branch.parent = claims[i].before < 0 ? -1 : index[static_cast<std::size_t>(claims[i].before / 2)];
     if (branch.parent >= 0) {
@@ -308,32 +250,27 @@ std::vector<VesselEntries> possible_entries(const VesselGraph& graph, const Vess
   return entries;
 }
 
-VesselTrees classify_vessels(const VesselGraph& graph, const VesselEntries& entries) {
-  VesselTrees trees{entries.portal_mm, entries.hepatic_mm, {}, 0};
-  const Growth growth(graph, {entries.portal_mm, entries.hepatic_mm}, {true, true});
-  const std::vector<double> portal = growth.costs(0), hepatic = growth.costs(1);
-  std::vector<double> confidence(portal.size());
-  for (std::size_t b = 0; b < portal.size(); ++b) confidence[b] = 1 / (1 + std::exp(-std::abs(portal[b] - hepatic[b])));
-  const std::vector<Growth::Claim> claims = growth.claims();
-  add_trees(graph, claims, confidence, trees);
-  double volume = 0;
-  for (std::size_t b = 0; b < claims.size(); ++b) {
-    const GraphBranch& branch = graph.branches[b];
-    const double weight = branch.length_mm * branch.radius_mm * branch.radius_mm;
-    trees.strain += weight * claims[b].added;
-    volume += weight;
+VesselTrees classify_vessels(const VesselGraph& graph, const VesselEntries& entries,
+                             const std::vector<Vector3d>& places_mm, const Clicks& clicks) {
+  const ToldApart told = tell_apart(graph, entries, places_mm, clicks);
+  VesselTrees trees{told.entries.portal_mm, told.entries.hepatic_mm, {}};
+  for (const System system : {System::portal_vein, System::hepatic_vein}) {
+    VesselGraph own{graph.vertices_mm, {}};
+    std::vector<double> confidence;
+    for (std::size_t b = 0; b < graph.branches.size(); ++b) {
+      if (!told.belongs[b].at(static_cast<std::size_t>(system))) continue;
+      own.branches.push_back(graph.branches[b]);
+      confidence.push_back(told.confidence[b]);
+    }
+    add_trees(own, system, confidence, trees);
   }
-  if (volume > 0) trees.strain /= volume;
   return trees;
 }
 
 VesselTrees known_vessels(const VesselGraph& portal, const VesselGraph& hepatic, const VesselEntries& entries) {
-  VesselTrees trees{entries.portal_mm, entries.hepatic_mm, {}, 0};
-  const std::array<Vector3d, 2> places = {entries.portal_mm, entries.hepatic_mm};
-  add_trees(portal, Growth(portal, places, {true, false}).claims(), std::vector<double>(portal.branches.size(), 1.0),
-            trees);
-  add_trees(hepatic, Growth(hepatic, places, {false, true}).claims(), std::vector<double>(hepatic.branches.size(), 1.0),
-            trees);
+  VesselTrees trees{entries.portal_mm, entries.hepatic_mm, {}};
+  add_trees(portal, System::portal_vein, std::vector<double>(portal.branches.size(), 1.0), trees);
+  add_trees(hepatic, System::hepatic_vein, std::vector<double>(hepatic.branches.size(), 1.0), trees);
   return trees;
 }
 

@@ -1,10 +1,10 @@
 #pragma once
 // Portal and hepatic veins told apart, and each as a tree from where it enters.
 //
-// Both grow at once from where they may enter, along the graph. It costs a vessel to turn sharply, to grow wider on its
-// way out and to pass a neck. Whoever reaches a branch at less cost has it. So loops are opened where vessels touch: a
-// vessel goes straight on and thins out, while the way into a touching one turns and widens. Where they enter follows
-// from the liver's shape, drawn to the thickest vessels there, or from a click.
+// Which system a branch belongs to follows from all of them at once: what is likely of trees of vessels
+// (internal/forest.h), and that both systems reach every part of the liver (internal/told_apart.h). Then each system
+// grows from where it enters, along its part of the graph. It costs a vessel to turn sharply, to grow wider on its way
+// out and to pass a neck.
 
 #include <optional>
 #include <string>
@@ -33,7 +33,6 @@ struct TreeBranch {
 struct VesselTrees {
   Eigen::Vector3d portal_entry_mm{0, 0, 0}, hepatic_entry_mm{0, 0, 0};
   std::vector<TreeBranch> branches;  // parents first
-  double strain = 0;  // how much the trees turn, widen and jump, a mean over the vessels' volume; less is likelier
 };
 
 // Where the portal vein divides and where the hepatic veins meet the vena cava, as far as the liver's shape says
@@ -53,9 +52,13 @@ struct Clicks {
 [[nodiscard]] std::vector<VesselEntries> possible_entries(const VesselGraph& graph, const VesselEntries& expected,
                                                           const Clicks& clicks = {}, int each = 3);
 
-[[nodiscard]] VesselTrees classify_vessels(const VesselGraph& graph, const VesselEntries& entries);
+// From about where vessels enter. places_mm: spread over the liver, each to be fed and drained; none: this is not
+// asked. A click tells the system of the branch nearest to it. Same graph, same trees.
+[[nodiscard]] VesselTrees classify_vessels(const VesselGraph& graph, const VesselEntries& entries,
+                                           const std::vector<Eigen::Vector3d>& places_mm = {},
+                                           const Clicks& clicks = {});
 
-// The same where each system has a graph of its own.
+// Where each system has a graph of its own.
 [[nodiscard]] VesselTrees known_vessels(const VesselGraph& portal, const VesselGraph& hepatic,
                                         const VesselEntries& entries);
 

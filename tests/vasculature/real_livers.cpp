@@ -69,7 +69,7 @@ vasculature::Clicks clicks_by_truth(const RealLiver& liver, const vasculature::V
   };
   vasculature::Clicks best;
   double most = -1e30;
-  for (const vasculature::VesselEntries& entries : vasculature::possible_entries(graph, expected, {}, 5)) {
+  for (const vasculature::VesselEntries& entries : vasculature::possible_entries(graph, expected)) {
     double score = 0;
     for (const vasculature::TreeBranch& branch : vasculature::classify_vessels(graph, entries).branches) {
       for (const vasculature::CenterPoint& point : branch.points) {
