@@ -133,6 +133,14 @@
         <source>Another stiffness along the border</source>
         <translation>Andere Steifigkeit entlang des Randes</translation>
     </message>
+    <message>
+        <source>Held where nothing was declared</source>
+        <translation>Gehalten, wo nichts angegeben war</translation>
+    </message>
+    <message>
+        <source>A declared attachment gives way or is missing</source>
+        <translation>Eine angegebene Anheftung gibt nach oder fehlt</translation>
+    </message>
 </context>
 <context>
     <name>entries</name>
@@ -6902,6 +6910,34 @@
     <message>
         <source>Mark another line, or give a pose_guess.</source>
         <translation>Markieren Sie eine weitere Linie, oder geben Sie pose_guess an.</translation>
+    </message>
+    <message>
+        <source>Somewhere inside lies a stiff lump, as a tumour would: around it the organ gives way less.</source>
+        <translation>Irgendwo im Inneren liegt ein harter Knoten, wie ein Tumor: um ihn herum gibt das Organ weniger nach.</translation>
+    </message>
+    <message>
+        <source>What held the specimen has no place on the organ&apos;s surface: the specimen is not this organ in this place.</source>
+        <translation>Was den Prüfkörper hielt, hat auf der Oberfläche des Organs keinen Ort: Der Prüfkörper ist nicht dieses Organ an diesem Ort.</translation>
+    </message>
+    <message>
+        <source>Around ({0}, {1}, {2}) the surface is held within {3} mm by springs of {4} kPa/mm.</source>
+        <translation>Um ({0}, {1}, {2}) wird die Oberfläche in {3} mm Umkreis von Federn mit {4} kPa/mm gehalten.</translation>
+    </message>
+    <message>
+        <source>What is declared to hold the organ at {0} holds it with {1} kPa/mm alone.</source>
+        <translation>Was das Organ laut Angabe an {0} hält, hält es nur mit {1} kPa/mm.</translation>
+    </message>
+    <message>
+        <source>The organ has no support {0} that could hold less.</source>
+        <translation>Das Organ hat keine Lagerung {0}, die weniger halten könnte.</translation>
+    </message>
+    <message>
+        <source>Something that nobody declared holds a part of the surface, as an adhesion or a ligament does: there it moves less.</source>
+        <translation>Etwas, das niemand angegeben hat, hält einen Teil der Oberfläche, wie eine Verwachsung oder ein Band: dort bewegt sie sich weniger.</translation>
+    </message>
+    <message>
+        <source>One of the declared attachments holds less than declared, or is not there at all.</source>
+        <translation>Eine der angegebenen Anheftungen hält weniger als angegeben oder ist gar nicht da.</translation>
     </message>
 </context>
 <context>

@@ -133,6 +133,14 @@
         <source>Another stiffness along the border</source>
         <translation>Otra rigidez a lo largo del borde</translation>
     </message>
+    <message>
+        <source>Held where nothing was declared</source>
+        <translation>Sujetado donde no se declaró nada</translation>
+    </message>
+    <message>
+        <source>A declared attachment gives way or is missing</source>
+        <translation>Una sujeción declarada cede o falta</translation>
+    </message>
 </context>
 <context>
     <name>entries</name>
@@ -6902,6 +6910,34 @@
     <message>
         <source>Mark another line, or give a pose_guess.</source>
         <translation>Marque otra línea o dé pose_guess.</translation>
+    </message>
+    <message>
+        <source>Somewhere inside lies a stiff lump, as a tumour would: around it the organ gives way less.</source>
+        <translation>En algún lugar del interior hay un nódulo duro, como lo sería un tumor: a su alrededor el órgano cede menos.</translation>
+    </message>
+    <message>
+        <source>What held the specimen has no place on the organ&apos;s surface: the specimen is not this organ in this place.</source>
+        <translation>Lo que sujetaba la muestra no tiene lugar en la superficie del órgano: la muestra no es este órgano en este lugar.</translation>
+    </message>
+    <message>
+        <source>Around ({0}, {1}, {2}) the surface is held within {3} mm by springs of {4} kPa/mm.</source>
+        <translation>Alrededor de ({0}, {1}, {2}) la superficie está sujeta en {3} mm por muelles de {4} kPa/mm.</translation>
+    </message>
+    <message>
+        <source>What is declared to hold the organ at {0} holds it with {1} kPa/mm alone.</source>
+        <translation>Lo declarado como sujeción del órgano en {0} solo lo sujeta con {1} kPa/mm.</translation>
+    </message>
+    <message>
+        <source>The organ has no support {0} that could hold less.</source>
+        <translation>El órgano no tiene ninguna sujeción {0} que pueda sujetar menos.</translation>
+    </message>
+    <message>
+        <source>Something that nobody declared holds a part of the surface, as an adhesion or a ligament does: there it moves less.</source>
+        <translation>Algo que nadie declaró sujeta una parte de la superficie, como una adherencia o un ligamento: allí se mueve menos.</translation>
+    </message>
+    <message>
+        <source>One of the declared attachments holds less than declared, or is not there at all.</source>
+        <translation>Una de las sujeciones declaradas sujeta menos de lo declarado, o no está.</translation>
     </message>
 </context>
 <context>

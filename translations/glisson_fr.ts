@@ -133,6 +133,14 @@
         <source>Another stiffness along the border</source>
         <translation>Une autre rigidité le long du bord</translation>
     </message>
+    <message>
+        <source>Held where nothing was declared</source>
+        <translation>Tenu là où rien n’était déclaré</translation>
+    </message>
+    <message>
+        <source>A declared attachment gives way or is missing</source>
+        <translation>Une attache déclarée cède ou manque</translation>
+    </message>
 </context>
 <context>
     <name>entries</name>
@@ -6902,6 +6910,34 @@
     <message>
         <source>Mark another line, or give a pose_guess.</source>
         <translation>Marquez une autre ligne, ou donnez pose_guess.</translation>
+    </message>
+    <message>
+        <source>Somewhere inside lies a stiff lump, as a tumour would: around it the organ gives way less.</source>
+        <translation>Quelque part à l’intérieur se trouve un nodule dur, comme une tumeur : autour de lui l’organe cède moins.</translation>
+    </message>
+    <message>
+        <source>What held the specimen has no place on the organ&apos;s surface: the specimen is not this organ in this place.</source>
+        <translation>Ce qui tenait l’échantillon n’a pas de place sur la surface de l’organe : l’échantillon n’est pas cet organe à cet endroit.</translation>
+    </message>
+    <message>
+        <source>Around ({0}, {1}, {2}) the surface is held within {3} mm by springs of {4} kPa/mm.</source>
+        <translation>Autour de ({0}, {1}, {2}) la surface est tenue sur {3} mm par des ressorts de {4} kPa/mm.</translation>
+    </message>
+    <message>
+        <source>What is declared to hold the organ at {0} holds it with {1} kPa/mm alone.</source>
+        <translation>Ce qui est déclaré tenir l’organe à {0} ne le tient qu’avec {1} kPa/mm.</translation>
+    </message>
+    <message>
+        <source>The organ has no support {0} that could hold less.</source>
+        <translation>L’organe n’a pas de support {0} qui pourrait tenir moins.</translation>
+    </message>
+    <message>
+        <source>Something that nobody declared holds a part of the surface, as an adhesion or a ligament does: there it moves less.</source>
+        <translation>Quelque chose que personne n’a déclaré tient une partie de la surface, comme une adhérence ou un ligament : elle y bouge moins.</translation>
+    </message>
+    <message>
+        <source>One of the declared attachments holds less than declared, or is not there at all.</source>
+        <translation>L’une des attaches déclarées tient moins que déclaré, ou n’est pas là du tout.</translation>
     </message>
 </context>
 <context>
