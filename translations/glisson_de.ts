@@ -134,48 +134,12 @@
         <translation>Andere Steifigkeit entlang des Randes</translation>
     </message>
     <message>
-        <source>The neo-Hookean law</source>
-        <translation>Das neo-Hookesche Gesetz</translation>
+        <source>Held where nothing was declared</source>
+        <translation>Gehalten, wo nichts angegeben war</translation>
     </message>
     <message>
-        <source>The law of Mooney and Rivlin</source>
-        <translation>Das Gesetz von Mooney und Rivlin</translation>
-    </message>
-    <message>
-        <source>The law of Gent and Thomas</source>
-        <translation>Das Gesetz von Gent und Thomas</translation>
-    </message>
-    <message>
-        <source>The law of Gent</source>
-        <translation>Das Gesetz von Gent</translation>
-    </message>
-    <message>
-        <source>The law of Arruda and Boyce</source>
-        <translation>Das Gesetz von Arruda und Boyce</translation>
-    </message>
-    <message>
-        <source>The law of Ogden</source>
-        <translation>Das Gesetz von Ogden</translation>
-    </message>
-    <message>
-        <source>The law of Isihara</source>
-        <translation>Das Gesetz von Isihara</translation>
-    </message>
-    <message>
-        <source>The law of Yeoh</source>
-        <translation>Das Gesetz von Yeoh</translation>
-    </message>
-    <message>
-        <source>Fibres along one direction</source>
-        <translation>Fasern in einer Richtung</translation>
-    </message>
-    <message>
-        <source>The law of Haines and Wilson</source>
-        <translation>Das Gesetz von Haines und Wilson</translation>
-    </message>
-    <message>
-        <source>Fibres along two directions (Holzapfel)</source>
-        <translation>Fasern in zwei Richtungen (Holzapfel)</translation>
+        <source>A declared attachment gives way or is missing</source>
+        <translation>Eine angegebene Anheftung gibt nach oder fehlt</translation>
     </message>
 </context>
 <context>
@@ -6959,6 +6923,34 @@
         <source>one of the quantities that were measured is off by more than its noise</source>
         <translation>eine der gemessenen Größen liegt weiter daneben als ihr Rauschen</translation>
     </message>
+    <message>
+        <source>Somewhere inside lies a stiff lump, as a tumour would: around it the organ gives way less.</source>
+        <translation>Irgendwo im Inneren liegt ein harter Knoten, wie ein Tumor: um ihn herum gibt das Organ weniger nach.</translation>
+    </message>
+    <message>
+        <source>What held the specimen has no place on the organ&apos;s surface: the specimen is not this organ in this place.</source>
+        <translation>Was den Prüfkörper hielt, hat auf der Oberfläche des Organs keinen Ort: Der Prüfkörper ist nicht dieses Organ an diesem Ort.</translation>
+    </message>
+    <message>
+        <source>Around ({0}, {1}, {2}) the surface is held within {3} mm by springs of {4} kPa/mm.</source>
+        <translation>Um ({0}, {1}, {2}) wird die Oberfläche in {3} mm Umkreis von Federn mit {4} kPa/mm gehalten.</translation>
+    </message>
+    <message>
+        <source>What is declared to hold the organ at {0} holds it with {1} kPa/mm alone.</source>
+        <translation>Was das Organ laut Angabe an {0} hält, hält es nur mit {1} kPa/mm.</translation>
+    </message>
+    <message>
+        <source>The organ has no support {0} that could hold less.</source>
+        <translation>Das Organ hat keine Lagerung {0}, die weniger halten könnte.</translation>
+    </message>
+    <message>
+        <source>Something that nobody declared holds a part of the surface, as an adhesion or a ligament does: there it moves less.</source>
+        <translation>Etwas, das niemand angegeben hat, hält einen Teil der Oberfläche, wie eine Verwachsung oder ein Band: dort bewegt sie sich weniger.</translation>
+    </message>
+    <message>
+        <source>One of the declared attachments holds less than declared, or is not there at all.</source>
+        <translation>Eine der angegebenen Anheftungen hält weniger als angegeben oder ist gar nicht da.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>
@@ -7805,10 +7797,6 @@
     <message>
         <source>%1 Of the doubt %2 % is expected to be gone then.</source>
         <translation>%1 Vom Zweifel sind dann voraussichtlich %2 % beseitigt.</translation>
-    </message>
-    <message>
-        <source>What these trials could have shown</source>
-        <translation>Was diese Versuche hätten zeigen können</translation>
     </message>
 </context>
 <context>
@@ -13125,37 +13113,6 @@ Von Hand: mit der rechten Taste ziehen</translation>
     </message>
 </context>
 <context>
-    <name>glisson::widgets::VisibleTable</name>
-    <message>
-        <source>Effect</source>
-        <translation>Effekt</translation>
-    </message>
-    <message>
-        <source>Seen from</source>
-        <translation>Sichtbar ab</translation>
-    </message>
-    <message>
-        <source>In nine of ten such experiments an effect of this size is seen</source>
-        <translation>In neun von zehn solchen Experimenten ist ein Effekt dieser Größe zu sehen</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
-        <source>at no size</source>
-        <translation>in keiner Größe</translation>
-    </message>
-    <message>
-        <source>Parameter</source>
-        <translation>Parameter</translation>
-    </message>
-    <message>
-        <source>Without effect</source>
-        <translation>Ohne Effekt</translation>
-    </message>
-</context>
-<context>
     <name>glisson::widgets::WaveView</name>
     <message>
         <source>Elastography waves</source>
@@ -13310,165 +13267,6 @@ Von Hand: mit der rechten Taste ziehen</translation>
     <message>
         <source>Research</source>
         <translation>Forschung</translation>
-    </message>
-</context>
-<context>
-    <name>parameters</name>
-    <message>
-        <source>amplitude</source>
-        <translation>Amplitude</translation>
-    </message>
-    <message>
-        <source>angle</source>
-        <translation>Winkel</translation>
-    </message>
-    <message>
-        <source>axis</source>
-        <translation>Achse</translation>
-    </message>
-    <message>
-        <source>azimuth</source>
-        <translation>Azimut</translation>
-    </message>
-    <message>
-        <source>center</source>
-        <translation>Mittelpunkt</translation>
-    </message>
-    <message>
-        <source>coefficient</source>
-        <translation>Koeffizient</translation>
-    </message>
-    <message>
-        <source>curve</source>
-        <translation>Kurve</translation>
-    </message>
-    <message>
-        <source>delay</source>
-        <translation>Verzögerung</translation>
-    </message>
-    <message>
-        <source>depth</source>
-        <translation>Tiefe</translation>
-    </message>
-    <message>
-        <source>efficiency</source>
-        <translation>Wirkungsgrad</translation>
-    </message>
-    <message>
-        <source>elevation</source>
-        <translation>Elevation</translation>
-    </message>
-    <message>
-        <source>energy</source>
-        <translation>Energie</translation>
-    </message>
-    <message>
-        <source>exponent</source>
-        <translation>Exponent</translation>
-    </message>
-    <message>
-        <source>factor</source>
-        <translation>Faktor</translation>
-    </message>
-    <message>
-        <source>faster</source>
-        <translation>schneller</translation>
-    </message>
-    <message>
-        <source>foundation</source>
-        <translation>Bettung</translation>
-    </message>
-    <message>
-        <source>friction</source>
-        <translation>Reibung</translation>
-    </message>
-    <message>
-        <source>full load</source>
-        <translation>Volllast</translation>
-    </message>
-    <message>
-        <source>gain</source>
-        <translation>Verstärkung</translation>
-    </message>
-    <message>
-        <source>gravity</source>
-        <translation>Schwerkraft</translation>
-    </message>
-    <message>
-        <source>length scale</source>
-        <translation>Längenmaßstab</translation>
-    </message>
-    <message>
-        <source>limit</source>
-        <translation>Grenze</translation>
-    </message>
-    <message>
-        <source>loss</source>
-        <translation>Verlust</translation>
-    </message>
-    <message>
-        <source>loss ratio</source>
-        <translation>Verlustverhältnis</translation>
-    </message>
-    <message>
-        <source>pressure</source>
-        <translation>Druck</translation>
-    </message>
-    <message>
-        <source>radius</source>
-        <translation>Radius</translation>
-    </message>
-    <message>
-        <source>ratio</source>
-        <translation>Verhältnis</translation>
-    </message>
-    <message>
-        <source>resistance</source>
-        <translation>Widerstand</translation>
-    </message>
-    <message>
-        <source>rotation</source>
-        <translation>Drehung</translation>
-    </message>
-    <message>
-        <source>share</source>
-        <translation>Anteil</translation>
-    </message>
-    <message>
-        <source>slip strain</source>
-        <translation>Gleitdehnung</translation>
-    </message>
-    <message>
-        <source>slower</source>
-        <translation>langsamer</translation>
-    </message>
-    <message>
-        <source>static</source>
-        <translation>Grundleistung</translation>
-    </message>
-    <message>
-        <source>stiffness</source>
-        <translation>Steifigkeit</translation>
-    </message>
-    <message>
-        <source>time</source>
-        <translation>Zeit</translation>
-    </message>
-    <message>
-        <source>time constant</source>
-        <translation>Zeitkonstante</translation>
-    </message>
-    <message>
-        <source>translation</source>
-        <translation>Verschiebung</translation>
-    </message>
-    <message>
-        <source>viscosity</source>
-        <translation>Viskosität</translation>
-    </message>
-    <message>
-        <source>zero</source>
-        <translation>Nullpunkt</translation>
     </message>
 </context>
 <context>

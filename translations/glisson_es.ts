@@ -134,48 +134,12 @@
         <translation>Otra rigidez a lo largo del borde</translation>
     </message>
     <message>
-        <source>The neo-Hookean law</source>
-        <translation>La ley neo-hookeana</translation>
+        <source>Held where nothing was declared</source>
+        <translation>Sujetado donde no se declaró nada</translation>
     </message>
     <message>
-        <source>The law of Mooney and Rivlin</source>
-        <translation>La ley de Mooney y Rivlin</translation>
-    </message>
-    <message>
-        <source>The law of Gent and Thomas</source>
-        <translation>La ley de Gent y Thomas</translation>
-    </message>
-    <message>
-        <source>The law of Gent</source>
-        <translation>La ley de Gent</translation>
-    </message>
-    <message>
-        <source>The law of Arruda and Boyce</source>
-        <translation>La ley de Arruda y Boyce</translation>
-    </message>
-    <message>
-        <source>The law of Ogden</source>
-        <translation>La ley de Ogden</translation>
-    </message>
-    <message>
-        <source>The law of Isihara</source>
-        <translation>La ley de Isihara</translation>
-    </message>
-    <message>
-        <source>The law of Yeoh</source>
-        <translation>La ley de Yeoh</translation>
-    </message>
-    <message>
-        <source>Fibres along one direction</source>
-        <translation>Fibras en una dirección</translation>
-    </message>
-    <message>
-        <source>The law of Haines and Wilson</source>
-        <translation>La ley de Haines y Wilson</translation>
-    </message>
-    <message>
-        <source>Fibres along two directions (Holzapfel)</source>
-        <translation>Fibras en dos direcciones (Holzapfel)</translation>
+        <source>A declared attachment gives way or is missing</source>
+        <translation>Una sujeción declarada cede o falta</translation>
     </message>
 </context>
 <context>
@@ -6959,6 +6923,34 @@
         <source>one of the quantities that were measured is off by more than its noise</source>
         <translation>una de las magnitudes medidas se desvía más que su ruido</translation>
     </message>
+    <message>
+        <source>Somewhere inside lies a stiff lump, as a tumour would: around it the organ gives way less.</source>
+        <translation>En algún lugar del interior hay un nódulo duro, como lo sería un tumor: a su alrededor el órgano cede menos.</translation>
+    </message>
+    <message>
+        <source>What held the specimen has no place on the organ&apos;s surface: the specimen is not this organ in this place.</source>
+        <translation>Lo que sujetaba la muestra no tiene lugar en la superficie del órgano: la muestra no es este órgano en este lugar.</translation>
+    </message>
+    <message>
+        <source>Around ({0}, {1}, {2}) the surface is held within {3} mm by springs of {4} kPa/mm.</source>
+        <translation>Alrededor de ({0}, {1}, {2}) la superficie está sujeta en {3} mm por muelles de {4} kPa/mm.</translation>
+    </message>
+    <message>
+        <source>What is declared to hold the organ at {0} holds it with {1} kPa/mm alone.</source>
+        <translation>Lo declarado como sujeción del órgano en {0} solo lo sujeta con {1} kPa/mm.</translation>
+    </message>
+    <message>
+        <source>The organ has no support {0} that could hold less.</source>
+        <translation>El órgano no tiene ninguna sujeción {0} que pueda sujetar menos.</translation>
+    </message>
+    <message>
+        <source>Something that nobody declared holds a part of the surface, as an adhesion or a ligament does: there it moves less.</source>
+        <translation>Algo que nadie declaró sujeta una parte de la superficie, como una adherencia o un ligamento: allí se mueve menos.</translation>
+    </message>
+    <message>
+        <source>One of the declared attachments holds less than declared, or is not there at all.</source>
+        <translation>Una de las sujeciones declaradas sujeta menos de lo declarado, o no está.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>
@@ -7805,10 +7797,6 @@
     <message>
         <source>%1 Of the doubt %2 % is expected to be gone then.</source>
         <translation>%1 De la duda se espera que entonces haya desaparecido un %2 %.</translation>
-    </message>
-    <message>
-        <source>What these trials could have shown</source>
-        <translation>Lo que estos ensayos habrían podido mostrar</translation>
     </message>
 </context>
 <context>
@@ -13128,37 +13116,6 @@ A mano: arrastre con el botón derecho</translation>
     </message>
 </context>
 <context>
-    <name>glisson::widgets::VisibleTable</name>
-    <message>
-        <source>Effect</source>
-        <translation>Efecto</translation>
-    </message>
-    <message>
-        <source>Seen from</source>
-        <translation>Visible desde</translation>
-    </message>
-    <message>
-        <source>In nine of ten such experiments an effect of this size is seen</source>
-        <translation>En nueve de cada diez experimentos así se ve un efecto de este tamaño</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
-        <source>at no size</source>
-        <translation>con ningún valor</translation>
-    </message>
-    <message>
-        <source>Parameter</source>
-        <translation>Parámetro</translation>
-    </message>
-    <message>
-        <source>Without effect</source>
-        <translation>Sin efecto</translation>
-    </message>
-</context>
-<context>
     <name>glisson::widgets::WaveView</name>
     <message>
         <source>Elastography waves</source>
@@ -13313,165 +13270,6 @@ A mano: arrastre con el botón derecho</translation>
     <message>
         <source>Research</source>
         <translation>Investigación</translation>
-    </message>
-</context>
-<context>
-    <name>parameters</name>
-    <message>
-        <source>amplitude</source>
-        <translation>amplitud</translation>
-    </message>
-    <message>
-        <source>angle</source>
-        <translation>ángulo</translation>
-    </message>
-    <message>
-        <source>axis</source>
-        <translation>eje</translation>
-    </message>
-    <message>
-        <source>azimuth</source>
-        <translation>acimut</translation>
-    </message>
-    <message>
-        <source>center</source>
-        <translation>centro</translation>
-    </message>
-    <message>
-        <source>coefficient</source>
-        <translation>coeficiente</translation>
-    </message>
-    <message>
-        <source>curve</source>
-        <translation>curva</translation>
-    </message>
-    <message>
-        <source>delay</source>
-        <translation>retraso</translation>
-    </message>
-    <message>
-        <source>depth</source>
-        <translation>profundidad</translation>
-    </message>
-    <message>
-        <source>efficiency</source>
-        <translation>rendimiento</translation>
-    </message>
-    <message>
-        <source>elevation</source>
-        <translation>elevación</translation>
-    </message>
-    <message>
-        <source>energy</source>
-        <translation>energía</translation>
-    </message>
-    <message>
-        <source>exponent</source>
-        <translation>exponente</translation>
-    </message>
-    <message>
-        <source>factor</source>
-        <translation>factor</translation>
-    </message>
-    <message>
-        <source>faster</source>
-        <translation>más rápido</translation>
-    </message>
-    <message>
-        <source>foundation</source>
-        <translation>lecho elástico</translation>
-    </message>
-    <message>
-        <source>friction</source>
-        <translation>fricción</translation>
-    </message>
-    <message>
-        <source>full load</source>
-        <translation>plena carga</translation>
-    </message>
-    <message>
-        <source>gain</source>
-        <translation>ganancia</translation>
-    </message>
-    <message>
-        <source>gravity</source>
-        <translation>gravedad</translation>
-    </message>
-    <message>
-        <source>length scale</source>
-        <translation>escala de longitud</translation>
-    </message>
-    <message>
-        <source>limit</source>
-        <translation>límite</translation>
-    </message>
-    <message>
-        <source>loss</source>
-        <translation>pérdida</translation>
-    </message>
-    <message>
-        <source>loss ratio</source>
-        <translation>factor de pérdida</translation>
-    </message>
-    <message>
-        <source>pressure</source>
-        <translation>presión</translation>
-    </message>
-    <message>
-        <source>radius</source>
-        <translation>radio</translation>
-    </message>
-    <message>
-        <source>ratio</source>
-        <translation>proporción</translation>
-    </message>
-    <message>
-        <source>resistance</source>
-        <translation>resistencia</translation>
-    </message>
-    <message>
-        <source>rotation</source>
-        <translation>rotación</translation>
-    </message>
-    <message>
-        <source>share</source>
-        <translation>parte</translation>
-    </message>
-    <message>
-        <source>slip strain</source>
-        <translation>deformación de deslizamiento</translation>
-    </message>
-    <message>
-        <source>slower</source>
-        <translation>más lento</translation>
-    </message>
-    <message>
-        <source>static</source>
-        <translation>potencia en reposo</translation>
-    </message>
-    <message>
-        <source>stiffness</source>
-        <translation>rigidez</translation>
-    </message>
-    <message>
-        <source>time</source>
-        <translation>tiempo</translation>
-    </message>
-    <message>
-        <source>time constant</source>
-        <translation>constante de tiempo</translation>
-    </message>
-    <message>
-        <source>translation</source>
-        <translation>traslación</translation>
-    </message>
-    <message>
-        <source>viscosity</source>
-        <translation>viscosidad</translation>
-    </message>
-    <message>
-        <source>zero</source>
-        <translation>cero</translation>
     </message>
 </context>
 <context>

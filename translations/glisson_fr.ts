@@ -134,48 +134,12 @@
         <translation>Une autre rigidité le long du bord</translation>
     </message>
     <message>
-        <source>The neo-Hookean law</source>
-        <translation>La loi néo-hookéenne</translation>
+        <source>Held where nothing was declared</source>
+        <translation>Tenu là où rien n’était déclaré</translation>
     </message>
     <message>
-        <source>The law of Mooney and Rivlin</source>
-        <translation>La loi de Mooney et Rivlin</translation>
-    </message>
-    <message>
-        <source>The law of Gent and Thomas</source>
-        <translation>La loi de Gent et Thomas</translation>
-    </message>
-    <message>
-        <source>The law of Gent</source>
-        <translation>La loi de Gent</translation>
-    </message>
-    <message>
-        <source>The law of Arruda and Boyce</source>
-        <translation>La loi d&apos;Arruda et Boyce</translation>
-    </message>
-    <message>
-        <source>The law of Ogden</source>
-        <translation>La loi d&apos;Ogden</translation>
-    </message>
-    <message>
-        <source>The law of Isihara</source>
-        <translation>La loi d&apos;Isihara</translation>
-    </message>
-    <message>
-        <source>The law of Yeoh</source>
-        <translation>La loi de Yeoh</translation>
-    </message>
-    <message>
-        <source>Fibres along one direction</source>
-        <translation>Fibres dans une direction</translation>
-    </message>
-    <message>
-        <source>The law of Haines and Wilson</source>
-        <translation>La loi de Haines et Wilson</translation>
-    </message>
-    <message>
-        <source>Fibres along two directions (Holzapfel)</source>
-        <translation>Fibres dans deux directions (Holzapfel)</translation>
+        <source>A declared attachment gives way or is missing</source>
+        <translation>Une attache déclarée cède ou manque</translation>
     </message>
 </context>
 <context>
@@ -6959,6 +6923,34 @@
         <source>one of the quantities that were measured is off by more than its noise</source>
         <translation>une des grandeurs mesurées s&apos;écarte de plus que son bruit</translation>
     </message>
+    <message>
+        <source>Somewhere inside lies a stiff lump, as a tumour would: around it the organ gives way less.</source>
+        <translation>Quelque part à l’intérieur se trouve un nodule dur, comme une tumeur : autour de lui l’organe cède moins.</translation>
+    </message>
+    <message>
+        <source>What held the specimen has no place on the organ&apos;s surface: the specimen is not this organ in this place.</source>
+        <translation>Ce qui tenait l’échantillon n’a pas de place sur la surface de l’organe : l’échantillon n’est pas cet organe à cet endroit.</translation>
+    </message>
+    <message>
+        <source>Around ({0}, {1}, {2}) the surface is held within {3} mm by springs of {4} kPa/mm.</source>
+        <translation>Autour de ({0}, {1}, {2}) la surface est tenue sur {3} mm par des ressorts de {4} kPa/mm.</translation>
+    </message>
+    <message>
+        <source>What is declared to hold the organ at {0} holds it with {1} kPa/mm alone.</source>
+        <translation>Ce qui est déclaré tenir l’organe à {0} ne le tient qu’avec {1} kPa/mm.</translation>
+    </message>
+    <message>
+        <source>The organ has no support {0} that could hold less.</source>
+        <translation>L’organe n’a pas de support {0} qui pourrait tenir moins.</translation>
+    </message>
+    <message>
+        <source>Something that nobody declared holds a part of the surface, as an adhesion or a ligament does: there it moves less.</source>
+        <translation>Quelque chose que personne n’a déclaré tient une partie de la surface, comme une adhérence ou un ligament : elle y bouge moins.</translation>
+    </message>
+    <message>
+        <source>One of the declared attachments holds less than declared, or is not there at all.</source>
+        <translation>L’une des attaches déclarées tient moins que déclaré, ou n’est pas là du tout.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>
@@ -7805,10 +7797,6 @@
     <message>
         <source>%1 Of the doubt %2 % is expected to be gone then.</source>
         <translation>%1 Du doute, %2 % devraient alors avoir disparu.</translation>
-    </message>
-    <message>
-        <source>What these trials could have shown</source>
-        <translation>Ce que ces essais auraient pu montrer</translation>
     </message>
 </context>
 <context>
@@ -13128,37 +13116,6 @@ By hand: drag with the right button</source>
     </message>
 </context>
 <context>
-    <name>glisson::widgets::VisibleTable</name>
-    <message>
-        <source>Effect</source>
-        <translation>Effet</translation>
-    </message>
-    <message>
-        <source>Seen from</source>
-        <translation>Visible à partir de</translation>
-    </message>
-    <message>
-        <source>In nine of ten such experiments an effect of this size is seen</source>
-        <translation>Dans neuf expériences de ce genre sur dix, un effet de cette taille se voit</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
-        <source>at no size</source>
-        <translation>à aucune valeur</translation>
-    </message>
-    <message>
-        <source>Parameter</source>
-        <translation>Paramètre</translation>
-    </message>
-    <message>
-        <source>Without effect</source>
-        <translation>Sans effet</translation>
-    </message>
-</context>
-<context>
     <name>glisson::widgets::WaveView</name>
     <message>
         <source>Elastography waves</source>
@@ -13313,165 +13270,6 @@ By hand: drag with the right button</source>
     <message>
         <source>Research</source>
         <translation>Recherche</translation>
-    </message>
-</context>
-<context>
-    <name>parameters</name>
-    <message>
-        <source>amplitude</source>
-        <translation>amplitude</translation>
-    </message>
-    <message>
-        <source>angle</source>
-        <translation>angle</translation>
-    </message>
-    <message>
-        <source>axis</source>
-        <translation>axe</translation>
-    </message>
-    <message>
-        <source>azimuth</source>
-        <translation>azimut</translation>
-    </message>
-    <message>
-        <source>center</source>
-        <translation>centre</translation>
-    </message>
-    <message>
-        <source>coefficient</source>
-        <translation>coefficient</translation>
-    </message>
-    <message>
-        <source>curve</source>
-        <translation>courbe</translation>
-    </message>
-    <message>
-        <source>delay</source>
-        <translation>retard</translation>
-    </message>
-    <message>
-        <source>depth</source>
-        <translation>profondeur</translation>
-    </message>
-    <message>
-        <source>efficiency</source>
-        <translation>rendement</translation>
-    </message>
-    <message>
-        <source>elevation</source>
-        <translation>élévation</translation>
-    </message>
-    <message>
-        <source>energy</source>
-        <translation>énergie</translation>
-    </message>
-    <message>
-        <source>exponent</source>
-        <translation>exposant</translation>
-    </message>
-    <message>
-        <source>factor</source>
-        <translation>facteur</translation>
-    </message>
-    <message>
-        <source>faster</source>
-        <translation>plus rapide</translation>
-    </message>
-    <message>
-        <source>foundation</source>
-        <translation>appui élastique</translation>
-    </message>
-    <message>
-        <source>friction</source>
-        <translation>frottement</translation>
-    </message>
-    <message>
-        <source>full load</source>
-        <translation>pleine charge</translation>
-    </message>
-    <message>
-        <source>gain</source>
-        <translation>gain</translation>
-    </message>
-    <message>
-        <source>gravity</source>
-        <translation>pesanteur</translation>
-    </message>
-    <message>
-        <source>length scale</source>
-        <translation>échelle de longueur</translation>
-    </message>
-    <message>
-        <source>limit</source>
-        <translation>limite</translation>
-    </message>
-    <message>
-        <source>loss</source>
-        <translation>perte</translation>
-    </message>
-    <message>
-        <source>loss ratio</source>
-        <translation>facteur de perte</translation>
-    </message>
-    <message>
-        <source>pressure</source>
-        <translation>pression</translation>
-    </message>
-    <message>
-        <source>radius</source>
-        <translation>rayon</translation>
-    </message>
-    <message>
-        <source>ratio</source>
-        <translation>rapport</translation>
-    </message>
-    <message>
-        <source>resistance</source>
-        <translation>résistance</translation>
-    </message>
-    <message>
-        <source>rotation</source>
-        <translation>rotation</translation>
-    </message>
-    <message>
-        <source>share</source>
-        <translation>part</translation>
-    </message>
-    <message>
-        <source>slip strain</source>
-        <translation>déformation de glissement</translation>
-    </message>
-    <message>
-        <source>slower</source>
-        <translation>plus lent</translation>
-    </message>
-    <message>
-        <source>static</source>
-        <translation>puissance au repos</translation>
-    </message>
-    <message>
-        <source>stiffness</source>
-        <translation>raideur</translation>
-    </message>
-    <message>
-        <source>time</source>
-        <translation>temps</translation>
-    </message>
-    <message>
-        <source>time constant</source>
-        <translation>constante de temps</translation>
-    </message>
-    <message>
-        <source>translation</source>
-        <translation>translation</translation>
-    </message>
-    <message>
-        <source>viscosity</source>
-        <translation>viscosité</translation>
-    </message>
-    <message>
-        <source>zero</source>
-        <translation>zéro</translation>
     </message>
 </context>
 <context>

@@ -49,7 +49,8 @@ std::vector<Sentence> put_into(mechanics::Scenario& scenario, const PatientModel
   const bool own_supports = !scenario.supports.empty(), own_modulus = scenario.youngs_modulus.has_value(),
              own_capsule = scenario.capsule.has_value(), stays_isotropic = !mechanics::may_be_anisotropic(scenario);
   const auto why_not = [&](const std::string& kind) -> std::string {
-    if (own_supports && kind == "support-compliance") {
+    const bool holds = kind == "support-compliance" || kind == "undeclared-attachment" || kind == "missing-attachment";
+    if (own_supports && holds) {
       return GLISSON_TEXT("The scenario says itself what holds the organ: the effect {0} is left out.");
     }
     if (own_modulus && (kind == "stiffness-scale" || kind == "viscoelastic-creep" || kind == "stiff-inclusion")) {

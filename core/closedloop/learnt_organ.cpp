@@ -4,11 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <Eigen/Geometry>
+#include <limits>
 
 #include "base/json.h"
 #include "base/units.h"
+#include "closedloop/palpation/internal/attachment.h"
 #include "closedloop/palpation/internal/effects.h"
 #include "closedloop/palpation/internal/structure.h"
+#include "mechanics/elements/boundary.h"
+#include "mechanics/elements/node_layout.h"
 #include "mechanics/elements/quadrature.h"
 #include "mechanics/elements/shape_functions.h"
 
@@ -46,7 +50,8 @@ struct Learnt {
 struct Circumstances {
   const geometry::TetMesh& mesh;
   bool material_test;
-  bool same_organ;  // the specimen was this organ in this place
+  bool same_organ;       // the specimen was this organ in this place
+  std::size_t supports;  // as many as were declared: others were learnt
 };
 
 LearntEffect take(const Learnt& effect, const Circumstances& about, OrganModel& organ);
@@ -77,7 +82,7 @@ Result<LearntOrgan> learn_organ(OrganModel declared, const geometry::TetMesh& me
     }
     const bool same_organ =
         document->contains("specimen") && same_place(place_from(document->at("specimen")), place_of(mesh));
-    const Circumstances about{mesh, material_test, same_organ};
+    const Circumstances about{mesh, material_test, same_organ, learnt.organ.supports.size()};
     learnt.specimen = {document->value("title", document->value("learnt_from", std::string())), same_organ};
     for (const Json& json : document->at("effects")) {
       const Learnt effect{json.at("kind").get<std::string>(), json.value("law", std::string()), json.at("parameters")};
@@ -156,16 +161,40 @@ void put_in(const Inclusion& inclusion, const geometry::TetMesh& mesh, std::vect
 }
 
 // What holds in some directions only, or is a ligament, stays as it is.
-void give_way(std::vector<mechanics::Support>& supports, double foundation_kPa_per_mm) {
-  for (mechanics::Support& support : supports) {
-    if (const auto* held = std::get_if<mechanics::Fixed>(&support.how)) {
-      if (held->directions == std::array<bool, 3>{true, true, true}) {
-        support.how = mechanics::Foundation{foundation_kPa_per_mm};
-      }
-    } else if (auto* spring = std::get_if<mechanics::Foundation>(&support.how)) {
-      spring->stiffness_kPa_per_mm = 1 / (1 / spring->stiffness_kPa_per_mm + 1 / foundation_kPa_per_mm);
-    }
+bool give_way(mechanics::Support& support, double foundation_kPa_per_mm) {
+  if (auto* spring = std::get_if<mechanics::Foundation>(&support.how)) {
+    spring->stiffness_kPa_per_mm = 1 / (1 / spring->stiffness_kPa_per_mm + 1 / foundation_kPa_per_mm);
+    return true;
   }
+  const auto* held = std::get_if<mechanics::Fixed>(&support.how);
+  if (held == nullptr || held->directions != std::array<bool, 3>{true, true, true}) return false;
+  support.how = mechanics::Foundation{foundation_kPa_per_mm};
+  return true;
+}
+
+// A support names whole faces: those of a ball that names any, with springs as stiff in all as the attachment's.
+// Nothing where it is nowhere near the surface.
+std::optional<mechanics::Support> support_of(const Attachment& attachment, const geometry::TetMesh& mesh) {
+  const auto boundary =
+      mechanics::boundary_faces(mesh, mechanics::lay_out_nodes(mesh, mechanics::ElementOrder::linear));
+  const double held_mm2 = held_area_mm2(mesh, boundary, attachment.patch);
+  const auto reach_mm = [&](const mechanics::BoundaryFace& face) {
+    double farthest_mm = 0;
+    for (const int point : face.points)
+      farthest_mm =
+          std::max(farthest_mm, (mesh.points_mm[static_cast<std::size_t>(point)] - attachment.patch.center_mm).norm());
+    return farthest_mm;
+  };
+  double nearest_mm = std::numeric_limits<double>::infinity();
+  for (const mechanics::BoundaryFace& face : boundary) nearest_mm = std::min(nearest_mm, reach_mm(face));
+  constexpr double whole = 1.001;  // no point is lost to rounding
+  const mechanics::Ball ball{attachment.patch.center_mm, std::max(attachment.patch.radius_mm, whole * nearest_mm)};
+  double named_mm2 = 0;
+  for (const mechanics::BoundaryFace& face : boundary)
+    if (reach_mm(face) <= ball.radius_mm) named_mm2 += face.area_mm2;
+  const double foundation_kPa_per_mm = attachment.foundation_kPa_per_mm * held_mm2 / named_mm2;
+  if (!(foundation_kPa_per_mm > 1e-3 * attachment.foundation_kPa_per_mm)) return std::nullopt;
+  return mechanics::Support{ball, mechanics::Foundation{foundation_kPa_per_mm}};
 }
 
 void put_skin_on(double stiffness_mN_per_mm, std::optional<mechanics::Capsule>& capsule) {
@@ -226,6 +255,34 @@ LearntEffect anisotropic(const Learnt& effect, const Circumstances& about, Organ
                        arguments);
 }
 
+LearntEffect attached(const Learnt& effect, const Circumstances& about, OrganModel& organ) {
+  const Attachment attachment{{effect.vector("center_mm"), effect.above_zero("radius_mm")},
+                              effect.above_zero("foundation_kPa_per_mm")};
+  const auto support = about.same_organ ? support_of(attachment, about.mesh) : std::nullopt;
+  if (!support) {
+    return left_out(effect, GLISSON_TEXT("What held the specimen has no place on the organ's surface: the specimen is "
+                                         "not this organ in this place."));
+  }
+  organ.supports.push_back(*support);
+  const Eigen::Vector3d& center_mm = attachment.patch.center_mm;
+  return carried(
+      effect, GLISSON_TEXT("Around ({0}, {1}, {2}) the surface is held within {3} mm by springs of {4} kPa/mm."),
+      {fmt::format("{:.0f}", center_mm.x()), fmt::format("{:.0f}", center_mm.y()), fmt::format("{:.0f}", center_mm.z()),
+       shown(attachment.patch.radius_mm), shown(attachment.foundation_kPa_per_mm)});
+}
+
+LearntEffect loosened(const Learnt& effect, const Circumstances& about, OrganModel& organ) {
+  const double left_kPa_per_mm = effect.above_zero("left_kPa_per_mm");
+  for (std::size_t s = 0; s < about.supports && about.same_organ; ++s) {
+    const auto* named = std::get_if<mechanics::NamedPoints>(&organ.supports[s].where);
+    if (named == nullptr || named->point_array != effect.form) continue;
+    if (!give_way(organ.supports[s], left_kPa_per_mm)) continue;
+    return carried(effect, GLISSON_TEXT("What is declared to hold the organ at {0} holds it with {1} kPa/mm alone."),
+                   {effect.form, shown(left_kPa_per_mm)});
+  }
+  return left_out(effect, GLISSON_TEXT("The organ has no support {0} that could hold less."), {effect.form});
+}
+
 LearntEffect take(const Learnt& effect, const Circumstances& about, OrganModel& organ) {
   if (effect.kind == palpation::stiffness_scale) {
     const double factor = effect.above_zero("factor");
@@ -239,7 +296,7 @@ LearntEffect take(const Learnt& effect, const Circumstances& about, OrganModel& 
                    {shown(left)});
   }
   if (effect.kind == palpation::stiff_inclusion) {
-    const Inclusion inclusion{effect.vector("center_mm"), effect.above_zero("radius_mm"), effect.above_zero("ratio")};
+    const Inclusion inclusion{{effect.vector("center_mm"), effect.above_zero("radius_mm")}, effect.above_zero("ratio")};
     if (!about.same_organ) {
       return left_out(effect, GLISSON_TEXT("The specimen's hard spot has no place in the organ: the specimen is not "
                                            "this organ in this place."));
@@ -247,16 +304,18 @@ LearntEffect take(const Learnt& effect, const Circumstances& about, OrganModel& 
     put_in(inclusion, about.mesh, organ.youngs_kPa);
     return carried(effect,
                    GLISSON_TEXT("A spot of {0} mm radius at ({1}, {2}, {3}) is {4} times as stiff as around it."),
-                   {shown(inclusion.radius_mm), fmt::format("{:.0f}", inclusion.center_mm.x()),
-                    fmt::format("{:.0f}", inclusion.center_mm.y()), fmt::format("{:.0f}", inclusion.center_mm.z()),
-                    shown(inclusion.ratio)});
+                   {shown(inclusion.ball.radius_mm), fmt::format("{:.0f}", inclusion.ball.center_mm.x()),
+                    fmt::format("{:.0f}", inclusion.ball.center_mm.y()),
+                    fmt::format("{:.0f}", inclusion.ball.center_mm.z()), shown(inclusion.ratio)});
   }
   if (effect.kind == palpation::support_compliance) {
     const double foundation_kPa_per_mm = effect.above_zero("foundation_kPa_per_mm");
-    give_way(organ.supports, foundation_kPa_per_mm);
+    for (std::size_t s = 0; s < about.supports; ++s) give_way(organ.supports[s], foundation_kPa_per_mm);
     return carried(effect, GLISSON_TEXT("What holds the organ gives way like a spring of {0} kPa/mm."),
                    {shown(foundation_kPa_per_mm)});
   }
+  if (effect.kind == palpation::undeclared_attachment) return attached(effect, about, organ);
+  if (effect.kind == palpation::missing_attachment) return loosened(effect, about, organ);
   if (effect.kind == palpation::capsule) {
     const double stiffness_N_per_mm = effect.number("stiffness_N_per_mm");
     if (stiffness_N_per_mm < 0) throw Misfit{"stiffness_N_per_mm"};

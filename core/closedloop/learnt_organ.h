@@ -6,6 +6,8 @@
 // - stiff-inclusion: the modulus of the cells in the ball, where the specimen was this organ in this place.
 // - anisotropy: a fibre direction (mechanics/materials/anisotropy.h), its axis taken as a direction of the patient.
 // - support-compliance: what holds it gives way by so much more a kPa: springs in series, in place of what is fixed.
+// - undeclared-attachment: springs under the faces of the surface in its ball, where the specimen was this organ.
+// - missing-attachment: the support of that point array holds by what is left of it alone, where it was this organ.
 // - capsule: a membrane (mechanics/materials/capsule.h), besides one that there is.
 // - preload: acts always, where the specimen was this organ.
 //

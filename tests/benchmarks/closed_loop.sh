@@ -4,7 +4,7 @@
 #
 #   tests/benchmarks/closed_loop.sh SET [FOLDER]     # build/closed-loop
 #
-#   material | platform | guidance | waves     minutes
+#   material | platform | guidance | ties | waves       minutes
 #   wave-nulls | small | livers | palpations            a quarter of an hour to hours
 #
 # It may be stopped and taken up again: cases made once stay, and what a program said of a case is asked again only of another
@@ -12,7 +12,7 @@
 # calculix-ccx.
 set -e
 cd "$(dirname "$0")/../.."
-set=${1:?which set: material, platform, guidance, waves, wave-nulls, small, livers or palpations}
+set=${1:?which set: material, platform, guidance, ties, waves, wave-nulls, small, livers or palpations}
 cases=${2:-build/closed-loop}/$set
 make() { sort=$1; shift; tests/support/undeclared/make_"$sort".py "$cases" "$@" > /dev/null; }
 

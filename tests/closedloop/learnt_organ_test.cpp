@@ -8,10 +8,11 @@
 
 #include "base/files.h"
 #include "base/json.h"
+#include "closedloop/guidance/model.h"
 #include "closedloop/palpation/internal/effects.h"
 #include "closedloop/palpation/model.h"
+#include "guided_bodies.h"
 #include "mechanics/statics/static_model.h"
-#include "palpation_bodies.h"
 
 namespace glisson::closedloop {
 namespace {
@@ -112,6 +113,47 @@ TEST_F(LearntOrganTest, MovesAsExplainsModelOfTheSameBodyDoes) {
     EXPECT_LT((rehearsed(pad, learnt->organ) - after).cwiseAbs().maxCoeff(), wanted.tolerance * change_mm)
         << wanted.kind << " " << wanted.form;
   }
+}
+
+// An attachment names whole faces there, and has a smooth border here.
+TEST_F(LearntOrganTest, HoldsAsExplainsModelOfTheSameOrganDoes) {
+  Guidance guided = test::guided_pad({8, 8, 4});
+  const Palpation& pad = guided.organ;
+  const auto model = guidance_model(guided).value();
+  const Eigen::Index rows = 3 * static_cast<Eigen::Index>(pad.trials.front().samples.back().markers.size());
+  const auto predicted = [&](const Settings& settings) -> Eigen::VectorXd {
+    return model->predict(settings).value().head(rows);
+  };
+  const Eigen::VectorXd before = predicted({});
+  ASSERT_LT((rehearsed(pad, declared(pad)) - before).cwiseAbs().maxCoeff(), 1e-9);
+  const std::vector<Wanted> all{{"missing-attachment", "tie", {0.02}, {{"left_kPa_per_mm", 0.02}}, 1e-9},
+                                {"undeclared-attachment",
+                                 "",
+                                 {40, 18, 30, 12, 0.5},
+                                 {{"center_mm", {40, 18, 30}}, {"radius_mm", 12}, {"foundation_kPa_per_mm", 0.5}},
+                                 0.3}};
+  for (const Wanted& wanted : all) {
+    const Eigen::VectorXd after = predicted(
+        {{wanted.kind, wanted.form, Eigen::VectorXd::Map(wanted.values.data(), Eigen::Index(wanted.values.size()))}});
+    Json document = model_json({effect_json(wanted.kind, wanted.parameters, wanted.form)}, pad);
+    document["kind"] = "guidance";
+    const auto learnt = learn(document, pad);
+    ASSERT_TRUE(learnt) << wanted.kind << ": " << learnt.error().message();
+    EXPECT_TRUE(learnt->effects.front().carried) << learnt->effects.front().sentence.message();
+    const double change_mm = (after - before).cwiseAbs().maxCoeff();
+    EXPECT_GT(change_mm, 0.05) << wanted.kind;  // else nothing is told
+    EXPECT_LT((rehearsed(pad, learnt->organ) - after).cwiseAbs().maxCoeff(), wanted.tolerance * change_mm)
+        << wanted.kind;
+  }
+  // Of what lies elsewhere, or has no such support, nothing is carried over.
+  const Palpation other = pressed_once({.size_mm = {90, 60, 30}});
+  const Json patch{{"center_mm", {40, 18, 30}}, {"radius_mm", 12}, {"foundation_kPa_per_mm", 0.5}};
+  for (const Json& effect : {effect_json("undeclared-attachment", patch),
+                             effect_json("missing-attachment", {{"left_kPa_per_mm", 0.02}}, "tie")}) {
+    EXPECT_FALSE(learn(model_json({effect}, pad), other)->effects.front().carried);
+  }
+  const Json nowhere = effect_json("missing-attachment", {{"left_kPa_per_mm", 0.02}}, "falciform");
+  EXPECT_FALSE(learn(model_json({nowhere}, pad), pad)->effects.front().carried);
 }
 
 // J of a creep function at infinity: 1 + 0.3 + 0.2. A material test's terms are shares of the stress that relax.

@@ -9,13 +9,13 @@
 
 #include "closedloop/experiment/experiment.h"
 
-namespace glisson::test {
+namespace glisson::closedloop::test {
 
 // Strain by time; straight lines between (seconds, strain).
 using Path = std::vector<std::pair<double, double>>;
 
-inline closedloop::MaterialTrial along(const Path& path, const std::string& id, int samples) {
-  closedloop::MaterialTrial trial{id, Eigen::VectorXd::LinSpaced(samples, 0, path.back().first), {}, {}};
+inline MaterialTrial along(const Path& path, const std::string& id, int samples) {
+  MaterialTrial trial{id, Eigen::VectorXd::LinSpaced(samples, 0, path.back().first), {}, {}};
   trial.stretch.resize(samples);
   for (Eigen::Index i = 0; i < samples; ++i) {
     std::size_t piece = 1;
@@ -29,9 +29,9 @@ inline closedloop::MaterialTrial along(const Path& path, const std::string& id, 
 }
 
 // Ramps at two speeds, two that are held and two with cycles; in compression. `stress` gets the whole trial.
-using Answer = std::function<Eigen::VectorXd(const closedloop::MaterialTrial&)>;
-inline closedloop::Material compression_tests(const Answer& stress, double noise_kPa, unsigned seed = 1) {
-  closedloop::Material material;
+using Answer = std::function<Eigen::VectorXd(const MaterialTrial&)>;
+inline Material compression_tests(const Answer& stress, double noise_kPa, unsigned seed = 1) {
+  Material material;
   material.specimen = {1000.0, 30.0};
   material.young_kPa = 20;
   material.noise_kPa = noise_kPa;
@@ -50,9 +50,7 @@ inline closedloop::Material compression_tests(const Answer& stress, double noise
   return material;
 }
 
-inline Eigen::VectorXd straight_line(const closedloop::MaterialTrial& trial) {
-  return 20 * (trial.stretch.array() - 1);
-}
+inline Eigen::VectorXd straight_line(const MaterialTrial& trial) { return 20 * (trial.stretch.array() - 1); }
 
 // One Maxwell element beside a spring, in a thousand steps between samples (explicit Euler).
 inline Eigen::VectorXd relaxing(const Eigen::VectorXd& elastic, const Eigen::VectorXd& time_s, double share,
@@ -69,4 +67,4 @@ inline Eigen::VectorXd relaxing(const Eigen::VectorXd& elastic, const Eigen::Vec
   return stress;
 }
 
-}  // namespace glisson::test
+}  // namespace glisson::closedloop::test

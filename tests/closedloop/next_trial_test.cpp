@@ -62,10 +62,10 @@ double doubt(const Posterior& posterior) {
 
 TEST(NextTrials, TakeTheDoubtAwayThatTheyPromiseTo) {
   // One quick ramp cannot tell a tissue that is softer from one that relaxes.
-  const glisson::test::Answer relaxing = [](const auto& trial) {
-    return glisson::test::relaxing(glisson::test::straight_line(trial), trial.time_s, 0.3, 4);
+  const test::Answer relaxing = [](const auto& trial) {
+    return test::relaxing(test::straight_line(trial), trial.time_s, 0.3, 4);
   };
-  Material material = glisson::test::compression_tests(relaxing, 0.3);
+  Material material = test::compression_tests(relaxing, 0.3);
   material.trials.resize(1);
   const Explanation first = diagnose(*material_model(material).value()).value();
   ASSERT_FALSE(first.next.empty());
@@ -93,10 +93,9 @@ TEST(NextTrials, TakeTheDoubtAwayThatTheyPromiseTo) {
 
 TEST(NextTrials, AreNoneWhereThereIsNoDoubt) {
   const Explanation creep =
-      diagnose(*material_model(glisson::test::compression_tests(
+      diagnose(*material_model(test::compression_tests(
                                    [](const auto& trial) {
-                                     return glisson::test::relaxing(glisson::test::straight_line(trial), trial.time_s,
-                                                                    0.3, 12);
+                                     return test::relaxing(test::straight_line(trial), trial.time_s, 0.3, 12);
                                    },
                                    0.1))
                     .value())

@@ -3,35 +3,27 @@
 #include "closedloop/palpation/internal/effects.h"
 
 #include <gmock/gmock.h>
-#include <Eigen/Dense>
 
+#include "closedloop/effect_checks.h"
 #include "closedloop/palpation/model.h"
 #include "closedloop/palpation_bodies.h"
 
 namespace glisson::closedloop {
 namespace {
 
+using test::best_fit;
+using test::effect_named;
+using test::expect_exact_derivatives;
+using test::FittedEffect;
 using test::measured_as;
+using test::name_of;
 using test::pad;
+using test::setting;
 
 std::unique_ptr<ForwardModel> checked_model_of(const Palpation& experiment) {
   auto model = palpation_model(experiment);
   if (!model) throw std::runtime_error(model.error().message());
   return std::move(*model);
-}
-
-const Effect& effect_named(const ForwardModel& model, const std::string& kind, const std::string& form = "") {
-  for (const Effect& effect : model.catalogue()) {
-    if (effect.kind == kind && (form.empty() || effect.form == form)) return effect;
-  }
-  throw std::runtime_error("no effect " + kind);
-}
-
-Setting setting(const ForwardModel& model, const std::string& kind, const std::string& form,
-                std::initializer_list<double> values) {
-  const Effect& effect = effect_named(model, kind, form);
-  return {effect.kind, effect.form,
-          Eigen::Map<const Eigen::VectorXd>(values.begin(), static_cast<Eigen::Index>(values.size()))};
 }
 
 // Each effect, strong enough to be seen.
@@ -54,41 +46,9 @@ Settings examples(const ForwardModel& model) {
           setting(model, palpation::preload, "pressure", {0.8})};
 }
 
-std::string name_of(const Setting& one) { return one.kind + " " + one.form; }
-
 TEST(PalpationEffects, AtItsDefaultNoneChangesAnything) {
   const auto model = checked_model_of(pad());
-  const Eigen::VectorXd declared = model->predict({}).value();
-  ASSERT_GT(declared.cwiseAbs().maxCoeff(), 1.0);
-  for (const Effect& effect : model->catalogue()) {
-    Setting off{effect.kind, effect.form, Eigen::VectorXd(effect.size())};
-    for (Eigen::Index p = 0; p < effect.size(); ++p) off.parameters[p] = effect.parameters[std::size_t(p)].no_effect;
-    EXPECT_LT((model->predict({off}).value() - declared).cwiseAbs().maxCoeff(), 1e-10) << name_of(off);
-  }
-}
-
-// Central differences of the whole prediction are the slow judge. They err by about 1e-6 of the largest derivative, the
-// solver's rounding over the step; with stiffening by 1e-2, for equilibria are found to 1e-6 of their load and slopes
-// to 1e-3 of themselves, which is all that a search needs.
-void expect_exact_derivatives(const ForwardModel& model, const Settings& settings, const std::string& name) {
-  const bool iterates = std::any_of(settings.begin(), settings.end(),
-                                    [](const Setting& one) { return one.kind == palpation::strain_stiffening; });
-  const double tolerance = iterates ? 1e-2 : 1e-5;
-  const auto linear = model.linearise(settings).value();
-  EXPECT_LT((linear.predicted - model.predict(settings).value()).cwiseAbs().maxCoeff(), 1e-9) << name;
-  Eigen::Index column = 0;
-  for (std::size_t s = 0; s < settings.size(); ++s) {
-    for (Eigen::Index p = 0; p < settings[s].parameters.size(); ++p, ++column) {
-      const double step = (iterates ? 1e-2 : 1e-4) * std::max(0.1, std::abs(settings[s].parameters[p]));
-      Settings ahead = settings, behind = settings;
-      ahead[s].parameters[p] += step;
-      behind[s].parameters[p] -= step;
-      const Eigen::VectorXd difference = (model.predict(ahead).value() - model.predict(behind).value()) / (2 * step);
-      const double scale = std::max(1e-6, difference.cwiseAbs().maxCoeff());
-      EXPECT_LT((difference - linear.derivatives.col(column)).cwiseAbs().maxCoeff(), tolerance * scale)
-          << name << ", parameter " << p;
-    }
-  }
+  test::expect_nothing_at_default(*model);
 }
 
 TEST(PalpationEffects, DerivativesAreThoseOfThePrediction) {
@@ -114,61 +74,6 @@ TEST(PalpationEffects, DerivativesOfEffectsThatActTogether) {
                            "with stiffening");
 }
 
-// Levenberg and Marquardt, in the obvious way: what the starts must be good enough for.
-struct Fit {
-  Settings settings;
-  double rms_mm = 0;
-};
-double rms_of(const Eigen::VectorXd& v) { return std::sqrt(v.squaredNorm() / double(v.size())); }
-Fit fit(const ForwardModel& model, Settings settings) {
-  const Eigen::VectorXd& measured = model.observations().measured;
-  double damping = 1e-3;
-  auto at = model.linearise(settings).value();
-  for (int step = 0; step < 30; ++step) {
-    const Eigen::VectorXd residual = measured - at.predicted;
-    const Eigen::MatrixXd normal = at.derivatives.transpose() * at.derivatives;
-    const Eigen::VectorXd downhill = at.derivatives.transpose() * residual;
-    Eigen::MatrixXd damped = normal;
-    damped.diagonal() += damping * normal.diagonal() + Eigen::VectorXd::Constant(normal.rows(), 1e-12);
-    const Eigen::VectorXd move = damped.ldlt().solve(downhill);
-    Settings moved = settings;
-    Eigen::Index column = 0;
-    for (Setting& one : moved) {
-      const Effect& effect = *effect_of(model, one);
-      for (Eigen::Index p = 0; p < one.parameters.size(); ++p, ++column) {
-        const Parameter& parameter = effect.parameters[std::size_t(p)];
-        double value = one.parameters[p] + move[column];
-        if (parameter.scale == Scale::logarithmic) {
-          value = one.parameters[p] * std::exp(std::clamp(move[column] / one.parameters[p], -1.0, 1.0));
-        }
-        one.parameters[p] = std::clamp(value, parameter.lower, parameter.upper);
-      }
-    }
-    const auto there = model.predict(moved);
-    if (there && (measured - *there).squaredNorm() < residual.squaredNorm()) {
-      const double gain = 1 - (measured - *there).squaredNorm() / residual.squaredNorm();
-      settings = moved;
-      at = model.linearise(settings).value();
-      damping = std::max(1e-8, damping / 10);
-      if (gain < 1e-9) break;
-    } else if ((damping *= 10) > 1e6) {
-      break;
-    }
-  }
-  return {settings, rms_of(measured - at.predicted)};
-}
-Fit best_fit(const ForwardModel& model, const Effect& effect, const Settings& active = {}) {
-  const Eigen::VectorXd residual = model.observations().measured - model.predict(active).value();
-  Fit best{{}, 1e9};
-  for (const auto& [start, promise] : model.starts(effect, active, residual)) {
-    Settings settings = active;
-    settings.push_back({effect.kind, effect.form, start});
-    Fit found = fit(model, settings);
-    if (found.rms_mm < best.rms_mm) best = found;
-  }
-  return best;
-}
-
 TEST(PalpationEffects, EachIsFoundAgainFromItsOwnData) {
   const test::PadOptions small{.bricks = {4, 4, 2}};
   const auto truth = checked_model_of(pad(small));
@@ -176,7 +81,7 @@ TEST(PalpationEffects, EachIsFoundAgainFromItsOwnData) {
   for (const Setting& made : examples(*truth)) {
     const auto model = checked_model_of(measured_as(pad(small), truth->predict({made}).value(), noise_mm));
     const Effect& effect = effect_named(*model, made.kind, made.form);
-    const Fit found = best_fit(*model, effect);
+    const FittedEffect found = best_fit(*model, effect);
     EXPECT_LT(found.rms_mm, 1.03 * noise_mm) << name_of(made) << " " << found.settings[0].parameters.transpose();
     if (made.kind == palpation::anisotropy) {
       const Eigen::Vector3d axis = found.settings[0].parameters.head<3>().normalized();

@@ -20,6 +20,8 @@ constexpr EffectWords known[] = {
     {"strain-stiffening", QT_TRANSLATE_NOOP("effects", "Stiffens as it deforms")},
     {"support-compliance", QT_TRANSLATE_NOOP("effects", "The support gives way")},
     {"stiff-inclusion", QT_TRANSLATE_NOOP("effects", "A hidden stiffer region")},
+    {"undeclared-attachment", QT_TRANSLATE_NOOP("effects", "Held where nothing was declared")},
+    {"missing-attachment", QT_TRANSLATE_NOOP("effects", "A declared attachment gives way or is missing")},
     {"viscoelastic-creep", QT_TRANSLATE_NOOP("effects", "Creeps under load")},
     {"force-bias", QT_TRANSLATE_NOOP("effects", "The force sensor is off")},
     {"frame-misalignment", QT_TRANSLATE_NOOP("effects", "Camera and specimen misaligned")},

@@ -36,6 +36,10 @@ struct Effect {
   // A form whose fits are slow: tried only where another form of its kind does about as well as the best.
   bool late = false;
 
+  // The lower end of the first parameter may be what is: nothing left of a spring. An effect elsewhere that ends there
+  // wanted to be something else.
+  bool lower_end_may_be = false;
+
   [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(parameters.size()); }
 };
 

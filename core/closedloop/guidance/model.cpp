@@ -1,7 +1,6 @@
 #include "closedloop/guidance/model.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <Eigen/Geometry>
 #include <map>
@@ -9,11 +8,15 @@
 
 #include "base/parallel.h"
 #include "base/units.h"
+#include "closedloop/guidance/internal/grouped_rows.h"
 #include "closedloop/guidance/internal/quadratic_surface.h"
+#include "closedloop/guidance/internal/seen_row.h"
 #include "closedloop/palpation/internal/effects.h"
 #include "closedloop/palpation/internal/frame.h"
+#include "closedloop/palpation/internal/linear_derivatives.h"
 #include "closedloop/palpation/internal/loading.h"
 #include "closedloop/palpation/internal/refinement.h"
+#include "closedloop/palpation/internal/search.h"
 #include "closedloop/palpation/internal/solver.h"
 #include "closedloop/palpation/internal/state.h"
 
@@ -21,23 +24,6 @@ namespace glisson::closedloop {
 namespace {
 
 using Eigen::Vector3d;
-
-// A row of observations as the model at rest sees it: values at some places, along a direction.
-struct SeenRow {
-  Eigen::Index shot = 0;
-  std::array<Eigen::Index, 6> places{};
-  Eigen::Matrix<double, 6, 1> weights = Eigen::Matrix<double, 6, 1>::Zero();
-  Vector3d direction{0, 0, 1};
-
-  [[nodiscard]] Vector3d of(const Eigen::Ref<const Eigen::VectorXd>& field) const {
-    Vector3d sum = Vector3d::Zero();
-    for (std::size_t i = 0; i < 6; ++i) {
-      if (weights[static_cast<Eigen::Index>(i)] != 0)
-        sum += weights[static_cast<Eigen::Index>(i)] * field.segment<3>(3 * places[i]);
-    }
-    return sum;
-  }
-};
 
 class GuidanceModel : public ForwardModel {
  public:
@@ -51,15 +37,17 @@ class GuidanceModel : public ForwardModel {
   [[nodiscard]] Result<Eigen::VectorXd> predict(const Settings& settings) const override;
   [[nodiscard]] Result<Linearisation> linearise(const Settings& settings) const override;
   [[nodiscard]] SystematicUncertainty systematic_uncertainty() const override;
+  [[nodiscard]] std::vector<Start> starts(const Effect& effect, const Settings& active,
+                                          const Eigen::VectorXd& residual) const override;
   [[nodiscard]] bool predicts_quickly() const override { return false; }
 
  private:
-  [[nodiscard]] PalpationState state(const Settings& settings) const {
-    return state_of(settings, fixed_from_kPa_per_mm_);
-  }
+  [[nodiscard]] PalpationState state(const Settings& settings) const { return state_of(settings, supports_); }
   [[nodiscard]] Loading loading(const PalpationState& state) const {
     return loading_of(shots_, histories_, columns_, experiment_.organ.gravity_mm_s2, state);
   }
+  [[nodiscard]] double promise(const Effect& effect, const Settings& active, const Eigen::VectorXd& start,
+                               const Eigen::VectorXd& residual) const;
   // How far each place is moved (mm; 3 rows a place, a column a frame): in the organ's frame, and as the camera sees
   // it.
   [[nodiscard]] Result<Eigen::MatrixXd> displacements(const PalpationState& state) const;
@@ -75,7 +63,7 @@ class GuidanceModel : public ForwardModel {
   LoadColumns columns_;
   std::vector<History> histories_;
   std::vector<Shot> shots_;  // one a frame
-  double fixed_from_kPa_per_mm_;
+  DeclaredSupports supports_;
   std::vector<Effect> catalogue_;
   Observations observations_;
   std::vector<SeenRow> rows_;
@@ -142,7 +130,7 @@ std::vector<Effect> catalogue_of(const Guidance& experiment, const SpecimenBody&
   std::vector<Effect> catalogue;
   for (Effect& effect : palpation_catalogue(experiment.organ, specimen)) {
     const bool of_frames = effect.kind == palpation::stiffness_scale || effect.kind == palpation::support_compliance ||
-                           effect.kind == palpation::frame_misalignment ||
+                           effect.kind == palpation::stiff_inclusion || effect.kind == palpation::frame_misalignment ||
                            (effect.kind == palpation::force_bias && pushed);
     if (!of_frames) continue;
     if (effect.kind == palpation::stiffness_scale)
@@ -151,14 +139,21 @@ std::vector<Effect> catalogue_of(const Guidance& experiment, const SpecimenBody&
     if (effect.kind == palpation::support_compliance)
       effect.sentence =
           GLISSON_TEXT("What holds the organ gives way like a spring: all of it moves when a tool moves it.");
+    if (effect.kind == palpation::stiff_inclusion)
+      effect.sentence =
+          GLISSON_TEXT("Somewhere inside lies a stiff lump, as a tumour would: around it the organ gives way less.");
     if (effect.kind == palpation::frame_misalignment)
       effect.sentence =
           GLISSON_TEXT("The camera stands elsewhere than declared: everything is seen turned and shifted alike.");
-    if (effect.kind == palpation::force_bias)
+    if (effect.kind == palpation::force_bias) {
       effect.sentence =
           GLISSON_TEXT("The tools push with another force than declared, by the same factor in all frames.");
+      effect.parameters.erase(effect.parameters.begin());  // the zero of a load cell
+      for (Eigen::VectorXd& start : effect.starts) start = start.tail(1).eval();
+    }
     catalogue.push_back(std::move(effect));
   }
+  for (Effect& effect : attachment_effects(experiment.organ, specimen)) catalogue.push_back(std::move(effect));
   return catalogue;
 }
 
@@ -169,7 +164,7 @@ GuidanceModel::GuidanceModel(Guidance experiment, PalpationSolver solver, Quadra
       surface_(std::move(surface)),
       columns_(columns),
       histories_(std::move(histories)),
-      fixed_from_kPa_per_mm_(fixed_from_kPa_per_mm(solver_.specimen())),
+      supports_(declared_supports(solver_.specimen())),
       catalogue_(catalogue_of(experiment_, solver_.specimen())) {
   Places places = places_of(surface_, experiment_);
   places_mm_ = std::move(places.rest_mm);
@@ -271,39 +266,64 @@ Result<Eigen::VectorXd> GuidanceModel::predict(const Settings& settings) const {
 // A row's derivative is that of the place that is nearest now: that it slides along the surface changes the distance
 // to second order only. Differences of distances would jump where another face becomes the nearest.
 Result<Linearisation> GuidanceModel::linearise(const Settings& settings) const {
-  constexpr double relative = 1e-4;  // of the parameter: large enough to stand out of a solver's rounding
+  const PalpationState at = state(settings);
   const auto here_mm = seen(settings);
   if (!here_mm) return failure(here_mm.error());
+  const auto fields = linear_derivatives(solver_, columns_, loading(at), at, settings);
+  if (!fields) return failure(fields.error());
+  const auto u_mm = displacements(at);
+  if (!u_mm) return failure(u_mm.error());
   std::vector<SeenRow> rows = rows_;
   Linearisation result{predicted(*here_mm, &rows), Eigen::MatrixXd(observations_.rows(), parameter_count(settings))};
-  Settings moved = settings;
+  const Eigen::Matrix3d turn = rotation(at.rotation_deg);
+  const auto turns = rotation_derivatives(at.rotation_deg);
+  Eigen::VectorXd rest_mm(u_mm->rows());
+  for (std::size_t i = 0; i < places_mm_.size(); ++i)
+    rest_mm.segment<3>(3 * static_cast<Eigen::Index>(i)) = places_mm_[i];
   Eigen::Index column = 0;
-  for (std::size_t s = 0; s < settings.size(); ++s) {
-    const Effect* effect = effect_of(*this, settings[s]);
-    GLISSON_ASSERT(effect != nullptr);
-    for (Eigen::Index p = 0; p < settings[s].parameters.size(); ++p, ++column) {
-      const Parameter& parameter = effect->parameters[static_cast<std::size_t>(p)];
-      const double value = settings[s].parameters[p];
-      const double size = parameter.scale == Scale::logarithmic
-                              ? value
-                              : std::max(std::abs(value), parameter.prior_high - parameter.prior_low);
-      const double ahead = std::min(value + relative * size, parameter.upper);
-      const double behind = std::max(value - relative * size, parameter.lower);
-      moved[s].parameters[p] = ahead;
-      auto change_mm = seen(moved);
-      if (!change_mm) return failure(change_mm.error());
-      moved[s].parameters[p] = behind;
-      const auto behind_mm = seen(moved);
-      if (!behind_mm) return failure(behind_mm.error());
-      moved[s].parameters[p] = value;
-      *change_mm = (*change_mm - *behind_mm) / (ahead - behind);
-      for (std::size_t r = 0; r < rows.size(); ++r) {
-        result.derivatives(static_cast<Eigen::Index>(r), column) =
-            rows[r].direction.dot(rows[r].of(change_mm->col(rows[r].shot)));
-      }
+  for (const Setting& setting : settings) {
+    for (Eigen::Index p = 0; p < setting.parameters.size(); ++p, ++column) {
+      const Eigen::MatrixXd& field = (*fields)[static_cast<std::size_t>(column)];
+      const auto change = [&](const SeenRow& row) -> Vector3d {
+        if (setting.kind != palpation::frame_misalignment) return turn * row.of(field.col(row.shot));
+        if (p >= 3) return Vector3d::Unit(p - 3) * row.weights.sum();
+        return turns[static_cast<std::size_t>(p)] * (row.of(rest_mm) + row.of(u_mm->col(row.shot)));
+      };
+      for (std::size_t r = 0; r < rows.size(); ++r)
+        result.derivatives(static_cast<Eigen::Index>(r), column) = rows[r].direction.dot(change(rows[r]));
     }
   }
   return result;
+}
+
+// What sits at a place is looked for everywhere at once; a declared attachment that is missing promises what it takes
+// of the residual; the rest has its own starts.
+std::vector<Start> GuidanceModel::starts(const Effect& effect, const Settings& active,
+                                         const Eigen::VectorXd& residual) const {
+  std::vector<Start> starts;
+  if (effect.kind == palpation::stiff_inclusion || effect.kind == palpation::undeclared_attachment) {
+    const PalpationState at = state(active);
+    const SeenNumbers left = grouped_rows(rows_, observations_, residual, loading(at).amounts / at.stiffness_factor,
+                                          rotation(at.rotation_deg), solver_);
+    starts = effect.kind == palpation::stiff_inclusion ? inclusion_starts(effect, solver_, at, left)
+                                                       : attachment_starts(effect, solver_, at, left);
+  }
+  if (starts.empty()) starts = ForwardModel::starts(effect, active, residual);
+  if (effect.kind == palpation::missing_attachment) {
+    for (Start& start : starts) start.promise = promise(effect, active, start.values, residual);
+  }
+  return starts;
+}
+
+// Of the square of the residual, in noises.
+double GuidanceModel::promise(const Effect& effect, const Settings& active, const Eigen::VectorXd& start,
+                              const Eigen::VectorXd& residual) const {
+  Settings begun = active;
+  begun.push_back({effect.kind, effect.form, start});
+  const auto after = predict(begun);
+  if (!after) return 0;
+  const Eigen::VectorXd left = (observations_.measured - *after).cwiseQuotient(observations_.noise);
+  return std::max(0.0, residual.cwiseQuotient(observations_.noise).squaredNorm() - left.squaredNorm());
 }
 
 Eigen::VectorXd GuidanceModel::predicted(const Eigen::MatrixXd& seen_mm, std::vector<SeenRow>* rows) const {

@@ -9,9 +9,10 @@
 // the declared model puts there. A prediction of such a row is what was measured less the signed distance of the point
 // from the predicted surface. So the residual is that distance, with new nearest places for every set of effects.
 //
-// Effects, as a palpation has them: stiffness-scale, support-compliance, frame-misalignment (the camera's pose, alike
-// in all frames) and, where tools act, force-bias. The systematic uncertainty is the discretisation error
-// (palpation/internal/refinement.h).
+// Effects, as a palpation has them: stiffness-scale, support-compliance, stiff-inclusion, frame-misalignment (the
+// camera's pose, alike in all frames) and, where tools act, force-bias. Two are guidance's own (palpation/internal/
+// effects.h): undeclared-attachment, and missing-attachment where several supports are declared, one form each. The
+// systematic uncertainty is the discretisation error (palpation/internal/refinement.h).
 
 #include <memory>
 

@@ -34,7 +34,7 @@ class PalpationModel : public ForwardModel {
         histories_(std::move(histories)),
         markers_(std::move(markers)),
         catalogue_(palpation_catalogue(experiment_, solver_.specimen())),
-        fixed_from_kPa_per_mm_(fixed_from_kPa_per_mm(solver_.specimen())),
+        supports_(declared_supports(solver_.specimen())),
         stiffened_(solver_, [this](const Settings& settings) {
           const PalpationState at = state(settings);
           return Acting{at, loading(at).amounts / at.stiffness_factor};
@@ -54,9 +54,7 @@ class PalpationModel : public ForwardModel {
   [[nodiscard]] Result<Linearisation> linearise_further(const Settings& settings) const override;
 
  private:
-  [[nodiscard]] PalpationState state(const Settings& settings) const {
-    return state_of(settings, fixed_from_kPa_per_mm_);
-  }
+  [[nodiscard]] PalpationState state(const Settings& settings) const { return state_of(settings, supports_); }
   [[nodiscard]] Loading loading(const PalpationState& state) const {
     return loading_of(markers_.shots, histories_, columns_, experiment_.gravity_mm_s2, state);
   }
@@ -72,7 +70,7 @@ class PalpationModel : public ForwardModel {
   std::vector<History> histories_;
   MarkerRows markers_;
   std::vector<Effect> catalogue_;
-  double fixed_from_kPa_per_mm_;
+  DeclaredSupports supports_;
 
   StiffenedResponse stiffened_;
   [[nodiscard]] const ForwardModel* further() const;
@@ -259,10 +257,10 @@ double PalpationModel::promise_of_stiffening(const Effect& effect, const Setting
   if (small_strain) {
     begun.back().parameters.setZero();
     const auto slopes = stiffened_.derivatives_at_markers(begun);
-    return slopes ? match(left, slopes->back()).gain_mm2 : unknown;
+    return slopes ? match(left, slopes->back()).gain : unknown;
   }
   const auto before = displacements(active), after = displacements(begun);
-  return before && after ? match(left, *after - *before).gain_mm2 : unknown;
+  return before && after ? match(left, *after - *before).gain : unknown;
 }
 
 std::vector<FurtherTrial> PalpationModel::further_trials() const {

@@ -83,7 +83,7 @@ def write_beam(out):
     fixed = np.zeros(len(mesh.points))
     fixed[mesh.held_nodes()] = 1
     mesh.points = np.column_stack([along, across, up])
-    write_vtu(out / "specimen.vtu", mesh, fixed)
+    write_vtu(out / "specimen.vtu", mesh, fixed=fixed)
 
 
 def trial(out, name, force_N, end):

@@ -27,6 +27,8 @@ class Body:
     fibres: tuple = None                  # axis, ratio of the moduli along and across
     foundation_kPa_per_mm: float = None   # under the held faces, instead of holding them
     capsule_N_per_mm: float = None        # on all other faces
+    attached: list = None                 # (which faces, kPa/mm): springs to the ground besides
+    held_too: np.ndarray = None           # nodes that are held besides
 
 
 @dataclass
@@ -61,6 +63,13 @@ def input_of(body, loads):
         blocks.append((layer_kind(mesh), "CAPSULE", layer))
         rim = np.isin(outer_base(mesh), held) if not body.foundation_kPa_per_mm else np.zeros(len(outer), bool)
         held = np.concatenate([held, outer[rim]])
+
+    for patch, (faces, _) in enumerate(body.attached or []):
+        points, layer, far = with_layer(mesh, points, mesh.faces[faces], FOUNDATION_MM)
+        blocks.append((layer_kind(mesh), f"PATCH{patch}", layer))
+        held = np.concatenate([held, far])
+    if body.held_too is not None:
+        held = np.union1d(held, body.held_too)
 
     lines = ["*NODE, NSET=NALL"]
     lines += [f"{i}, {p[0]:.12g}, {p[1]:.12g}, {p[2]:.12g}" for i, p in enumerate(points, 1)]
@@ -132,13 +141,15 @@ def materials(body):
         axis = np.asarray(body.fibres[0], float) / np.linalg.norm(body.fibres[0])
         other = np.cross(axis, np.eye(3)[np.argmin(np.abs(axis))])
         lines += ["*ORIENTATION, NAME=FIBRES", ", ".join(f"{x:.9g}" for x in (*axis, *(other / np.linalg.norm(other))))]
-    if body.foundation_kPa_per_mm:
+    springs = [("GROUND", body.foundation_kPa_per_mm)] if body.foundation_kPa_per_mm else []
+    springs += [(f"PATCH{patch}", stiffness) for patch, (_, stiffness) in enumerate(body.attached or [])]
+    for name, kPa_per_mm in springs:
         # A thin layer with no cross effect between directions gives each square mm the same spring in all three,
         # where the ground is flat and along the axes.
-        stiffness = body.foundation_kPa_per_mm * FOUNDATION_MM
-        lines += ["*MATERIAL, NAME=SPRINGS", "*ELASTIC, TYPE=ENGINEERING CONSTANTS",
+        stiffness = kPa_per_mm * FOUNDATION_MM
+        lines += [f"*MATERIAL, NAME=SPRINGS{name}", "*ELASTIC, TYPE=ENGINEERING CONSTANTS",
                   f"{stiffness:.9g}, {stiffness:.9g}, {stiffness:.9g}, 0., 0., 0., {stiffness:.9g}, {stiffness:.9g},",
-                  f"{stiffness:.9g}", "*DENSITY", "1e-12", "*SOLID SECTION, ELSET=GROUND, MATERIAL=SPRINGS"]
+                  f"{stiffness:.9g}", "*DENSITY", "1e-12", f"*SOLID SECTION, ELSET={name}, MATERIAL=SPRINGS{name}"]
     if body.capsule_N_per_mm:
         lines += ["*MATERIAL, NAME=SKIN", "*ELASTIC", f"{1000 * body.capsule_N_per_mm / CAPSULE_MM:.9g}, 0.4", "*DENSITY",
                   "1e-12", "*SOLID SECTION, ELSET=CAPSULE, MATERIAL=SKIN"]

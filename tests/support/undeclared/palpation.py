@@ -45,6 +45,7 @@ class Setting:
     sites: list
     elements: object = None   # where the markers are in the truth's mesh
     weights: object = None
+    ligament: object = None   # where in the unit cube a second support holds; none where there is none
     footprints: dict = field(default_factory=dict)
 
 
@@ -64,6 +65,8 @@ class Effects:
     gravity_m_s2: tuple = None
     pressure_kPa: float = 0.0
     hyperelastic: str = None
+    adhesions: tuple = ()                  # (centre, radius, kPa/mm) of parts of the surface
+    untied: bool = False                   # the ligament is declared and not there
     # Outside the catalogue:
     cut: tuple = None                      # a point, a normal and how deep from the top, in the unit cube
     slip_mm: tuple = None                  # the tool's way at the largest force
@@ -72,12 +75,13 @@ class Effects:
 
 
 def setting(specimen, seed, youngs_kPa=10.0, poisson_ratio=0.45, truth="brick", truth_cells=(8, 8, 6), markers=40,
-            fitted=5, held_out=2, reach_mm=6.0, radius_mm=(9, 13)):
+            fitted=5, held_out=2, reach_mm=6.0, radius_mm=(9, 13), ligament=None):
     rng = np.random.default_rng(seed)
     body = experiment_mesh(specimen)
     mesh = nested_mesh(specimen) if truth == "nested" else brick_mesh(specimen, truth_cells)
     result = Setting(specimen, body, mesh, youngs_kPa, poisson_ratio, scattered_markers(body, markers, rng),
                      tool_sites(body, fitted, held_out, radius_mm, rng))
+    result.ligament = ligament
     result.elements, result.weights = Locator(mesh)(result.markers_mm)
     for site, moved in zip(result.sites, unit_answers(result, Effects())):
         site.largest_N = float(np.round(reach_mm / np.linalg.norm(moved, axis=1).max(), 3))
@@ -247,8 +251,31 @@ def truth_body(scene, effects):
         center, radius, ratio = effects.inclusion
         corners = mesh.elements[:, :8 if mesh.kind == "C3D20" else 4]
         youngs[np.linalg.norm(mesh.points[corners].mean(axis=1) - center, axis=1) < radius] *= ratio
+    attached = [(faces_within(mesh, center, radius), stiffness) for center, radius, stiffness in effects.adhesions]
+    tied = None
+    if scene.ligament and not effects.untied:
+        if effects.foundation_kPa_per_mm:  # all that holds gives way
+            attached.append((ligament_faces(scene, mesh) & ~mesh.held_faces, effects.foundation_kPa_per_mm))
+        else:
+            tied = ligament_nodes(scene, mesh)
     return calculix.Body(mesh, youngs, scene.poisson_ratio, 1e-6, effects.hyperelastic, effects.fibres,
-                         effects.foundation_kPa_per_mm, effects.capsule_N_per_mm)
+                         effects.foundation_kPa_per_mm, effects.capsule_N_per_mm, attached, tied)
+
+
+def faces_within(mesh, center, radius):
+    """Faces that are not held, with their middle in a ball."""
+    near = np.linalg.norm(mesh.points[mesh.faces].mean(axis=1) - center, axis=1) <= radius
+    if not (near & ~mesh.held_faces).any():
+        raise ValueError("the attachment holds nothing")
+    return near & ~mesh.held_faces
+
+
+def ligament_faces(scene, mesh):
+    return scene.ligament(mesh.unit[mesh.faces].reshape(-1, 3)).reshape(mesh.faces.shape).all(axis=1)
+
+
+def ligament_nodes(scene, mesh):
+    return np.unique(mesh.faces[ligament_faces(scene, mesh)])
 
 
 def cut_open(mesh, cut):
@@ -371,7 +398,7 @@ def write_case(folder, scene, effects, noise_mm, seed, answer):
     rng = np.random.default_rng([seed, *map(ord, folder.name)])
     fixed = np.zeros(len(scene.experiment.points))
     fixed[scene.experiment.held_nodes()] = 1
-    write_vtu(folder / "specimen.vtu", scene.experiment, fixed)
+    write_vtu(folder / "specimen.vtu", scene.experiment, fixed=fixed)
     paths = truth(scene, effects)
     for file, held_out in (("experiment.json", False), ("heldout.json", True)):
         trials = []

@@ -167,16 +167,18 @@ def boundary_triangles(mesh):
     return corners, corners.mean(axis=1), 0.5 * twice, cross / twice[:, None]
 
 
-def write_vtu(path, mesh, fixed):
-    """VTK's XML, plain text. `fixed` is 1 where a node is held."""
+def write_vtu(path, mesh, **arrays):
+    """VTK's XML, plain text, with arrays of a number a node."""
     n, cells = len(mesh.points), mesh.elements[:, :4]
     text = lambda rows, form: "\n".join(" ".join(form % x for x in row) for row in rows)
+    fields = "\n".join(f'<DataArray type="Float64" Name="{name}" format="ascii">\n'
+                       + text(values.astype(float).reshape(-1, 1), "%g") + "\n</DataArray>" for name, values in arrays.items())
     path.write_text(f"""<?xml version="1.0"?>
 <VTKFile type="UnstructuredGrid" version="1.0" byte_order="LittleEndian" header_type="UInt64">
 <UnstructuredGrid><Piece NumberOfPoints="{n}" NumberOfCells="{len(cells)}">
-<PointData><DataArray type="Float64" Name="fixed" format="ascii">
-{text(fixed.astype(float).reshape(-1, 1), "%g")}
-</DataArray></PointData>
+<PointData>
+{fields}
+</PointData>
 <Points><DataArray type="Float64" NumberOfComponents="3" format="ascii">
 {text(mesh.points, "%.17g")}
 </DataArray></Points>

@@ -132,7 +132,8 @@ FoundParameters found_parameters(const Search& search, const Candidate& chosen) 
   const Eigen::VectorXd values = values_of(settings);
   Eigen::Index at = 0;
   for (std::size_t i = 0; i < settings.size(); ++i) {
-    for (const Parameter& parameter : effect_of(model, settings[i])->parameters) {
+    const Effect& effect = *effect_of(model, settings[i]);
+    for (const Parameter& parameter : effect.parameters) {
       FoundParameter one =
           found_parameter(parameter, values[at], std::sqrt(covariance_of_noise(at, at)), samples.row(at),
                           model.observations().trial_count() >= options.trials_to_resample);
@@ -140,7 +141,8 @@ FoundParameters found_parameters(const Search& search, const Candidate& chosen) 
       if (!one.determined)
         found.notes.push_back(
             {GLISSON_TEXT("These data do not determine {0} of {1}."), {parameter.name, settings[i].kind}});
-      if (at_end_of_range(parameter, one.value, options.told_at_end_of_range))
+      const bool may_be = effect.lower_end_may_be && one.value < std::sqrt(parameter.lower * parameter.upper);
+      if (!may_be && at_end_of_range(parameter, one.value, options.told_at_end_of_range))
         found.notes.push_back({GLISSON_TEXT("{0} of {1} ended at the limit of its range ({2})."),
                                {parameter.name, settings[i].kind, fmt::format("{:.3g}", one.value)}});
       found.of_setting[i].push_back(std::move(one));

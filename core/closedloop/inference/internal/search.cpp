@@ -293,12 +293,13 @@ bool Search::pays_beyond(const Candidate& candidate, const Candidate& current) c
 // cannot be. (An end that means no effect does not pay by BIC.)
 bool Search::ran_out_of_range(const Setting& setting) const {
   if (setting.parameters.size() == 0) return false;
-  const Parameter& parameter = effect_of(model_, setting)->parameters.front();
+  const Effect& effect = *effect_of(model_, setting);
+  const Parameter& parameter = effect.parameters.front();
   const double size = setting.parameters[0];
   const double close = options_.search.end_of_range;
   const double margin = close * (parameter.upper - parameter.lower);
-  return size < parameter.lower * (1 + close) + margin * (parameter.scale == Scale::linear) ||
-         size > parameter.upper - margin;
+  const bool at_lower_end = size < parameter.lower * (1 + close) + margin * (parameter.scale == Scale::linear);
+  return (at_lower_end && !effect.lower_end_may_be) || size > parameter.upper - margin;
 }
 
 bool Search::ran_out_of_range(const Candidate& candidate) const {

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 #include "base/units.h"
 
@@ -27,6 +28,10 @@ Effect stiffness_scale();
 std::vector<Effect> strain_stiffening();
 Effect support_compliance(const Sizes& sizes, const SpecimenBody& specimen);
 Effect stiff_inclusion(const Sizes& sizes);
+std::vector<Parameter> ball_parameters(const Sizes& sizes, const Eigen::Vector3d& center_mm, double beyond_mm);
+Effect undeclared_attachment(const Sizes& sizes, const DeclaredSupports& supports, const Eigen::Vector3d& center_mm);
+Effect missing_attachment(const Sizes& sizes, const DeclaredSupports& supports, std::size_t support);
+std::optional<Eigen::Vector3d> free_place(const SpecimenBody& specimen);
 Effect creep(const Sizes& sizes, int terms);
 Effect force_bias(const Sizes& sizes, const Palpation& experiment);
 Effect frame_misalignment(const Sizes& sizes);
@@ -54,11 +59,35 @@ std::vector<Effect> palpation_catalogue(const Palpation& experiment, const Speci
   return catalogue;
 }
 
-double fixed_from_kPa_per_mm(const SpecimenBody& specimen) {
+std::vector<Effect> attachment_effects(const Palpation& experiment, const SpecimenBody& specimen) {
+  std::vector<Effect> effects;
+  const auto place_mm = specimen.soft ? free_place(specimen) : std::nullopt;
+  if (!place_mm) return effects;
+  const Sizes sizes = sizes_of(experiment, specimen);
+  const DeclaredSupports supports = declared_supports(specimen);
+  effects.push_back(undeclared_attachment(sizes, supports, *place_mm));
+  for (std::size_t s = 0; s < specimen.soft->fixed_without.size(); ++s) {
+    const auto& faces = specimen.soft->faces;
+    const bool covers_faces =
+        std::any_of(faces.begin(), faces.end(), [&](const auto& face) { return face.support == s; });
+    if (covers_faces) effects.push_back(missing_attachment(sizes, supports, s));
+  }
+  return effects;
+}
+
+DeclaredSupports declared_supports(const SpecimenBody& specimen) {
   const auto& moduli = specimen.body.youngs_kPa;
   Eigen::AlignedBox3d box;
   for (const auto& position : specimen.body.layout.positions_mm) box.extend(position);
-  return 1e4 * *std::max_element(moduli.begin(), moduli.end()) / box.sizes().minCoeff();
+  const double usual_kPa_per_mm = *std::max_element(moduli.begin(), moduli.end()) / box.sizes().minCoeff();
+  DeclaredSupports supports{1e4 * usual_kPa_per_mm, 1e-4 * usual_kPa_per_mm, {}};
+  for (const mechanics::Support& support : specimen.body.supports) {
+    const auto* named = std::get_if<mechanics::NamedPoints>(&support.where);
+    const bool is_new =
+        named != nullptr && std::count(supports.names.begin(), supports.names.end(), named->point_array) == 0;
+    supports.names.push_back(is_new ? named->point_array : "support-" + std::to_string(supports.names.size() + 1));
+  }
+  return supports;
 }
 
 double untouched_reading_mN(const Palpation& experiment) {
@@ -129,7 +158,7 @@ std::vector<Effect> strain_stiffening() {
 }
 
 Effect support_compliance(const Sizes& sizes, const SpecimenBody& specimen) {
-  const double usual = sizes.youngs_kPa / sizes.extent_mm, held = fixed_from_kPa_per_mm(specimen);
+  const double usual = sizes.youngs_kPa / sizes.extent_mm, held = declared_supports(specimen).fixed_from_kPa_per_mm;
   return {palpation::support_compliance,
           "",
           {{"foundation_kPa_per_mm", held, 1e-3 * usual, held, 0.1 * usual, 10 * usual, Scale::logarithmic}},
@@ -137,24 +166,71 @@ Effect support_compliance(const Sizes& sizes, const SpecimenBody& specimen) {
           {numbers_of({usual})}};
 }
 
+// Its centre, in the box or so far beyond it, and a radius.
+std::vector<Parameter> ball_parameters(const Sizes& sizes, const Eigen::Vector3d& center_mm, double beyond_mm) {
+  std::vector<Parameter> parameters;
+  for (int d = 0; d < 3; ++d) {
+    const double low = sizes.box.min()[d], high = sizes.box.max()[d];
+    parameters.push_back({"center_mm", center_mm[d], low - beyond_mm, high + beyond_mm, low, high, Scale::linear});
+  }
+  const double smallest = 0.5 * sizes.edge_mm, largest = 0.5 * sizes.extent_mm;
+  parameters.push_back({"radius_mm", 0.25 * sizes.extent_mm, std::min(smallest, 0.5 * largest), largest, smallest,
+                        largest, Scale::logarithmic});
+  return parameters;
+}
+
 Effect stiff_inclusion(const Sizes& sizes) {
+  const Eigen::Vector3d center = sizes.box.center();
   Effect effect{
       palpation::stiff_inclusion,
       "",
-      {},
+      ball_parameters(sizes, center, 0),
       GLISSON_TEXT("Somewhere inside lies a stiff lump, as a tumour would: around it the specimen moves less."),
-      {}};
-  const Eigen::Vector3d center = sizes.box.center();
-  for (int d = 0; d < 3; ++d) {
-    const double low = sizes.box.min()[d], high = sizes.box.max()[d];
-    effect.parameters.push_back({"center_mm", center[d], low, high, low, high, Scale::linear});
-  }
-  const double smallest = 0.5 * sizes.edge_mm, largest = 0.5 * sizes.extent_mm;
-  effect.parameters.push_back({"radius_mm", 0.25 * sizes.extent_mm, std::min(smallest, 0.5 * largest), largest,
-                               smallest, largest, Scale::logarithmic});
+      {numbers_of({center[0], center[1], center[2], 0.25 * sizes.extent_mm, 2})}};
   effect.parameters.push_back({"ratio", 1, 0.1, 100, 1, 20, Scale::logarithmic});
-  effect.starts = {numbers_of({center[0], center[1], center[2], 0.25 * sizes.extent_mm, 2})};
   return effect;
+}
+
+// From hardly felt to as good as held. The box ends where the surface is: a patch there has room on both sides.
+Effect undeclared_attachment(const Sizes& sizes, const DeclaredSupports& supports, const Eigen::Vector3d& center_mm) {
+  const double usual = sizes.youngs_kPa / sizes.extent_mm;
+  Effect effect{palpation::undeclared_attachment,
+                "",
+                ball_parameters(sizes, center_mm, 0.5 * sizes.extent_mm),
+                GLISSON_TEXT("Something that nobody declared holds a part of the surface, as an adhesion or a ligament "
+                             "does: there it moves less."),
+                {numbers_of({center_mm[0], center_mm[1], center_mm[2], 0.25 * sizes.extent_mm, usual})}};
+  effect.parameters.push_back({"foundation_kPa_per_mm", supports.nothing_to_kPa_per_mm, supports.nothing_to_kPa_per_mm,
+                               100 * usual, 0.1 * usual, 10 * usual, Scale::logarithmic});
+  return effect;
+}
+
+Effect missing_attachment(const Sizes& sizes, const DeclaredSupports& supports, std::size_t support) {
+  const double usual = sizes.youngs_kPa / sizes.extent_mm, held = supports.fixed_from_kPa_per_mm;
+  Effect effect{palpation::missing_attachment,
+                supports.names[support],
+                {{"left_kPa_per_mm", held, 1e-3 * usual, held, 1e-3 * usual, 10 * usual, Scale::logarithmic}},
+                GLISSON_TEXT("One of the declared attachments holds less than declared, or is not there at all."),
+                {numbers_of({usual}), numbers_of({0.01 * usual})}};
+  effect.lower_end_may_be = true;
+  return effect;
+}
+
+// Of the surface that no support holds, what is farthest from what they hold.
+std::optional<Eigen::Vector3d> free_place(const SpecimenBody& specimen) {
+  const auto& boundary = specimen.body.boundary;
+  std::vector<bool> held(boundary.size(), false);
+  Eigen::Vector3d middle_mm = Eigen::Vector3d::Zero();
+  for (const SoftSupports::Face& face : specimen.soft->faces) {
+    held[face.face] = true;
+    middle_mm += boundary[face.face].centroid_mm / static_cast<double>(specimen.soft->faces.size());
+  }
+  std::optional<Eigen::Vector3d> farthest;
+  for (std::size_t f = 0; f < boundary.size(); ++f) {
+    const Eigen::Vector3d& place_mm = boundary[f].centroid_mm;
+    if (!held[f] && (!farthest || (place_mm - middle_mm).norm() > (*farthest - middle_mm).norm())) farthest = place_mm;
+  }
+  return farthest;
 }
 
 Effect creep(const Sizes& sizes, int terms) {

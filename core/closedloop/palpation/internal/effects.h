@@ -7,10 +7,13 @@
 // - stiff-inclusion {center_mm[3], radius_mm, ratio}: structure.h.
 // - viscoelastic-creep, prony-1 or prony-2 {amplitude, time_s, each a vector}: the load that acts is the load that was
 //   put on, by the creep function. Exact where all of the specimen creeps alike.
-// - force-bias {zero_N, gain}: reading = gain * force + zero.
+// - force-bias {zero_N, gain}: reading = gain * force + zero. Of guidance {gain}: a tool's stated force has no zero.
 // - frame-misalignment {rotation_deg[3], translation_mm[3]}: seen = R place + t; R by its rotation vector, about the
 //   origin of the coordinates.
 // - anisotropy, fibres or engineering {axis[3], ratio}: structure.h; the axis's length has no meaning.
+// - undeclared-attachment {center_mm[3], radius_mm, foundation_kPa_per_mm}: attachment.h.
+// - missing-attachment, its form the declared support (DeclaredSupports::names) {left_kPa_per_mm}: that support is in
+//   series with a spring as stiff as this.
 // - capsule {stiffness_N_per_mm}: structure.h.
 // - preload, gravity {gravity_m_s2[3]}: besides declared gravity.
 // - preload, pressure {pressure_kPa}: on the whole boundary; positive compresses.
@@ -20,6 +23,7 @@
 
 #include "closedloop/experiment/effect.h"
 #include "closedloop/experiment/experiment.h"
+#include "closedloop/palpation/internal/state.h"
 #include "closedloop/palpation/internal/structure.h"
 
 namespace glisson::closedloop {
@@ -33,6 +37,8 @@ inline const std::string viscoelastic_creep = "viscoelastic-creep";
 inline const std::string force_bias = "force-bias";
 inline const std::string frame_misalignment = "frame-misalignment";
 inline const std::string anisotropy = "anisotropy";
+inline const std::string undeclared_attachment = "undeclared-attachment";
+inline const std::string missing_attachment = "missing-attachment";
 inline const std::string capsule = "capsule";
 inline const std::string preload = "preload";
 
@@ -46,8 +52,12 @@ inline const std::string form_gravity = "gravity", form_pressure = "pressure";
 // Those that this experiment could show: no creep where nothing lasts, no compliance where nothing is fixed by faces.
 [[nodiscard]] std::vector<Effect> palpation_catalogue(const Palpation& experiment, const SpecimenBody& specimen);
 
-// Springs as stiff as this are no springs: the upper bound of foundation_kPa_per_mm.
-[[nodiscard]] double fixed_from_kPa_per_mm(const SpecimenBody& specimen);
+// What ties the specimen to what is around it: an attachment more or less than declared. Of guidance alone, where an
+// organ lies in a body; none where a declared support is a ligament or holds some directions only.
+[[nodiscard]] std::vector<Effect> attachment_effects(const Palpation& experiment, const SpecimenBody& specimen);
+
+// Springs beyond its bounds are no springs, or none at all: those of what is searched.
+[[nodiscard]] DeclaredSupports declared_supports(const SpecimenBody& specimen);
 
 // What the untouched load cells read (mN), averaged over the trials that say so. Such a trial has a first sample that
 // was not watched, or that shows less than a quarter of the trial's load.

@@ -18,6 +18,17 @@ std::vector<Chain> chain(const Setting& setting, const PalpationState& state) {
   if (setting.kind == palpation::stiff_inclusion) {
     return {{S::inclusion_x}, {S::inclusion_y}, {S::inclusion_z}, {S::inclusion_radius}, {S::inclusion_ratio}};
   }
+  if (setting.kind == palpation::undeclared_attachment && state.structure.attachment) {
+    return {{S::attachment_x},
+            {S::attachment_y},
+            {S::attachment_z},
+            {S::attachment_radius},
+            {S::attachment_foundation, 1.0 / state.stiffness_factor}};
+  }
+  if (setting.kind == palpation::missing_attachment && state.structure.loosened) {
+    const double compliance = state.structure.loosened->compliance_mm_per_kPa;
+    return {{S::loosened_compliance, -compliance * compliance * state.stiffness_factor}};
+  }
   if (setting.kind == palpation::anisotropy) return {{S::axis_x}, {S::axis_y}, {S::axis_z}, {S::anisotropy_ratio}};
   if (setting.kind == palpation::capsule) return {{S::capsule, units::mN_from_N(1.0) / state.stiffness_factor}};
   if (setting.kind == palpation::support_compliance && state.structure.compliance_mm_per_kPa > 0) {
@@ -46,6 +57,8 @@ Result<std::vector<Eigen::MatrixXd>> linear_derivatives(const PalpationSolver& s
       })) {
     if (structure.compliance_mm_per_kPa > 0) wanted.push_back(StructureParameter::compliance);
     if (structure.capsule_mN_per_mm > 0) wanted.push_back(StructureParameter::capsule);
+    if (structure.attachment) wanted.push_back(StructureParameter::attachment_foundation);
+    if (structure.loosened) wanted.push_back(StructureParameter::loosened_compliance);
   }
   std::sort(wanted.begin(), wanted.end());
   wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
@@ -77,13 +90,20 @@ Result<std::vector<Eigen::MatrixXd>> linear_derivatives(const PalpationSolver& s
         if (structure.capsule_mN_per_mm > 0) {
           field -= state.structure.capsule_mN_per_mm / (factor * factor) * by(StructureParameter::capsule);
         }
+        if (structure.attachment) {
+          field -= state.structure.attachment->foundation_kPa_per_mm / (factor * factor) *
+                   by(StructureParameter::attachment_foundation);
+        }
+        if (structure.loosened)
+          field += state.structure.loosened->compliance_mm_per_kPa * by(StructureParameter::loosened_compliance);
         fields.push_back(std::move(field));
       } else if (setting.kind == palpation::viscoelastic_creep) {
         const auto terms = static_cast<Eigen::Index>(state.creep.size());
         const auto term = static_cast<std::size_t>(p % terms);
         fields.push_back(of_load(p < terms ? loading.by_amplitude[term] : loading.by_time[term]));
       } else if (setting.kind == palpation::force_bias) {
-        fields.push_back(p == 0 ? of_load(units::mN_from_N(1.0) * loading.by_zero) : of_load(loading.by_gain));
+        fields.push_back(p + 1 < setting.parameters.size() ? of_load(units::mN_from_N(1.0) * loading.by_zero)
+                                                           : of_load(loading.by_gain));
       } else if (setting.kind == palpation::preload && setting.form == palpation::form_pressure) {
         fields.emplace_back(response->col(columns.pressure()) *
                             Eigen::RowVectorXd::Constant(amounts.cols(), 1.0 / state.stiffness_factor));

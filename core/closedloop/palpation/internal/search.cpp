@@ -18,8 +18,7 @@ std::vector<Start> capsule_starts(const Effect& effect, const PalpationSolver& s
                                   const ResidualField& left, const PalpationStartOptions& options);
 std::vector<Start> anisotropy_starts(const Effect& effect, const PalpationSolver& solver, const PalpationState& state,
                                      const ResidualField& left, const PalpationStartOptions& options);
-std::vector<Start> inclusion_starts(const Effect& effect, const PalpationSolver& solver, const PalpationState& state,
-                                    const ResidualField& left, const PalpationStartOptions& options);
+SeenNumbers seen_numbers(const PalpationSolver& solver, const ResidualField& left, Eigen::Index maximum_places);
 
 Match match_response(const ResidualField& left, const Eigen::MatrixXd& response_change) {
   return match(left, response_change * left.amounts);
@@ -63,7 +62,9 @@ std::vector<Start> palpation_starts(const Effect& effect, const PalpationSolver&
   if (effect.kind == palpation::support_compliance) return compliance_starts(effect, solver, state, left, options);
   if (effect.kind == palpation::capsule) return capsule_starts(effect, solver, state, left, options);
   if (effect.kind == palpation::anisotropy) return anisotropy_starts(effect, solver, state, left, options);
-  if (effect.kind == palpation::stiff_inclusion) return inclusion_starts(effect, solver, state, left, options);
+  if (effect.kind == palpation::stiff_inclusion) {
+    return inclusion_starts(effect, solver, state, seen_numbers(solver, left, options.maximum_places), options);
+  }
   return {};
 }
 
@@ -84,7 +85,7 @@ std::vector<Start> compliance_starts(const Effect& effect, const PalpationSolver
   if (!before || !after) return {};
   const Match found = match_response(left, *after - *before);
   const double compliance = usual * std::clamp(found.amount, options.minimum_compliance, options.maximum_compliance);
-  return {{one(clamped(1.0 / compliance, effect.parameters[0])), found.gain_mm2}};
+  return {{one(clamped(1.0 / compliance, effect.parameters[0])), found.gain}};
 }
 
 std::vector<Start> capsule_starts(const Effect& effect, const PalpationSolver& solver, const PalpationState& state,
@@ -94,7 +95,7 @@ std::vector<Start> capsule_starts(const Effect& effect, const PalpationSolver& s
   const Match found = match_response(left, slope->front());
   const double minimum = options.minimum_capsule * effect.starts.front()[0];
   const double size_N_per_mm = std::max(minimum, units::N_from_mN(found.amount * state.stiffness_factor));
-  return {{one(clamped(size_N_per_mm, effect.parameters[0])), found.gain_mm2}};
+  return {{one(clamped(size_N_per_mm, effect.parameters[0])), found.gain}};
 }
 
 // The axes of a cube through its faces, edges and corners: none is further than 27 degrees from any direction.
@@ -139,11 +140,10 @@ std::vector<Start> anisotropy_starts(const Effect& effect, const PalpationSolver
   }
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(),
-            [&](std::size_t a, std::size_t b) { return matches[a].gain_mm2 > matches[b].gain_mm2; });
+            [&](std::size_t a, std::size_t b) { return matches[a].gain > matches[b].gain; });
   std::vector<Start> starts;
   for (const std::size_t a : order) {
-    if (starts.size() == options.maximum_axes ||
-        matches[a].gain_mm2 < options.worth_of_axis * matches[order.front()].gain_mm2)
+    if (starts.size() == options.maximum_axes || matches[a].gain < options.worth_of_axis * matches[order.front()].gain)
       break;
     Eigen::VectorXd start(4);
     start << axes[a],
@@ -151,102 +151,7 @@ std::vector<Start> anisotropy_starts(const Effect& effect, const PalpationSolver
                 effect.parameters[3]);
     const double away = options.away_from_isotropic;
     if (std::abs(start[3] - 1.0) < away) start[3] = matches[a].amount > 0 ? 1 + away : 1 - away;
-    starts.push_back({std::move(start), matches[a].gain_mm2});
-  }
-  return starts;
-}
-
-// The influence of a relative change of each cell's modulus on the markers, for each unit load: -(strain that a unit
-// force at the marker makes) : (stress that the load makes), times the cell's volume.
-struct Influence {
-  std::vector<Eigen::Index> rows;  // of the markers' displacements, as many as are looked at
-  std::vector<Eigen::Index> loads;
-  std::vector<Eigen::MatrixXf> of_cell;  // rows x loads
-};
-Influence influence(const PalpationSolver& solver, const PalpationSolver::Solution& solution, const ResidualField& left,
-                    Eigen::Index maximum_places);
-
-struct Ball {
-  Eigen::Vector3d center_mm;
-  double radius_mm = 0;  // 0: not matched
-  Match match;
-};
-
-std::vector<Start> inclusion_starts(const Effect& effect, const PalpationSolver& solver, const PalpationState& state,
-                                    const ResidualField& left, const PalpationStartOptions& options) {
-  const auto solution = solver.solution(state.scaled_structure());
-  if (!solution) return {};
-  const Influence on = influence(solver, **solution, left, options.maximum_places);
-  const auto rows = static_cast<Eigen::Index>(on.rows.size()), loads = static_cast<Eigen::Index>(on.loads.size());
-  if (rows == 0 || loads == 0) return {};
-
-  // Of each row, over the shots that saw it: residual times loads, and loads times loads.
-  const Eigen::MatrixXd amounts = left.amounts(on.loads, Eigen::all);
-  Eigen::MatrixXd residual_by_load(rows, loads);
-  std::vector<Eigen::MatrixXd> load_by_load;
-  for (Eigen::Index r = 0; r < rows; ++r) {
-    const Eigen::RowVectorXd seen = left.seen.row(on.rows[static_cast<std::size_t>(r)]);
-    residual_by_load.row(r) = left.residual_mm.row(on.rows[static_cast<std::size_t>(r)]) * amounts.transpose();
-    load_by_load.emplace_back(amounts * seen.asDiagonal() * amounts.transpose());
-  }
-  const auto match_of = [&](const Eigen::MatrixXd& change) {
-    const double along = change.cwiseProduct(residual_by_load).sum();
-    double size = 0;
-    for (Eigen::Index r = 0; r < rows; ++r) {
-      size += change.row(r) * load_by_load[static_cast<std::size_t>(r)] * change.row(r).transpose();
-    }
-    return size > 0 ? Match{along / size, along * along / size} : Match{};
-  };
-
-  // Spheres about the centroids of cells, spread evenly.
-  const geometry::TetMesh& mesh = solver.specimen().body.mesh;
-  const double largest_mm = effect.parameters[3].upper, smallest_mm = effect.parameters[3].lower;
-  std::vector<Eigen::Vector3d> centroids;
-  for (std::size_t c = 0; c < mesh.cells.size(); ++c) centroids.push_back(geometry::cell_centroid_mm(mesh, c));
-  std::vector<Ball> balls;
-  const double spacing_mm = options.ball_spacing * largest_mm;
-  for (const Eigen::Vector3d& centroid : centroids) {
-    const bool apart = std::all_of(balls.begin(), balls.end(), [&](const Ball& other) {
-      return (other.center_mm - centroid).squaredNorm() > spacing_mm * spacing_mm;
-    });
-    if (apart) balls.push_back({centroid, 0, {}});
-  }
-  const auto worth_mm2 = [&](const Ball& ball) {
-    return ball.match.amount > 0 ? ball.match.gain_mm2 : options.worth_if_soft * ball.match.gain_mm2;
-  };
-  parallel_for(balls.size(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t b = begin; b < end; ++b) {
-      for (const double share : options.ball_radii) {
-        const double radius_mm = std::max(smallest_mm, share * largest_mm);
-        Eigen::MatrixXf sum = Eigen::MatrixXf::Zero(rows, loads);
-        for (std::size_t c = 0; c < centroids.size(); ++c) {
-          if ((centroids[c] - balls[b].center_mm).squaredNorm() < radius_mm * radius_mm) sum += on.of_cell[c];
-        }
-        const Ball ball{balls[b].center_mm, radius_mm, match_of(sum.cast<double>())};
-        if (worth_mm2(ball) > worth_mm2(balls[b])) balls[b] = ball;
-      }
-    }
-  });
-  std::sort(balls.begin(), balls.end(), [&](const Ball& a, const Ball& b) { return worth_mm2(a) > worth_mm2(b); });
-  std::vector<Ball> best;
-  for (const Ball& ball : balls) {
-    if (best.size() == options.maximum_balls || ball.radius_mm == 0 ||
-        worth_mm2(ball) < options.worth_of_ball * worth_mm2(balls.front()))
-      break;
-    const bool apart = std::all_of(best.begin(), best.end(), [&](const Ball& other) {
-      return (other.center_mm - ball.center_mm).norm() > std::max(other.radius_mm, ball.radius_mm);
-    });
-    if (apart) best.push_back(ball);
-  }
-  std::vector<Start> starts;
-  for (const Ball& ball : best) {
-    Eigen::VectorXd start(5);
-    const double ratio = std::exp(std::clamp(ball.match.amount, options.minimum_log_ratio, options.maximum_log_ratio));
-    start << ball.center_mm, clamped(ball.radius_mm, effect.parameters[3]),
-        clamped(ball.match.amount > 0 ? std::max(options.stiff_from, ratio) : std::min(options.soft_to, ratio),
-                effect.parameters[4]);
-    for (int d = 0; d < 3; ++d) start[d] = clamped(start[d], effect.parameters[static_cast<std::size_t>(d)]);
-    starts.push_back({std::move(start), ball.match.gain_mm2});
+    starts.push_back({std::move(start), matches[a].gain});
   }
   return starts;
 }
@@ -264,56 +169,67 @@ std::vector<Eigen::Index> places_looked_at(const ResidualField& left, Eigen::Ind
   return spread;
 }
 
-Influence influence(const PalpationSolver& solver, const PalpationSolver::Solution& solution, const ResidualField& left,
-                    Eigen::Index maximum_places) {
-  Influence on;
+// A number a coordinate of a place.
+SeenNumbers seen_numbers(const PalpationSolver& solver, const ResidualField& left, Eigen::Index maximum_places) {
+  SeenNumbers seen;
+  std::vector<Eigen::Index> rows;
   for (const Eigen::Index place : places_looked_at(left, maximum_places)) {
-    for (int d = 0; d < 3; ++d) on.rows.push_back(3 * place + d);
+    for (int d = 0; d < 3; ++d) rows.push_back(3 * place + d);
   }
   for (Eigen::Index l = 0; l < left.amounts.rows(); ++l) {
-    if (left.amounts.row(l).cwiseAbs().maxCoeff() > 0) on.loads.push_back(l);
+    if (left.amounts.row(l).cwiseAbs().maxCoeff() > 0) seen.loads.push_back(l);
   }
-  const auto rows = static_cast<Eigen::Index>(on.rows.size()), loads = static_cast<Eigen::Index>(on.loads.size());
-  Eigen::MatrixXd unit_forces_mN = Eigen::MatrixXd::Zero(solution.u_mm.rows(), rows);
-  for (Eigen::Index r = 0; r < rows; ++r) {
-    solver.markers().add_transposed(on.rows[static_cast<std::size_t>(r)], 1.0, unit_forces_mN.col(r));
+  const auto numbers = static_cast<Eigen::Index>(rows.size());
+  seen.weights = Eigen::MatrixXd::Zero(solver.loads_mN().rows(), numbers);
+  seen.residual_by_load.resize(numbers, static_cast<Eigen::Index>(seen.loads.size()));
+  const Eigen::MatrixXd amounts = left.amounts(seen.loads, Eigen::all);
+  for (Eigen::Index n = 0; n < numbers; ++n) {
+    const Eigen::Index row = rows[static_cast<std::size_t>(n)];
+    solver.markers().add_transposed(row, 1.0, seen.weights.col(n));
+    const Eigen::RowVectorXd seen_in = left.seen.row(row);
+    seen.residual_by_load.row(n) = left.residual_mm.row(row) * amounts.transpose();
+    seen.load_by_load.emplace_back(amounts * seen_in.asDiagonal() * amounts.transpose());
   }
-  const Eigen::MatrixXd adjoint_mm = PalpationSolver::solve(solution, unit_forces_mN);
+  return seen;
+}
 
-  // The strain of a quadratic cell is linear: its mean, at the centroid, stands for it here.
-  const SpecimenBody& specimen = solver.specimen();
-  const Elements& elements = specimen.elements;
-  const mechanics::Matrix9d tangent = unit_tangent(specimen, solution.structure);
-  const std::vector<double> factors = modulus_factors(specimen, solution.structure);
-  on.of_cell.resize(elements.cells.size());
-  parallel_for(elements.cells.size(), 64, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t c = begin; c < end; ++c) {
-      Elements::Gradients gradients = Elements::Gradients::Zero();
-      double stiffness_mN_mm = 0;  // modulus times volume
-      for (std::size_t p = c * Elements::points_per_cell; p < (c + 1) * Elements::points_per_cell; ++p) {
-        gradients += elements.points[p].gradients / Elements::points_per_cell;
-        stiffness_mN_mm += specimen.body.youngs_kPa[c] * factors[p] * elements.points[p].volume_mm3;
-      }
-      const auto gradient_of = [&](const auto& u_mm) {
-        Elements::Gradients moved;
-        for (int i = 0; i < 10; ++i) moved.col(i) = u_mm.template segment<3>(3 * elements.cells[c][i]);
-        return mechanics::as_vector((moved * gradients.transpose()).eval());
-      };
-      Eigen::Matrix<float, Eigen::Dynamic, 9> adjoint(rows, 9);
-      for (Eigen::Index r = 0; r < rows; ++r) {
-        adjoint.row(r) = gradient_of(adjoint_mm.col(r)).template cast<float>();
-      }
-      Eigen::Matrix<float, 9, Eigen::Dynamic> stress(9, loads);
-      for (Eigen::Index l = 0; l < loads; ++l) {
-        stress.col(l) =
-            (-stiffness_mN_mm * (tangent * gradient_of(solution.u_mm.col(on.loads[static_cast<std::size_t>(l)]))))
-                .template cast<float>();
-      }
-      on.of_cell[c] = adjoint * stress;
-    }
-  });
-  return on;
+// Of an effect whose parameters are a ball's and a size, which follows from the amount that matches.
+template <typename SizeOf>
+std::vector<Start> ball_starts(const Effect& effect, const PartsInfluence& parts, const SeenNumbers& seen,
+                               double worth_if_negative, const PalpationStartOptions& options, const SizeOf& size_of) {
+  const Parameter &radius = effect.parameters[3], &size = effect.parameters[4];
+  std::vector<Start> starts;
+  for (const FoundBall& ball :
+       promising_balls(parts, seen, radius.lower, radius.upper, worth_if_negative, options.balls)) {
+    Eigen::VectorXd start(5);
+    for (int d = 0; d < 3; ++d) start[d] = clamped(ball.center_mm[d], effect.parameters[static_cast<std::size_t>(d)]);
+    start[3] = clamped(ball.radius_mm, radius);
+    start[4] = clamped(size_of(ball.match.amount), size);
+    starts.push_back({std::move(start), ball.match.gain});
+  }
+  return starts;
 }
 
 }  // namespace
+
+std::vector<Start> inclusion_starts(const Effect& effect, const PalpationSolver& solver, const PalpationState& state,
+                                    const SeenNumbers& seen, const PalpationStartOptions& options) {
+  const auto solution = solver.solution(state.scaled_structure());
+  if (!solution || seen.weights.cols() == 0 || seen.loads.empty()) return {};
+  const PartsInfluence cells = influence_of_cells(solver, **solution, seen);
+  return ball_starts(effect, cells, seen, options.worth_if_soft, options, [&](double amount) {
+    const double ratio = std::exp(std::clamp(amount, options.minimum_log_ratio, options.maximum_log_ratio));
+    return amount > 0 ? std::max(options.stiff_from, ratio) : std::min(options.soft_to, ratio);
+  });
+}
+
+std::vector<Start> attachment_starts(const Effect& effect, const PalpationSolver& solver, const PalpationState& state,
+                                     const SeenNumbers& seen, const PalpationStartOptions& options) {
+  const auto solution = solver.solution(state.scaled_structure());
+  if (!solution || seen.weights.cols() == 0 || seen.loads.empty()) return {};
+  const PartsInfluence faces = influence_of_faces(solver, **solution, seen);
+  return ball_starts(effect, faces, seen, 0, options,
+                     [&](double amount) { return options.stiffer_than_first_order * amount * state.stiffness_factor; });
+}
+
 }  // namespace glisson::closedloop

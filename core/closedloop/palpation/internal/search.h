@@ -1,14 +1,13 @@
 #pragma once
 // Where to begin the search for an effect of a specimen's structure. The factor at hand gives cheaply what small
 // amounts of it would do to the markers. That is held against what is left unexplained. A hidden inclusion is looked
-// for everywhere at once. Adjoint solves, one a marker and direction, give each cell's influence on every marker. Sums
-// over spheres of cells give the influence of a lump (Born's approximation).
+// for everywhere at once (ball_search.h).
 
-#include <array>
 #include <Eigen/Core>
 #include <vector>
 
 #include "closedloop/experiment/forward_model.h"
+#include "closedloop/palpation/internal/ball_search.h"
 #include "closedloop/palpation/internal/solver.h"
 #include "closedloop/palpation/internal/state.h"
 
@@ -30,14 +29,14 @@ struct PalpationStartOptions {
   double minimum_fibre_ratio = 0.5;   // the first order says little beyond twofold ...
   double maximum_fibre_ratio = 4;     // ... and tissue is seldom more anisotropic
   double away_from_isotropic = 0.02;  // at a ratio of 1 the axis does nothing, and its slope vanishes
-  // Inclusions: balls about the centroids of cells. Lengths are shares of the largest radius that is looked for.
-  double ball_spacing = 0.25;                        // no further apart than the smallest is wide
-  std::array<double, 3> ball_radii{0.25, 0.4, 0.6};  // a ball's gain changes slowly with its radius
-  std::size_t maximum_balls = 3;                     // each costs a fit of five numbers
-  double worth_of_ball = 0.6;                        // of the best one's gain: below it another is not mistaken for it
+  // Inclusions.
+  BallSearchOptions balls;
   double worth_if_soft = 0.5;  // lumps are stiff before they are soft: a soft one must explain twice as much
   double minimum_log_ratio = -1, maximum_log_ratio = 1.5;  // Born's approximation holds for small changes only
   double stiff_from = 1.3, soft_to = 0.8;                  // away from 1, where place and size do nothing
+  // Attachments: the stiffer the springs, the less a stiffer one changes, so that they are stiffer than the first order
+  // says.
+  double stiffer_than_first_order = 3;
   Eigen::Index maximum_places = 60;  // an adjoint solve for each coordinate of each; more add little to a start
 };
 
@@ -48,11 +47,6 @@ struct ResidualField {
   Eigen::MatrixXd amounts;      // of each unit load (rows) at each shot, divided by the state's stiffness factor
 };
 
-// How much of a change of what is seen explains the residual best, and how much of its square that takes away.
-struct Match {
-  double amount = 0;
-  double gain_mm2 = 0;
-};
 // A row a place's coordinate, a column a shot.
 [[nodiscard]] Match match(const ResidualField& left, const Eigen::MatrixXd& change_mm);
 
@@ -65,5 +59,14 @@ struct Match {
 [[nodiscard]] std::vector<Start> palpation_starts(const Effect& effect, const PalpationSolver& solver,
                                                   const PalpationState& state, const ResidualField& left,
                                                   const PalpationStartOptions& options = {});
+
+// A lump's, from any numbers that were seen; their promises in the square of these numbers' unit.
+[[nodiscard]] std::vector<Start> inclusion_starts(const Effect& effect, const PalpationSolver& solver,
+                                                  const PalpationState& state, const SeenNumbers& seen,
+                                                  const PalpationStartOptions& options = {});
+// An attachment's, alike.
+[[nodiscard]] std::vector<Start> attachment_starts(const Effect& effect, const PalpationSolver& solver,
+                                                   const PalpationState& state, const SeenNumbers& seen,
+                                                   const PalpationStartOptions& options = {});
 
 }  // namespace glisson::closedloop

@@ -4,6 +4,8 @@
 #include <deque>
 #include <map>
 #include <mutex>
+#include <optional>
+#include <tuple>
 #include <utility>
 
 #include "base/parallel.h"
@@ -32,10 +34,14 @@ struct PalpationSolver::Memory {
   std::shared_ptr<const Solution> declared;
   // Soft supports free unknowns, and a membrane couples others: structures that have the same of these have one
   // pattern.
-  std::map<std::pair<bool, bool>, std::shared_ptr<const mechanics::EliminationOrder>> orders;
+  using Pattern = std::tuple<bool, bool, std::optional<std::size_t>>;
+  std::map<Pattern, std::shared_ptr<const mechanics::EliminationOrder>> orders;
 
   std::shared_ptr<const mechanics::EliminationOrder>& order_of(const Structure& structure) {
-    return orders[{structure.compliance_mm_per_kPa > 0, structure.capsule_mN_per_mm > 0}];
+    const bool all_soft = structure.compliance_mm_per_kPa > 0;
+    const bool one_soft = !all_soft && structure.loosened;
+    return orders[{all_soft, structure.capsule_mN_per_mm > 0,
+                   one_soft ? std::optional(structure.loosened->support) : std::nullopt}];
   }
 
   Entry* find(const Structure& structure) {
@@ -106,12 +112,15 @@ Result<PalpationSolver> PalpationSolver::create(SpecimenBody specimen, Eigen::Ma
   return solver;
 }
 
+// A lump as stiff as what is around it is none, wherever it lies.
 Result<Eigen::MatrixXd> PalpationSolver::at_markers(const Structure& structure) const {
+  Structure plain = structure;
+  if (plain.inclusion && plain.inclusion->ratio == 1) plain.inclusion.reset();
   {
     const std::lock_guard lock(memory_->guard);
-    if (const auto* known = memory_->find(structure)) return known->at_markers;
+    if (const auto* known = memory_->find(plain)) return known->at_markers;
   }
-  auto solved = solution(structure);
+  auto solved = solution(plain);
   if (!solved) return failure(std::move(solved.error()));
   const std::lock_guard lock(memory_->guard);
   return memory_->find_or_add(*solved, *markers_).at_markers;

@@ -1,5 +1,7 @@
 #include "closedloop/palpation/internal/state.h"
 
+#include <algorithm>
+
 #include "base/units.h"
 #include "closedloop/palpation/internal/effects.h"
 
@@ -19,10 +21,12 @@ Structure PalpationState::scaled_structure() const {
   Structure scaled = structure;
   scaled.compliance_mm_per_kPa *= stiffness_factor;
   scaled.capsule_mN_per_mm /= stiffness_factor;
+  if (scaled.attachment) scaled.attachment->foundation_kPa_per_mm /= stiffness_factor;
+  if (scaled.loosened) scaled.loosened->compliance_mm_per_kPa *= stiffness_factor;
   return scaled;
 }
 
-PalpationState state_of(const Settings& settings, double fixed_from_kPa_per_mm) {
+PalpationState state_of(const Settings& settings, const DeclaredSupports& supports) {
   PalpationState state;
   for (const Setting& setting : settings) {
     const Eigen::VectorXd& p = setting.parameters;
@@ -31,15 +35,22 @@ PalpationState state_of(const Settings& settings, double fixed_from_kPa_per_mm) 
     } else if (setting.kind == palpation::strain_stiffening) {
       state.stiffening = Stiffening{stiffening_law(setting.form), p[0]};
     } else if (setting.kind == palpation::support_compliance) {
-      state.structure.compliance_mm_per_kPa = p[0] >= fixed_from_kPa_per_mm ? 0.0 : 1.0 / p[0];
+      state.structure.compliance_mm_per_kPa = p[0] >= supports.fixed_from_kPa_per_mm ? 0.0 : 1.0 / p[0];
     } else if (setting.kind == palpation::stiff_inclusion) {
-      state.structure.inclusion = Inclusion{p.head<3>(), p[3], p[4]};
+      state.structure.inclusion = Inclusion{{p.head<3>(), p[3]}, p[4]};
+    } else if (setting.kind == palpation::undeclared_attachment) {
+      if (p[4] > supports.nothing_to_kPa_per_mm) state.structure.attachment = Attachment{{p.head<3>(), p[3]}, p[4]};
+    } else if (setting.kind == palpation::missing_attachment) {
+      const auto named = std::find(supports.names.begin(), supports.names.end(), setting.form);
+      GLISSON_ASSERT(named != supports.names.end());
+      if (p[0] < supports.fixed_from_kPa_per_mm)
+        state.structure.loosened = Loosened{static_cast<std::size_t>(named - supports.names.begin()), 1.0 / p[0]};
     } else if (setting.kind == palpation::viscoelastic_creep) {
       const Eigen::Index terms = p.size() / 2;
       for (Eigen::Index i = 0; i < terms; ++i) state.creep.push_back({p[i], p[terms + i]});
     } else if (setting.kind == palpation::force_bias) {
-      state.zero_mN = units::mN_from_N(p[0]);
-      state.gain = p[1];
+      if (p.size() > 1) state.zero_mN = units::mN_from_N(p[0]);
+      state.gain = p[p.size() - 1];
     } else if (setting.kind == palpation::frame_misalignment) {
       state.rotation_deg = p.head<3>();
       state.translation_mm = p.tail<3>();

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "closedloop/experiment/effect.h"
@@ -35,6 +36,13 @@ struct CreepTerm {
   double time_s = 1;
 };
 
+// What settings say of supports refers to these.
+struct DeclaredSupports {
+  double fixed_from_kPa_per_mm = 0;  // springs as stiff as this are no springs,
+  double nothing_to_kPa_per_mm = 0;  // ... and springs as soft as this are none
+  std::vector<std::string> names;    // of each: its point array's, where no other has it, or "support-2"
+};
+
 struct PalpationState {
   double stiffness_factor = 1;
   Structure structure;
@@ -52,7 +60,7 @@ struct PalpationState {
   [[nodiscard]] Structure scaled_structure() const;
 };
 
-// Settings of effects.h. `fixed_from_kPa_per_mm`: springs as stiff as this are no springs.
-[[nodiscard]] PalpationState state_of(const Settings& settings, double fixed_from_kPa_per_mm);
+// Settings of effects.h.
+[[nodiscard]] PalpationState state_of(const Settings& settings, const DeclaredSupports& supports);
 
 }  // namespace glisson::closedloop

@@ -12,35 +12,61 @@ namespace {
 using mechanics::Matrix9d;
 
 std::optional<SoftSupports> soft_supports(const mechanics::Body& body);
-double inside(const Inclusion& inclusion, const Eigen::Vector3d& place_mm, double edge_mm);
-double inside_by_depth(const Inclusion& inclusion, const Eigen::Vector3d& place_mm, double edge_mm);
 
-// A spring face's stiffness (kPa/mm) and its derivative by the compliance.
-double spring(const SoftSupports::Face& face, double compliance) {
-  return 1.0 / (face.declared_compliance_mm_per_kPa + compliance);
+// How far a face of the supports gives way in a structure, and the springs under all faces.
+double compliance_of(const SoftSupports::Face& face, const Structure& structure) {
+  const bool loose = structure.loosened && structure.loosened->support == face.support;
+  return face.declared_compliance_mm_per_kPa + structure.compliance_mm_per_kPa +
+         (loose ? structure.loosened->compliance_mm_per_kPa : 0.0);
 }
+std::vector<mechanics::FoundationFace> foundations_of(const SpecimenBody& specimen, const Structure& structure);
+// How their springs change with the compliance of those that `moves` says.
+template <typename Moves>
+std::vector<SpringFace> foundations_by_compliance(const SpecimenBody& specimen, const Structure& structure,
+                                                  const Moves& moves);
 
 // The 18x18 matrix of a face's membrane for a capsule of 1 mN/mm.
 using FaceMembrane = Eigen::Matrix<double, 18, 18>;
 FaceMembrane face_membrane(const mechanics::Body& body, const mechanics::BoundaryFace& face);
 
 void add_face_block(const mechanics::BoundaryFace& face, const FaceMembrane& block, Eigen::SparseMatrix<double>& lower);
-void add_springs(const SpecimenBody& specimen, const std::vector<double>& stiffness_kPa_per_mm,
-                 const Eigen::Ref<const Eigen::VectorXd>& u_mm, Eigen::VectorXd& force_mN);
+
+Eigen::VectorXd spring_forces(const SpecimenBody& specimen, const std::vector<SpringFace>& faces,
+                              const Eigen::Ref<const Eigen::VectorXd>& u_mm) {
+  Eigen::VectorXd force_mN = Eigen::VectorXd::Zero(u_mm.size());
+  add_spring_forces(specimen.body, faces, u_mm, force_mN);
+  return force_mN;
+}
+
+// Of the three coordinates and the radius, which follow each other.
+BallParameter ball_parameter(StructureParameter parameter, StructureParameter first) {
+  return static_cast<BallParameter>(static_cast<int>(parameter) - static_cast<int>(first));
+}
+
+bool same_ball(const mechanics::Ball& x, const mechanics::Ball& y) {
+  return x.center_mm == y.center_mm && x.radius_mm == y.radius_mm;
+}
 
 }  // namespace
 
 bool operator==(const Structure& a, const Structure& b) {
-  const auto same_inclusion = [](const Inclusion& x, const Inclusion& y) {
-    return x.center_mm == y.center_mm && x.radius_mm == y.radius_mm && x.ratio == y.ratio;
+  const auto same = [](const auto& x, const auto& y, const auto& alike) {
+    return x.has_value() == y.has_value() && (!x || alike(*x, *y));
   };
-  const auto same_anisotropy = [](const mechanics::TransverseIsotropy& x, const mechanics::TransverseIsotropy& y) {
-    return x.law == y.law && x.axis == y.axis && x.ratio == y.ratio;
-  };
-  return a.inclusion.has_value() == b.inclusion.has_value() &&
-         (!a.inclusion || same_inclusion(*a.inclusion, *b.inclusion)) &&
-         a.anisotropy.has_value() == b.anisotropy.has_value() &&
-         (!a.anisotropy || same_anisotropy(*a.anisotropy, *b.anisotropy)) &&
+  return same(a.inclusion, b.inclusion,
+              [](const Inclusion& x, const Inclusion& y) { return same_ball(x.ball, y.ball) && x.ratio == y.ratio; }) &&
+         same(a.attachment, b.attachment,
+              [](const Attachment& x, const Attachment& y) {
+                return same_ball(x.patch, y.patch) && x.foundation_kPa_per_mm == y.foundation_kPa_per_mm;
+              }) &&
+         same(a.loosened, b.loosened,
+              [](const Loosened& x, const Loosened& y) {
+                return x.support == y.support && x.compliance_mm_per_kPa == y.compliance_mm_per_kPa;
+              }) &&
+         same(a.anisotropy, b.anisotropy,
+              [](const mechanics::TransverseIsotropy& x, const mechanics::TransverseIsotropy& y) {
+                return x.law == y.law && x.axis == y.axis && x.ratio == y.ratio;
+              }) &&
          a.compliance_mm_per_kPa == b.compliance_mm_per_kPa && a.capsule_mN_per_mm == b.capsule_mN_per_mm;
 }
 
@@ -62,7 +88,7 @@ Result<SpecimenBody> specimen_body(geometry::TetMesh mesh, std::vector<double> y
 }
 
 double modulus_factor(const Inclusion& inclusion, const Eigen::Vector3d& place_mm, double edge_mm) {
-  return std::exp(std::log(inclusion.ratio) * inside(inclusion, place_mm, edge_mm));
+  return std::exp(std::log(inclusion.ratio) * inside(inclusion.ball, place_mm, edge_mm));
 }
 
 std::vector<double> modulus_factors(const SpecimenBody& specimen, const Structure& structure) {
@@ -87,14 +113,7 @@ Eigen::SparseMatrix<double> stiffness(const SpecimenBody& specimen, const Struct
   const std::vector<double> factors = modulus_factors(specimen, structure);
   const Matrix9d tangent = unit_tangent(specimen, structure);
 
-  std::vector<mechanics::FoundationFace> springs = body.resolved.foundations;
-  if (structure.compliance_mm_per_kPa > 0) {
-    GLISSON_ASSERT(specimen.soft.has_value());
-    springs.clear();
-    for (const auto& face : specimen.soft->faces) {
-      springs.push_back({face.face, spring(face, structure.compliance_mm_per_kPa)});
-    }
-  }
+  const std::vector<mechanics::FoundationFace> springs = foundations_of(specimen, structure);
   auto lower = mechanics::assemble_blocks(body.layout, body.boundary, springs, [&](std::size_t cell, int b) {
     // Moving node b by e changes the gradient by e g_b^T: the stress follows by these 9x3, the force on a by its g_a.
     std::array<Eigen::Matrix<double, 9, 3>, Elements::points_per_cell> stress_by_b;
@@ -114,6 +133,7 @@ Eigen::SparseMatrix<double> stiffness(const SpecimenBody& specimen, const Struct
       return block;
     };
   });
+  if (structure.attachment) add_springs(body, springs_of(body, *structure.attachment), lower);
   if (structure.capsule_mN_per_mm != 0) {
     for (const mechanics::BoundaryFace& face : body.boundary) {
       add_face_block(face, structure.capsule_mN_per_mm * face_membrane(body, face), lower);
@@ -123,7 +143,8 @@ Eigen::SparseMatrix<double> stiffness(const SpecimenBody& specimen, const Struct
 }
 
 const std::vector<std::uint8_t>& fixed_unknowns(const SpecimenBody& specimen, const Structure& structure) {
-  return structure.compliance_mm_per_kPa > 0 ? specimen.soft->fixed : specimen.body.resolved.fixed;
+  if (structure.compliance_mm_per_kPa > 0) return specimen.soft->fixed;
+  return structure.loosened ? specimen.soft->fixed_without[structure.loosened->support] : specimen.body.resolved.fixed;
 }
 
 Eigen::VectorXd stiffness_derivative(const SpecimenBody& specimen, const Structure& structure,
@@ -149,16 +170,12 @@ Eigen::VectorXd stiffness_derivative(const SpecimenBody& specimen, const Structu
       const auto factor = [&](std::size_t p) {
         const double edge_mm = elements.edge_mm[p / Elements::points_per_cell];
         const Eigen::Vector3d& place = elements.points[p].position_mm;
-        const double in = inside(inclusion, place, edge_mm);
+        const double in = inside(inclusion.ball, place, edge_mm);
         const double value = std::exp(log_ratio * in);
         if (parameter == StructureParameter::inclusion_ratio) return value * in / inclusion.ratio;
-        const double by_radius = value * log_ratio * inside_by_depth(inclusion, place, edge_mm);
-        if (parameter == StructureParameter::inclusion_radius || by_radius == 0) return by_radius;
-        const Eigen::Vector3d from_center = place - inclusion.center_mm;
-        const double distance_mm = from_center.norm();
-        if (distance_mm == 0) return 0.0;
-        const int axis = static_cast<int>(parameter) - static_cast<int>(StructureParameter::inclusion_x);
-        return by_radius * from_center[axis] / distance_mm;
+        return value * log_ratio *
+               inside_derivative(inclusion.ball, place, edge_mm,
+                                 ball_parameter(parameter, StructureParameter::inclusion_x));
       };
       return bulk(factor, unit_tangent(specimen, structure));
     }
@@ -181,16 +198,27 @@ Eigen::VectorXd stiffness_derivative(const SpecimenBody& specimen, const Structu
       const std::vector<double> factors = modulus_factors(specimen, structure);
       return bulk([&](std::size_t p) { return factors[p]; }, tangent);
     }
+    case StructureParameter::attachment_x:
+    case StructureParameter::attachment_y:
+    case StructureParameter::attachment_z:
+    case StructureParameter::attachment_radius: {
+      return spring_forces(specimen,
+                           springs_derivative(body, structure.attachment.value(),
+                                              ball_parameter(parameter, StructureParameter::attachment_x)),
+                           u_mm);
+    }
+    case StructureParameter::attachment_foundation: {
+      return spring_forces(specimen, springs_of(body, {structure.attachment.value().patch, 1.0}), u_mm);
+    }
+    case StructureParameter::loosened_compliance: {
+      const std::size_t loose = structure.loosened.value().support;
+      const auto moves = [&](const SoftSupports::Face& face) { return face.support == loose; };
+      return spring_forces(specimen, foundations_by_compliance(specimen, structure, moves), u_mm);
+    }
     case StructureParameter::compliance: {
       GLISSON_ASSERT(structure.compliance_mm_per_kPa > 0);
-      std::vector<double> by_compliance;
-      for (const auto& face : specimen.soft->faces) {
-        const double stiffness = spring(face, structure.compliance_mm_per_kPa);
-        by_compliance.push_back(-stiffness * stiffness);
-      }
-      Eigen::VectorXd force_mN = Eigen::VectorXd::Zero(u_mm.size());
-      add_springs(specimen, by_compliance, u_mm, force_mN);
-      return force_mN;
+      const auto all = [](const SoftSupports::Face& /*face*/) { return true; };
+      return spring_forces(specimen, foundations_by_compliance(specimen, structure, all), u_mm);
     }
     case StructureParameter::capsule: {
       Structure membrane;
@@ -215,14 +243,13 @@ Eigen::VectorXd surface_force_mN(const SpecimenBody& specimen, const Structure& 
     force_mN +=
         structure.capsule_mN_per_mm * stiffness_derivative(specimen, structure, StructureParameter::capsule, u_mm);
   }
-  if (structure.compliance_mm_per_kPa > 0) {
-    std::vector<double> springs;
-    for (const auto& face : specimen.soft->faces) springs.push_back(spring(face, structure.compliance_mm_per_kPa));
-    add_springs(specimen, springs, u_mm, force_mN);
-  } else {
-    force_mN -= mechanics::foundation_force_mN(specimen.body, u_mm);
+  std::vector<SpringFace> springs;
+  if (structure.attachment) springs = springs_of(specimen.body, *structure.attachment);
+  for (const mechanics::FoundationFace& foundation : foundations_of(specimen, structure)) {
+    springs.push_back(whole_face(specimen.body, foundation.face));
+    springs.back().springs *= foundation.stiffness_kPa_per_mm;
   }
-  return force_mN;
+  return force_mN + spring_forces(specimen, springs, u_mm);
 }
 
 namespace {
@@ -245,30 +272,49 @@ std::optional<SoftSupports> soft_supports(const mechanics::Body& body) {
     const auto resolved = mechanics::resolve_supports(body.mesh, body.layout, body.boundary, {springs[s]});
     if (!resolved) return std::nullopt;
     soft.fixed = resolved->fixed;
+    if (body.supports.size() > 1) {
+      std::vector<mechanics::Support> others = body.supports;
+      others.erase(others.begin() + static_cast<std::ptrdiff_t>(s));
+      const auto without = mechanics::resolve_supports(body.mesh, body.layout, body.boundary, others);
+      if (!without) return std::nullopt;
+      soft.fixed_without.push_back(without->fixed);
+    }
     for (const auto& face : resolved->foundations) {
       const auto known = std::find_if(soft.faces.begin(), soft.faces.end(),
                                       [&](const SoftSupports::Face& other) { return other.face == face.face; });
       if (known == soft.faces.end()) {
-        soft.faces.push_back({face.face, declared[s]});
-      } else {
-        known->declared_compliance_mm_per_kPa = std::min(known->declared_compliance_mm_per_kPa, declared[s]);
+        soft.faces.push_back({face.face, declared[s], s});
+      } else if (declared[s] < known->declared_compliance_mm_per_kPa) {
+        *known = {face.face, declared[s], s};
       }
     }
   }
   return soft;
 }
 
-// From 0 outside to 1 inside, over about half an edge of the cell.
-double steepness_per_mm(double edge_mm) { return 4.0 / edge_mm; }
-
-double inside(const Inclusion& inclusion, const Eigen::Vector3d& place_mm, double edge_mm) {
-  const double depth_mm = inclusion.radius_mm - (place_mm - inclusion.center_mm).norm();
-  return 0.5 * (1.0 + std::tanh(steepness_per_mm(edge_mm) * depth_mm));
+// What is held has no spring.
+std::vector<mechanics::FoundationFace> foundations_of(const SpecimenBody& specimen, const Structure& structure) {
+  if (structure.compliance_mm_per_kPa == 0 && !structure.loosened) return specimen.body.resolved.foundations;
+  GLISSON_ASSERT(specimen.soft.has_value());
+  std::vector<mechanics::FoundationFace> springs;
+  for (const SoftSupports::Face& face : specimen.soft->faces) {
+    const double compliance = compliance_of(face, structure);
+    if (compliance > 0) springs.push_back({face.face, 1.0 / compliance});
+  }
+  return springs;
 }
 
-double inside_by_depth(const Inclusion& inclusion, const Eigen::Vector3d& place_mm, double edge_mm) {
-  const double in = inside(inclusion, place_mm, edge_mm);
-  return 2.0 * steepness_per_mm(edge_mm) * in * (1.0 - in);
+template <typename Moves>
+std::vector<SpringFace> foundations_by_compliance(const SpecimenBody& specimen, const Structure& structure,
+                                                  const Moves& moves) {
+  std::vector<SpringFace> changes;
+  for (const SoftSupports::Face& face : specimen.soft->faces) {
+    if (!moves(face)) continue;
+    const double compliance = compliance_of(face, structure);
+    changes.push_back(whole_face(specimen.body, face.face));
+    changes.back().springs *= -1.0 / (compliance * compliance);
+  }
+  return changes;
 }
 
 FaceMembrane face_membrane(const mechanics::Body& body, const mechanics::BoundaryFace& face) {
@@ -313,20 +359,6 @@ void add_face_block(const mechanics::BoundaryFace& face, const FaceMembrane& blo
           const int row = 3 * face.nodes[a] + i, column = 3 * face.nodes[b] + j;
           if (row >= column) lower.coeffRef(row, column) += block(3 * a + i, 3 * b + j);
         }
-      }
-    }
-  }
-}
-
-void add_springs(const SpecimenBody& specimen, const std::vector<double>& stiffness_kPa_per_mm,
-                 const Eigen::Ref<const Eigen::VectorXd>& u_mm, Eigen::VectorXd& force_mN) {
-  for (std::size_t s = 0; s < stiffness_kPa_per_mm.size(); ++s) {
-    const mechanics::BoundaryFace& face = specimen.body.boundary[specimen.soft->faces[s].face];
-    const mechanics::FaceMass mass = mechanics::face_mass_mm2(face, specimen.body.options.order);
-    for (int a = 0; a < 6; ++a) {
-      for (int b = 0; b < 6; ++b) {
-        force_mN.segment<3>(3 * face.nodes[a]) +=
-            stiffness_kPa_per_mm[s] * mass(a, b) * u_mm.segment<3>(3 * face.nodes[b]);
       }
     }
   }

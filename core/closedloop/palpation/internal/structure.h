@@ -4,6 +4,9 @@
 // - A stiff inclusion multiplies Young's modulus by `ratio` inside a sphere. So that the model changes smoothly with
 //   the sphere, the logarithm of the modulus goes over from outside to inside within about half a cell.
 // - Anisotropy is transverse isotropy about an axis, in one of the two laws of mechanics/materials/anisotropy.h.
+// - An attachment is springs under a part of the surface (attachment.h); a loosened support has springs per unit area
+// in
+//   place of what it declares, and the other supports stay as they are.
 // - Compliant supports are springs per unit area, equal in all directions, in place of what is fixed. They lie under
 //   the boundary faces all of whose points a support holds. A declared foundation gets the compliance in series.
 // - A capsule is a membrane on the whole surface, without bending stiffness: Young's modulus times thickness (mN/mm),
@@ -16,19 +19,27 @@
 #include <optional>
 #include <vector>
 
+#include "closedloop/palpation/internal/attachment.h"
 #include "closedloop/palpation/internal/elements.h"
 #include "mechanics/materials/anisotropy.h"
 
 namespace glisson::closedloop {
 
 struct Inclusion {
-  Eigen::Vector3d center_mm{0, 0, 0};
-  double radius_mm = 0;
+  mechanics::Ball ball;
   double ratio = 1;
+};
+
+// One of the declared supports, which gives way; a compliance without end is none at all.
+struct Loosened {
+  std::size_t support = 0;
+  double compliance_mm_per_kPa = 0;
 };
 
 struct Structure {
   std::optional<Inclusion> inclusion;
+  std::optional<Attachment> attachment;
+  std::optional<Loosened> loosened;
   std::optional<mechanics::TransverseIsotropy> anisotropy;
   double compliance_mm_per_kPa = 0;  // of the supports; 0 holds as declared
   double capsule_mN_per_mm = 0;
@@ -41,6 +52,12 @@ enum class StructureParameter {
   inclusion_z,
   inclusion_radius,
   inclusion_ratio,
+  attachment_x,
+  attachment_y,
+  attachment_z,
+  attachment_radius,
+  attachment_foundation,
+  loosened_compliance,
   axis_x,
   axis_y,
   axis_z,
@@ -51,10 +68,12 @@ enum class StructureParameter {
 
 // How the supports of a body give way: which unknowns stay fixed then, and which faces get springs.
 struct SoftSupports {
-  std::vector<std::uint8_t> fixed;
+  std::vector<std::uint8_t> fixed;                       // where all give way
+  std::vector<std::vector<std::uint8_t>> fixed_without;  // where one alone does: one a support; empty for a single one
   struct Face {
     std::size_t face;                       // of the boundary
     double declared_compliance_mm_per_kPa;  // 0 where the support holds
+    std::size_t support;                    // that holds it most
   };
   std::vector<Face> faces;
 };
@@ -87,7 +106,7 @@ Result<SpecimenBody> specimen_body(geometry::TetMesh mesh, std::vector<double> y
                                                    StructureParameter parameter,
                                                    const Eigen::Ref<const Eigen::VectorXd>& u_mm);
 
-// What the springs and the membrane of a structure resist with (mN): (their stiffness) u.
+// What all springs and the membrane of a structure resist with (mN): (their stiffness) u.
 [[nodiscard]] Eigen::VectorXd surface_force_mN(const SpecimenBody& specimen, const Structure& structure,
                                                const Eigen::Ref<const Eigen::VectorXd>& u_mm);
 
