@@ -64,7 +64,7 @@ struct LiveOptions {
 struct LivePlace {
   std::string tool;
   std::size_t rod = 0;
-  std::array<int, 3> points;  // of the surface
+  std::array<int, 3> points;  // of the surface's nodes (TouchedSurface)
   Eigen::Vector3d weights;
   double multiplier_mN = 0;
   // Where it sticks to a tool with friction, in the tool's frame. The first is as the step began, the second where what
@@ -74,8 +74,8 @@ struct LivePlace {
 
 // What the step under way began from, for friction: what meets a tool in it has slid as they moved by each other since.
 struct LiveBegin {
-  std::vector<Eigen::Vector3d> surface_mm;  // as LiveState's
-  std::map<std::string, Pose> poses;        // of touching tools
+  Eigen::VectorXd touched_mm;         // of the surface's nodes (TouchedSurface)
+  std::map<std::string, Pose> poses;  // of touching tools
 };
 
 struct LiveState {

@@ -11,8 +11,21 @@
 #include "base/result.h"
 #include "geometry/surface.h"
 #include "mechanics/contact/contact.h"
+#include "mechanics/elements/body.h"
 
 namespace glisson::mechanics {
+
+// The surface that tools at large deformation touch: each face of the boundary in four triangles where cells are
+// quadratic, so that tools press on every node of it. Pressed on at its corners alone a quadratic face gives way in
+// spikes: of a uniform pressure its corners bear nothing, and the middles of its edges all.
+struct TouchedSurface {
+  geometry::Surface surface;       // at rest, without fields
+  std::vector<int> node_of_point;  // each of its points is a node
+
+  // Of each point, 3 values (mm), from 3 a node.
+  [[nodiscard]] Eigen::VectorXd moved_mm(const Eigen::VectorXd& u_mm) const;
+};
+[[nodiscard]] TouchedSurface touched_surface(const Body& body);
 
 struct ContactCandidate {
   std::size_t tool, rod;

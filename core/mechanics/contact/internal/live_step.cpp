@@ -10,11 +10,14 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 // The bound: so many times the weighted residual and the deepest penetration, which multipliers that lag leave, and a
-// tenth of a millimetre. Found on the tuning paths of docs/performance.md and not changed after.
-constexpr double of_residual = 2.5, of_penetration = 1.5, beside_mm = 0.1;
+// fifth of a millimetre, by which a smooth tool slips while it comes to rest. Found on the tuning paths of
+// docs/decisions/first-pictures.md and not changed after.
+constexpr double of_residual = 2.5, of_penetration = 1.5, beside_mm = 0.2;
 // So many times the residual's part where a cut has opened: what hangs by little answers more softly at large strain
 // than the answers at small strain say, by which it is weighted.
 constexpr double where_cut = 3;
+// Beyond those that were asked for, where cells are inside out on the way.
+constexpr int rounds_to_turn_back = 8;
 
 }  // namespace
 
@@ -42,7 +45,8 @@ Result<LiveState> LiveStep::run(const LiveState& from, Until until) {
     state_.error_bound_mm = safety * left_mm + of_penetration * deepest + beside_mm;
     const bool at_rest =
         left_mm <= options_.settled_mm && state_.report.relative_residual <= options_.relative_residual;
-    if (settling && at_rest) {
+    const bool turned = now_.inverted_points > 0;
+    if (settling && at_rest && !turned) {
       if (deepest <= options_.penetration_tolerance_mm && (round == 0 || moved_mm_ <= options_.movement_tolerance_mm)) {
         state_.settled = true;
         state_.error_bound_mm = safety * left_mm + of_penetration * deepest;
@@ -51,18 +55,23 @@ Result<LiveState> LiveStep::run(const LiveState& from, Until until) {
       move_multipliers_on();
       look_at_rows(state_.u_mm);  // as many as before: friction's limits stay those of the round
     }
-    if (round == most_rounds || (!settling && round > 0 && state_.error_bound_mm <= options_.shown_mm)) break;
-    const VectorXd again_mN = settling && at_rest ? with_tools(now_, state_.u_mm) : r_mN;
+    const bool shown = !settling && round > 0 && state_.error_bound_mm <= options_.shown_mm;
+    if (!turned && (round >= most_rounds || shown)) break;
+    if (round == most_rounds + rounds_to_turn_back) return failure(turned_inside_out());
+    const VectorXd again_mN = settling && at_rest && !turned ? with_tools(now_, state_.u_mm) : r_mN;
     go(direction(levels, again_mN, settling ? options_.settling_gradients : options_.gradients, settling), again_mN);
     if (progress_.cancelled()) return cancelled();
-    if (now_.inverted_points > 0 && !settling) {
-      return failure("not-converged",
-                     GLISSON_TEXT("The step would turn cells inside out ({0}): a tool goes too far into the body."),
-                     {std::to_string(now_.inverted_points)});
-    }
   }
   if (!settling) move_multipliers_on();
   return finished(watch);
+}
+
+Error LiveStep::turned_inside_out() const {
+  return Error{"not-converged",
+               GLISSON_TEXT("The step would turn cells inside out ({0}): a tool goes too far into the body."),
+               {std::to_string(now_.inverted_points)},
+               {},
+               {}};
 }
 
 Unbalanced LiveStep::unbalanced(const VectorXd& u_mm) {
@@ -191,7 +200,9 @@ VectorXd LiveStep::direction(const SplineLevels::WithRows& levels, const VectorX
   return step;
 }
 
-// All of the step, or less of it where it would turn cells inside out or climb far beyond the lowest place on its way.
+// All of the step, or less of it where it would climb far beyond the lowest place on its way. A law whose energy is
+// finite inside out leads through there, and back: at a cell's one point, near a place that presses, a step held short
+// of it would be held short for ever. Where the energy is infinite, no step goes there.
 void LiveStep::go(const VectorXd& step, const VectorXd& r_mN) {
   const VectorXd before_mm = advance_mm_;
   const double slope = r_mN.dot(step);
@@ -205,7 +216,7 @@ void LiveStep::go(const VectorXd& step, const VectorXd& r_mN) {
     place_rods();
     Unbalanced next = unbalanced(u_mm);
     const double slope_there = with_tools(next, u_mm).dot(step);
-    const bool sound = next.inverted_points <= now_.inverted_points;
+    const bool sound = parts_.finite_inside_out || next.inverted_points <= now_.inverted_points;
     constexpr int most_attempts = 8;
     if ((sound && slope_there > -std::abs(slope)) || attempt == most_attempts) {
       moved_mm_ = (u_mm - state_.u_mm).cwiseAbs().maxCoeff();

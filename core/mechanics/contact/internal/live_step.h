@@ -34,11 +34,13 @@ struct LiveParts {
   SplineLevels levels;
   geometry::Surface surface;
   std::vector<int> node_of_point;
+  TouchedSurface touched;
   std::vector<PointInMesh> watched;
   std::size_t judged = 0;  // of the watched places
   std::shared_ptr<const Eigen::MatrixXf> adjoints =
       std::make_shared<Eigen::MatrixXf>();  // three columns a judged place
   std::shared_ptr<KeptAdjoints> of_last_cut = std::make_shared<KeptAdjoints>();
+  bool finite_inside_out;  // the law's energy is
   double k_mN_mm = 0, k_wall_mN_mm = 0;
   LiveState untouched;
 
@@ -47,7 +49,8 @@ struct LiveParts {
         body(std::move(prepared)),
         materials(materials_of(body, law.law, law.strain_stiffening)),
         cells(body, law),
-        levels(body.layout.positions_mm, body.resolved.fixed, most_wide_points) {}
+        levels(body.layout.positions_mm, body.resolved.fixed, most_wide_points),
+        finite_inside_out(law.law == MaterialLaw::neo_hookean) {}
 
   [[nodiscard]] Eigen::Index unknowns() const { return 3 * static_cast<Eigen::Index>(body.layout.nodes()); }
   void free(Eigen::VectorXd& values) const {
@@ -55,7 +58,6 @@ struct LiveParts {
       if (body.resolved.fixed[static_cast<std::size_t>(i)]) values[i] = 0;
     }
   }
-  [[nodiscard]] Eigen::VectorXd surface_of(const Eigen::VectorXd& u_mm) const;
   [[nodiscard]] Eigen::MatrixXd unit_forces_at_judged() const;
   void show(LiveState& state) const;
 };
@@ -152,6 +154,7 @@ class LiveStep {
   Eigen::VectorXd direction(const SplineLevels::WithRows& levels, const Eigen::VectorXd& r_mN, int gradients,
                             bool settling);
   void add_rows_times(const SplineLevels::WithRows& levels, const Eigen::VectorXd& p, Eigen::VectorXd& product) const;
+  [[nodiscard]] Error turned_inside_out() const;
   void go(const Eigen::VectorXd& step, const Eigen::VectorXd& r_mN);
   [[nodiscard]] double estimate(const SplineLevels::WithRows& levels) const;
   void move_multipliers_on();
