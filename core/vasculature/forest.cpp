@@ -25,9 +25,10 @@ struct ForestCosts {
   double contact = 0.5, neck = 2, gap = 0.3, gap_per_mm = 0.05;
 };
 constexpr ForestCosts forest_costs;
-constexpr int moves_a_piece = 1500;
+constexpr std::int64_t moves_a_piece = 1500, most_moves = 6'000'000;  // the latter for masks that are mostly noise
 constexpr double hot = 2, cold = 0.15;
-constexpr int other_forests = 50, moves_between = 6;  // a piece
+constexpr int other_forests = 50;
+constexpr std::int64_t moves_between = 6;  // a piece
 constexpr double warm = 2.2;
 
 // Quadratic, and linear beyond `linear_from`: one odd place is no proof (Huber 1964, Ann Math Stat 35:73).
@@ -317,9 +318,9 @@ void ForestWalk::move() {
 }
 
 void ForestWalk::cool() {
-  const int moves = static_cast<int>(parent_.size()) * moves_a_piece;
-  for (int m = 0; m < moves; ++m) {
-    temperature_ = hot * std::pow(cold / hot, static_cast<double>(m) / moves);
+  const std::int64_t moves = std::min(static_cast<std::int64_t>(parent_.size()) * moves_a_piece, most_moves);
+  for (std::int64_t m = 0; m < moves; ++m) {
+    temperature_ = hot * std::pow(cold / hot, static_cast<double>(m) / static_cast<double>(moves));
     move();
   }
 }
@@ -327,8 +328,10 @@ void ForestWalk::cool() {
 void ForestWalk::look_around(Forest& forest) {
   forest.sure.assign(parent_.size(), 0);
   temperature_ = warm;
+  const std::int64_t between =
+      std::min(static_cast<std::int64_t>(parent_.size()) * moves_between, most_moves / other_forests);
   for (int n = 0; n < other_forests; ++n) {
-    for (std::size_t m = 0; m < moves_between * parent_.size(); ++m) move();
+    for (std::int64_t m = 0; m < between; ++m) move();
     for (int p = 0; p < static_cast<int>(parent_.size()); ++p) {
       const System system = system_[at(top_of(p))] == 0 ? System::portal_vein : System::hepatic_vein;
       if (system == forest.system[at(p)]) forest.sure[at(p)] += 1.0 / other_forests;

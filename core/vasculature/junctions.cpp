@@ -20,11 +20,15 @@ struct Links {
   std::vector<int> junction;         // by vertex
 };
 
+// A junction of more vertices is noise: what would join them is left out, so that tables of passages stay small.
+constexpr int most_vertices = 64;
+
 Links links_of(const VesselGraph& graph) {
   const auto branches_at = graph.branches_at_vertices();
   Links links{std::vector<char>(graph.branches.size(), 0), std::vector<std::vector<int>>(graph.vertices_mm.size()),
               std::vector<int>(graph.vertices_mm.size())};
   std::iota(links.junction.begin(), links.junction.end(), 0);
+  std::vector<int> size(graph.vertices_mm.size(), 1);
   const auto root = [&](int v) {
     while (links.junction[static_cast<std::size_t>(v)] != v) v = links.junction[static_cast<std::size_t>(v)];
     return v;
@@ -35,9 +39,14 @@ Links links_of(const VesselGraph& graph) {
     const bool inner = branches_at[from].size() > 1 && branches_at[to].size() > 1;
     if (branch.joint == Joint::vessel && !(inner && branch.length_mm < branch.radius_mm)) continue;
     links.is_link[b] = 1;
+    const int a = root(branch.from), c = root(branch.to), first = std::min(a, c), second = std::max(a, c);
+    if (first != second) {
+      const int together = size[static_cast<std::size_t>(first)] + size[static_cast<std::size_t>(second)];
+      if (together > most_vertices) continue;
+      size[static_cast<std::size_t>(first)] = together;
+    }
+    links.junction[static_cast<std::size_t>(second)] = first;
     for (const std::size_t v : {from, to}) links.at[v].push_back(static_cast<int>(b));
-    const int a = root(branch.from), c = root(branch.to);
-    links.junction[static_cast<std::size_t>(std::max(a, c))] = std::min(a, c);
   }
   for (std::size_t v = 0; v < links.junction.size(); ++v) links.junction[v] = root(static_cast<int>(v));
   return links;

@@ -3,6 +3,8 @@
 #include "vasculature/systems.h"
 
 #include <gtest/gtest.h>
+#include <algorithm>
+#include <cmath>
 
 #include "drawn_vessels.h"
 #include "vasculature/center_lines.h"
@@ -57,8 +59,10 @@ TEST(Systems, AClickTellsTheSystemOfWhatItLiesOn) {
       classify_vessels(*graph, expected, {}, {Vector3d(20, portal_y, 29), Vector3d(90, hepatic_y, 29)});
   for (const TreeBranch& branch : trees.branches) {
     for (const CenterPoint& point : branch.points) {
-      if ((point.position_mm - Vector3d(20, portal_y, 29)).norm() < 4) EXPECT_EQ(branch.system, System::portal_vein);
-      if ((point.position_mm - Vector3d(90, hepatic_y, 29)).norm() < 4) EXPECT_EQ(branch.system, System::hepatic_vein);
+      const double from_portal = (point.position_mm - Vector3d(20, portal_y, 29)).norm();
+      const double from_hepatic = (point.position_mm - Vector3d(90, hepatic_y, 29)).norm();
+      if (std::min(from_portal, from_hepatic) > 4) continue;
+      EXPECT_EQ(branch.system, from_portal < from_hepatic ? System::portal_vein : System::hepatic_vein);
     }
   }
 }
