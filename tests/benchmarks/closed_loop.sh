@@ -23,8 +23,17 @@ case $set in
     make material --seed 101 --count 6 --modes compression,tension --kinds drifting-cell,ringing-machine,slipping-grip --sizes 2,4 ;;
   platform) make platform --seed 204 --count 2 --sizes 2,4,8 ;;
   guidance)
-    make guidance --seed 41 --sizes 4,8
-    make guidance --seed 43 --sizes 4,8 ;;
+    for seed in 41 43; do
+      make guidance --seed $seed --sizes 4,8 \
+        --kinds null,stiffness-scale,support-compliance,frame-misalignment,force-bias,stiff-inclusion,cut
+    done ;;
+  ties)
+    for seed in 8534 43324; do
+      make guidance --specimens tied --seed $seed --kinds null,undeclared-attachment,missing-attachment,stiff-inclusion --sizes 2,4
+      make guidance --specimens tied --seed $seed --sizes 4 \
+        --kinds stiffness-scale,support-compliance,frame-misalignment,force-bias,cut,two-adhesions
+    done
+    make guidance --specimens tied,tiny --seed 8535 --count 5 --kinds null ;;
   waves) make waves --seed 32748 --sizes 2,4,8 ;;
   wave-nulls) make waves --kinds null,null-free,null-slice --seed 34552 --count 34 ;;
   small)

@@ -131,7 +131,7 @@ TEST_F(LearntOrganTest, HoldsAsExplainsModelOfTheSameOrganDoes) {
                                  "",
                                  {40, 18, 30, 12, 0.5},
                                  {{"center_mm", {40, 18, 30}}, {"radius_mm", 12}, {"foundation_kPa_per_mm", 0.5}},
-                                 0.3}};
+                                 0.4}};
   for (const Wanted& wanted : all) {
     const Eigen::VectorXd after = predicted(
         {{wanted.kind, wanted.form, Eigen::VectorXd::Map(wanted.values.data(), Eigen::Index(wanted.values.size()))}});

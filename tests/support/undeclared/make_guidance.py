@@ -66,7 +66,7 @@ INSIDE = {
 }
 # Not in the catalogue of guidance: to be called unexplained.
 OUTSIDE = {"two-adhesions": lambda s, r: Effects(adhesions=(adhesion(s, r), adhesion(s, r))),
-           "cut": lambda s, r: Effects(cut=(int(r.integers(0, 2)), 0.5, 0.7))}
+           "cut": lambda s, r: Effects(cut=(int(r.integers(0, 1 if s.ligament else 2)), 0.5, 0.7))}  # where grids have a plane
 
 AT_A_PLACE = ("stiff-inclusion", "undeclared-attachment", "two-adhesions")
 
