@@ -1,4 +1,4 @@
-// Tools at large deformation: against the linear engine where strains are small, and what is promised of every state.
+// Tools at large deformation: against linear elasticity where strains are small, and what is promised of every state.
 
 #include "mechanics/contact/large_contact.h"
 
@@ -18,8 +18,8 @@ using Eigen::Vector3d;
 // A block 30 x 30 x 15 mm of 10 kPa on a fixed ground.
 class SoftBlock : public testing::Test {
  protected:
-  static Body body(int times = 1) {
-    auto mesh = test::box(4 * times, 4 * times, 2 * times, {30, 30, 15});
+  static Body body() {
+    auto mesh = test::box(4, 4, 2, {30, 30, 15});
     test::name_points(mesh, "ground", [](const Vector3d& p) { return p.z() < 1e-9; });
     StaticOptions options;
     options.poisson_ratio = 0.4;
@@ -45,18 +45,20 @@ class SoftBlock : public testing::Test {
   }
 };
 
-// The linear engine's tools press on corners alone. So the ball is so large that it meets many of either kind.
-TEST_F(SoftBlock, AShallowPressIsThatOfTheLinearEngine) {
-  const Body block = body(2);
-  const ContactTool tool = ball(400, {15, 15, 15 + 400 - 0.4});
-  auto model = StaticModel::create(block.mesh, block.youngs_kPa, block.supports, block.options).value();
-  const auto linear = ContactBody::create(std::move(model), {}, {});
-  const auto state = linear->solve(linear->untouched(), {tool}).value();
-  ASSERT_TRUE(state.report.converged);
-  for (const MaterialLaw law : {MaterialLaw::linear, MaterialLaw::corotational, MaterialLaw::neo_hookean}) {
-    const auto contact = pressed(block, law, 1, [&](double) { return std::vector<ContactTool>{tool}; });
+// The engine of small strain is no measure here: its tools press on the corners of faces alone, which give way further.
+TEST_F(SoftBlock, AShallowPressIsThatOfLinearElasticityInEveryLaw) {
+  const Body block = body();
+  const auto force_mN = [&](MaterialLaw law) {
+    const auto contact = pressed(block, law, 1, [&](double) {
+      return std::vector<ContactTool>{ball(12, {15, 15, 15 + 12 - 0.4})};
+    });
     expect_rest(contact);
-    EXPECT_NEAR(contact.tools[0].force_mN.z() / state.tools[0].force_mN.z(), 1, 0.1);
+    return contact.tools[0].force_mN.z();
+  };
+  const double linear_mN = force_mN(MaterialLaw::linear);
+  EXPECT_LT(linear_mN, -10);
+  for (const MaterialLaw law : {MaterialLaw::corotational, MaterialLaw::neo_hookean}) {
+    EXPECT_NEAR(force_mN(law) / linear_mN, 1, 0.1);
   }
 }
 
