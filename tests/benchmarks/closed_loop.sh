@@ -4,15 +4,15 @@
 #
 #   tests/benchmarks/closed_loop.sh SET [FOLDER]     # build/closed-loop
 #
-#   material | platform | guidance | ties | waves       minutes
-#   wave-nulls | small | livers | palpations            a quarter of an hour to hours
+#   material | platform | guidance | ties | planes | waves | waves-2     minutes
+#   wave-nulls | small | livers | palpations                             a quarter of an hour to hours
 #
 # It may be stopped and taken up again: cases made once stay, and what a program said of a case is asked again only of another
 # program (judge.py). Other seeds: the makers in tests/support/undeclared, then judge.py. Needs python3-numpy and, for organs,
 # calculix-ccx.
 set -e
 cd "$(dirname "$0")/../.."
-set=${1:?which set: material, platform, guidance, ties, waves, wave-nulls, small, livers or palpations}
+set=${1:?which set: material, platform, guidance, ties, planes, waves, waves-2, wave-nulls, small, livers or palpations}
 cases=${2:-build/closed-loop}/$set
 make() { sort=$1; shift; tests/support/undeclared/make_"$sort".py "$cases" "$@" > /dev/null; }
 
@@ -34,7 +34,9 @@ case $set in
         --kinds stiffness-scale,support-compliance,frame-misalignment,force-bias,cut,two-adhesions
     done
     make guidance --specimens tied,tiny --seed 8535 --count 5 --kinds null ;;
+  planes) make plane --seed 351 ;;
   waves) make waves --seed 32748 --sizes 2,4,8 ;;
+  waves-2) make waves --seed 34552 --sizes 2,4,8 ;;
   wave-nulls) make waves --kinds null,null-free,null-slice --seed 34552 --count 34 ;;
   small)
     make palpation --seed 41 --specimens small --sizes 2,4,8
