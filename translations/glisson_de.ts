@@ -6896,10 +6896,6 @@
         <translation>Frequenz (Hz)</translation>
     </message>
     <message>
-        <source>Where the declared law does not hold: a dash a patch, red at {0} noises, blue where nothing is left; the worst layer</source>
-        <translation>Wo das angegebene Gesetz nicht gilt: ein Strich je Teilstück, rot bei {0} Rauschen, blau, wo nichts übrig ist; die schlechteste Lage</translation>
-    </message>
-    <message>
         <source>The same with the better model</source>
         <translation>Dasselbe mit dem besseren Modell</translation>
     </message>
@@ -6958,6 +6954,14 @@
     <message>
         <source>one of the quantities that were measured is off by more than its noise</source>
         <translation>eine der gemessenen Größen liegt weiter daneben als ihr Rauschen</translation>
+    </message>
+    <message>
+        <source>Error by frequency: broken before, whole after</source>
+        <translation>Fehler nach Frequenz: vorher gestrichelt, nachher durchgezogen</translation>
+    </message>
+    <message>
+        <source>Where the declared law does not hold: what it leaves in each patch, in noises (1 is noise alone; red at {0}); the worst layer</source>
+        <translation>Wo das angegebene Gesetz nicht gilt: was es in jedem Flecken übrig lässt, in Rauschen (1 ist Rauschen allein; rot bei {0}); die schlechteste Schicht</translation>
     </message>
 </context>
 <context>
@@ -7810,6 +7814,10 @@
         <source>What these trials could have shown</source>
         <translation>Was diese Versuche hätten zeigen können</translation>
     </message>
+    <message>
+        <source>Of experiments of this sort no further trial is proposed.</source>
+        <translation>Für Experimente dieser Art wird kein weiterer Versuch vorgeschlagen.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::EvidenceView</name>
@@ -8034,16 +8042,6 @@ Das geprobte Organ ändert sich:
         <translation>Eine Gewebeprobe unter Druck: simuliert, und sie tut etwas, das ihre Datei nicht angibt</translation>
     </message>
     <message>
-        <source>Open measurements of a palpation, a material test or a wearable computer.
-Glisson says how far the declared model is off, what it lacks, and how sure that is.
-
-No measurements at hand? Try the example: a simulated sample of tissue that does something undeclared.</source>
-        <translation>Öffnen Sie Messungen einer Palpation, eines Materialversuchs oder eines am Körper getragenen Rechners.
-Glisson sagt, wie weit das angegebene Modell danebenliegt, was ihm fehlt und wie sicher das ist.
-
-Keine Messungen zur Hand? Probieren Sie das Beispiel: eine simulierte Gewebeprobe, die etwas nicht Angegebenes tut.</translation>
-    </message>
-    <message>
         <source>A guided sequence</source>
         <translation>Eine geführte Sequenz</translation>
     </message>
@@ -8062,6 +8060,16 @@ Keine Messungen zur Hand? Probieren Sie das Beispiel: eine simulierte Gewebeprob
     <message>
         <source>Waves of an elastography</source>
         <translation>Wellen einer Elastographie</translation>
+    </message>
+    <message>
+        <source>Open measurements of a palpation, a material test, a plate in full field, waves of an elastography, a guided sequence or a wearable computer.
+Glisson says how far the declared model is off, what it lacks, and how sure that is.
+
+No measurements at hand? Try the example: a simulated sample of tissue that does something undeclared.</source>
+        <translation>Öffnen Sie Messungen einer Palpation, eines Materialversuchs, einer Platte mit Vollfeldmessung, der Wellen einer Elastographie, einer geführten Sequenz oder eines am Körper getragenen Rechners.
+Glisson sagt, wie weit das angegebene Modell danebenliegt, was ihm fehlt und wie sicher das ist.
+
+Keine Messungen zur Hand? Probieren Sie das Beispiel: eine simulierte Gewebeprobe, die etwas nicht Angegebenes tut.</translation>
     </message>
 </context>
 <context>

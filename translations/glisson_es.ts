@@ -6896,10 +6896,6 @@
         <translation>frecuencia (Hz)</translation>
     </message>
     <message>
-        <source>Where the declared law does not hold: a dash a patch, red at {0} noises, blue where nothing is left; the worst layer</source>
-        <translation>Dónde no vale la ley declarada: un trazo por parche, rojo a {0} ruidos, azul donde no queda nada; la peor capa</translation>
-    </message>
-    <message>
         <source>The same with the better model</source>
         <translation>Lo mismo con el modelo mejor</translation>
     </message>
@@ -6958,6 +6954,14 @@
     <message>
         <source>one of the quantities that were measured is off by more than its noise</source>
         <translation>una de las magnitudes medidas se desvía más que su ruido</translation>
+    </message>
+    <message>
+        <source>Error by frequency: broken before, whole after</source>
+        <translation>Error según la frecuencia: discontinuo antes, continuo después</translation>
+    </message>
+    <message>
+        <source>Where the declared law does not hold: what it leaves in each patch, in noises (1 is noise alone; red at {0}); the worst layer</source>
+        <translation>Dónde no se cumple la ley declarada: lo que deja en cada zona, en ruidos (1 es solo ruido; rojo en {0}); la peor capa</translation>
     </message>
 </context>
 <context>
@@ -7810,6 +7814,10 @@
         <source>What these trials could have shown</source>
         <translation>Lo que estos ensayos habrían podido mostrar</translation>
     </message>
+    <message>
+        <source>Of experiments of this sort no further trial is proposed.</source>
+        <translation>Para experimentos de este tipo no se propone ningún otro ensayo.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::EvidenceView</name>
@@ -8034,16 +8042,6 @@ El órgano que se ensaya cambia:
         <translation>Una muestra de tejido, comprimida: simulada, y hace algo que su archivo no declara</translation>
     </message>
     <message>
-        <source>Open measurements of a palpation, a material test or a wearable computer.
-Glisson says how far the declared model is off, what it lacks, and how sure that is.
-
-No measurements at hand? Try the example: a simulated sample of tissue that does something undeclared.</source>
-        <translation>Abra mediciones de una palpación, un ensayo de material o un ordenador corporal.
-Glisson dice cuánto se equivoca el modelo declarado, qué le falta y con qué certeza.
-
-¿No tiene mediciones a mano? Pruebe el ejemplo: una muestra de tejido simulada que hace algo no declarado.</translation>
-    </message>
-    <message>
         <source>A guided sequence</source>
         <translation>Una secuencia guiada</translation>
     </message>
@@ -8062,6 +8060,16 @@ Glisson dice cuánto se equivoca el modelo declarado, qué le falta y con qué c
     <message>
         <source>Waves of an elastography</source>
         <translation>Ondas de una elastografía</translation>
+    </message>
+    <message>
+        <source>Open measurements of a palpation, a material test, a plate in full field, waves of an elastography, a guided sequence or a wearable computer.
+Glisson says how far the declared model is off, what it lacks, and how sure that is.
+
+No measurements at hand? Try the example: a simulated sample of tissue that does something undeclared.</source>
+        <translation>Abra mediciones de una palpación, un ensayo de material, una placa de campo completo, las ondas de una elastografía, una secuencia guiada o un ordenador corporal.
+Glisson dice cuánto se equivoca el modelo declarado, qué le falta y con qué certeza.
+
+¿No tiene mediciones a mano? Pruebe el ejemplo: una muestra de tejido simulada que hace algo no declarado.</translation>
     </message>
 </context>
 <context>

@@ -6896,10 +6896,6 @@
         <translation>fréquence (Hz)</translation>
     </message>
     <message>
-        <source>Where the declared law does not hold: a dash a patch, red at {0} noises, blue where nothing is left; the worst layer</source>
-        <translation>Où la loi déclarée ne vaut pas : un trait par parcelle, rouge à {0} bruits, bleu où rien ne reste ; la pire couche</translation>
-    </message>
-    <message>
         <source>The same with the better model</source>
         <translation>La même chose avec le meilleur modèle</translation>
     </message>
@@ -6958,6 +6954,14 @@
     <message>
         <source>one of the quantities that were measured is off by more than its noise</source>
         <translation>une des grandeurs mesurées s&apos;écarte de plus que son bruit</translation>
+    </message>
+    <message>
+        <source>Error by frequency: broken before, whole after</source>
+        <translation>Erreur selon la fréquence : en tirets avant, en trait plein après</translation>
+    </message>
+    <message>
+        <source>Where the declared law does not hold: what it leaves in each patch, in noises (1 is noise alone; red at {0}); the worst layer</source>
+        <translation>Où la loi déclarée ne vaut pas : ce qu&apos;elle laisse dans chaque zone, en bruits (1 : le bruit seul ; rouge à {0}) ; la pire couche</translation>
     </message>
 </context>
 <context>
@@ -7810,6 +7814,10 @@
         <source>What these trials could have shown</source>
         <translation>Ce que ces essais auraient pu montrer</translation>
     </message>
+    <message>
+        <source>Of experiments of this sort no further trial is proposed.</source>
+        <translation>Pour les expériences de ce genre, aucun autre essai n&apos;est proposé.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::EvidenceView</name>
@@ -8034,16 +8042,6 @@ L&apos;organe répété change :
         <translation>Un échantillon de tissu, comprimé&#xa0;: simulé, et il fait quelque chose que son fichier ne déclare pas</translation>
     </message>
     <message>
-        <source>Open measurements of a palpation, a material test or a wearable computer.
-Glisson says how far the declared model is off, what it lacks, and how sure that is.
-
-No measurements at hand? Try the example: a simulated sample of tissue that does something undeclared.</source>
-        <translation>Ouvrez des mesures d’une palpation, d’un essai de matériau ou d’un ordinateur porté.
-Glisson dit de combien le modèle déclaré se trompe, ce qui lui manque et avec quelle certitude.
-
-Pas de mesures sous la main&#xa0;? Essayez l’exemple&#xa0;: un échantillon de tissu simulé qui fait quelque chose de non déclaré.</translation>
-    </message>
-    <message>
         <source>A guided sequence</source>
         <translation>Une séquence guidée</translation>
     </message>
@@ -8062,6 +8060,16 @@ Pas de mesures sous la main&#xa0;? Essayez l’exemple&#xa0;: un échantillon de
     <message>
         <source>Waves of an elastography</source>
         <translation>Ondes d’une élastographie</translation>
+    </message>
+    <message>
+        <source>Open measurements of a palpation, a material test, a plate in full field, waves of an elastography, a guided sequence or a wearable computer.
+Glisson says how far the declared model is off, what it lacks, and how sure that is.
+
+No measurements at hand? Try the example: a simulated sample of tissue that does something undeclared.</source>
+        <translation>Ouvrez des mesures d’une palpation, d’un essai de matériau, d’une plaque en champ complet, des ondes d’une élastographie, d’une séquence guidée ou d’un ordinateur porté.
+Glisson dit de combien le modèle déclaré se trompe, ce qui lui manque et avec quelle certitude.
+
+Pas de mesures sous la main&#xa0;? Essayez l’exemple&#xa0;: un échantillon de tissu simulé qui fait quelque chose de non déclaré.</translation>
     </message>
 </context>
 <context>
