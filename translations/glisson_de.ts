@@ -141,6 +141,50 @@
         <source>A declared attachment gives way or is missing</source>
         <translation>Eine angegebene Anheftung gibt nach oder fehlt</translation>
     </message>
+    <message>
+        <source>The neo-Hookean law</source>
+        <translation>Das neo-Hookesche Gesetz</translation>
+    </message>
+    <message>
+        <source>The law of Mooney and Rivlin</source>
+        <translation>Das Gesetz von Mooney und Rivlin</translation>
+    </message>
+    <message>
+        <source>The law of Gent and Thomas</source>
+        <translation>Das Gesetz von Gent und Thomas</translation>
+    </message>
+    <message>
+        <source>The law of Gent</source>
+        <translation>Das Gesetz von Gent</translation>
+    </message>
+    <message>
+        <source>The law of Arruda and Boyce</source>
+        <translation>Das Gesetz von Arruda und Boyce</translation>
+    </message>
+    <message>
+        <source>The law of Ogden</source>
+        <translation>Das Gesetz von Ogden</translation>
+    </message>
+    <message>
+        <source>The law of Isihara</source>
+        <translation>Das Gesetz von Isihara</translation>
+    </message>
+    <message>
+        <source>The law of Yeoh</source>
+        <translation>Das Gesetz von Yeoh</translation>
+    </message>
+    <message>
+        <source>Fibres along one direction</source>
+        <translation>Fasern in einer Richtung</translation>
+    </message>
+    <message>
+        <source>The law of Haines and Wilson</source>
+        <translation>Das Gesetz von Haines und Wilson</translation>
+    </message>
+    <message>
+        <source>Fibres along two directions (Holzapfel)</source>
+        <translation>Fasern in zwei Richtungen (Holzapfel)</translation>
+    </message>
 </context>
 <context>
     <name>entries</name>
@@ -6860,10 +6904,6 @@
         <translation>Frequenz (Hz)</translation>
     </message>
     <message>
-        <source>Where the declared law does not hold: a dash a patch, red at {0} noises, blue where nothing is left; the worst layer</source>
-        <translation>Wo das angegebene Gesetz nicht gilt: ein Strich je Teilstück, rot bei {0} Rauschen, blau, wo nichts übrig ist; die schlechteste Lage</translation>
-    </message>
-    <message>
         <source>The same with the better model</source>
         <translation>Dasselbe mit dem besseren Modell</translation>
     </message>
@@ -6950,6 +6990,14 @@
     <message>
         <source>One of the declared attachments holds less than declared, or is not there at all.</source>
         <translation>Eine der angegebenen Anheftungen hält weniger als angegeben oder ist gar nicht da.</translation>
+    </message>
+    <message>
+        <source>Error by frequency: broken before, whole after</source>
+        <translation>Fehler nach Frequenz: vorher gestrichelt, nachher durchgezogen</translation>
+    </message>
+    <message>
+        <source>Where the declared law does not hold: what it leaves in each patch, in noises (1 is noise alone; red at {0}); the worst layer</source>
+        <translation>Wo das angegebene Gesetz nicht gilt: was es in jedem Flecken übrig lässt, in Rauschen (1 ist Rauschen allein; rot bei {0}); die schlechteste Schicht</translation>
     </message>
 </context>
 <context>
@@ -7798,6 +7846,14 @@
         <source>%1 Of the doubt %2 % is expected to be gone then.</source>
         <translation>%1 Vom Zweifel sind dann voraussichtlich %2 % beseitigt.</translation>
     </message>
+    <message>
+        <source>What these trials could have shown</source>
+        <translation>Was diese Versuche hätten zeigen können</translation>
+    </message>
+    <message>
+        <source>Of experiments of this sort no further trial is proposed.</source>
+        <translation>Für Experimente dieser Art wird kein weiterer Versuch vorgeschlagen.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::EvidenceView</name>
@@ -8022,16 +8078,6 @@ Das geprobte Organ ändert sich:
         <translation>Eine Gewebeprobe unter Druck: simuliert, und sie tut etwas, das ihre Datei nicht angibt</translation>
     </message>
     <message>
-        <source>Open measurements of a palpation, a material test or a wearable computer.
-Glisson says how far the declared model is off, what it lacks, and how sure that is.
-
-No measurements at hand? Try the example: a simulated sample of tissue that does something undeclared.</source>
-        <translation>Öffnen Sie Messungen einer Palpation, eines Materialversuchs oder eines am Körper getragenen Rechners.
-Glisson sagt, wie weit das angegebene Modell danebenliegt, was ihm fehlt und wie sicher das ist.
-
-Keine Messungen zur Hand? Probieren Sie das Beispiel: eine simulierte Gewebeprobe, die etwas nicht Angegebenes tut.</translation>
-    </message>
-    <message>
         <source>A guided sequence</source>
         <translation>Eine geführte Sequenz</translation>
     </message>
@@ -8050,6 +8096,16 @@ Keine Messungen zur Hand? Probieren Sie das Beispiel: eine simulierte Gewebeprob
     <message>
         <source>Waves of an elastography</source>
         <translation>Wellen einer Elastographie</translation>
+    </message>
+    <message>
+        <source>Open measurements of a palpation, a material test, a plate in full field, waves of an elastography, a guided sequence or a wearable computer.
+Glisson says how far the declared model is off, what it lacks, and how sure that is.
+
+No measurements at hand? Try the example: a simulated sample of tissue that does something undeclared.</source>
+        <translation>Öffnen Sie Messungen einer Palpation, eines Materialversuchs, einer Platte mit Vollfeldmessung, der Wellen einer Elastographie, einer geführten Sequenz oder eines am Körper getragenen Rechners.
+Glisson sagt, wie weit das angegebene Modell danebenliegt, was ihm fehlt und wie sicher das ist.
+
+Keine Messungen zur Hand? Probieren Sie das Beispiel: eine simulierte Gewebeprobe, die etwas nicht Angegebenes tut.</translation>
     </message>
 </context>
 <context>
@@ -13113,6 +13169,37 @@ Von Hand: mit der rechten Taste ziehen</translation>
     </message>
 </context>
 <context>
+    <name>glisson::widgets::VisibleTable</name>
+    <message>
+        <source>Effect</source>
+        <translation>Effekt</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>Without effect</source>
+        <translation>Ohne Effekt</translation>
+    </message>
+    <message>
+        <source>Seen from</source>
+        <translation>Sichtbar ab</translation>
+    </message>
+    <message>
+        <source>In nine of ten such experiments an effect of this size is seen</source>
+        <translation>In neun von zehn solchen Experimenten ist ein Effekt dieser Größe zu sehen</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>at no size</source>
+        <translation>in keiner Größe</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::WaveView</name>
     <message>
         <source>Elastography waves</source>
@@ -13267,6 +13354,165 @@ Von Hand: mit der rechten Taste ziehen</translation>
     <message>
         <source>Research</source>
         <translation>Forschung</translation>
+    </message>
+</context>
+<context>
+    <name>parameters</name>
+    <message>
+        <source>amplitude</source>
+        <translation>Amplitude</translation>
+    </message>
+    <message>
+        <source>angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>azimuth</source>
+        <translation>Azimut</translation>
+    </message>
+    <message>
+        <source>center</source>
+        <translation>Mittelpunkt</translation>
+    </message>
+    <message>
+        <source>coefficient</source>
+        <translation>Koeffizient</translation>
+    </message>
+    <message>
+        <source>curve</source>
+        <translation>Kurve</translation>
+    </message>
+    <message>
+        <source>delay</source>
+        <translation>Verzögerung</translation>
+    </message>
+    <message>
+        <source>depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>efficiency</source>
+        <translation>Wirkungsgrad</translation>
+    </message>
+    <message>
+        <source>elevation</source>
+        <translation>Elevation</translation>
+    </message>
+    <message>
+        <source>energy</source>
+        <translation>Energie</translation>
+    </message>
+    <message>
+        <source>exponent</source>
+        <translation>Exponent</translation>
+    </message>
+    <message>
+        <source>factor</source>
+        <translation>Faktor</translation>
+    </message>
+    <message>
+        <source>faster</source>
+        <translation>schneller</translation>
+    </message>
+    <message>
+        <source>foundation</source>
+        <translation>Bettung</translation>
+    </message>
+    <message>
+        <source>friction</source>
+        <translation>Reibung</translation>
+    </message>
+    <message>
+        <source>full load</source>
+        <translation>Volllast</translation>
+    </message>
+    <message>
+        <source>gain</source>
+        <translation>Verstärkung</translation>
+    </message>
+    <message>
+        <source>gravity</source>
+        <translation>Schwerkraft</translation>
+    </message>
+    <message>
+        <source>length scale</source>
+        <translation>Längenmaßstab</translation>
+    </message>
+    <message>
+        <source>limit</source>
+        <translation>Grenze</translation>
+    </message>
+    <message>
+        <source>loss</source>
+        <translation>Verlust</translation>
+    </message>
+    <message>
+        <source>loss ratio</source>
+        <translation>Verlustverhältnis</translation>
+    </message>
+    <message>
+        <source>pressure</source>
+        <translation>Druck</translation>
+    </message>
+    <message>
+        <source>radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>ratio</source>
+        <translation>Verhältnis</translation>
+    </message>
+    <message>
+        <source>resistance</source>
+        <translation>Widerstand</translation>
+    </message>
+    <message>
+        <source>rotation</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>share</source>
+        <translation>Anteil</translation>
+    </message>
+    <message>
+        <source>slip strain</source>
+        <translation>Gleitdehnung</translation>
+    </message>
+    <message>
+        <source>slower</source>
+        <translation>langsamer</translation>
+    </message>
+    <message>
+        <source>static</source>
+        <translation>Grundleistung</translation>
+    </message>
+    <message>
+        <source>stiffness</source>
+        <translation>Steifigkeit</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>time constant</source>
+        <translation>Zeitkonstante</translation>
+    </message>
+    <message>
+        <source>translation</source>
+        <translation>Verschiebung</translation>
+    </message>
+    <message>
+        <source>viscosity</source>
+        <translation>Viskosität</translation>
+    </message>
+    <message>
+        <source>zero</source>
+        <translation>Nullpunkt</translation>
     </message>
 </context>
 <context>

@@ -141,6 +141,50 @@
         <source>A declared attachment gives way or is missing</source>
         <translation>Una sujeción declarada cede o falta</translation>
     </message>
+    <message>
+        <source>The neo-Hookean law</source>
+        <translation>La ley neo-hookeana</translation>
+    </message>
+    <message>
+        <source>The law of Mooney and Rivlin</source>
+        <translation>La ley de Mooney y Rivlin</translation>
+    </message>
+    <message>
+        <source>The law of Gent and Thomas</source>
+        <translation>La ley de Gent y Thomas</translation>
+    </message>
+    <message>
+        <source>The law of Gent</source>
+        <translation>La ley de Gent</translation>
+    </message>
+    <message>
+        <source>The law of Arruda and Boyce</source>
+        <translation>La ley de Arruda y Boyce</translation>
+    </message>
+    <message>
+        <source>The law of Ogden</source>
+        <translation>La ley de Ogden</translation>
+    </message>
+    <message>
+        <source>The law of Isihara</source>
+        <translation>La ley de Isihara</translation>
+    </message>
+    <message>
+        <source>The law of Yeoh</source>
+        <translation>La ley de Yeoh</translation>
+    </message>
+    <message>
+        <source>Fibres along one direction</source>
+        <translation>Fibras en una dirección</translation>
+    </message>
+    <message>
+        <source>The law of Haines and Wilson</source>
+        <translation>La ley de Haines y Wilson</translation>
+    </message>
+    <message>
+        <source>Fibres along two directions (Holzapfel)</source>
+        <translation>Fibras en dos direcciones (Holzapfel)</translation>
+    </message>
 </context>
 <context>
     <name>entries</name>
@@ -6860,10 +6904,6 @@
         <translation>frecuencia (Hz)</translation>
     </message>
     <message>
-        <source>Where the declared law does not hold: a dash a patch, red at {0} noises, blue where nothing is left; the worst layer</source>
-        <translation>Dónde no vale la ley declarada: un trazo por parche, rojo a {0} ruidos, azul donde no queda nada; la peor capa</translation>
-    </message>
-    <message>
         <source>The same with the better model</source>
         <translation>Lo mismo con el modelo mejor</translation>
     </message>
@@ -6950,6 +6990,14 @@
     <message>
         <source>One of the declared attachments holds less than declared, or is not there at all.</source>
         <translation>Una de las sujeciones declaradas sujeta menos de lo declarado, o no está.</translation>
+    </message>
+    <message>
+        <source>Error by frequency: broken before, whole after</source>
+        <translation>Error según la frecuencia: discontinuo antes, continuo después</translation>
+    </message>
+    <message>
+        <source>Where the declared law does not hold: what it leaves in each patch, in noises (1 is noise alone; red at {0}); the worst layer</source>
+        <translation>Dónde no se cumple la ley declarada: lo que deja en cada zona, en ruidos (1 es solo ruido; rojo en {0}); la peor capa</translation>
     </message>
 </context>
 <context>
@@ -7798,6 +7846,14 @@
         <source>%1 Of the doubt %2 % is expected to be gone then.</source>
         <translation>%1 De la duda se espera que entonces haya desaparecido un %2 %.</translation>
     </message>
+    <message>
+        <source>What these trials could have shown</source>
+        <translation>Lo que estos ensayos habrían podido mostrar</translation>
+    </message>
+    <message>
+        <source>Of experiments of this sort no further trial is proposed.</source>
+        <translation>Para experimentos de este tipo no se propone ningún otro ensayo.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::EvidenceView</name>
@@ -8022,16 +8078,6 @@ El órgano que se ensaya cambia:
         <translation>Una muestra de tejido, comprimida: simulada, y hace algo que su archivo no declara</translation>
     </message>
     <message>
-        <source>Open measurements of a palpation, a material test or a wearable computer.
-Glisson says how far the declared model is off, what it lacks, and how sure that is.
-
-No measurements at hand? Try the example: a simulated sample of tissue that does something undeclared.</source>
-        <translation>Abra mediciones de una palpación, un ensayo de material o un ordenador corporal.
-Glisson dice cuánto se equivoca el modelo declarado, qué le falta y con qué certeza.
-
-¿No tiene mediciones a mano? Pruebe el ejemplo: una muestra de tejido simulada que hace algo no declarado.</translation>
-    </message>
-    <message>
         <source>A guided sequence</source>
         <translation>Una secuencia guiada</translation>
     </message>
@@ -8050,6 +8096,16 @@ Glisson dice cuánto se equivoca el modelo declarado, qué le falta y con qué c
     <message>
         <source>Waves of an elastography</source>
         <translation>Ondas de una elastografía</translation>
+    </message>
+    <message>
+        <source>Open measurements of a palpation, a material test, a plate in full field, waves of an elastography, a guided sequence or a wearable computer.
+Glisson says how far the declared model is off, what it lacks, and how sure that is.
+
+No measurements at hand? Try the example: a simulated sample of tissue that does something undeclared.</source>
+        <translation>Abra mediciones de una palpación, un ensayo de material, una placa de campo completo, las ondas de una elastografía, una secuencia guiada o un ordenador corporal.
+Glisson dice cuánto se equivoca el modelo declarado, qué le falta y con qué certeza.
+
+¿No tiene mediciones a mano? Pruebe el ejemplo: una muestra de tejido simulada que hace algo no declarado.</translation>
     </message>
 </context>
 <context>
@@ -13116,6 +13172,37 @@ A mano: arrastre con el botón derecho</translation>
     </message>
 </context>
 <context>
+    <name>glisson::widgets::VisibleTable</name>
+    <message>
+        <source>Effect</source>
+        <translation>Efecto</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>Parámetro</translation>
+    </message>
+    <message>
+        <source>Without effect</source>
+        <translation>Sin efecto</translation>
+    </message>
+    <message>
+        <source>Seen from</source>
+        <translation>Visible desde</translation>
+    </message>
+    <message>
+        <source>In nine of ten such experiments an effect of this size is seen</source>
+        <translation>En nueve de cada diez experimentos así se ve un efecto de este tamaño</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>at no size</source>
+        <translation>con ningún valor</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::WaveView</name>
     <message>
         <source>Elastography waves</source>
@@ -13270,6 +13357,165 @@ A mano: arrastre con el botón derecho</translation>
     <message>
         <source>Research</source>
         <translation>Investigación</translation>
+    </message>
+</context>
+<context>
+    <name>parameters</name>
+    <message>
+        <source>amplitude</source>
+        <translation>amplitud</translation>
+    </message>
+    <message>
+        <source>angle</source>
+        <translation>ángulo</translation>
+    </message>
+    <message>
+        <source>axis</source>
+        <translation>eje</translation>
+    </message>
+    <message>
+        <source>azimuth</source>
+        <translation>acimut</translation>
+    </message>
+    <message>
+        <source>center</source>
+        <translation>centro</translation>
+    </message>
+    <message>
+        <source>coefficient</source>
+        <translation>coeficiente</translation>
+    </message>
+    <message>
+        <source>curve</source>
+        <translation>curva</translation>
+    </message>
+    <message>
+        <source>delay</source>
+        <translation>retraso</translation>
+    </message>
+    <message>
+        <source>depth</source>
+        <translation>profundidad</translation>
+    </message>
+    <message>
+        <source>efficiency</source>
+        <translation>rendimiento</translation>
+    </message>
+    <message>
+        <source>elevation</source>
+        <translation>elevación</translation>
+    </message>
+    <message>
+        <source>energy</source>
+        <translation>energía</translation>
+    </message>
+    <message>
+        <source>exponent</source>
+        <translation>exponente</translation>
+    </message>
+    <message>
+        <source>factor</source>
+        <translation>factor</translation>
+    </message>
+    <message>
+        <source>faster</source>
+        <translation>más rápido</translation>
+    </message>
+    <message>
+        <source>foundation</source>
+        <translation>lecho elástico</translation>
+    </message>
+    <message>
+        <source>friction</source>
+        <translation>fricción</translation>
+    </message>
+    <message>
+        <source>full load</source>
+        <translation>plena carga</translation>
+    </message>
+    <message>
+        <source>gain</source>
+        <translation>ganancia</translation>
+    </message>
+    <message>
+        <source>gravity</source>
+        <translation>gravedad</translation>
+    </message>
+    <message>
+        <source>length scale</source>
+        <translation>escala de longitud</translation>
+    </message>
+    <message>
+        <source>limit</source>
+        <translation>límite</translation>
+    </message>
+    <message>
+        <source>loss</source>
+        <translation>pérdida</translation>
+    </message>
+    <message>
+        <source>loss ratio</source>
+        <translation>factor de pérdida</translation>
+    </message>
+    <message>
+        <source>pressure</source>
+        <translation>presión</translation>
+    </message>
+    <message>
+        <source>radius</source>
+        <translation>radio</translation>
+    </message>
+    <message>
+        <source>ratio</source>
+        <translation>proporción</translation>
+    </message>
+    <message>
+        <source>resistance</source>
+        <translation>resistencia</translation>
+    </message>
+    <message>
+        <source>rotation</source>
+        <translation>rotación</translation>
+    </message>
+    <message>
+        <source>share</source>
+        <translation>parte</translation>
+    </message>
+    <message>
+        <source>slip strain</source>
+        <translation>deformación de deslizamiento</translation>
+    </message>
+    <message>
+        <source>slower</source>
+        <translation>más lento</translation>
+    </message>
+    <message>
+        <source>static</source>
+        <translation>potencia en reposo</translation>
+    </message>
+    <message>
+        <source>stiffness</source>
+        <translation>rigidez</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>tiempo</translation>
+    </message>
+    <message>
+        <source>time constant</source>
+        <translation>constante de tiempo</translation>
+    </message>
+    <message>
+        <source>translation</source>
+        <translation>traslación</translation>
+    </message>
+    <message>
+        <source>viscosity</source>
+        <translation>viscosidad</translation>
+    </message>
+    <message>
+        <source>zero</source>
+        <translation>cero</translation>
     </message>
 </context>
 <context>

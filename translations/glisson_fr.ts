@@ -141,6 +141,50 @@
         <source>A declared attachment gives way or is missing</source>
         <translation>Une attache déclarée cède ou manque</translation>
     </message>
+    <message>
+        <source>The neo-Hookean law</source>
+        <translation>La loi néo-hookéenne</translation>
+    </message>
+    <message>
+        <source>The law of Mooney and Rivlin</source>
+        <translation>La loi de Mooney et Rivlin</translation>
+    </message>
+    <message>
+        <source>The law of Gent and Thomas</source>
+        <translation>La loi de Gent et Thomas</translation>
+    </message>
+    <message>
+        <source>The law of Gent</source>
+        <translation>La loi de Gent</translation>
+    </message>
+    <message>
+        <source>The law of Arruda and Boyce</source>
+        <translation>La loi d&apos;Arruda et Boyce</translation>
+    </message>
+    <message>
+        <source>The law of Ogden</source>
+        <translation>La loi d&apos;Ogden</translation>
+    </message>
+    <message>
+        <source>The law of Isihara</source>
+        <translation>La loi d&apos;Isihara</translation>
+    </message>
+    <message>
+        <source>The law of Yeoh</source>
+        <translation>La loi de Yeoh</translation>
+    </message>
+    <message>
+        <source>Fibres along one direction</source>
+        <translation>Fibres dans une direction</translation>
+    </message>
+    <message>
+        <source>The law of Haines and Wilson</source>
+        <translation>La loi de Haines et Wilson</translation>
+    </message>
+    <message>
+        <source>Fibres along two directions (Holzapfel)</source>
+        <translation>Fibres dans deux directions (Holzapfel)</translation>
+    </message>
 </context>
 <context>
     <name>entries</name>
@@ -6860,10 +6904,6 @@
         <translation>fréquence (Hz)</translation>
     </message>
     <message>
-        <source>Where the declared law does not hold: a dash a patch, red at {0} noises, blue where nothing is left; the worst layer</source>
-        <translation>Où la loi déclarée ne vaut pas : un trait par parcelle, rouge à {0} bruits, bleu où rien ne reste ; la pire couche</translation>
-    </message>
-    <message>
         <source>The same with the better model</source>
         <translation>La même chose avec le meilleur modèle</translation>
     </message>
@@ -6950,6 +6990,14 @@
     <message>
         <source>One of the declared attachments holds less than declared, or is not there at all.</source>
         <translation>L’une des attaches déclarées tient moins que déclaré, ou n’est pas là du tout.</translation>
+    </message>
+    <message>
+        <source>Error by frequency: broken before, whole after</source>
+        <translation>Erreur selon la fréquence : en tirets avant, en trait plein après</translation>
+    </message>
+    <message>
+        <source>Where the declared law does not hold: what it leaves in each patch, in noises (1 is noise alone; red at {0}); the worst layer</source>
+        <translation>Où la loi déclarée ne vaut pas : ce qu&apos;elle laisse dans chaque zone, en bruits (1 : le bruit seul ; rouge à {0}) ; la pire couche</translation>
     </message>
 </context>
 <context>
@@ -7798,6 +7846,14 @@
         <source>%1 Of the doubt %2 % is expected to be gone then.</source>
         <translation>%1 Du doute, %2 % devraient alors avoir disparu.</translation>
     </message>
+    <message>
+        <source>What these trials could have shown</source>
+        <translation>Ce que ces essais auraient pu montrer</translation>
+    </message>
+    <message>
+        <source>Of experiments of this sort no further trial is proposed.</source>
+        <translation>Pour les expériences de ce genre, aucun autre essai n&apos;est proposé.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::EvidenceView</name>
@@ -8022,16 +8078,6 @@ L&apos;organe répété change :
         <translation>Un échantillon de tissu, comprimé&#xa0;: simulé, et il fait quelque chose que son fichier ne déclare pas</translation>
     </message>
     <message>
-        <source>Open measurements of a palpation, a material test or a wearable computer.
-Glisson says how far the declared model is off, what it lacks, and how sure that is.
-
-No measurements at hand? Try the example: a simulated sample of tissue that does something undeclared.</source>
-        <translation>Ouvrez des mesures d’une palpation, d’un essai de matériau ou d’un ordinateur porté.
-Glisson dit de combien le modèle déclaré se trompe, ce qui lui manque et avec quelle certitude.
-
-Pas de mesures sous la main&#xa0;? Essayez l’exemple&#xa0;: un échantillon de tissu simulé qui fait quelque chose de non déclaré.</translation>
-    </message>
-    <message>
         <source>A guided sequence</source>
         <translation>Une séquence guidée</translation>
     </message>
@@ -8050,6 +8096,16 @@ Pas de mesures sous la main&#xa0;? Essayez l’exemple&#xa0;: un échantillon de
     <message>
         <source>Waves of an elastography</source>
         <translation>Ondes d’une élastographie</translation>
+    </message>
+    <message>
+        <source>Open measurements of a palpation, a material test, a plate in full field, waves of an elastography, a guided sequence or a wearable computer.
+Glisson says how far the declared model is off, what it lacks, and how sure that is.
+
+No measurements at hand? Try the example: a simulated sample of tissue that does something undeclared.</source>
+        <translation>Ouvrez des mesures d’une palpation, d’un essai de matériau, d’une plaque en champ complet, des ondes d’une élastographie, d’une séquence guidée ou d’un ordinateur porté.
+Glisson dit de combien le modèle déclaré se trompe, ce qui lui manque et avec quelle certitude.
+
+Pas de mesures sous la main&#xa0;? Essayez l’exemple&#xa0;: un échantillon de tissu simulé qui fait quelque chose de non déclaré.</translation>
     </message>
 </context>
 <context>
@@ -13116,6 +13172,37 @@ By hand: drag with the right button</source>
     </message>
 </context>
 <context>
+    <name>glisson::widgets::VisibleTable</name>
+    <message>
+        <source>Effect</source>
+        <translation>Effet</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>Paramètre</translation>
+    </message>
+    <message>
+        <source>Without effect</source>
+        <translation>Sans effet</translation>
+    </message>
+    <message>
+        <source>Seen from</source>
+        <translation>Visible à partir de</translation>
+    </message>
+    <message>
+        <source>In nine of ten such experiments an effect of this size is seen</source>
+        <translation>Dans neuf expériences de ce genre sur dix, un effet de cette taille se voit</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>at no size</source>
+        <translation>à aucune valeur</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::WaveView</name>
     <message>
         <source>Elastography waves</source>
@@ -13270,6 +13357,165 @@ By hand: drag with the right button</source>
     <message>
         <source>Research</source>
         <translation>Recherche</translation>
+    </message>
+</context>
+<context>
+    <name>parameters</name>
+    <message>
+        <source>amplitude</source>
+        <translation>amplitude</translation>
+    </message>
+    <message>
+        <source>angle</source>
+        <translation>angle</translation>
+    </message>
+    <message>
+        <source>axis</source>
+        <translation>axe</translation>
+    </message>
+    <message>
+        <source>azimuth</source>
+        <translation>azimut</translation>
+    </message>
+    <message>
+        <source>center</source>
+        <translation>centre</translation>
+    </message>
+    <message>
+        <source>coefficient</source>
+        <translation>coefficient</translation>
+    </message>
+    <message>
+        <source>curve</source>
+        <translation>courbe</translation>
+    </message>
+    <message>
+        <source>delay</source>
+        <translation>retard</translation>
+    </message>
+    <message>
+        <source>depth</source>
+        <translation>profondeur</translation>
+    </message>
+    <message>
+        <source>efficiency</source>
+        <translation>rendement</translation>
+    </message>
+    <message>
+        <source>elevation</source>
+        <translation>élévation</translation>
+    </message>
+    <message>
+        <source>energy</source>
+        <translation>énergie</translation>
+    </message>
+    <message>
+        <source>exponent</source>
+        <translation>exposant</translation>
+    </message>
+    <message>
+        <source>factor</source>
+        <translation>facteur</translation>
+    </message>
+    <message>
+        <source>faster</source>
+        <translation>plus rapide</translation>
+    </message>
+    <message>
+        <source>foundation</source>
+        <translation>appui élastique</translation>
+    </message>
+    <message>
+        <source>friction</source>
+        <translation>frottement</translation>
+    </message>
+    <message>
+        <source>full load</source>
+        <translation>pleine charge</translation>
+    </message>
+    <message>
+        <source>gain</source>
+        <translation>gain</translation>
+    </message>
+    <message>
+        <source>gravity</source>
+        <translation>pesanteur</translation>
+    </message>
+    <message>
+        <source>length scale</source>
+        <translation>échelle de longueur</translation>
+    </message>
+    <message>
+        <source>limit</source>
+        <translation>limite</translation>
+    </message>
+    <message>
+        <source>loss</source>
+        <translation>perte</translation>
+    </message>
+    <message>
+        <source>loss ratio</source>
+        <translation>facteur de perte</translation>
+    </message>
+    <message>
+        <source>pressure</source>
+        <translation>pression</translation>
+    </message>
+    <message>
+        <source>radius</source>
+        <translation>rayon</translation>
+    </message>
+    <message>
+        <source>ratio</source>
+        <translation>rapport</translation>
+    </message>
+    <message>
+        <source>resistance</source>
+        <translation>résistance</translation>
+    </message>
+    <message>
+        <source>rotation</source>
+        <translation>rotation</translation>
+    </message>
+    <message>
+        <source>share</source>
+        <translation>part</translation>
+    </message>
+    <message>
+        <source>slip strain</source>
+        <translation>déformation de glissement</translation>
+    </message>
+    <message>
+        <source>slower</source>
+        <translation>plus lent</translation>
+    </message>
+    <message>
+        <source>static</source>
+        <translation>puissance au repos</translation>
+    </message>
+    <message>
+        <source>stiffness</source>
+        <translation>raideur</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>temps</translation>
+    </message>
+    <message>
+        <source>time constant</source>
+        <translation>constante de temps</translation>
+    </message>
+    <message>
+        <source>translation</source>
+        <translation>translation</translation>
+    </message>
+    <message>
+        <source>viscosity</source>
+        <translation>viscosité</translation>
+    </message>
+    <message>
+        <source>zero</source>
+        <translation>zéro</translation>
     </message>
 </context>
 <context>

@@ -74,6 +74,7 @@ class PlotDrawing {
     if (plot_.histogram) bars(*plot_.histogram);
     for (std::size_t n = 0; n < plot_.boxes.size(); ++n) box(plot_.boxes[n], static_cast<double>(n + 1));
     for (const Arrow& each : plot_.arrows) arrow(each);
+    for (const Spot& each : plot_.spots) spot(each);
     for (std::size_t n = 0; n < plot_.curves.size(); ++n) curve(plot_.curves[n], colour_of_curve(n));
     for (const Rule& rule : plot_.rules) line(rule);
     legend();
@@ -105,10 +106,16 @@ class PlotDrawing {
       y_.reach(arrow.y);
       y_.reach(arrow.y + arrow.dy);
     }
+    for (const Spot& spot : plot_.spots) {
+      for (const double side : {-1.0, 1.0}) {
+        x_.reach(spot.x + side * spot.radius);
+        y_.reach(spot.y + side * spot.radius);
+      }
+    }
     if (!plot_.boxes.empty()) x_ = {0.4, static_cast<double>(plot_.boxes.size()) + 0.6, false};
     if (plot_.boxes.empty()) x_.widen();
     y_.widen();
-    if (!plot_.arrows.empty()) {
+    if (!plot_.arrows.empty() || !plot_.spots.empty()) {
       const double px_per_unit = std::min(room_px_x / x_.length(), room_px_y / y_.length());
       x_.stretch_to(room_px_x / px_per_unit);
       y_.stretch_to(room_px_y / px_per_unit);
@@ -179,6 +186,13 @@ class PlotDrawing {
     if (!path.empty())
       out_ += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\"{}/>\n", path, colour,
                           curve.style == PlotCurve::Style::dashes ? " stroke-dasharray=\"5 4\"" : "");
+  }
+  void spot(const Spot& spot) {
+    if (!std::isfinite(spot.x + spot.y + spot.radius + spot.heat)) return;
+    out_ += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\" fill=\"{}\" fill-opacity=\"0.85\"/>\n",
+                        px(spot.x), py(spot.y), spot.radius / x_.length() * room_px_x,
+                        heat_colour(plot_.hottest > 0 ? spot.heat / plot_.hottest : 0));
+    text(px(spot.x), py(spot.y) + 4, fmt::format("{:.2g}", spot.heat), "middle", " font-size=\"11\"");
   }
   void arrow(const Arrow& arrow) {
     if (!std::isfinite(arrow.x + arrow.y + arrow.dx + arrow.dy)) return;

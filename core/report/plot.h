@@ -29,6 +29,13 @@ struct Arrow {
   double heat = 0;
 };
 
+// A disc with its heat written in it, in the same unit and colours.
+struct Spot {
+  double x = 0, y = 0;
+  double radius = 0;
+  double heat = 0;
+};
+
 // From the 5th to the 95th percentile with the middle half as a box; boxes stand side by side along x at 1, 2, ...
 struct Box {
   std::string label;
@@ -49,7 +56,8 @@ struct Plot {
   std::vector<PlotCurve> curves = {};
   std::vector<Box> boxes = {};
   std::vector<Rule> rules = {};
-  std::vector<Arrow> arrows = {};  // with them, a mm across is as long as a mm up
+  std::vector<Arrow> arrows = {};  // with them or spots, a mm across is as long as a mm up
+  std::vector<Spot> spots = {};
   double hottest = 0;
   bool from_zero = true;  // y begins at 0, unless values are negative
 };

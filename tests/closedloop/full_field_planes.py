@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Does `explain` name the law of a plate that a solver of its own pulled, and `predict` a path that was not among its trials? One law
-of the library and one plate outside of it (a stiff region); what cannot be an experiment gets its sentence:
+"""Does `explain` name the law of a plate that a solver of its own pulled, and `predict` a path that was not among its trials? Two laws
+of the library, what is as declared, and a stress that relaxes, which is no law; what cannot be an experiment gets its sentence:
 full_field_planes.py GLISSON_CLI. Nothing was tuned on this seed."""
 
 import copy
@@ -19,18 +19,18 @@ except ModuleNotFoundError as missing:
     print(f"skipped: {missing.name} is not installed")
     sys.exit(77)
 
-LAWS, SEED = "isihara,graded", "7"
+LAWS, LEVEL, SEED = "null,isihara,holzapfel,relaxing", "high", "7"
 
 
 def main():
     with tempfile.TemporaryDirectory() as folder:
         env = {**os.environ, "OPENBLAS_NUM_THREADS": "1"}
         cases = pathlib.Path(folder) / "cases"
-        subprocess.run([sys.executable, UNDECLARED / "make_plane.py", cases, "--laws", LAWS, "--levels", "low", "--seed", SEED],
+        subprocess.run([sys.executable, UNDECLARED / "make_plane.py", cases, "--laws", LAWS, "--levels", LEVEL, "--seed", SEED],
                        env=env, check=True)
         judged = subprocess.run([sys.executable, UNDECLARED / "judge.py", cases, "--cli", sys.argv[1], "--out",
                                  folder + "/judged"], env=env, check=True, capture_output=True, text=True).stdout
-        case = cases / f"plate-isihara-low-s{SEED}"
+        case = cases / f"plate-isihara-{LEVEL}-s{SEED}"
         predicts_what_was_only_said(sys.argv[1], case, pathlib.Path(folder) / "judged" / case.name / "model.json")
         refuses(sys.argv[1], case)
     print(judged)

@@ -1,15 +1,20 @@
 // Documents and tables that people write by hand or with a script: JSON in our formats, and CSV. Seeds
 // are what ships, and short documents of each format.
 
+#include <cmath>
+#include <numbers>
+
 #include "base/csv.h"
 #include "base/files.h"
 #include "closedloop/experiment/experiment.h"
+#include "closedloop/explain.h"
 #include "fuzz/reader_target.h"
 #include "geometry/mesh_file.h"
 #include "guidance/contour_file.h"
 #include "guidance/guidance_file.h"
 #include "hardware/convergence_curve.h"
 #include "hardware/device_file.h"
+#include "imaging/volume_file.h"
 #include "mechanics/scenario/scenario_file.h"
 #include "registration_quality/sequence_file.h"
 #include "rehearsal/session.h"
@@ -69,6 +74,43 @@ void files_of_a_plate(const fs::path& folder) {
   file_of("boundary,fx,fy\n2,1.5,\nleft,-1.5,\ntop,,0.7\n", folder, "r1.csv");
 }
 
+const char* const waves = R"({"format": "glisson-experiment/1", "kind": "elastography", "title": "a block",
+ "declared": {"law": "kelvin-voigt", "shear_modulus_kPa": 3, "viscosity_Pa_s": 1.5, "density_kg_m3": 1000,
+ "pressure": "none"}, "noise": 0.01, "region": "mask.nrrd", "patch_radius_mm": 6, "trials": [{"id": "60 Hz",
+ "frequency_Hz": 60, "noise": 0.02, "components": {"x": {"real": "real.nrrd", "imaginary": "imaginary.nrrd"}}},
+ {"id": "80 Hz", "frequency_Hz": 80, "components": {"x": {"real": "imaginary.nrrd", "imaginary": "real.nrrd"}}}]})";
+
+const char* const springpot = R"({"format": "glisson-experiment/1", "kind": "elastography", "declared": {
+ "law": "springpot", "shear_modulus_kPa": 3, "exponent": 0.3, "reference_Hz": 60, "pressure": "free"}, "noise": 0.01,
+ "trials": [{"id": "a", "frequency_Hz": 60, "components": {"x": {"real": "real.nrrd", "imaginary": "imaginary.nrrd"},
+ "y": {"real": "real.nrrd", "imaginary": "imaginary.nrrd"}, "z": {"real": "real.nrrd", "imaginary": "imaginary.nrrd"}}}]})";
+
+// A wave of 30 mm along x in a block of 16 x 8 x 8 voxels.
+void files_of_waves(const fs::path& folder) {
+  imaging::Volume real;
+  real.grid.size = {16, 8, 8};
+  real.grid.spacing_mm.setConstant(2);
+  imaging::Volume imaginary = real, mask = real;
+  for (std::size_t v = 0; v < real.grid.voxels(); ++v) {
+    const double phase = 2 * std::numbers::pi * 2 * static_cast<double>(v % 16) / 30;
+    real.values.push_back(static_cast<float>(std::cos(phase)));
+    imaginary.values.push_back(static_cast<float>(-std::sin(phase)));
+    mask.values.push_back(v % 16 < 15 ? 1 : 0);
+  }
+  for (const auto& [name, image] :
+       {std::pair("real.nrrd", &real), std::pair("imaginary.nrrd", &imaginary), std::pair("mask.nrrd", &mask)})
+    promise(bool(imaging::write_volume_file(folder / name, *image)), "an image is written");
+}
+
+// What is read is asked as `explain` asks it: the declared law over what it holds.
+Result<Eigen::VectorXd> declared_law_over(const fs::path& file) {
+  const auto experiment = closedloop::read_experiment(file);
+  if (!experiment) return failure(experiment.error());
+  const auto model = closedloop::forward_model(*experiment);
+  if (!model) return failure(model.error());
+  return (*model)->predict({});
+}
+
 void files_of_a_sequence(const fs::path& folder) {
   promise(bool(geometry::write_surface(folder / "f0.ply", test::sphere_surface(10, 1))), "the model is written");
   file_of("landmark,frame,x_mm,y_mm,z_mm\n1,0,1,2,3\n1,1,1,2,3.5\n", folder, "tracks.csv");
@@ -120,6 +162,7 @@ std::vector<Target> targets() {
       reader_of(
           "full-field", "e.json", {plate}, [](const fs::path& file) { return closedloop::read_experiment(file); },
           files_of_a_plate),
+      reader_of("elastography", "e.json", {waves, springpot}, declared_law_over, files_of_waves),
       reader_of(
           "guidance", "guidance.json", {guided}, [](const fs::path& file) { return guidance::read_guidance(file); },
           files_of_a_guidance),

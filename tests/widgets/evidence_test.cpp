@@ -416,6 +416,44 @@ class EvidenceTest : public QObject {
     QTest::qWait(20);
   }
 
+  // Waves that are as declared: what would have been seen, with units, and no promise of a further trial.
+  void says_what_waves_could_have_shown() {
+    const fs::path folder = folder_ / "waves";
+    fs::create_directories(folder);
+    const Json errors{{"rms", 0.99}, {"mean", 1.6}, {"p95", 2.7}, {"noise", 1}};
+    const Json visible = Json::array({{{"kind", "viscosity"},
+                                       {"law", "kelvin-voigt"},
+                                       {"parameter", "viscosity_Pa_s"},
+                                       {"no_effect", 0},
+                                       {"value", 0.21}},
+                                      {{"kind", "stiff-inclusion"},
+                                       {"parameter", "center_mm"},
+                                       {"component", 2},
+                                       {"no_effect", 30},
+                                       {"value", nullptr}}});
+    QVERIFY(write_json_file(folder / "report.json", {{"verdict", "nothing-missing"},
+                                                     {"unit", "noise"},
+                                                     {"before", errors},
+                                                     {"after", errors},
+                                                     {"effects", Json::array()},
+                                                     {"ranking", Json::array()},
+                                                     {"smallest_visible", visible}}));
+    QVERIFY(write_json_file(folder / "model.json", {{"kind", "elastography"}, {"title", "a block"}}));
+    view_->open(folder);
+    const auto* table = child<QTableWidget>("evidence_visible");
+    QVERIFY(table->isVisible());
+    const auto cell = [&](int row, int column) { return table->item(row, column)->text(); };
+    QCOMPARE(cell(0, 0), QString("Waves lose energy on their way (kelvin-voigt)"));
+    QCOMPARE(cell(0, 1), QString("viscosity, Pa s"));
+    QCOMPARE(cell(0, 3), QString("0.21"));
+    QCOMPARE(cell(1, 1), QString("center, mm (2)"));
+    QCOMPARE(cell(1, 3), QString("at no size"));
+    QVERIFY(child<QLabel>("next_measurement")->text().contains("no further trial is proposed"));
+    choose_language("de");
+    QCOMPARE(cell(0, 1), QString::fromUtf8("Viskosität, Pa s"));
+    choose_language("en");
+  }
+
   void says_that_a_folder_holds_no_report() {
     view_->open(folder_ / "small.glisson");
     const auto* notice = window_->findChild<QLabel*>("notice_text");

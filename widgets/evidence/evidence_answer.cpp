@@ -3,6 +3,7 @@
 #include <QButtonGroup>
 #include <QHBoxLayout>
 #include <QVBoxLayout>
+#include <set>
 
 #include "widgets/evidence/effect_words.h"
 #include "widgets/evidence/svg_view.h"
@@ -57,6 +58,10 @@ EvidenceAnswer::EvidenceAnswer(QWidget* parent) : QScrollArea(parent) {
   column->addWidget(candidates_title_);
   candidates_ = new CandidatesTable(page);
   column->addWidget(candidates_);
+  visible_title_ = label("heading", page);
+  column->addWidget(visible_title_);
+  visible_ = new VisibleTable(page);
+  column->addWidget(visible_);
   next_title_ = label("heading", page);
   column->addWidget(next_title_);
   next_ = label("next_measurement", page);
@@ -174,6 +179,9 @@ void EvidenceAnswer::show_drawings() {
 }
 
 QString EvidenceAnswer::next_measurement(const EvidenceRecord& record) {
+  static const std::set<std::string> proposed{"palpation", "material", "platform"};
+  if (!proposed.contains(record.experiment_kind))
+    return tr("Of experiments of this sort no further trial is proposed.");
   if (record.next.empty()) return tr("No further trial is known that would tell the leading explanations apart.");
   QStringList lines;
   for (const EvidenceNextTrial& next : record.next) {
@@ -193,6 +201,8 @@ void EvidenceAnswer::update_text() {
   details_->setText(tr("Details"));
   candidates_title_->setText(tr("Suspects"));
   candidates_->setAccessibleName(tr("Suspects"));
+  visible_title_->setText(tr("What these trials could have shown"));
+  visible_->setAccessibleName(tr("What these trials could have shown"));
   trial_->setAccessibleName(tr("Trial that is shown"));
   space_->setAccessibleName(tr("What is left, in space"));
   errors_->setAccessibleName(tr("The error before and after"));
@@ -233,6 +243,9 @@ void EvidenceAnswer::update_text() {
     each->setVisible(!record.ranking.empty() && details_->isChecked());
   }
   for (QWidget* each : std::initializer_list<QWidget*>{shape_, errors_}) each->setVisible(details_->isChecked());
+  visible_->show_record(record);
+  for (QWidget* each : std::initializer_list<QWidget*>{visible_title_, visible_})
+    each->setVisible(!record.visible.empty());
   next_title_->setText(tr("What to measure next"));
   next_->setText(next_measurement(record));
   QStringList notes;

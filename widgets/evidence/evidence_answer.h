@@ -60,6 +60,8 @@ class EvidenceAnswer : public QScrollArea {
   FoundTree* found_;
   CandidatesTable* candidates_;
   QLabel* candidates_title_;
+  VisibleTable* visible_;
+  QLabel* visible_title_;
   QLabel* next_title_;
   QLabel* next_;
   QLabel* notes_;

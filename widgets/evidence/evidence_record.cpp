@@ -98,6 +98,18 @@ std::vector<EvidenceParameter> parameters_in(const Json& json) {
   return parameters;
 }
 
+std::vector<EvidenceVisible> visible_in(const Json& list) {
+  std::vector<EvidenceVisible> visible;
+  for (const Json& json : list) {
+    EvidenceVisible one{json.at("kind").get<std::string>(),      json.value("law", std::string()),
+                        json.at("parameter").get<std::string>(), json.value("component", 0),
+                        json.at("no_effect").get<double>(),      {}};
+    if (json.at("value").is_number()) one.value = json["value"].get<double>();
+    visible.push_back(std::move(one));
+  }
+  return visible;
+}
+
 EvidenceRecord record_in(const Json& said, const Json& model) {
   const Reader reader(said);
   EvidenceRecord record;
@@ -146,6 +158,7 @@ EvidenceRecord record_in(const Json& said, const Json& model) {
       record.probabilities.push_back(std::move(read));
     }
   }
+  record.visible = visible_in(said.value("smallest_visible", Json::array()));
   if (said.contains("next_trials")) {
     for (const Json& pieces : said["next_trials"])
       record.next.push_back(

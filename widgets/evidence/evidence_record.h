@@ -53,6 +53,14 @@ struct EvidenceProbability {
   double probability = 0;
 };
 
+// From which value on an effect would have been seen in nine of ten such experiments.
+struct EvidenceVisible {
+  std::string kind, law, parameter;
+  int component = 0;  // of a parameter that is a vector, from 1; else 0
+  double no_effect = 0;
+  std::optional<double> value;  // absent: at none in the parameter's range
+};
+
 // A report of an older version has the sentence alone, in English, the kinds in it.
 struct EvidenceNextTrial {
   Sentence sentence;
@@ -62,7 +70,7 @@ struct EvidenceNextTrial {
 
 struct EvidenceRecord {
   std::filesystem::path folder;
-  std::string experiment_kind;  // "palpation", "material", "platform"
+  std::string experiment_kind;  // "palpation", "material", "platform", "guidance", "full-field", "elastography"
   std::string learnt_from;      // name of the experiment's file
   std::string title;            // of the experiment; of an old report that file's name
   std::string verdict;          // "nothing-missing", "explained", "unexplained"
@@ -72,6 +80,7 @@ struct EvidenceRecord {
   std::vector<EvidenceEffect> effects;
   std::vector<EvidenceCandidate> ranking;
   std::vector<EvidenceProbability> probabilities;  // the likeliest first; of an old report none
+  std::vector<EvidenceVisible> visible;            // where nothing is missing; of an old report none
   std::vector<EvidenceNextTrial> next;             // what to measure next, one after the other
   std::vector<Sentence> notes;
   std::vector<EvidenceDrawing> drawings;

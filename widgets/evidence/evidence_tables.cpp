@@ -42,6 +42,12 @@ QString strength(double delta_bic) {
                           : CandidatesTable::tr("none");
 }
 
+QString with_law(const std::string& kind, const std::string& law) {
+  return law.empty() || law == kind
+             ? effect_label(kind)
+             : CandidatesTable::tr("%1 (%2)").arg(effect_label(kind), QString::fromStdString(law));
+}
+
 void fit_height(QTableWidget& table) {
   table.setFixedHeight(table.horizontalHeader()->sizeHint().height() + evidence_row_px * table.rowCount() + 4);
 }
@@ -125,6 +131,7 @@ void FoundTree::show_record(const EvidenceRecord& record) {
       below->setToolTip(0, parameter_label(parameter.name));
     }
     row->setExpanded(true);
+    row->setFirstColumnSpanned(effect.law.empty());
   }
 }
 
@@ -139,6 +146,7 @@ void FoundTree::show_consequences(const std::vector<closedloop::LearntEffect>& e
     row->setFlags(row->flags().setFlag(Qt::ItemIsUserCheckable, found->carried));
     if (found->carried) continue;
     row->setCheckState(0, Qt::Unchecked);
+    row->setFirstColumnSpanned(false);
     row->setText(2, tr("changes nothing in the rehearsal"));
   }
 }
@@ -170,10 +178,7 @@ void CandidatesTable::show_record(const EvidenceRecord& record) {
   setRowCount(static_cast<int>(record.ranking.size()));
   int row = 0;
   for (const EvidenceCandidate& candidate : record.ranking) {
-    put(*this, row, name,
-        candidate.law.empty() ? effect_label(candidate.kind)
-                              : tr("%1 (%2)").arg(effect_label(candidate.kind), QString::fromStdString(candidate.law)),
-        false);
+    put(*this, row, name, with_law(candidate.kind, candidate.law), false);
     put(*this, row, rms, figure(candidate.rms));
     put(*this, row, held_out, figure(candidate.held_out_rms));
     put(*this, row, delta_bic, candidate.delta_bic ? strength(*candidate.delta_bic) : QString("–"), false);
@@ -182,6 +187,29 @@ void CandidatesTable::show_record(const EvidenceRecord& record) {
         candidate.removed.empty() ? effect_labels(candidate.alike)
                                   : tr("out of the running: %1").arg(translated(candidate.removed)),
         false);
+    ++row;
+  }
+  fit_height(*this);
+}
+
+VisibleTable::VisibleTable(QWidget* parent) : QTableWidget(0, 4, parent) {
+  setObjectName("evidence_visible");
+  plain_table(*this);
+  horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  horizontalHeader()->setSectionResizeMode(effect, QHeaderView::Stretch);
+}
+
+void VisibleTable::show_record(const EvidenceRecord& record) {
+  setHorizontalHeaderLabels({tr("Effect"), tr("Parameter"), tr("Without effect"), tr("Seen from")});
+  horizontalHeaderItem(seen_from)->setToolTip(tr("In nine of ten such experiments an effect of this size is seen"));
+  setRowCount(static_cast<int>(record.visible.size()));
+  int row = 0;
+  for (const EvidenceVisible& one : record.visible) {
+    put(*this, row, effect, with_law(one.kind, one.law), false);
+    const QString size = parameter_label(one.parameter);
+    put(*this, row, parameter, one.component > 0 ? tr("%1 (%2)").arg(size).arg(one.component) : size, false);
+    put(*this, row, without, figure(one.no_effect));
+    put(*this, row, seen_from, one.value ? figure(*one.value) : tr("at no size"));
     ++row;
   }
   fit_height(*this);

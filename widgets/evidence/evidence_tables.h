@@ -1,5 +1,6 @@
 #pragma once
-// The numbers of a report of measurements: errors before and after, what was found, and the candidates in their order.
+// The numbers of a report of measurements: errors before and after, what was found, the candidates in their order, and
+// what could have been found.
 
 #include <QTableWidget>
 #include <QTreeWidget>
@@ -39,6 +40,17 @@ class CandidatesTable : public QTableWidget {
   enum Column { name, rms, held_out, delta_bic, alike };
 
   explicit CandidatesTable(QWidget* parent = nullptr);
+  void show_record(const EvidenceRecord& record);
+};
+
+// What the trials could have shown, where they show nothing.
+class VisibleTable : public QTableWidget {
+  Q_OBJECT
+
+ public:
+  enum Column { effect, parameter, without, seen_from };
+
+  explicit VisibleTable(QWidget* parent = nullptr);
   void show_record(const EvidenceRecord& record);
 };
 

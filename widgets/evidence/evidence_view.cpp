@@ -150,10 +150,11 @@ QWidget* EvidenceView::make_beginning() {
   column->addWidget(beginning_);
   column->addStretch(3);
   keep_translated(page, [this] {
-    beginning_->setText(
-        tr("Open measurements of a palpation, a material test or a wearable computer.\n"
-           "Glisson says how far the declared model is off, what it lacks, and how sure that is.\n\n"
-           "No measurements at hand? Try the example: a simulated sample of tissue that does something undeclared."));
+    beginning_->setText(tr(
+        "Open measurements of a palpation, a material test, a plate in full field, waves of an elastography, a guided "
+        "sequence or a wearable computer.\n"
+        "Glisson says how far the declared model is off, what it lacks, and how sure that is.\n\n"
+        "No measurements at hand? Try the example: a simulated sample of tissue that does something undeclared."));
   });
   return page;
 }
@@ -407,7 +408,10 @@ void EvidenceView::choose_trials() {
 void EvidenceView::save_report() {
   const QString chosen = ask_for_folder(this, tr("Save the report in this folder"));
   if (chosen.isEmpty() || !record_) return;
-  for (const char* name : {"report.json", "report.html", "model.json"}) {
+  for (const char* name : {"report.json", "report.html", "model.json", "next_trials.json", "residual_before.nrrd",
+                           "residual_after.nrrd"}) {
+    std::error_code ignored;
+    if (!fs::exists(record_->folder / name, ignored)) continue;
     const auto bytes = read_text_file(record_->folder / name, std::uint64_t{64} << 20);
     if (!bytes) return context_.tell_error(bytes.error());
     if (auto written = write_text_file(path_of(chosen) / name, *bytes); !written) {

@@ -155,10 +155,13 @@ Drawing errors_by_load(const Explanation& explanation, const Observations& obser
   struct Sums {
     double load = 0, before = 0, after = 0, count = 0;
   };
+  const bool of_waves = is_of_waves(observations);
   std::map<std::pair<int, int>, Sums> moments;
   for (Eigen::Index row = 0; row < observations.rows(); ++row) {
     const auto i = static_cast<std::size_t>(row);
-    Sums& sums = moments[{observations.trial[i], observations.sample[i]}];
+    // Of waves a trial is one frequency, and moments are parts of its equation.
+    Sums& sums = moments[of_waves ? std::pair(0, observations.trial[i])
+                                  : std::pair(observations.trial[i], observations.sample[i])];
     sums.load = observations.load[row];
     sums.before += std::pow(observations.measured[row] - explanation.predicted_before[row], 2);
     sums.after += std::pow(observations.measured[row] - explanation.predicted_after[row], 2);
@@ -170,13 +173,16 @@ Drawing errors_by_load(const Explanation& explanation, const Observations& obser
     before.points.emplace_back(sums.load, std::sqrt(sums.before / sums.count));
     after.points.emplace_back(sums.load, std::sqrt(sums.after / sums.count));
   }
-  Plot plot{words.say(GLISSON_TEXT("Error by load, a line a trial: broken before, whole after")),
-            has_units(observations)     ? words.say(GLISSON_TEXT("force (N)"))
-            : is_of_waves(observations) ? words.say(GLISSON_TEXT("frequency (Hz)"))
-                                        : words.say(GLISSON_TEXT("largest strain")),
-            is_of_waves(observations)
-                ? words.say(GLISSON_TEXT("× noise"))
-                : words.say(GLISSON_TEXT("error ({0})"), {has_units(observations) ? observations.unit : "u, f"})};
+  if (of_waves) {
+    for (PlotCurve& curve : curves_of_trial.begin()->second) std::sort(curve.points.begin(), curve.points.end());
+  }
+  Plot plot{words.say(of_waves ? GLISSON_TEXT("Error by frequency: broken before, whole after")
+                               : GLISSON_TEXT("Error by load, a line a trial: broken before, whole after")),
+            has_units(observations) ? words.say(GLISSON_TEXT("force (N)"))
+            : of_waves              ? words.say(GLISSON_TEXT("frequency (Hz)"))
+                                    : words.say(GLISSON_TEXT("largest strain")),
+            of_waves ? words.say(GLISSON_TEXT("× noise"))
+                     : words.say(GLISSON_TEXT("error ({0})"), {has_units(observations) ? observations.unit : "u, f"})};
   for (auto& [trial, both] : curves_of_trial) plot.curves.insert(plot.curves.end(), both.begin(), both.end());
   return {svg_of(plot), plot.caption};
 }
@@ -196,7 +202,7 @@ std::map<std::array<double, 3>, double> left_by_place(const Eigen::VectorXd& pre
   return left;
 }
 
-// A dash a patch, of those that lie in one layer with the worst, as the declared law and the better model leave them.
+// A disc a patch, of those that lie in one layer with the worst, as the declared law and the better model leave them.
 std::vector<Drawing> where_it_holds(const Explanation& explanation, const Observations& observations,
                                     const Words& words) {
   const auto before = left_by_place(explanation.predicted_before, observations);
@@ -216,11 +222,11 @@ std::vector<Drawing> where_it_holds(const Explanation& explanation, const Observ
     plot.from_zero = false;
     for (const auto& [place, rms] : left)
       if (std::abs(place.at(deep) - worst->first.at(deep)) < 0.1 * extent)
-        plot.arrows.push_back({place.at(a), place.at(u), 0.05 * extent, 0, rms});
+        plot.spots.push_back({place.at(a), place.at(u), 0.04 * extent, rms});
     return Drawing{svg_of(plot), plot.caption};
   };
-  return {drawn(before, GLISSON_TEXT("Where the declared law does not hold: a dash a patch, red at {0} noises, blue "
-                                     "where nothing is left; the worst layer")),
+  return {drawn(before, GLISSON_TEXT("Where the declared law does not hold: what it leaves in each patch, in noises (1 "
+                                     "is noise alone; red at {0}); the worst layer")),
           drawn(after, GLISSON_TEXT("The same with the better model")),
           errors_by_load(explanation, observations, words)};
 }
