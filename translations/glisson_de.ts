@@ -6952,11 +6952,11 @@
         <translation>Markieren Sie eine weitere Linie, oder geben Sie pose_guess an.</translation>
     </message>
     <message>
-        <source>foretells nothing</source>
+        <source>predicts nothing</source>
         <translation>sagt nichts voraus</translation>
     </message>
     <message>
-        <source>Fitted without one of the trials, {0} has no solution there, or is farther off than a prediction of zero: it foretells nothing beyond what it was fitted to.</source>
+        <source>Fitted without one of the trials, {0} has no solution there, or is farther off than a prediction of zero: it predicts nothing beyond what it was fitted to.</source>
         <translation>Ohne einen der Versuche angepasst, hat {0} dort keine Lösung oder liegt weiter daneben als eine Vorhersage von null: Über das hinaus, woran es angepasst wurde, sagt es nichts voraus.</translation>
     </message>
     <message>

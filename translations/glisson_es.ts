@@ -6952,11 +6952,11 @@
         <translation>Marque otra línea o dé pose_guess.</translation>
     </message>
     <message>
-        <source>foretells nothing</source>
+        <source>predicts nothing</source>
         <translation>no predice nada</translation>
     </message>
     <message>
-        <source>Fitted without one of the trials, {0} has no solution there, or is farther off than a prediction of zero: it foretells nothing beyond what it was fitted to.</source>
+        <source>Fitted without one of the trials, {0} has no solution there, or is farther off than a prediction of zero: it predicts nothing beyond what it was fitted to.</source>
         <translation>Ajustado sin uno de los ensayos, {0} no tiene allí solución, o se desvía más que una predicción de cero: no predice nada fuera de aquello a lo que se ajustó.</translation>
     </message>
     <message>

@@ -6952,11 +6952,11 @@
         <translation>Marquez une autre ligne, ou donnez pose_guess.</translation>
     </message>
     <message>
-        <source>foretells nothing</source>
+        <source>predicts nothing</source>
         <translation>ne prédit rien</translation>
     </message>
     <message>
-        <source>Fitted without one of the trials, {0} has no solution there, or is farther off than a prediction of zero: it foretells nothing beyond what it was fitted to.</source>
+        <source>Fitted without one of the trials, {0} has no solution there, or is farther off than a prediction of zero: it predicts nothing beyond what it was fitted to.</source>
         <translation>Ajusté sans l&apos;un des essais, {0} n&apos;y a pas de solution, ou s&apos;en écarte plus qu&apos;une prédiction nulle : il ne prédit rien au-delà de ce à quoi il a été ajusté.</translation>
     </message>
     <message>

@@ -73,7 +73,7 @@ Json report_json(const Explanation& explanation, const Observations& observation
     json["after"][named("held_out_interval")] = {held_out->low, held_out->high};
   } else {
     json["after"]["held_out"] = observations.trial_count() < 2 ? "one trial cannot be left out"
-                                                               : "not given: fitted to the others it foretells nothing";
+                                                               : "not given: fitted to the others it predicts nothing";
   }
   if (explanation.hidden_targets) {
     const auto figures = [](const ErrorFigures& errors) {
@@ -383,7 +383,7 @@ Json json_of(const RankedCandidate& candidate, const Names& named) {
   }
   json[named("rms")] = candidate.rms;
   if (candidate.held_out_rms) json[named("held_out_rms")] = *candidate.held_out_rms;
-  if (!candidate.foretells) json["held_out"] = "not given: fitted to the others it foretells nothing";
+  if (!candidate.predicts) json["held_out"] = "not given: fitted to the others it predicts nothing";
   json["delta_bic"] = candidate.delta_bic;
   json["alike"] = candidate.alike;
   return json;

@@ -252,10 +252,10 @@ std::vector<Sentence> notes_on_ranking(const std::vector<RankedCandidate>& ranki
   std::vector<Sentence> notes;
   for (const RankedCandidate& candidate : ranking) {
     if (candidate.failed) notes.push_back({GLISSON_TEXT("{0} was left out: {1}"), {candidate.kind, candidate.removed}});
-    if (!candidate.foretells)
+    if (!candidate.predicts)
       notes.push_back(
           {GLISSON_TEXT("Fitted without one of the trials, {0} has no solution there, or is farther off than "
-                        "a prediction of zero: it foretells nothing beyond what it was fitted to."),
+                        "a prediction of zero: it predicts nothing beyond what it was fitted to."),
            {candidate.kind}});
   }
   return notes;

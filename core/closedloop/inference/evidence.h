@@ -41,13 +41,13 @@ class CrossValidationFolds {
 struct LeftOut {
   Eigen::VectorXd predicted;  // of each row by the model that did not see its trial; the fit's own for one trial
   double chi2 = 0;            // whitened trial by trial
-  // False where the others do not foretell a trial: a law that follows all of them, and is open or without a solution
+  // False where the others do not predict a trial: a law that follows all of them, and is open or without a solution
   // beyond the rest. Then chi2 is infinite, and `predicted` no prediction.
   bool given = true;
 };
 [[nodiscard]] LeftOut leave_out(const ForwardModel& model, const Fit& fit, const CrossValidationFolds& folds);
 
-// Chi-squared of the same trials where nothing is foretold at all, by zeros: a model that does worse there says
+// Chi-squared of the same trials where nothing is predicted at all, by zeros: a model that does worse there says
 // nothing.
 [[nodiscard]] double left_out_by_zeros(const ForwardModel& model, const CrossValidationFolds& folds);
 

@@ -60,12 +60,12 @@ struct RankedCandidate {
   std::string form;
   Settings settings;
   double rms = 0;
-  std::optional<double> held_out_rms;  // absent for a single trial, and where it foretells none from the others
+  std::optional<double> held_out_rms;  // absent for a single trial, and where it predicts none from the others
   double delta_bic = 0;
   std::vector<std::string> alike;
   std::string removed;    // why it is out of the running ("its solve failed: ..."); empty where it is not
   bool failed = false;    // its solves failed, rather than that it promised too little
-  bool foretells = true;  // a trial left out from the others (LeftOut::given)
+  bool predicts = true;  // a trial left out from the others (LeftOut::given)
 };
 
 // A further trial (next_trial.h).
@@ -109,7 +109,7 @@ struct Explanation {
   Verdict verdict = Verdict::nothing_missing;
   ErrorFigures before;
   ErrorFigures after;
-  std::optional<HeldOut> held_out;         // absent for a single trial, and where the others do not foretell one
+  std::optional<HeldOut> held_out;         // absent for a single trial, and where the others do not predict one
   std::optional<HeldOut> held_out_before;  // of the declared model: no fit, so it only adds the interval
   ResidualDiagnostics residual_before;
   ResidualDiagnostics residual_after;

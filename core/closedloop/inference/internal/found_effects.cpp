@@ -61,7 +61,7 @@ std::vector<RankedCandidate> ranking(const Search& search, const Candidate& decl
     if (single.fitted()) {
       candidate.rms = error_figures(all, single.fit.predicted).rms;
       candidate.delta_bic = search.bic_of(single) - search.bic_of(declared);
-      candidate.foretells = single.left_out.given;
+      candidate.predicts = single.left_out.given;
       if (search.folds().any() && single.left_out.given)
         candidate.held_out_rms = error_figures(all, single.left_out.predicted).rms;
     }
@@ -76,7 +76,7 @@ std::vector<RankedCandidate> ranking(const Search& search, const Candidate& decl
   std::stable_sort(ranking.begin(), ranking.end(), [](const RankedCandidate& a, const RankedCandidate& b) {
     return std::pair(!a.removed.empty(), a.delta_bic) < std::pair(!b.removed.empty(), b.delta_bic);
   });
-  const auto stands = [](const RankedCandidate& one) { return one.removed.empty() && one.foretells; };
+  const auto stands = [](const RankedCandidate& one) { return one.removed.empty() && one.predicts; };
   for (RankedCandidate& candidate : ranking) {
     for (const RankedCandidate& other : ranking) {
       if (&other != &candidate && stands(candidate) && stands(other) &&

@@ -50,13 +50,13 @@ double Search::cost_of_choice(const Candidate& candidate) const {
 }
 
 Candidate Search::evaluated(Fit fit) const {
-  LeftOut left_out = foretold(fit);
+  LeftOut left_out = left_out_of(fit);
   return {{}, {}, std::move(fit), std::move(left_out), {}, false};
 }
 
 // To first order; with new fits where that is too far, if they are quick, and where it is off by more than zeros would
-// be. What has no solution then, or is as far off as before, foretells nothing.
-LeftOut Search::foretold(const Fit& fit) const {
+// be. What has no solution then, or is as far off as before, predicts nothing.
+LeftOut Search::left_out_of(const Fit& fit) const {
   LeftOut left_out = leave_out(model_, fit, folds_);
   if (!folds_.any() || parameter_count(fit.settings) == 0) return left_out;
   const auto says_nothing = [&](const LeftOut& one) { return !(one.chi2 <= left_out_by_zeros_); };

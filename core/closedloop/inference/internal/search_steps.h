@@ -92,7 +92,7 @@ class Search {
   void consider(const std::vector<Candidate>& candidates);
   void finish_near_the_best(std::vector<Candidate>& candidates, double chi2_without) const;
   [[nodiscard]] Candidate evaluated(Fit fit) const;
-  [[nodiscard]] LeftOut foretold(const Fit& fit) const;
+  [[nodiscard]] LeftOut left_out_of(const Fit& fit) const;
   [[nodiscard]] double plain_square(const Eigen::VectorXd& predicted) const;
   [[nodiscard]] bool shows(const Candidate& candidate, const Candidate& current) const;
   [[nodiscard]] bool predicts_better(const Candidate& candidate, const Candidate& current) const;
