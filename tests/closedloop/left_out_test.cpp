@@ -73,15 +73,15 @@ TEST(LeftOut, NoErrorIsToldOfALawThatRunsAway) {
   EXPECT_THAT(found.effects[0].alike, testing::IsEmpty());
   ASSERT_EQ(found.ranking.size(), 2u);
   for (const RankedCandidate& candidate : found.ranking) {
-    EXPECT_EQ(candidate.foretells, candidate.kind == "stiffness-scale") << candidate.kind;
-    EXPECT_EQ(candidate.held_out_rms.has_value(), candidate.foretells) << candidate.kind;
+    EXPECT_EQ(candidate.predicts, candidate.kind == "stiffness-scale") << candidate.kind;
+    EXPECT_EQ(candidate.held_out_rms.has_value(), candidate.predicts) << candidate.kind;
   }
   const Json report = report_json(found, Runaway().observations());
   for (const Json& candidate : report["ranking"]) {
     EXPECT_EQ(candidate.contains("held_out_rms_mm"), candidate["kind"] == "stiffness-scale") << candidate;
     EXPECT_EQ(candidate.contains("held_out"), candidate["kind"] == "exponential") << candidate;
   }
-  EXPECT_THAT(report["notes"].dump(), testing::HasSubstr("foretells nothing beyond what it was fitted to"));
+  EXPECT_THAT(report["notes"].dump(), testing::HasSubstr("predicts nothing beyond what it was fitted to"));
 }
 
 }  // namespace
