@@ -133,8 +133,8 @@ QString parameter_label(const std::string& name) {
   // What is no word but a law's symbol stays.
   const QString words = label.replace('_', ' ');
   const qsizetype comma = words.indexOf(", ");
-  const QString name = comma < 0 ? words : words.left(comma);
-  return QCoreApplication::translate(parameters_context, name.toUtf8().constData()) + words.mid(name.size());
+  const QString quantity = comma < 0 ? words : words.left(comma);
+  return QCoreApplication::translate(parameters_context, quantity.toUtf8().constData()) + words.mid(quantity.size());
 }
 
 }  // namespace glisson::widgets
