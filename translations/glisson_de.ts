@@ -6999,6 +6999,10 @@
         <source>Where the declared law does not hold: what it leaves in each patch, in noises (1 is noise alone; red at {0}); the worst layer</source>
         <translation>Wo das angegebene Gesetz nicht gilt: was es in jedem Flecken übrig lässt, in Rauschen (1 ist Rauschen allein; rot bei {0}); die schlechteste Schicht</translation>
     </message>
+    <message>
+        <source>A lens&apos;s distortion has 4, 5, 8, 12 or 14 coefficients; here there are {0}.</source>
+        <translation>Die Verzeichnung eines Objektivs hat 4, 5, 8, 12 oder 14 Koeffizienten; hier sind es {0}.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

@@ -6999,6 +6999,10 @@
         <source>Where the declared law does not hold: what it leaves in each patch, in noises (1 is noise alone; red at {0}); the worst layer</source>
         <translation>Dónde no se cumple la ley declarada: lo que deja en cada zona, en ruidos (1 es solo ruido; rojo en {0}); la peor capa</translation>
     </message>
+    <message>
+        <source>A lens&apos;s distortion has 4, 5, 8, 12 or 14 coefficients; here there are {0}.</source>
+        <translation>La distorsión de una lente tiene 4, 5, 8, 12 o 14 coeficientes; aquí hay {0}.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

@@ -6999,6 +6999,10 @@
         <source>Where the declared law does not hold: what it leaves in each patch, in noises (1 is noise alone; red at {0}); the worst layer</source>
         <translation>Où la loi déclarée ne vaut pas : ce qu&apos;elle laisse dans chaque zone, en bruits (1 : le bruit seul ; rouge à {0}) ; la pire couche</translation>
     </message>
+    <message>
+        <source>A lens&apos;s distortion has 4, 5, 8, 12 or 14 coefficients; here there are {0}.</source>
+        <translation>La distorsion d’un objectif a 4, 5, 8, 12 ou 14 coefficients ; ici il y en a {0}.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

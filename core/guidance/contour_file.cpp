@@ -52,8 +52,11 @@ ContourCase contours_from(const Json& json, const fs::path& folder) {
       taken(geometry::read_surface(folder / text_under(required(json, "model", "the document"), "surface", "model")));
   if (asked.organ.triangles.empty()) refuse_in("model", "the surface has no triangles");
   const auto camera = vision::camera_from_json(required(json, "camera", "the document").dump());
-  if (!camera)
-    refuse_in("camera", "it has no 3 x 3 matrix with positive focal lengths, or a distortion that is no list");
+  if (!camera) {
+    refuse_in("camera",
+              "it has no 3 x 3 matrix with positive focal lengths, or a distortion that is not a list of 4, 5, "
+              "8, 12 or 14 numbers");
+  }
   asked.camera = *camera;
   const std::vector<CurveAtRest> at_rest = curves_at_rest(json, folder);
   const Json& frames = required(json, "frames", "the document");

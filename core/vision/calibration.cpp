@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <charconv>
 #include <cmath>
@@ -265,6 +266,12 @@ namespace {
 Result<void> checked_camera(const Camera& camera) {
   if (!camera.matrix.allFinite() || camera.matrix(0, 0) <= 0 || camera.matrix(1, 1) <= 0) {
     return failure("calibration-invalid", GLISSON_TEXT("A camera's focal length is not positive."));
+  }
+  constexpr std::array<std::size_t, 6> known{0, 4, 5, 8, 12, 14};  // of OpenCV's models of a lens
+  if (std::find(known.begin(), known.end(), camera.distortion.size()) == known.end()) {
+    return failure("calibration-invalid",
+                   GLISSON_TEXT("A lens's distortion has 4, 5, 8, 12 or 14 coefficients; here there are {0}."),
+                   {std::to_string(camera.distortion.size())});
   }
   for (const double coefficient : camera.distortion) {
     if (!std::isfinite(coefficient)) {

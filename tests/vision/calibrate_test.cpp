@@ -255,5 +255,20 @@ TEST(Calibrate, RefusesExchangedEyes) {
   EXPECT_EQ(calibrate(pairs, ucl_board()).error().code, "stereo-eyes-exchanged");
 }
 
+// OpenCV knows no other number of them, and throws.
+TEST(Calibration, ALensHasAsManyCoefficientsAsAModelOfItOrIsRefused) {
+  const auto camera = [](const std::string& distortion) {
+    return camera_from_json(R"({"matrix": [[900, 0, 480], [0, 900, 270], [0, 0, 1]], "distortion": )" + distortion +
+                            "}");
+  };
+  EXPECT_TRUE(camera("[]"));
+  EXPECT_TRUE(camera("[-0.1, 0.02, 0, 0, 0]"));
+  for (const char* wrong : {"[-0.1]", "[-0.1, 0.02, 0]", "[-0.1, 0.02, 0, 0, 0, 0]"}) {
+    const auto refused = camera(wrong);
+    ASSERT_FALSE(refused) << wrong;
+    EXPECT_EQ(refused.error().code, "calibration-invalid");
+  }
+}
+
 }  // namespace
 }  // namespace glisson::vision
