@@ -192,34 +192,6 @@ TEST_F(LiveBlock, JawsDrawWhatTheyHoldAndTheSameStepsGiveTheSameBits) {
   EXPECT_LT(sum.norm(), 0.02 * rest.tools[1].force_mN.norm());
 }
 
-// A retractor's edge lifts a margin that is 3 mm thin at its end, with somewhat less than the 0.2 N beyond which single
-// points of cells beside it turn inside out while it comes to rest.
-TEST_F(LiveBlock, AnEdgeThatLiftsAThinMarginIsFollowedStepByStep) {
-  mesh_ = test::bent_box(6, 6, 3, [](const Vector3d& unit) {
-    return Vector3d(40 * unit.x(), 40 * unit.y(), 20 * (1 - (1 - unit.z()) * (1 - 0.85 * unit.x())));
-  });
-  test::disturb_inner_points(mesh_, 0.5);
-  test::name_points(mesh_, "root", [](const Vector3d& p) { return p.x() < 1e-9; });
-  test::name_points(mesh_, "top", [](const Vector3d& p) { return p.z() > 20 - 1e-9; });
-  supports_ = {test::fixed("root"), {NamedPoints{"top"}, Foundation{0.3}}};
-  youngs_kPa_ = test::uniform(mesh_, 8);
-  loads_ = {};
-  places_ = locate_points(mesh_, {{10, 20, 12}, {20, 20, 15}, {25, 30, 16}});
-  const LiveBody margin = live(neo_hookean);
-  LiveState state = margin.untouched();
-  for (int step = 1; step <= 12; ++step) {
-    const TouchingTool edge{{{{-5, 0, 0}, {5, 0, 0}, 3}},
-                            pose_towards({34 - 0.5 * step, 20, -20}, {0.1, 0, 1}),
-                            std::min(160.0, 80.0 * step)};
-    const std::vector<ContactTool> tools = {{"edge", edge}};
-    state = margin.step(state, tools).value();
-    EXPECT_EQ(state.report.inverted_cells, 0) << step;
-    const LiveState rest = margin.settle(state, tools).value();
-    EXPECT_TRUE(rest.settled) << step;
-    EXPECT_LT(farthest_mm(state, rest), state.error_bound_mm) << step;
-  }
-}
-
 // A force spread over a patch is a dead load: the same that a scenario's tool is, over the same faces.
 TEST_F(LiveBlock, UnderAPatchItRestsWhereTheScenarioDoes) {
   Scenario scenario;

@@ -13,10 +13,10 @@
 // other paths (docs/performance.md): an estimate that holds there, not a proof. Where the body slips off a tool to
 // another rest, no residual foresees it.
 //
-// A tool presses by p = max(0, m - k g) at each place with gap g, as in large_contact.h, on every node of a face. Steps
-// may lead through cells turned inside out where the law's energy is finite there; no state has any. A step moves the multipliers m
-// on once. Settling moves them on until no tool enters the surface by more than the tolerance. A pushed tool's advance
-// is one unknown more. A force spread over a patch is a dead load, as in statics.
+// A tool presses by p = max(0, m - k g) at each place with gap g, as in large_contact.h. Steps
+// may lead through cells turned inside out where the law's energy is finite there; no state has any. A step moves the
+// multipliers m on once. Settling moves them on until no tool enters the surface by more than the tolerance. A pushed
+// tool's advance is one unknown more. A force spread over a patch is a dead load, as in statics.
 //
 // Friction is elastic and perfectly plastic with return mapping (Wriggers, Computational Contact Mechanics, 5.2). A
 // spring of stiffness k along the surface ties a place to an anchor that goes with the tool. The place slips where the

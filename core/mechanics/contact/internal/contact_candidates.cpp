@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <Eigen/Geometry>
 #include <limits>
-#include <map>
 
 namespace glisson::mechanics {
 namespace {
@@ -62,32 +61,10 @@ TouchedSurface touched_surface(const Body& body) {
   const NodeLayout& layout = body.layout;
   TouchedSurface touched;
   touched.surface.points_mm = corners.points_mm;
-  std::vector<int> mesh_point;
   for (const double p : geometry::find_field(corners.point_fields, "mesh_point")->values) {
-    mesh_point.push_back(static_cast<int>(p));
     touched.node_of_point.push_back(layout.node_of_point[static_cast<std::size_t>(p)]);
   }
-  if (layout.order == ElementOrder::linear) {
-    touched.surface.triangles = corners.triangles;
-    return touched;
-  }
-  std::map<int, int> point_of_node;
-  const auto middle = [&](int a, int b) {
-    const int node =
-        layout.node_of_edge(mesh_point[static_cast<std::size_t>(a)], mesh_point[static_cast<std::size_t>(b)]);
-    const auto [at, is_new] = point_of_node.try_emplace(node, static_cast<int>(touched.node_of_point.size()));
-    if (is_new) {
-      touched.node_of_point.push_back(node);
-      touched.surface.points_mm.push_back(layout.positions_mm[static_cast<std::size_t>(node)]);
-    }
-    return at->second;
-  };
-  for (const auto& [a, b, c] : corners.triangles) {
-    const int ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
-    for (const std::array<int, 3>& part : {std::array{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}}) {
-      touched.surface.triangles.push_back(part);
-    }
-  }
+  touched.surface.triangles = corners.triangles;
   return touched;
 }
 

@@ -15,9 +15,7 @@
 
 namespace glisson::mechanics {
 
-// The surface that tools at large deformation touch: each face of the boundary in four triangles where cells are
-// quadratic, so that tools press on every node of it. Pressed on at its corners alone a quadratic face gives way in
-// spikes: of a uniform pressure its corners bear nothing, and the middles of its edges all.
+// The surface that tools at large deformation touch: the boundary's triangles, by their corners.
 struct TouchedSurface {
   geometry::Surface surface;       // at rest, without fields
   std::vector<int> node_of_point;  // each of its points is a node
