@@ -53,7 +53,6 @@ Result<LiveBody> LiveBody::create(StaticModel model, const ChosenLaw& law, const
   for (const double p : geometry::find_field(parts.surface.point_fields, "mesh_point")->values) {
     parts.node_of_point.push_back(parts.body.layout.node_of_point[static_cast<std::size_t>(p)]);
   }
-  parts.touched = touched_surface(parts.body);
   parts.watched = std::move(watched);
   parts.judged = judged;
   parts.k_mN_mm = penalty_stiffness_mN_mm(tool_penalty, parts.body, parts.surface);
@@ -151,6 +150,14 @@ StaticResult LiveBody::whole_result(const LiveState& state) const {
 const LiveState& LiveBody::untouched() const { return impl_->parts->untouched; }
 const geometry::Surface& LiveBody::surface() const { return impl_->parts->surface; }
 const StaticModel& LiveBody::model() const { return impl_->parts->model; }
+
+VectorXd LiveParts::surface_of(const VectorXd& u_mm) const {
+  VectorXd moved(3 * static_cast<Eigen::Index>(node_of_point.size()));
+  for (std::size_t p = 0; p < node_of_point.size(); ++p) {
+    moved.segment<3>(3 * static_cast<Eigen::Index>(p)) = u_mm.segment<3>(3 * node_of_point[p]);
+  }
+  return moved;
+}
 
 Eigen::MatrixXd LiveParts::unit_forces_at_judged() const {
   Eigen::MatrixXd unit = Eigen::MatrixXd::Zero(unknowns(), 3 * static_cast<Eigen::Index>(judged));

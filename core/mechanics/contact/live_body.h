@@ -13,10 +13,10 @@
 // other paths (docs/performance.md): an estimate that holds there, not a proof. Where the body slips off a tool to
 // another rest, no residual foresees it.
 //
-// A tool presses by p = max(0, m - k g) at each place with gap g, as in large_contact.h. Steps
-// may lead through cells turned inside out where the law's energy is finite there; no state has any. A step moves the
-// multipliers m on once. Settling moves them on until no tool enters the surface by more than the tolerance. A pushed
-// tool's advance is one unknown more. A force spread over a patch is a dead load, as in statics.
+// A tool presses by p = max(0, m - k g) at each place with gap g, as in large_contact.h. Steps may lead through
+// cells turned inside out where the law's energy is finite there; no state has any. A step moves the multipliers m on
+// once. Settling moves them on until no tool enters the surface by more than the tolerance. A pushed tool's advance is
+// one unknown more. A force spread over a patch is a dead load, as in statics.
 //
 // Friction is elastic and perfectly plastic with return mapping (Wriggers, Computational Contact Mechanics, 5.2). A
 // spring of stiffness k along the surface ties a place to an anchor that goes with the tool. The place slips where the
@@ -65,7 +65,7 @@ struct LiveOptions {
 struct LivePlace {
   std::string tool;
   std::size_t rod = 0;
-  std::array<int, 3> points;  // of the surface's nodes (TouchedSurface)
+  std::array<int, 3> points;  // of the surface
   Eigen::Vector3d weights;
   double multiplier_mN = 0;
   // Where it sticks to a tool with friction, in the tool's frame. The first is as the step began, the second where what
@@ -75,8 +75,8 @@ struct LivePlace {
 
 // What the step under way began from, for friction: what meets a tool in it has slid as they moved by each other since.
 struct LiveBegin {
-  Eigen::VectorXd touched_mm;         // of the surface's nodes (TouchedSurface)
-  std::map<std::string, Pose> poses;  // of touching tools
+  std::vector<Eigen::Vector3d> surface_mm;  // as LiveState's
+  std::map<std::string, Pose> poses;        // of touching tools
 };
 
 struct LiveState {

@@ -56,11 +56,7 @@ Result<AugmentedLagrangian> AugmentedLagrangian::create(const Body& body, const 
 }
 
 AugmentedLagrangian::AugmentedLagrangian(const Body& body, const ContactOptions& options, VectorXd u_mm)
-    : body_(&body),
-      options_(options),
-      surface_(geometry::boundary_surface(body.mesh)),
-      touched_(touched_surface(body)),
-      u_mm_(std::move(u_mm)) {
+    : body_(&body), options_(options), surface_(geometry::boundary_surface(body.mesh)), u_mm_(std::move(u_mm)) {
   for (const double p : geometry::find_field(surface_.point_fields, "mesh_point")->values) {
     node_of_point_.push_back(body_->layout.node_of_point[static_cast<std::size_t>(p)]);
   }
@@ -94,7 +90,7 @@ Result<bool> AugmentedLagrangian::equilibrate(const std::vector<ContactTool>& to
     for (std::size_t t = 0; t < tools.size(); ++t) {
       const auto* touching = std::get_if<TouchingTool>(&tools[t].what);
       if (touching == nullptr || !touching->push_mN) continue;
-      const auto way_mm = way_to_surface(touched_.surface, *touching, touched_.moved_mm(u_mm_));
+      const auto way_mm = way_to_surface(surface_, *touching, surface_mm(u_mm_));
       if (!way_mm) return failure(way_mm.error());
       advance_mm_[static_cast<Eigen::Index>(t)] = *way_mm;
     }
@@ -199,8 +195,7 @@ Result<bool> AugmentedLagrangian::equilibrate_at_advances(const std::vector<Cont
       cut_contact.multiplier_mN = force_mN;
     }
     report_.overlap_mm = report_.penetration_mm = walls_.find(u_mm_, CutSelfContact::Search::more);
-    for (const ContactCandidate& place :
-         contact_candidates(touched_.surface, tools, advance_mm_, touched_.moved_mm(u_mm_), 0.0)) {
+    for (const ContactCandidate& place : contact_candidates(surface_, tools, advance_mm_, surface_mm(u_mm_), 0.0)) {
       report_.penetration_mm = std::max(report_.penetration_mm, -place.gap_mm);
     }
     if (report_.penetration_mm <= options_.penetration_tolerance_mm &&
@@ -216,12 +211,11 @@ void AugmentedLagrangian::update_multipliers(const std::vector<ContactTool>& too
   constexpr double margin_mm = 1.0;
   std::vector<TrackedContact> kept;
   for (const ContactConstraint& constraint : constraints_) kept.push_back(constraint.place);
-  for (const ContactCandidate& near :
-       contact_candidates(touched_.surface, tools, advance_mm_, touched_.moved_mm(u_mm_), margin_mm)) {
-    keep({near.tool, near.rod, near.points, near.weights}, touched_.surface, kept);
+  for (const ContactCandidate& near : contact_candidates(surface_, tools, advance_mm_, surface_mm(u_mm_), margin_mm)) {
+    keep({near.tool, near.rod, near.points, near.weights}, surface_, kept);
   }
   for (std::size_t i = constraints_.size(); i < kept.size(); ++i) {
-    ContactConstraint constraint = constraint_at(kept[i], touched_.surface, touched_.node_of_point);
+    ContactConstraint constraint = constraint_at(kept[i], surface_, node_of_point_);
     constraint.rod = rod_of(kept[i], tools);
     constraint.friction = std::get<TouchingTool>(tools[kept[i].tool].what).friction;
     anchor(constraint, pose_of(constraint.place.tool, tools), u_mm_);
@@ -296,8 +290,7 @@ std::vector<ToolContact> AugmentedLagrangian::contacts(const std::vector<Contact
       contacts[gripped.tool].force_mN = *pull_mN * grasp.direction.normalized();
     }
   }
-  for (const ContactCandidate& place :
-       contact_candidates(touched_.surface, tools, advance_mm_, touched_.moved_mm(u_mm_), 0.0)) {
+  for (const ContactCandidate& place : contact_candidates(surface_, tools, advance_mm_, surface_mm(u_mm_), 0.0)) {
     contacts[place.tool].penetration_mm = std::max(contacts[place.tool].penetration_mm, -place.gap_mm);
   }
   return contacts;

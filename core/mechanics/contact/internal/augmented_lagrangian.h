@@ -63,7 +63,6 @@ class AugmentedLagrangian {
   const Body* body_;
   ContactOptions options_;
   geometry::Surface surface_;
-  TouchedSurface touched_;
   std::vector<int> node_of_point_;  // of the surface
   double k_mN_mm_;
   Eigen::VectorXd u_mm_, advance_mm_;

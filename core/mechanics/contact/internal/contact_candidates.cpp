@@ -18,63 +18,7 @@ std::array<Vector3d, 3> corners_of(const geometry::Surface& surface, const std::
   return corners;
 }
 
-struct Box {
-  Vector3d low, high;
-
-  [[nodiscard]] bool meets(const std::array<Vector3d, 3>& corners) const {
-    return (corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]).array() <= high.array()).all() &&
-           (corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]).array() >= low.array()).all();
-  }
-};
-
-Box box_of(const Rod& rod, double margin_mm) {
-  const double reach_mm = rod.radius_mm + margin_mm;
-  return {rod.from_mm.cwiseMin(rod.to_mm).array() - reach_mm, rod.from_mm.cwiseMax(rod.to_mm).array() + reach_mm};
-}
-
-struct MovedTriangle {
-  std::array<int, 3> points;
-  std::array<Vector3d, 3> corners;
-};
-
-// Those that any of the rods may reach.
-std::vector<MovedTriangle> triangles_around(const geometry::Surface& surface, const ToolShape& rods, double margin_mm,
-                                            const VectorXd& moved_mm) {
-  std::vector<MovedTriangle> around;
-  if (rods.empty()) return around;
-  Box all = box_of(rods.front(), margin_mm);
-  for (const Rod& rod : rods) {
-    const Box box = box_of(rod, margin_mm);
-    all = {all.low.cwiseMin(box.low), all.high.cwiseMax(box.high)};
-  }
-  for (const std::array<int, 3>& points : surface.triangles) {
-    const MovedTriangle moved{points, corners_of(surface, points, moved_mm)};
-    if (all.meets(moved.corners)) around.push_back(moved);
-  }
-  return around;
-}
-
 }  // namespace
-
-TouchedSurface touched_surface(const Body& body) {
-  const geometry::Surface corners = geometry::boundary_surface(body.mesh);
-  const NodeLayout& layout = body.layout;
-  TouchedSurface touched;
-  touched.surface.points_mm = corners.points_mm;
-  for (const double p : geometry::find_field(corners.point_fields, "mesh_point")->values) {
-    touched.node_of_point.push_back(layout.node_of_point[static_cast<std::size_t>(p)]);
-  }
-  touched.surface.triangles = corners.triangles;
-  return touched;
-}
-
-Eigen::VectorXd TouchedSurface::moved_mm(const Eigen::VectorXd& u_mm) const {
-  Eigen::VectorXd moved(3 * static_cast<Eigen::Index>(node_of_point.size()));
-  for (std::size_t p = 0; p < node_of_point.size(); ++p) {
-    moved.segment<3>(3 * static_cast<Eigen::Index>(p)) = u_mm.segment<3>(3 * node_of_point[p]);
-  }
-  return moved;
-}
 
 void keep(const TrackedContact& place, const geometry::Surface& surface, std::vector<TrackedContact>& kept) {
   // Nearer than this another place tells nothing new: the surface between them sags into a ball of 5 mm by 0.01 mm.
@@ -99,13 +43,17 @@ std::vector<ContactCandidate> contact_candidates(const geometry::Surface& surfac
     Pose pose = tool->pose;
     pose.position_mm += advance_mm[static_cast<Eigen::Index>(t)] * pose.forward();
     const ToolShape rods = placed(tool->shape, pose);
-    const std::vector<MovedTriangle> around = triangles_around(surface, rods, margin_mm, moved_mm);
     for (std::size_t r = 0; r < rods.size(); ++r) {
       const Rod& rod = rods[r];
       const double reach_mm = rod.radius_mm + margin_mm;
-      const Box box = box_of(rod, margin_mm);
-      for (const auto& [triangle, corners] : around) {
-        if (!box.meets(corners)) continue;
+      const Vector3d low = rod.from_mm.cwiseMin(rod.to_mm).array() - reach_mm;
+      const Vector3d high = rod.from_mm.cwiseMax(rod.to_mm).array() + reach_mm;
+      for (const auto& triangle : surface.triangles) {
+        const std::array<Vector3d, 3> corners = corners_of(surface, triangle, moved_mm);
+        if ((corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]).array() > high.array()).any() ||
+            (corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]).array() < low.array()).any()) {
+          continue;
+        }
         const Nearest nearest = nearest_of(rod, corners);
         if (nearest.distance_mm > reach_mm) continue;
         const Vector3d outward = unit_or_zero((corners[1] - corners[0]).cross(corners[2] - corners[0]));

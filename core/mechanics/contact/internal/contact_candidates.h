@@ -11,19 +11,8 @@
 #include "base/result.h"
 #include "geometry/surface.h"
 #include "mechanics/contact/contact.h"
-#include "mechanics/elements/body.h"
 
 namespace glisson::mechanics {
-
-// The surface that tools at large deformation touch: the boundary's triangles, by their corners.
-struct TouchedSurface {
-  geometry::Surface surface;       // at rest, without fields
-  std::vector<int> node_of_point;  // each of its points is a node
-
-  // Of each point, 3 values (mm), from 3 a node.
-  [[nodiscard]] Eigen::VectorXd moved_mm(const Eigen::VectorXd& u_mm) const;
-};
-[[nodiscard]] TouchedSurface touched_surface(const Body& body);
 
 struct ContactCandidate {
   std::size_t tool, rod;

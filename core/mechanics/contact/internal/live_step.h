@@ -34,7 +34,6 @@ struct LiveParts {
   SplineLevels levels;
   geometry::Surface surface;
   std::vector<int> node_of_point;
-  TouchedSurface touched;
   std::vector<PointInMesh> watched;
   std::size_t judged = 0;  // of the watched places
   std::shared_ptr<const Eigen::MatrixXf> adjoints =
@@ -58,6 +57,7 @@ struct LiveParts {
       if (body.resolved.fixed[static_cast<std::size_t>(i)]) values[i] = 0;
     }
   }
+  [[nodiscard]] Eigen::VectorXd surface_of(const Eigen::VectorXd& u_mm) const;
   [[nodiscard]] Eigen::MatrixXd unit_forces_at_judged() const;
   void show(LiveState& state) const;
 };

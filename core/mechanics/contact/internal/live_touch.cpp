@@ -73,7 +73,7 @@ Result<void> LiveStep::take_touching(std::size_t tool, const TouchingTool& touch
     advance_mm = before->second;
     return {};
   }
-  const auto way_mm = way_to_surface(parts_.touched.surface, touching, parts_.touched.moved_mm(from.u_mm));
+  const auto way_mm = way_to_surface(parts_.surface, touching, parts_.surface_of(from.u_mm));
   if (!way_mm) return failure(way_mm.error());
   advance_mm = *way_mm;
   return {};
@@ -81,8 +81,7 @@ Result<void> LiveStep::take_touching(std::size_t tool, const TouchingTool& touch
 
 // A step begins where the one before ended; settling goes on with the step under way.
 void LiveStep::begin(const LiveState& from, Until until) {
-  LiveBegin now =
-      until == Until::settled && from.began ? *from.began : LiveBegin{parts_.touched.moved_mm(from.u_mm), from.poses};
+  LiveBegin now = until == Until::settled && from.began ? *from.began : LiveBegin{from.surface_mm, from.poses};
   for (std::size_t t = 0; t < tools_.size(); ++t) {
     if (std::holds_alternative<TouchingTool>(tools_[t].what)) now.poses.try_emplace(tools_[t].id, pose_of(t));
   }
@@ -113,23 +112,21 @@ void LiveStep::find_places() {
   });
   std::vector<TrackedContact> kept;
   for (const ContactConstraint& place : places_) kept.push_back(place.place);
-  const VectorXd moved_mm = parts_.touched.moved_mm(state_.u_mm);
-  const geometry::Surface& surface = parts_.touched.surface;
-  for (const ContactCandidate& near : contact_candidates(surface, tools_, advance_mm_, moved_mm, margin_mm)) {
-    keep({near.tool, near.rod, near.points, near.weights}, surface, kept);
+  const VectorXd moved_mm = parts_.surface_of(state_.u_mm);
+  for (const ContactCandidate& near : contact_candidates(parts_.surface, tools_, advance_mm_, moved_mm, margin_mm)) {
+    keep({near.tool, near.rod, near.points, near.weights}, parts_.surface, kept);
   }
   for (std::size_t i = places_.size(); i < kept.size(); ++i) add_place(kept[i]);
   place_rods();
 }
 
 void LiveStep::add_place(const TrackedContact& tracked) {
-  ContactConstraint& place =
-      places_.emplace_back(constraint_at(tracked, parts_.touched.surface, parts_.touched.node_of_point));
+  ContactConstraint& place = places_.emplace_back(constraint_at(tracked, parts_.surface, parts_.node_of_point));
   place.friction = std::get<TouchingTool>(tools_[tracked.tool].what).friction;
   if (place.friction == 0) return;
   Vector3d began_mm = place.rest_mm;
   for (int c = 0; c < 3; ++c) {
-    began_mm += tracked.weights[c] * began_->touched_mm.segment<3>(3 * tracked.points[c]);
+    began_mm += tracked.weights[c] * began_->surface_mm[static_cast<std::size_t>(tracked.points[c])];
   }
   const Pose& tool = began_->poses.at(tools_[tracked.tool].id);
   place.from_on_tool_mm = tool.rotation.transpose() * (began_mm - tool.position_mm);
