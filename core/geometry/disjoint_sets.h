@@ -29,6 +29,9 @@ class DisjointSets {
     size_[a] += size_[b];
   }
 
+  // How many items are in the set which `item` is in.
+  [[nodiscard]] std::size_t size_of(std::size_t item) { return size_[root(item)]; }
+
  private:
   std::vector<std::size_t> parent_;
   std::vector<std::size_t> size_;

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <queue>
+
+#include "base/upper_median.h"
+#include "geometry/disjoint_sets.h"
 
 namespace glisson::vasculature {
 
@@ -21,41 +23,25 @@ struct Links {
 };
 
 // A junction of more vertices is noise: what would join them is left out, so that tables of passages stay small.
-constexpr int most_vertices = 64;
+constexpr std::size_t most_vertices = 64;
 
 Links links_of(const VesselGraph& graph) {
   const auto branches_at = graph.branches_at_vertices();
   Links links{std::vector<char>(graph.branches.size(), 0), std::vector<std::vector<int>>(graph.vertices_mm.size()),
               std::vector<int>(graph.vertices_mm.size())};
-  std::iota(links.junction.begin(), links.junction.end(), 0);
-  std::vector<int> size(graph.vertices_mm.size(), 1);
-  const auto root = [&](int v) {
-    while (links.junction[static_cast<std::size_t>(v)] != v) v = links.junction[static_cast<std::size_t>(v)];
-    return v;
-  };
+  geometry::DisjointSets sets(graph.vertices_mm.size());
   for (std::size_t b = 0; b < graph.branches.size(); ++b) {
     const GraphBranch& branch = graph.branches[b];
     const auto from = static_cast<std::size_t>(branch.from), to = static_cast<std::size_t>(branch.to);
     const bool inner = branches_at[from].size() > 1 && branches_at[to].size() > 1;
     if (branch.joint == Joint::vessel && !(inner && branch.length_mm < branch.radius_mm)) continue;
     links.is_link[b] = 1;
-    const int a = root(branch.from), c = root(branch.to), first = std::min(a, c), second = std::max(a, c);
-    if (first != second) {
-      const int together = size[static_cast<std::size_t>(first)] + size[static_cast<std::size_t>(second)];
-      if (together > most_vertices) continue;
-      size[static_cast<std::size_t>(first)] = together;
-    }
-    links.junction[static_cast<std::size_t>(second)] = first;
+    if (sets.root(from) != sets.root(to) && sets.size_of(from) + sets.size_of(to) > most_vertices) continue;
+    sets.join(from, to);
     for (const std::size_t v : {from, to}) links.at[v].push_back(static_cast<int>(b));
   }
-  for (std::size_t v = 0; v < links.junction.size(); ++v) links.junction[v] = root(static_cast<int>(v));
+  for (std::size_t v = 0; v < links.junction.size(); ++v) links.junction[v] = static_cast<int>(sets.root(v));
   return links;
-}
-
-double middle_of(std::vector<double> values) {
-  const auto half = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), half, values.end());
-  return *half;
 }
 
 PieceEnd end_of(const GraphBranch& branch, bool last) {
@@ -78,24 +64,9 @@ PieceEnd end_of(const GraphBranch& branch, bool last) {
     radii.push_back(point(i).radius_mm);
     far = point(i).position_mm;
   }
-  end.radius_mm = std::max(0.5, radii.empty() ? branch.radius_mm : middle_of(radii));
+  end.radius_mm = std::max(0.5, radii.empty() ? branch.radius_mm : upper_median(radii));
   if ((near - far).norm() > 0) end.outwards = (near - far).normalized();
   return end;
-}
-
-// Along radii meant over five points.
-double widening(const GraphBranch& branch, bool backwards) {
-  const std::size_t count = branch.points.size();
-  double narrowest = std::numeric_limits<double>::infinity(), most = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    double sum = 0;
-    const std::size_t low = i < 2 ? 0 : i - 2, high = std::min(count - 1, i + 2);
-    for (std::size_t n = low; n <= high; ++n) sum += branch.points[backwards ? count - 1 - n : n].radius_mm;
-    const double radius = std::log(std::max(0.5, sum / static_cast<double>(high - low + 1)));
-    narrowest = std::min(narrowest, radius);
-    most = std::max(most, radius - narrowest);
-  }
-  return most;
 }
 
 // The shortest ways over links from a vertex to the others of its junction (Dijkstra 1959): the link before each.
@@ -143,6 +114,20 @@ Passage passage_between(const PieceEnd& from, const PieceEnd& to, const std::map
 }
 
 }  // namespace
+
+double widening(const GraphBranch& branch, bool backwards) {
+  const std::size_t count = branch.points.size();
+  double narrowest = std::numeric_limits<double>::infinity(), most = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    double sum = 0;
+    const std::size_t low = i < 2 ? 0 : i - 2, high = std::min(count - 1, i + 2);
+    for (std::size_t n = low; n <= high; ++n) sum += branch.points[backwards ? count - 1 - n : n].radius_mm;
+    const double radius = std::log(std::max(0.5, sum / static_cast<double>(high - low + 1)));
+    narrowest = std::min(narrowest, radius);
+    most = std::max(most, radius - narrowest);
+  }
+  return most;
+}
 
 std::size_t Junctions::between(int end, int other) const {
   const std::size_t count = ends_at[static_cast<std::size_t>(this->end(end).junction)].size();

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <queue>
 #include <tuple>
 
+#include "vasculature/internal/junctions.h"
 #include "vasculature/internal/told_apart.h"
 
 namespace glisson::vasculature {
@@ -13,8 +13,6 @@ namespace glisson::vasculature {
 using Eigen::Vector3d;
 
 namespace {
-
-constexpr double infinite = std::numeric_limits<double>::infinity();
 
 // What it costs: chosen, and looked at on generated patients 1 to 3.
 constexpr double of_turn = 1.0, of_widening = 2.0, of_contact = 0.5, of_gap_per_mm = 0.05, of_length_per_mm = 0.005,
@@ -33,8 +31,6 @@ struct Way {
     return of().points[backwards ? of().points.size() - 1 - i : i];
   }
   [[nodiscard]] Vector3d direction(bool at_head) const;
-  // The most that it widens on its way, as a logarithm, along radii meant over five points.
-  [[nodiscard]] double widening() const;
 };
 
 // One system grows along a graph from where it enters.
@@ -73,20 +69,6 @@ Vector3d Way::direction(bool at_head) const {
   return along.norm() > 0 ? along.normalized() : Vector3d::Zero();
 }
 
-double Way::widening() const {
-  const std::size_t count = of().points.size();
-  double narrowest = infinite, most = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    double sum = 0;
-    const std::size_t low = i < 2 ? 0 : i - 2, high = std::min(count - 1, i + 2);
-    for (std::size_t n = low; n <= high; ++n) sum += point(n).radius_mm;
-    const double radius = std::log(std::max(0.5, sum / static_cast<double>(high - low + 1)));
-    narrowest = std::min(narrowest, radius);
-    most = std::max(most, radius - narrowest);
-  }
-  return most;
-}
-
 Growth::Growth(const VesselGraph& graph, const Vector3d& entry_mm)
     : graph_(graph), entry_mm_(entry_mm), cluster_(graph.vertices_mm.size()) {
   for (std::size_t v = 0; v < cluster_.size(); ++v) cluster_[v] = static_cast<int>(v);
@@ -111,7 +93,7 @@ Growth::Growth(const VesselGraph& graph, const Vector3d& entry_mm)
     double cost = of_length_per_mm * branch.length_mm;
     if (branch.joint == Joint::contact) cost += of_contact;
     if (branch.joint == Joint::gap) cost += of_gap_per_mm * branch.length_mm;
-    own_.push_back(cost + of_widening * way(w).widening());
+    own_.push_back(cost + of_widening * widening(way(w).of(), way(w).backwards));
   }
   for (const GraphBranch& branch : graph.branches) {
     for (const CenterPoint& point : branch.points) {

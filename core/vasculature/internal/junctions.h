@@ -49,4 +49,7 @@ struct Junctions {
 
 [[nodiscard]] Junctions junctions_of(const VesselGraph& graph);
 
+// The most that a branch widens on its way, as a logarithm, along radii meant over five points.
+[[nodiscard]] double widening(const GraphBranch& branch, bool backwards);
+
 }  // namespace glisson::vasculature
