@@ -38,10 +38,10 @@ Fitted with_better_shape(Fitted from, Eigen::Index s, double step, const FitOfSh
     const double here = for_search(parameter, from.law.parameters[coefficients + s]);
     Fitted before = at(here - step), after = at(here + step);
     const double bend = before.chi2 - 2 * from.chi2 + after.chi2;
-    const double least = 0.5 * step * (before.chi2 - after.chi2) / bend;
+    const double minimum = 0.5 * step * (before.chi2 - after.chi2) / bend;
     Fitted lowest = before.chi2 < after.chi2 ? std::move(before) : std::move(after);
-    if (bend > 0 && std::abs(least) < step) {
-      if (Fitted guessed = at(here + least); guessed.chi2 < lowest.chi2) lowest = std::move(guessed);
+    if (bend > 0 && std::abs(minimum) < step) {
+      if (Fitted guessed = at(here + minimum); guessed.chi2 < lowest.chi2) lowest = std::move(guessed);
     }
     if (!(lowest.chi2 < from.chi2)) {
       step /= 3;
