@@ -22,8 +22,8 @@ struct Fitted {
 [[nodiscard]] std::vector<Eigen::VectorXd> shapes_to_try(const LawForm& form);
 
 // Between what was tried a law may fit far better. One shape after the other, a parabola through three places leads to
-// its minimum, until chi-squared falls by less than 1. (Brent 1973, ch. 5, without the golden sections: a step that gains
-// nothing is divided by three.)
+// its minimum, until chi-squared falls by less than 1. (Brent 1973, ch. 5, without the golden sections: a step that
+// gains nothing is divided by three.)
 using FitOfShapes = std::function<Fitted(const Eigen::VectorXd& shapes)>;
 [[nodiscard]] Fitted with_better_shapes(Fitted from, const FitOfShapes& fit);
 
