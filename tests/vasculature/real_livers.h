@@ -22,9 +22,9 @@ struct RealLiver {
 };
 [[nodiscard]] RealLiver read_real_liver(const std::string& name);
 
-// Where somebody who can tell the veins apart would click: of the thick places around where stems are expected (three of
-// each system), those that let most hepatic veins run on the drawn borders of the sectors, and most portal branches off
-// them.
+// Where somebody who can tell the veins apart would click: of the thick places around where stems are expected (three
+// of each system), those that let most hepatic veins run on the drawn borders of the sectors, and most portal branches
+// off them.
 [[nodiscard]] vasculature::Clicks clicks_by_truth(const RealLiver& liver, const vasculature::VesselGraph& graph);
 
 struct SegmentScore {

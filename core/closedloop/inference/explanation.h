@@ -63,8 +63,8 @@ struct RankedCandidate {
   std::optional<double> held_out_rms;  // absent for a single trial, and where it predicts none from the others
   double delta_bic = 0;
   std::vector<std::string> alike;
-  std::string removed;    // why it is out of the running ("its solve failed: ..."); empty where it is not
-  bool failed = false;    // its solves failed, rather than that it promised too little
+  std::string removed;   // why it is out of the running ("its solve failed: ..."); empty where it is not
+  bool failed = false;   // its solves failed, rather than that it promised too little
   bool predicts = true;  // a trial left out from the others (LeftOut::given)
 };
 

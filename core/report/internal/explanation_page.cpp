@@ -222,7 +222,7 @@ Table candidates_table(const Explanation& explanation, const Observations& obser
         {{name},
          {figure(candidate.rms)},
          {candidate.held_out_rms ? figure(*candidate.held_out_rms)
-          : candidate.predicts  ? "-"
+          : candidate.predicts   ? "-"
                                  : words.say(GLISSON_TEXT("predicts nothing"))},
          {fmt::format("{:.0f}", candidate.delta_bic)},
          {candidate.alike.empty() ? "" : words.say(GLISSON_TEXT("like {0}"), {joined(candidate.alike, words)})}});
