@@ -7003,6 +7003,14 @@
         <source>A lens&apos;s distortion has 4, 5, 8, 12 or 14 coefficients; here there are {0}.</source>
         <translation>Die Verzeichnung eines Objektivs hat 4, 5, 8, 12 oder 14 Koeffizienten; hier sind es {0}.</translation>
     </message>
+    <message>
+        <source>A tool would lie {0} mm deep in the body.</source>
+        <translation>Ein Werkzeug läge {0} mm tief im Körper.</translation>
+    </message>
+    <message>
+        <source>Move it there in smaller steps, or away from the body.</source>
+        <translation>In kleineren Schritten dorthin bewegen, oder weg vom Körper.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

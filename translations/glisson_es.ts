@@ -7003,6 +7003,14 @@
         <source>A lens&apos;s distortion has 4, 5, 8, 12 or 14 coefficients; here there are {0}.</source>
         <translation>La distorsión de una lente tiene 4, 5, 8, 12 o 14 coeficientes; aquí hay {0}.</translation>
     </message>
+    <message>
+        <source>A tool would lie {0} mm deep in the body.</source>
+        <translation>Una herramienta quedaría {0} mm dentro del cuerpo.</translation>
+    </message>
+    <message>
+        <source>Move it there in smaller steps, or away from the body.</source>
+        <translation>Llévela allí con pasos más pequeños, o aléjela del cuerpo.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

@@ -7003,6 +7003,14 @@
         <source>A lens&apos;s distortion has 4, 5, 8, 12 or 14 coefficients; here there are {0}.</source>
         <translation>La distorsion d’un objectif a 4, 5, 8, 12 ou 14 coefficients ; ici il y en a {0}.</translation>
     </message>
+    <message>
+        <source>A tool would lie {0} mm deep in the body.</source>
+        <translation>Un outil se trouverait à {0} mm de profondeur dans le corps.</translation>
+    </message>
+    <message>
+        <source>Move it there in smaller steps, or away from the body.</source>
+        <translation>Amenez-le là par de plus petits pas, ou éloignez-le du corps.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

@@ -1,5 +1,6 @@
 #include "mechanics/contact/internal/live_step.h"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
 
@@ -23,6 +24,7 @@ constexpr int rounds_to_turn_back = 8;
 
 Result<LiveState> LiveStep::run(const LiveState& from, Until until) {
   const Stopwatch watch;
+  until_ = until;
   if (auto taken = take_tools(from, until); !taken) return failure(std::move(taken.error()));
   const bool settling = until == Until::settled;
   const int most_rounds = settling ? options_.settling_rounds : options_.most_rounds;
@@ -62,6 +64,7 @@ Result<LiveState> LiveStep::run(const LiveState& from, Until until) {
     go(direction(levels, again_mN, settling ? options_.settling_gradients : options_.gradients, settling), again_mN);
     if (progress_.cancelled()) return cancelled();
   }
+  if (swallows_a_tool()) return failure(swallowed());
   if (!settling) move_multipliers_on();
   return finished(watch);
 }
@@ -71,6 +74,22 @@ Error LiveStep::turned_inside_out() const {
                GLISSON_TEXT("The step would turn cells inside out ({0}): a tool goes too far into the body."),
                {std::to_string(now_.inverted_points)},
                {},
+               {}};
+}
+
+// Half of a rod's radius deep: pictures are a tenth of that deep, and a tool that has come through the
+// surface in one step finds no way back.
+bool LiveStep::swallows_a_tool() const {
+  return std::any_of(places_.begin(), places_.end(), [&](const ContactConstraint& place) {
+    return -gap_of(place, state_.u_mm).mm > 0.5 * place.rod.radius_mm;
+  });
+}
+
+Error LiveStep::swallowed() const {
+  return Error{"not-converged",
+               GLISSON_TEXT("A tool would lie {0} mm deep in the body."),
+               {fmt::format("{:.1f}", deepest_mm())},
+               GLISSON_TEXT("Move it there in smaller steps, or away from the body."),
                {}};
 }
 
@@ -140,10 +159,10 @@ void LiveStep::add_rows_times(const SplineLevels::WithRows& levels, const Vector
   }
   for (const Bend& bend : bends_) {
     Vector3d moved = Vector3d::Zero();
-    for (int c = 0; c < 3; ++c) moved += bend.place->place.weights[c] * p.segment<3>(3 * bend.place->nodes[c]);
+    for (int c = 0; c < 6; ++c) moved += bend.place->weights[c] * p.segment<3>(3 * bend.place->nodes[c]);
     if (bend.further >= 0) moved -= p[n_ + bend.further] * bend.forward;
     const Vector3d answer = bend.stiffness * moved;
-    for (int c = 0; c < 3; ++c) product.segment<3>(3 * bend.place->nodes[c]) += bend.place->place.weights[c] * answer;
+    for (int c = 0; c < 6; ++c) product.segment<3>(3 * bend.place->nodes[c]) += bend.place->weights[c] * answer;
     if (bend.further >= 0) product[n_ + bend.further] -= bend.forward.dot(answer);
   }
 }

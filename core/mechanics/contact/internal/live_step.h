@@ -40,7 +40,7 @@ struct LiveParts {
       std::make_shared<Eigen::MatrixXf>();  // three columns a judged place
   std::shared_ptr<KeptAdjoints> of_last_cut = std::make_shared<KeptAdjoints>();
   bool finite_inside_out;  // the law's energy is
-  double k_mN_mm = 0, k_wall_mN_mm = 0;
+  double k_mN_mm = 0, pressing_kPa_mm = 0, settling_kPa_mm = 0, friction_kPa_mm = 0, k_wall_mN_mm = 0;
   LiveState untouched;
 
   LiveParts(StaticModel given, Body prepared, const ChosenLaw& law)
@@ -137,7 +137,7 @@ class LiveStep {
   void begin(const LiveState& from, Until until);
   Result<void> take_patch(std::size_t tool, const ToolLoad& patch);
   void find_places();
-  void add_place(const TrackedContact& tracked);
+  void add_place(std::size_t tool, std::size_t rod, const ContactPoint& at);
   void place_rods();
   void limit_friction();
   [[nodiscard]] Pose pose_of(std::size_t tool) const;
@@ -155,6 +155,8 @@ class LiveStep {
                             bool settling);
   void add_rows_times(const SplineLevels::WithRows& levels, const Eigen::VectorXd& p, Eigen::VectorXd& product) const;
   [[nodiscard]] Error turned_inside_out() const;
+  [[nodiscard]] bool swallows_a_tool() const;
+  [[nodiscard]] Error swallowed() const;
   void go(const Eigen::VectorXd& step, const Eigen::VectorXd& r_mN);
   [[nodiscard]] double estimate(const SplineLevels::WithRows& levels) const;
   void move_multipliers_on();
@@ -165,6 +167,7 @@ class LiveStep {
   const LiveCut* cut_;  // nullptr: nothing is cut
   const std::vector<ContactTool>& tools_;
   const LiveOptions& options_;
+  Until until_ = Until::shown;
   Progress progress_;
   Eigen::Index n_;
   Eigen::VectorXd dead_mN_;  // standing loads, patches, and jaws that pull

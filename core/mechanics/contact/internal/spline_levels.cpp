@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
+#include <map>
 
 #include "mechanics/contact/internal/dense_product.h"
 #include "mechanics/solvers/cholesky_factor.h"
@@ -179,33 +180,38 @@ MatrixXd SplineLevels::WithRows::compliance() const {
   const MatrixXf answers = between * wide_;
   MatrixXd sum = (wide_.transpose() * answers).cast<double>();
   if (cut_ != nullptr) sum += (of_cut_.transpose() * cut_->inverse() * of_cut_).cast<double>();
-  std::vector<Eigen::Vector3f> narrow(static_cast<std::size_t>(levels_.lattice_.points()), Eigen::Vector3f::Zero());
-  for (Eigen::Index r = 0; r < sum.rows(); ++r) {
-    const StiffRow& row = rows_[static_cast<std::size_t>(r)];
-    const auto& own_narrow = narrow_[static_cast<std::size_t>(r)];
-    for (const auto& [point, value] : own_narrow) {
-      const auto p = static_cast<std::size_t>(point);
-      narrow[p] = levels_.narrow_inverse_[p] * value;
-    }
-    for (Eigen::Index s = 0; s <= r; ++s) {
-      const StiffRow& other = rows_[static_cast<std::size_t>(s)];
-      double own = 0;
-      for (const auto& [point, value] : narrow_[static_cast<std::size_t>(s)]) {
-        own += double{narrow[static_cast<std::size_t>(point)].dot(value)};
-      }
-      for (const auto& [node, direction] : row.on) {
-        for (const auto& [other_node, other_direction] : other.on) {
-          if (node != other_node) continue;
-          own += direction.dot(own_inverse(node) * other_direction);
-        }
-      }
-      if (row.further >= 0 && row.further == other.further) own += row.along * other.along / soft_;
-      sum(r, s) += own;
-      if (s != r) sum(s, r) += own;
-    }
-    for (const auto& share : own_narrow) narrow[static_cast<std::size_t>(share.first)].setZero();
-  }
+  add_own(sum);
   return sum;
+}
+
+// What rows answer to each other by what they share: points of the narrow lattice, nodes, and further unknowns.
+void SplineLevels::WithRows::add_own(MatrixXd& sum) const {
+  MatrixXd own = MatrixXd::Zero(sum.rows(), sum.cols());  // below the diagonal and on it
+  std::vector<std::vector<std::pair<Eigen::Index, Eigen::Vector3f>>> at_point(
+      static_cast<std::size_t>(levels_.lattice_.points()));
+  std::map<int, std::vector<std::pair<Eigen::Index, Vector3d>>> at_node;
+  for (Eigen::Index r = 0; r < sum.rows(); ++r) {
+    const auto row = static_cast<std::size_t>(r);
+    for (const auto& [point, value] : narrow_[row]) at_point[static_cast<std::size_t>(point)].emplace_back(r, value);
+    for (const auto& [node, direction] : rows_[row].on) at_node[node].emplace_back(r, direction);
+    for (Eigen::Index s = 0; rows_[row].further >= 0 && s <= r; ++s) {
+      const StiffRow& other = rows_[static_cast<std::size_t>(s)];
+      if (other.further == rows_[row].further) own(r, s) += rows_[row].along * other.along / soft_;
+    }
+  }
+  const auto add = [&own](const auto& sharing, const auto& inverse) {
+    for (std::size_t i = 0; i < sharing.size(); ++i) {
+      const auto answered = (inverse * sharing[i].second).eval();
+      for (std::size_t j = 0; j <= i; ++j) {
+        const bool twice = j < i && sharing[j].first == sharing[i].first;  // one row that sees it in two ways
+        own(sharing[i].first, sharing[j].first) += (twice ? 2 : 1) * double{answered.dot(sharing[j].second)};
+      }
+    }
+  };
+  for (std::size_t p = 0; p < at_point.size(); ++p) add(at_point[p], levels_.narrow_inverse_[p]);
+  for (const auto& [node, sharing] : at_node) add(sharing, own_inverse(node));
+  sum += own;
+  sum += own.triangularView<Eigen::StrictlyLower>().transpose();
 }
 
 // Which press: those whose gap would close under the forces of the others.
@@ -214,6 +220,7 @@ void SplineLevels::WithRows::choose(VectorXd gap_mm) {
   constexpr int most_changes = 20;
   std::vector<Eigen::Index> pressing;
   MatrixXd of_pressing;
+  Eigen::LLT<MatrixXd> factor;
   for (int change = 0;; ++change) {
     pressing.clear();
     for (Eigen::Index r = 0; r < count; ++r) {
@@ -230,9 +237,9 @@ void SplineLevels::WithRows::choose(VectorXd gap_mm) {
       of_pressing(i, i) += 1 / rows_[static_cast<std::size_t>(pressing[row])].stiffness;
       closed_mm[i] = -gap_mm[pressing[row]];
     }
-    of_pressing = of_pressing.llt().solve(MatrixXd::Identity(size, size)).eval();
+    factor.compute(of_pressing);
     if (change == most_changes) break;
-    const VectorXd force_mN = of_pressing * closed_mm;
+    const VectorXd force_mN = factor.solve(closed_mm);
     VectorXd after_mm = gap_mm;
     for (Eigen::Index i = 0; i < size; ++i) {
       after_mm += force_mN[i] * compliance_mm_mN_.col(pressing[static_cast<std::size_t>(i)]);
@@ -248,6 +255,7 @@ void SplineLevels::WithRows::choose(VectorXd gap_mm) {
     }
     if (!changed) break;
   }
+  of_pressing = factor.solve(MatrixXd::Identity(of_pressing.rows(), of_pressing.rows())).eval();
   inverse_ = MatrixXd::Zero(count, count);
   for (std::size_t i = 0; i < pressing.size(); ++i) {
     for (std::size_t j = 0; j < pressing.size(); ++j) {

@@ -72,6 +72,7 @@ class SplineLevels {
     [[nodiscard]] Eigen::VectorXd seen_of(const Answer& answer, const Eigen::VectorXd& r) const;
     void find_shares();
     [[nodiscard]] Eigen::MatrixXd compliance() const;
+    void add_own(Eigen::MatrixXd& sum) const;
     void choose(Eigen::VectorXd gap_mm);
     void push_along_rows(const Eigen::VectorXd& force_mN, Eigen::VectorXd& r) const;
     void add_answers_of_rows(const Eigen::VectorXd& force_mN, Answer& answer) const;
