@@ -7003,6 +7003,14 @@
         <source>A lens&apos;s distortion has 4, 5, 8, 12 or 14 coefficients; here there are {0}.</source>
         <translation>Die Verzeichnung eines Objektivs hat 4, 5, 8, 12 oder 14 Koeffizienten; hier sind es {0}.</translation>
     </message>
+    <message>
+        <source>Press where trial {0} presses, with {1} N along ({2}, {3}, {4}).</source>
+        <translation>Drücken, wo Versuch {0} drückt, mit {1} N längs ({2}, {3}, {4}).</translation>
+    </message>
+    <message>
+        <source>Press at ({0}, {1}, {2}) mm with {3} N and hold the force for {4} s.</source>
+        <translation>Bei ({0}, {1}, {2}) mm mit {3} N drücken und die Kraft {4} s lang halten.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

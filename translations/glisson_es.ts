@@ -7003,6 +7003,14 @@
         <source>A lens&apos;s distortion has 4, 5, 8, 12 or 14 coefficients; here there are {0}.</source>
         <translation>La distorsión de una lente tiene 4, 5, 8, 12 o 14 coeficientes; aquí hay {0}.</translation>
     </message>
+    <message>
+        <source>Press where trial {0} presses, with {1} N along ({2}, {3}, {4}).</source>
+        <translation>Presionar donde presiona el ensayo {0}, con {1} N a lo largo de ({2}, {3}, {4}).</translation>
+    </message>
+    <message>
+        <source>Press at ({0}, {1}, {2}) mm with {3} N and hold the force for {4} s.</source>
+        <translation>Presionar en ({0}, {1}, {2}) mm con {3} N y mantener la fuerza durante {4} s.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

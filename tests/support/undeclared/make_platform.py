@@ -38,8 +38,8 @@ class Effects:
     contact: tuple = None                 # ohm, and how often it comes and goes (s)
 
 
-def cell(effects, currents):
-    """(time, current, voltage) at every tenth second; the voltage is 0 when nothing is left."""
+def cell(effects, currents, _ambient_C=AMBIENT_C):
+    """(time, current, voltage) at every tenth second; the voltage is 0 when nothing is left. The room changes nothing."""
     spent, pairs, rows = 0.0, [0.0] * len(effects.polarisation), []
     for t, current in enumerate(currents):
         rate = 1.0
@@ -58,20 +58,20 @@ def cell(effects, currents):
     return {"time_s": 0, "current_A": 1, "voltage_V": 2}, np.array(rows)
 
 
-def board(effects, loads):
+def board(effects, loads, ambient_C=AMBIENT_C):
     """(time, load asked for, power, temperature) at every fifth second."""
-    temperature, speed, rows = AMBIENT_C, 1.0, []
+    temperature, speed, rows = ambient_C, 1.0, []
     for t, load in enumerate(loads):
         if effects.limit_C:   # a governor in small steps
             speed = min(1.0, speed + 0.004) if temperature < effects.limit_C else max(0.05, speed - 0.008)
-        power = (IDLE_W + FULL_W * load * speed + effects.static_W) * (1 + effects.per_C * (temperature - AMBIENT_C))
+        power = (IDLE_W + FULL_W * load * speed + effects.static_W) * (1 + effects.per_C * (temperature - ambient_C))
         power /= effects.efficiency
         if effects.job and t % effects.job[0] < effects.job[1]:
             power += effects.job[2]
         if t % 5 == 0:
             rows.append((t, load, power, temperature))
         resistance = THERMAL_C_PER_W * (0.5 if effects.fan_at_s and t > effects.fan_at_s else 1)
-        temperature += (AMBIENT_C + resistance * power - temperature) * (1 - math.exp(-1 / TIME_S))
+        temperature += (ambient_C + resistance * power - temperature) * (1 - math.exp(-1 / TIME_S))
     return {"time_s": 0, "load": 1, "power_W": 2, "temperature_C": 3}, np.array(rows)
 
 
@@ -103,6 +103,12 @@ def patterns(kind, rng):
             "h-steps": steps([0.6, 1, 0.1, 0.9], 220), "h-bursts": [1.0 if t % 120 < 70 else 0.15 for t in range(900)]}
 
 
+def declared(kind):
+    return {"law": "constant", "nominal_voltage_V": NOMINAL_V, "capacity_Ah": CAPACITY_AH} if kind is cell else {
+        "law": "constant", "idle_W": IDLE_W, "full_load_W": FULL_W, "thermal_resistance_C_per_W": THERMAL_C_PER_W,
+        "time_constant_s": TIME_S}
+
+
 def make(folder, kinds, size, seed, noise_is, null_of):
     if (folder / "truth.json").exists():
         return
@@ -127,12 +133,9 @@ def make(folder, kinds, size, seed, noise_is, null_of):
         (folder / f"{trial}.csv").write_text(",".join(columns) + "\n" + "\n".join(
             ",".join(f"{x:.6g}" for x in row) for row in noisy) + "\n")
         written.append({"id": trial, "file": f"{trial}.csv", "columns": {c: c for c in columns}, "ambient_C": AMBIENT_C})
-    declared = {"law": "constant", "nominal_voltage_V": NOMINAL_V, "capacity_Ah": CAPACITY_AH} if kind is cell else {
-        "law": "constant", "idle_W": IDLE_W, "full_load_W": FULL_W, "thermal_resistance_C_per_W": THERMAL_C_PER_W,
-        "time_constant_s": TIME_S}
     for file, held_out in (("experiment.json", False), ("heldout.json", True)):
         (folder / file).write_text(json.dumps({
-            "format": "glisson-experiment/1", "kind": "platform", "title": folder.name, "declared": declared,
+            "format": "glisson-experiment/1", "kind": "platform", "title": folder.name, "declared": declared(kind),
             "noise": {q: float(f"{factor * NOISE[q]:.6g}") for q in measured},
             "trials": [t for t in written if t["id"].startswith("h-") == held_out]}, indent=1) + "\n")
     shown = {k: v for k, v in vars(effects).items() if v != getattr(Effects(), k)}
