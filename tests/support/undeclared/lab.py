@@ -2,10 +2,10 @@
 """A laboratory that makes the trials which `explain` asks for, on specimens whose undeclared effect is known, and counts them.
 
     lab.py OUT --cli build/release/bin/glisson-cli [--sorts material,platform,palpation] [--kinds a,b] [--sizes 4]
-           [--seed N] [--count N] [--rules information,separation,chance] [--at-most 6]
+           [--seeds 1,2] [--rules information,separation,chance] [--at-most 6]
 
-A specimen begins with one trial alone (a slow ramp, steps of load, one press). Then one is made after the other, until the true explanation has 90 % of the
-probability or more. The next one is, by the rule of
+A specimen begins with one trial alone (a slow ramp, steps of load, one press). Then one is made after the other, until
+the true explanation has 90 % of the probability or more. The next one is, by the rule of
 
     information   the first that `explain` asks for
     separation    the one that parts most rivals from the likeliest by 4 noises, of these the clearest: the rule that
@@ -49,8 +49,7 @@ def main():
     ask.add_argument("--sorts", default="material,platform,palpation")
     ask.add_argument("--kinds", default="", help="usually all of the catalogue")
     ask.add_argument("--sizes", default="4", help="of the effect over all trials of the maker, in noises")
-    ask.add_argument("--seed", type=int, default=1)
-    ask.add_argument("--count", type=int, default=1)
+    ask.add_argument("--seeds", default="1", help="comma")
     ask.add_argument("--rules", default=",".join(RULES))
     ask.add_argument("--at-most", type=int, default=6)
     ask.add_argument("--threads", default="1")
@@ -61,7 +60,7 @@ def main():
         bench = BENCHES[sort]
         for kind in asked.kinds.split(",") if asked.kinds else bench.maker.INSIDE:
             for size in map(float, asked.sizes.split(",")):
-                for seed in range(asked.seed, asked.seed + asked.count):
+                for seed in map(int, asked.seeds.split(",")):
                     results.append(case(asked, bench, sort, kind, size, seed, rules))
     (asked.out / "lab.json").write_text(json.dumps(results, indent=1) + "\n")
     print("\n".join(table(results, rules, asked.at_most)))
