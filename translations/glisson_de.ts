@@ -5820,10 +5820,6 @@
         <translation>Wahrscheinlichkeit, dass etwas wirkt, das nicht im Katalog steht: {1}.</translation>
     </message>
     <message>
-        <source>What is left passes every test for noise, and yet weighing all explanations finds a weak sign of {0} ({1}): only further trials could tell.</source>
-        <translation>Was übrig ist, besteht jede Prüfung auf Rauschen, und doch findet das Abwägen aller Erklärungen ein schwaches Zeichen für {0} ({1}): nur weitere Versuche könnten es zeigen.</translation>
-    </message>
-    <message>
         <source>What was found suffices, but weighing all explanations, {0} is likelier ({1}): take the name as one of several that these data allow.</source>
         <translation>Das Gefundene genügt, aber beim Abwägen aller Erklärungen ist {0} wahrscheinlicher ({1}): der Name ist einer von mehreren, die diese Daten zulassen.</translation>
     </message>
@@ -7010,6 +7006,10 @@
     <message>
         <source>Press at ({0}, {1}, {2}) mm with {3} N and hold the force for {4} s.</source>
         <translation>Bei ({0}, {1}, {2}) mm mit {3} N drücken und die Kraft {4} s lang halten.</translation>
+    </message>
+    <message>
+        <source>What is left is no larger than noise and the prediction&apos;s own error, and yet weighing all explanations finds a weak sign of {0} ({1}): only further trials could tell.</source>
+        <translation>Was übrig ist, ist nicht größer als Rauschen und der eigene Fehler der Vorhersage, und doch findet das Abwägen aller Erklärungen ein schwaches Zeichen für {0} ({1}): nur weitere Versuche könnten es zeigen.</translation>
     </message>
 </context>
 <context>

@@ -5820,10 +5820,6 @@
         <translation>Probabilidad de que actúe algo que no está en el catálogo: {1}.</translation>
     </message>
     <message>
-        <source>What is left passes every test for noise, and yet weighing all explanations finds a weak sign of {0} ({1}): only further trials could tell.</source>
-        <translation>Lo que queda supera todas las pruebas de ruido y, sin embargo, al sopesar todas las explicaciones aparece un indicio débil de {0} ({1}): solo más ensayos podrían aclararlo.</translation>
-    </message>
-    <message>
         <source>What was found suffices, but weighing all explanations, {0} is likelier ({1}): take the name as one of several that these data allow.</source>
         <translation>Lo encontrado basta, pero al sopesar todas las explicaciones {0} es más probable ({1}): tome el nombre como uno de varios que estos datos admiten.</translation>
     </message>
@@ -7010,6 +7006,10 @@
     <message>
         <source>Press at ({0}, {1}, {2}) mm with {3} N and hold the force for {4} s.</source>
         <translation>Presionar en ({0}, {1}, {2}) mm con {3} N y mantener la fuerza durante {4} s.</translation>
+    </message>
+    <message>
+        <source>What is left is no larger than noise and the prediction&apos;s own error, and yet weighing all explanations finds a weak sign of {0} ({1}): only further trials could tell.</source>
+        <translation>Lo que queda no es mayor que el ruido y el propio error de la predicción y, sin embargo, al sopesar todas las explicaciones aparece un indicio débil de {0} ({1}): solo más ensayos podrían aclararlo.</translation>
     </message>
 </context>
 <context>

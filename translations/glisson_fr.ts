@@ -5820,10 +5820,6 @@
         <translation>Probabilité qu&apos;agisse quelque chose qui n&apos;est pas au catalogue : {1}.</translation>
     </message>
     <message>
-        <source>What is left passes every test for noise, and yet weighing all explanations finds a weak sign of {0} ({1}): only further trials could tell.</source>
-        <translation>Ce qui reste passe tous les tests de bruit, et pourtant la pesée de toutes les explications trouve un faible signe de {0} ({1}) : seuls d&apos;autres essais pourraient le dire.</translation>
-    </message>
-    <message>
         <source>What was found suffices, but weighing all explanations, {0} is likelier ({1}): take the name as one of several that these data allow.</source>
         <translation>Ce qui a été trouvé suffit, mais en pesant toutes les explications, {0} est plus probable ({1}) : prenez ce nom comme l&apos;un de ceux que ces données permettent.</translation>
     </message>
@@ -7010,6 +7006,10 @@
     <message>
         <source>Press at ({0}, {1}, {2}) mm with {3} N and hold the force for {4} s.</source>
         <translation>Appuyer en ({0}, {1}, {2}) mm avec {3} N et maintenir la force pendant {4} s.</translation>
+    </message>
+    <message>
+        <source>What is left is no larger than noise and the prediction&apos;s own error, and yet weighing all explanations finds a weak sign of {0} ({1}): only further trials could tell.</source>
+        <translation>Ce qui reste n’est pas plus grand que le bruit et l’erreur propre de la prédiction, et pourtant la pesée de toutes les explications trouve un faible signe de {0} ({1}) : seuls d’autres essais pourraient le dire.</translation>
     </message>
 </context>
 <context>

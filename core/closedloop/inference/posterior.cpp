@@ -194,8 +194,8 @@ Sentence posterior_sentence(const Explanation& explanation, const NameOfExplanat
   }
   switch (explanation.verdict) {
     case Verdict::nothing_missing:
-      return {GLISSON_TEXT("What is left passes every test for noise, and yet weighing all explanations finds a weak "
-                           "sign of {0} ({1}): only further trials could tell."),
+      return {GLISSON_TEXT("What is left is no larger than noise and the prediction's own error, and yet weighing all "
+                           "explanations finds a weak sign of {0} ({1}): only further trials could tell."),
               {called(leading), much}};
     case Verdict::explained:
       return {GLISSON_TEXT("What was found suffices, but weighing all explanations, {0} is likelier ({1}): take the "
