@@ -7003,6 +7003,10 @@
         <source>A lens&apos;s distortion has 4, 5, 8, 12 or 14 coefficients; here there are {0}.</source>
         <translation>Die Verzeichnung eines Objektivs hat 4, 5, 8, 12 oder 14 Koeffizienten; hier sind es {0}.</translation>
     </message>
+    <message>
+        <source>--click wants VESSEL=X,Y,Z with one of {0}, not &quot;{1}&quot;.</source>
+        <translation>--click verlangt GEFÄSS=X,Y,Z mit einem von {0}, nicht „{1}“.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

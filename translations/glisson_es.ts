@@ -7003,6 +7003,10 @@
         <source>A lens&apos;s distortion has 4, 5, 8, 12 or 14 coefficients; here there are {0}.</source>
         <translation>La distorsión de una lente tiene 4, 5, 8, 12 o 14 coeficientes; aquí hay {0}.</translation>
     </message>
+    <message>
+        <source>--click wants VESSEL=X,Y,Z with one of {0}, not &quot;{1}&quot;.</source>
+        <translation>--click pide VASO=X,Y,Z con uno de {0}, no «{1}».</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

@@ -7003,6 +7003,10 @@
         <source>A lens&apos;s distortion has 4, 5, 8, 12 or 14 coefficients; here there are {0}.</source>
         <translation>La distorsion d’un objectif a 4, 5, 8, 12 ou 14 coefficients ; ici il y en a {0}.</translation>
     </message>
+    <message>
+        <source>--click wants VESSEL=X,Y,Z with one of {0}, not &quot;{1}&quot;.</source>
+        <translation>--click veut VAISSEAU=X,Y,Z avec l’un de {0}, pas « {1} ».</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

@@ -27,6 +27,8 @@ std::vector<PlaneParameters> others_as_likely(const Evidence& evidence, const Pl
 CouinaudSegments segments_of(const Mask& liver, const Evidence& evidence, const PlaneParameters& best);
 void label(const Mask& liver, const Evidence& evidence, const PlaneParameters& best,
            const std::vector<PlaneParameters>& others, CouinaudSegments& segments);
+std::vector<BorderDoubt> border_doubts(const Evidence& evidence, const PlaneParameters& best,
+                                       const std::vector<PlaneParameters>& others);
 
 }  // namespace
 
@@ -58,6 +60,7 @@ Result<LiverAnatomy> explain_vessels(const VesselGraph& graph, const Mask& liver
   if (auto added = add_vessels(liver, anatomy.trees, *evidence); !added) return failure(std::move(added.error()));
   anatomy.segments = segments_of(liver, *evidence, descended(*evidence, by_shape).planes);
   name_branches(anatomy.trees, anatomy.segments);
+  anatomy.trees.border_doubts = anatomy.segments.border_doubts;
   progress.report(1, GLISSON_TEXT("done"));
   return anatomy;
 }
@@ -67,8 +70,37 @@ namespace {
 CouinaudSegments segments_of(const Mask& liver, const Evidence& evidence, const PlaneParameters& best) {
   CouinaudSegments segments;
   segments.from = evidence.vessels.empty() ? SegmentsFrom::shape : SegmentsFrom::trees;
-  label(liver, evidence, best, others_as_likely(evidence, best), segments);
+  const std::vector<PlaneParameters> others = others_as_likely(evidence, best);
+  label(liver, evidence, best, others, segments);
+  segments.border_doubts = border_doubts(evidence, best, others);
   return segments;
+}
+
+// Places that other answers put beyond a border, from right to left: those of the sectors, and that of II and III.
+std::vector<BorderDoubt> border_doubts(const Evidence& evidence, const PlaneParameters& best,
+                                       const std::vector<PlaneParameters>& others) {
+  static constexpr std::array<int, 9> sector = {0, 0, 1, 1, 2, 3, 4, 4, 3};
+  std::vector<BorderDoubt> doubts = {{Vessel::umbilical_portion, 0},
+                                     {Vessel::middle_hepatic_vein, 0},
+                                     {Vessel::right_hepatic_vein, 0},
+                                     {Vessel::left_hepatic_vein, 0}};
+  const double place_ml = evidence.liver.volume_ml / static_cast<double>(evidence.places_mm.size());
+  const SegmentPlanes planes(evidence.liver, best);
+  for (const PlaneParameters& other : others) {
+    const SegmentPlanes other_planes(evidence.liver, other);
+    for (const Vector3d& place : evidence.places_mm) {
+      const auto a = static_cast<std::size_t>(planes.at(place)), b = static_cast<std::size_t>(other_planes.at(place));
+      if (a == 1 || b == 1 || a == b) continue;
+      const double ml = place_ml / static_cast<double>(others.size());
+      for (int s = std::min(sector[a], sector[b]); s < std::max(sector[a], sector[b]); ++s) {
+        doubts[static_cast<std::size_t>(s - 1)].doubt_ml += ml;
+      }
+      if (sector[a] == 1 && sector[b] == 1) doubts.back().doubt_ml += ml;
+    }
+  }
+  std::stable_sort(doubts.begin(), doubts.end(),
+                   [](const BorderDoubt& a, const BorderDoubt& b) { return a.doubt_ml > b.doubt_ml; });
+  return doubts;
 }
 
 // Downhill along one parameter after the other, in steps that shrink.

@@ -26,10 +26,11 @@ enum class SegmentsFrom { trees, shape };
 
 struct CouinaudSegments {
   SegmentsFrom from = SegmentsFrom::shape;
-  imaging::LabelMap segment;           // 1 to 8 in the liver, 0 elsewhere
-  std::vector<std::uint8_t> doubt;     // of each voxel, percent
-  std::array<double, 9> volume_ml{};   // by segment; 0: all
-  std::array<double, 9> confidence{};  // one less the mean doubt
+  imaging::LabelMap segment;               // 1 to 8 in the liver, 0 elsewhere
+  std::vector<std::uint8_t> doubt;         // of each voxel, percent
+  std::array<double, 9> volume_ml{};       // by segment; 0: all
+  std::array<double, 9> confidence{};      // one less the mean doubt
+  std::vector<BorderDoubt> border_doubts;  // the largest first; not kept with the maps
 };
 
 // Without trees (null, or none with branches) the liver's shape decides. Fails as liver_frame does, with
