@@ -7007,6 +7007,10 @@
         <source>--click wants VESSEL=X,Y,Z with one of {0}, not &quot;{1}&quot;.</source>
         <translation>--click verlangt GEFÄSS=X,Y,Z mit einem von {0}, nicht „{1}“.</translation>
     </message>
+    <message>
+        <source>No vessel lies within {0} mm of {1}, where one was told: put the place on the vessel.</source>
+        <translation>Im Umkreis von {0} mm um {1} liegt kein Gefäß, wo eines angegeben wurde: Setzen Sie die Stelle auf das Gefäß.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

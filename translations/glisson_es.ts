@@ -7007,6 +7007,10 @@
         <source>--click wants VESSEL=X,Y,Z with one of {0}, not &quot;{1}&quot;.</source>
         <translation>--click pide VASO=X,Y,Z con uno de {0}, no «{1}».</translation>
     </message>
+    <message>
+        <source>No vessel lies within {0} mm of {1}, where one was told: put the place on the vessel.</source>
+        <translation>A menos de {0} mm de {1}, donde se indicó un vaso, no hay ninguno: ponga el lugar sobre el vaso.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

@@ -7007,6 +7007,10 @@
         <source>--click wants VESSEL=X,Y,Z with one of {0}, not &quot;{1}&quot;.</source>
         <translation>--click veut VAISSEAU=X,Y,Z avec l’un de {0}, pas « {1} ».</translation>
     </message>
+    <message>
+        <source>No vessel lies within {0} mm of {1}, where one was told: put the place on the vessel.</source>
+        <translation>Aucun vaisseau ne se trouve à moins de {0} mm de {1}, là où un vaisseau a été indiqué : placez l’endroit sur le vaisseau.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

@@ -93,7 +93,7 @@ clicks: (vessel, place) each, what the vessel there is: "portal-vein", "hepatic-
 "right-hepatic-vein", "umbilical-portion" or "left-hepatic-vein".
 
 progress is told (fraction, stage); KeyboardInterrupt cancels.
-Raises glisson.Error: choice-unknown, vessels-empty, vessels-one-blob, vessels-grid, vessels-outside, liver-empty.)");
+Raises glisson.Error: choice-unknown, click-beside, vessels-empty, vessels-one-blob, vessels-grid, vessels-outside, liver-empty.)");
   module.def(
       "read_trees",
       [](const std::filesystem::path& file) {

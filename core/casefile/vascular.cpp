@@ -69,6 +69,12 @@ Result<VesselTrees> known_trees(const Case& patient, const Mask& liver, const va
     if (!graph) return failure(std::move(graph.error()));
     graphs.at(n) = std::move(*graph);
   }
+  for (const vasculature::Click& click : clicks) {
+    const auto& graph = graphs.at(static_cast<std::size_t>(vasculature::system_of(click.vessel)));
+    if (auto on_vessel = vasculature::lie_on_vessels(graph, {click}); !on_vessel) {
+      return failure(std::move(on_vessel.error()));
+    }
+  }
   const auto expected = vasculature::expected_entries(liver);
   if (!expected) return failure(expected.error());
   vasculature::VesselEntries entries = vasculature::possible_entries(graphs[0], *expected, clicks, 1).front();

@@ -1,7 +1,9 @@
 #include "vasculature/couinaud.h"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "base/parallel.h"
@@ -47,9 +49,27 @@ Result<CouinaudSegments> couinaud_segments(const Mask& liver, const VesselTrees*
   return segments;
 }
 
+Result<void> lie_on_vessels(const VesselGraph& graph, const Clicks& clicks) {
+  constexpr double most_mm = 10;
+  for (const Click& click : clicks) {
+    double nearest_mm = std::numeric_limits<double>::infinity();
+    for (const GraphBranch& branch : graph.branches) {
+      nearest_mm = std::min(nearest_mm, from_wall_mm(branch.points, click.position_mm));
+    }
+    if (nearest_mm <= most_mm) continue;
+    const Vector3d& p = click.position_mm;
+    return failure(
+        "click-beside",
+        GLISSON_TEXT("No vessel lies within {0} mm of {1}, where one was told: put the place on the vessel."),
+        {fmt::format("{:.0f}", most_mm), fmt::format("{:.1f},{:.1f},{:.1f}", p.x(), p.y(), p.z())});
+  }
+  return {};
+}
+
 Result<LiverAnatomy> explain_vessels(const VesselGraph& graph, const Mask& liver, const Clicks& clicks,
                                      const Progress& progress) {
   progress.report(0, GLISSON_TEXT("looking at the liver"));
+  if (auto on_vessels = lie_on_vessels(graph, clicks); !on_vessels) return failure(std::move(on_vessels.error()));
   auto evidence = evidence_of(liver);
   if (!evidence) return failure(evidence.error());
   progress.report(0.2, GLISSON_TEXT("finding the segments"));

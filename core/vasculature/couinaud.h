@@ -44,7 +44,10 @@ void measure(CouinaudSegments& segments);
 // Where vessels enter, by the liver's shape alone. Fails as liver_frame does.
 Result<VesselEntries> expected_entries(const imaging::Mask& liver);
 
-// Vessels of one class told apart, and the segments with them. Fails as couinaud_segments does.
+// Fails with click-beside: one of them lies more than 10 mm from the wall of any vessel.
+Result<void> lie_on_vessels(const VesselGraph& graph, const Clicks& clicks);
+
+// Vessels of one class told apart, and the segments with them. Fails as couinaud_segments and lie_on_vessels do.
 struct LiverAnatomy {
   VesselTrees trees;
   CouinaudSegments segments;

@@ -46,6 +46,10 @@ class GeneratedCase : public testing::Test {
     const Finished unknown = glisson_cli({"vessels", patient(), "--click", "aorta=1,2,3", "--json", "--quiet"});
     EXPECT_EQ(unknown.exit_code, 1);
     EXPECT_EQ(unknown.json().at("error").at("code"), "click-invalid");
+    const Finished beside =
+        glisson_cli({"vessels", patient(), "--click", "right-hepatic-vein=999,0,0", "--json", "--quiet"});
+    EXPECT_EQ(beside.exit_code, 1);
+    EXPECT_EQ(beside.json().at("error").at("code"), "click-beside");
     const bool portal = found.at("branches").at(0).at("system") == "portal-vein";
     const Json before = read_json_file(found.at("file").get<std::string>()).value();
     const Json& place = before.at("branches").at(0).at("points").at(1);
