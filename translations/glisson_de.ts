@@ -7011,6 +7011,14 @@
         <source>What is left is no larger than noise and the prediction&apos;s own error, and yet weighing all explanations finds a weak sign of {0} ({1}): only further trials could tell.</source>
         <translation>Was übrig ist, ist nicht größer als Rauschen und der eigene Fehler der Vorhersage, und doch findet das Abwägen aller Erklärungen ein schwaches Zeichen für {0} ({1}): nur weitere Versuche könnten es zeigen.</translation>
     </message>
+    <message>
+        <source>No vessel lies within {0} mm of {1}, where one was told: put the place on the vessel.</source>
+        <translation>Im Umkreis von {0} mm um {1} liegt kein Gefäß, wo eines angegeben wurde: Setzen Sie die Stelle auf das Gefäß.</translation>
+    </message>
+    <message>
+        <source>--click wants VESSEL=X,Y,Z with one of {0}, not &quot;{1}&quot;.</source>
+        <translation>--click verlangt GEFÄSS=X,Y,Z mit einem von {0}, nicht „{1}“.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

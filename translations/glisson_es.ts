@@ -7011,6 +7011,14 @@
         <source>What is left is no larger than noise and the prediction&apos;s own error, and yet weighing all explanations finds a weak sign of {0} ({1}): only further trials could tell.</source>
         <translation>Lo que queda no es mayor que el ruido y el propio error de la predicción y, sin embargo, al sopesar todas las explicaciones aparece un indicio débil de {0} ({1}): solo más ensayos podrían aclararlo.</translation>
     </message>
+    <message>
+        <source>No vessel lies within {0} mm of {1}, where one was told: put the place on the vessel.</source>
+        <translation>A menos de {0} mm de {1}, donde se indicó un vaso, no hay ninguno: ponga el lugar sobre el vaso.</translation>
+    </message>
+    <message>
+        <source>--click wants VESSEL=X,Y,Z with one of {0}, not &quot;{1}&quot;.</source>
+        <translation>--click pide VASO=X,Y,Z con uno de {0}, no «{1}».</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

@@ -7011,6 +7011,14 @@
         <source>What is left is no larger than noise and the prediction&apos;s own error, and yet weighing all explanations finds a weak sign of {0} ({1}): only further trials could tell.</source>
         <translation>Ce qui reste n’est pas plus grand que le bruit et l’erreur propre de la prédiction, et pourtant la pesée de toutes les explications trouve un faible signe de {0} ({1}) : seuls d’autres essais pourraient le dire.</translation>
     </message>
+    <message>
+        <source>No vessel lies within {0} mm of {1}, where one was told: put the place on the vessel.</source>
+        <translation>Aucun vaisseau ne se trouve à moins de {0} mm de {1}, là où un vaisseau a été indiqué : placez l’endroit sur le vaisseau.</translation>
+    </message>
+    <message>
+        <source>--click wants VESSEL=X,Y,Z with one of {0}, not &quot;{1}&quot;.</source>
+        <translation>--click veut VAISSEAU=X,Y,Z avec l’un de {0}, pas « {1} ».</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>
