@@ -3316,7 +3316,7 @@
         <translation>Das Szenario sagt selbst, welche Hülle das Organ hat: Der Effekt {0} bleibt weg.</translation>
     </message>
     <message>
-        <source>Only a linear equilibrium by finite elements can have a grain: the effect {0} is left out.</source>
+        <source>Only a linear equilibrium by finite elements can have a fibre direction: the effect {0} is left out.</source>
         <translation>Nur ein lineares Gleichgewicht mit finiten Elementen kann eine Faserrichtung haben: Der Effekt {0} bleibt weg.</translation>
     </message>
     <message>
@@ -5856,7 +5856,7 @@
         <translation>Die Koordinaten der Kamera passen nicht zu denen der Probe: alle Marker scheinen gleich verschoben oder gedreht.</translation>
     </message>
     <message>
-        <source>The tissue has a grain: it is stiffer (or softer) along one direction than across it.</source>
+        <source>The tissue has fibres: it is stiffer (or softer) along one direction than across it.</source>
         <translation>Das Gewebe hat eine Faserung: längs einer Richtung ist es steifer (oder weicher) als quer dazu.</translation>
     </message>
     <message>

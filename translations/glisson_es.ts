@@ -3316,7 +3316,7 @@
         <translation>El escenario dice por sí mismo qué envoltura tiene el órgano: el efecto {0} se omite.</translation>
     </message>
     <message>
-        <source>Only a linear equilibrium by finite elements can have a grain: the effect {0} is left out.</source>
+        <source>Only a linear equilibrium by finite elements can have a fibre direction: the effect {0} is left out.</source>
         <translation>Solo un equilibrio lineal por elementos finitos puede tener una dirección de fibras: el efecto {0} se omite.</translation>
     </message>
     <message>
@@ -5856,7 +5856,7 @@
         <translation>Las coordenadas de la cámara no coinciden con las de la muestra: todos los marcadores parecen desplazados o girados por igual.</translation>
     </message>
     <message>
-        <source>The tissue has a grain: it is stiffer (or softer) along one direction than across it.</source>
+        <source>The tissue has fibres: it is stiffer (or softer) along one direction than across it.</source>
         <translation>El tejido tiene fibras: es más rígido (o más blando) a lo largo de una dirección que a través de ella.</translation>
     </message>
     <message>

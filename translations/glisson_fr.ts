@@ -3316,7 +3316,7 @@
         <translation>Le scénario dit lui-même quelle enveloppe a l’organe&#xa0;: l’effet {0} est écarté.</translation>
     </message>
     <message>
-        <source>Only a linear equilibrium by finite elements can have a grain: the effect {0} is left out.</source>
+        <source>Only a linear equilibrium by finite elements can have a fibre direction: the effect {0} is left out.</source>
         <translation>Seul un équilibre linéaire par éléments finis peut avoir une direction de fibres&#xa0;: l’effet {0} est écarté.</translation>
     </message>
     <message>
@@ -5856,7 +5856,7 @@
         <translation>Les coordonnées de la caméra ne correspondent pas à celles de l&apos;échantillon : tous les marqueurs semblent décalés ou tournés de la même façon.</translation>
     </message>
     <message>
-        <source>The tissue has a grain: it is stiffer (or softer) along one direction than across it.</source>
+        <source>The tissue has fibres: it is stiffer (or softer) along one direction than across it.</source>
         <translation>Le tissu a des fibres : il est plus raide (ou plus souple) dans une direction qu&apos;en travers.</translation>
     </message>
     <message>
