@@ -12850,6 +12850,25 @@ Elastizitätsmodul %2 kPa (angenommen)</translation>
     </message>
 </context>
 <context>
+    <name>glisson::widgets::VesselClick</name>
+    <message>
+        <source>Lies at the crosshair</source>
+        <translation>Liegt am Fadenkreuz</translation>
+    </message>
+    <message>
+        <source>Put the crosshair on this vessel, in the middle of its course. Vessels and segments are found again by it</source>
+        <translation>Setzen Sie das Fadenkreuz auf dieses Gefäß, in die Mitte seines Verlaufs. Gefäße und Segmente werden danach neu bestimmt</translation>
+    </message>
+    <message>
+        <source>First stands the vessel whose place would tell most of the borders of segments</source>
+        <translation>Zuerst steht das Gefäß, dessen Lage am meisten über die Grenzen der Segmente sagte</translation>
+    </message>
+    <message>
+        <source>%1 (%2 ml in doubt)</source>
+        <translation>%1 (%2 ml fraglich)</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::VideoForm</name>
     <message>
         <source>Video</source>
@@ -13868,6 +13887,22 @@ Von Hand: mit der rechten Taste ziehen</translation>
     <message>
         <source>stem</source>
         <translation>Stamm</translation>
+    </message>
+    <message>
+        <source>Middle hepatic vein</source>
+        <translation>Mittlere Lebervene</translation>
+    </message>
+    <message>
+        <source>Right hepatic vein</source>
+        <translation>Rechte Lebervene</translation>
+    </message>
+    <message>
+        <source>Umbilical portion of the left portal vein</source>
+        <translation>Umbilikaler Teil der linken Pfortader</translation>
+    </message>
+    <message>
+        <source>Left hepatic vein</source>
+        <translation>Linke Lebervene</translation>
     </message>
 </context>
 </TS>

@@ -12853,6 +12853,25 @@ Módulo de Young %2 kPa (supuesto)</translation>
     </message>
 </context>
 <context>
+    <name>glisson::widgets::VesselClick</name>
+    <message>
+        <source>Lies at the crosshair</source>
+        <translation>Está en la cruz</translation>
+    </message>
+    <message>
+        <source>Put the crosshair on this vessel, in the middle of its course. Vessels and segments are found again by it</source>
+        <translation>Ponga la cruz sobre este vaso, en la mitad de su recorrido. Los vasos y los segmentos se hallan de nuevo según él</translation>
+    </message>
+    <message>
+        <source>First stands the vessel whose place would tell most of the borders of segments</source>
+        <translation>Primero está el vaso cuyo lugar más diría de los límites de los segmentos</translation>
+    </message>
+    <message>
+        <source>%1 (%2 ml in doubt)</source>
+        <translation>%1 (%2 ml en duda)</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::VideoForm</name>
     <message>
         <source>Video</source>
@@ -13871,6 +13890,22 @@ A mano: arrastre con el botón derecho</translation>
     <message>
         <source>stem</source>
         <translation>tronco</translation>
+    </message>
+    <message>
+        <source>Middle hepatic vein</source>
+        <translation>Vena hepática media</translation>
+    </message>
+    <message>
+        <source>Right hepatic vein</source>
+        <translation>Vena hepática derecha</translation>
+    </message>
+    <message>
+        <source>Umbilical portion of the left portal vein</source>
+        <translation>Porción umbilical de la vena porta izquierda</translation>
+    </message>
+    <message>
+        <source>Left hepatic vein</source>
+        <translation>Vena hepática izquierda</translation>
     </message>
 </context>
 </TS>

@@ -12853,6 +12853,25 @@ Module de Young %2 kPa (supposé)</translation>
     </message>
 </context>
 <context>
+    <name>glisson::widgets::VesselClick</name>
+    <message>
+        <source>Lies at the crosshair</source>
+        <translation>Est au réticule</translation>
+    </message>
+    <message>
+        <source>Put the crosshair on this vessel, in the middle of its course. Vessels and segments are found again by it</source>
+        <translation>Placez le réticule sur ce vaisseau, au milieu de son trajet. Les vaisseaux et les segments sont retrouvés d’après lui</translation>
+    </message>
+    <message>
+        <source>First stands the vessel whose place would tell most of the borders of segments</source>
+        <translation>En premier vient le vaisseau dont la place en dirait le plus sur les limites des segments</translation>
+    </message>
+    <message>
+        <source>%1 (%2 ml in doubt)</source>
+        <translation>%1 (%2 ml incertains)</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::VideoForm</name>
     <message>
         <source>Video</source>
@@ -13871,6 +13890,22 @@ By hand: drag with the right button</source>
     <message>
         <source>stem</source>
         <translation>tronc</translation>
+    </message>
+    <message>
+        <source>Middle hepatic vein</source>
+        <translation>Veine hépatique moyenne</translation>
+    </message>
+    <message>
+        <source>Right hepatic vein</source>
+        <translation>Veine hépatique droite</translation>
+    </message>
+    <message>
+        <source>Umbilical portion of the left portal vein</source>
+        <translation>Portion ombilicale de la veine porte gauche</translation>
+    </message>
+    <message>
+        <source>Left hepatic vein</source>
+        <translation>Veine hépatique gauche</translation>
     </message>
 </context>
 </TS>
