@@ -10,7 +10,7 @@
 #include "segmentation/edit.h"
 #include "segmentation/rasterise.h"
 #include "studies/review/example_sequence.h"
-#include "table_places.h"
+#include "support/table_places.h"
 
 namespace glisson::widgets::test {
 
