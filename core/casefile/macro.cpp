@@ -178,9 +178,14 @@ std::optional<Command> vessels(const std::string&, const Provenance& made) {
     command.words.insert(command.words.end(), {"--structure", of});
     named.push_back("structure=" + in_python(of));
   }
+  std::vector<std::pair<std::string, std::string>> told;  // in the order of the clicks: the tenth after the ninth
+  std::copy_if(made.options.begin(), made.options.end(), std::back_inserter(told), [](const auto& made_by) {
+    return made_by.first.ends_with("_mm") && made_by.first.find("click") != std::string::npos;
+  });
+  std::stable_sort(told.begin(), told.end(),
+                   [](const auto& a, const auto& b) { return a.first.size() < b.first.size(); });
   std::vector<std::string> clicks;
-  for (const auto& [name, value] : made.options) {
-    if (!name.ends_with("_mm") || name.find("click") == std::string::npos) continue;
+  for (const auto& [name, value] : told) {
     // "click-1_mm": the vessel and where; by earlier versions "portal-click_mm": where alone.
     const std::size_t equals = value.find('=');
     const std::string vessel = equals != std::string::npos  ? value.substr(0, equals)
