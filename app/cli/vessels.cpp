@@ -96,7 +96,7 @@ Result<Outcome> run(const VesselsCommand& options, const Progress& progress) {
   if (!patient) return failure(patient.error());
   const auto trees = casefile::find_vessels(*patient, options.structure, clicks, progress);
   if (!trees) return failure(trees.error());
-  return describe(*trees, patient->file_of("vessels/trees")->string());
+  return describe(*trees, patient->file_of(casefile::trees_id)->string());
 }
 
 }  // namespace

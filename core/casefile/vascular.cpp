@@ -22,7 +22,6 @@ using imaging::Mask;
 using vasculature::System;
 using vasculature::VesselTrees;
 
-constexpr const char* trees_id = "vessels/trees";
 constexpr const char* doubt_id = "territories/doubt";
 std::string territory_id(System system) { return std::string("territories/") + vasculature::system_name(system); }
 

@@ -138,29 +138,6 @@ Json report_json(const Explanation& explanation, const Observations& observation
   return null_where_not_finite(std::move(json));
 }
 
-Json next_trials_json(const Explanation& explanation, const Experiment& experiment) {
-  Json json{{"format", "glisson-next-trials/1"},
-            {"kind", kind_of(experiment)},
-            {"title", experiment.title},
-            {"trials", Json::array()}};
-  for (const NextMeasurement& next : explanation.next.to_make)
-    json["trials"].push_back({{"sentence", next.sentence.message()},
-                              {"tells_apart", next.alternatives},
-                              {"doubt_removed", next.doubt_removed},
-                              {"trial", *next.conditions}});
-  json["possible"] = Json::array();
-  for (const PossibleTrial& possible : explanation.next.possible) {
-    Json separations = Json::array();
-    for (const auto& [kinds, noises] : possible.separations)
-      separations.push_back({{"kinds", kinds}, {"noises", noises}});
-    json["possible"].push_back({{"sentence", possible.sentence.message()},
-                                {"doubt_removed", possible.doubt_removed},
-                                {"separations", std::move(separations)},
-                                {"trial", *possible.conditions}});
-  }
-  return null_where_not_finite(std::move(json));
-}
-
 std::string model_text(const Explanation& explanation, const ForwardModel& model, const Experiment& experiment) {
   Json json{{"format", model_format},
             {"kind", kind_of(experiment)},

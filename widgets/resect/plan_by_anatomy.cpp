@@ -16,7 +16,7 @@ namespace {
 
 // By what somebody told of vessels before.
 vasculature::Clicks clicks_kept(const casefile::Case& patient) {
-  const auto trees = patient.file_of("vessels/trees").and_then(vasculature::read_trees);
+  const auto trees = patient.file_of(casefile::trees_id).and_then(vasculature::read_trees);
   return trees ? trees->clicks : vasculature::Clicks();
 }
 
@@ -35,7 +35,7 @@ Result<void> find_anatomy(const std::filesystem::path& folder, const vasculature
     const auto trees = casefile::find_vessels(*patient, {}, clicks, progress.part(0, 0.6));
     if (!trees) return failure(trees.error());
   }
-  const bool by_trees = patient->find("vessels/trees") != nullptr;
+  const bool by_trees = patient->find(casefile::trees_id) != nullptr;
   const auto found =
       casefile::find_territories(*patient, by_trees ? SegmentsBy::trees : SegmentsBy::shape, progress.part(0.6, 1));
   return found ? Result<void>() : failure(found.error());

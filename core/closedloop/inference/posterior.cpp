@@ -265,6 +265,10 @@ void disregard_what_the_mesh_hides(const Weighing& weighing, const Eigen::Vector
   if (!(indistinct > 0)) return;
   const Observations& observations = weighing.model.observations();
   const bool as_the_mesh = excess(observations, declared) <= indistinct;
+  const auto changes_more = [&](const Weighed& one) {
+    const auto predicted = weighing.model.predict(one.fit.settings);
+    return predicted && root_mean_square((*predicted - declared).cwiseQuotient(observations.noise)) > indistinct;
+  };
   std::vector<Weighed*> best_first;
   for (Weighed& one : all) best_first.push_back(&one);
   std::stable_sort(best_first.begin(), best_first.end(),
@@ -272,10 +276,7 @@ void disregard_what_the_mesh_hides(const Weighing& weighing, const Eigen::Vector
   double shown = -std::numeric_limits<double>::infinity();
   for (Weighed* one : best_first) {
     if (one->log.evidence <= of_nothing || one->log.evidence < shown - options.worth_refining) break;
-    const auto predicted = as_the_mesh ? Result<Eigen::VectorXd>(declared) : weighing.model.predict(one->fit.settings);
-    const bool shows =
-        predicted && root_mean_square((*predicted - declared).cwiseQuotient(observations.noise)) > indistinct;
-    if (shows)
+    if (!as_the_mesh && changes_more(*one))
       shown = std::max(shown, one->log.evidence);
     else
       one->log.evidence = of_nothing;

@@ -92,7 +92,7 @@ def made_until_named(asked, specimen, sort, kind, folder, rule, seed):
     chance = np.random.default_rng([seed, *map(ord, sort + kind)])
     trials, sentences, said = [specimen.first(folder)], [], []
     for made in range(asked.at_most + 1):
-        specimen.write(folder, trials)
+        specimen.write(folder, [t["written"] for t in trials])
         report, problem = cli(asked, ["explain", folder / "experiment.json", "--out", folder / "answer"])
         if problem:
             return {"took": None, "trials": sentences, "said": said, "problem": problem}
@@ -162,15 +162,10 @@ class MaterialBench:
         times, stretches = trial["time_s"], trial["stretch"]
         stress = material.stresses(self.effects, make_material.YOUNGS_KPA, times, stretches)
         noisy = stress + rng_of(self.seed, name).normal(0, self.noise, len(times))
-        rows = "\n".join(f"{t:.5f},{x:.7f},{s:.6f}" for t, x, s in zip(times, stretches, noisy))
-        (folder / f"{name}.csv").write_text("Time,Stretch,Stress\n" + rows + "\n")
-        return {"asked": trial, "written": {"id": name, "file": f"{name}.csv", "columns": {
-            "time_s": "Time", "stretch": "Stretch", "stress_kPa": "Stress"}}}
+        return {"asked": trial, "written": make_material.write_trial(folder, name, times, stretches, noisy)}
 
     def write(self, folder, trials):
-        write(folder, trials, kind="material", specimen={"shape": "cylinder", "diameter_mm": 50, "height_mm": 30},
-              mode="compression", declared={"law": "linear", "youngs_modulus_kPa": make_material.YOUNGS_KPA},
-              noise_kPa=round(self.noise, 6))
+        make_material.write_experiment(folder, "experiment.json", "compression", self.noise, trials)
 
 
 class PlatformBench:
@@ -180,14 +175,10 @@ class PlatformBench:
         rng = np.random.default_rng([seed, *map(ord, kind)])
         self.kind, draw = make_platform.INSIDE[kind]
         self.effects, self.seed = draw(rng), seed
-        plan = {t: p for t, p in make_platform.patterns(self.kind, rng).items() if t[0] != "h"}
+        plan = make_platform.patterns(self.kind, rng)
         self.begin = plan[next(iter(plan))]
-        away = []
-        for pattern in plan.values():
-            columns, found = self.kind(self.effects, pattern)
-            plain = self.kind(make_platform.Effects(), pattern)[1]
-            away += [(found[:, c] - plain[:, c]) / make_platform.NOISE[q] for q, c in columns.items() if q in make_platform.NOISE]
-        self.factor = float(np.sqrt(np.mean(np.concatenate(away) ** 2))) / size
+        found, plain = ({t: self.kind(e, p) for t, p in plan.items()} for e in (self.effects, make_platform.Effects()))
+        self.factor = make_platform.size_in_noises(found, plain) / size
 
     def first(self, folder):
         return self.recorded(folder, self.begin, make_platform.AMBIENT_C, "n0", {})
@@ -203,18 +194,13 @@ class PlatformBench:
 
     def recorded(self, folder, pattern, ambient_C, name, trial):
         columns, rows = self.kind(self.effects, pattern, ambient_C)
-        rng, measured = rng_of(self.seed, name), [q for q in columns if q in make_platform.NOISE]
-        for quantity in measured:
+        rng = rng_of(self.seed, name)
+        for quantity in (q for q in columns if q in make_platform.NOISE):
             rows[:, columns[quantity]] += rng.normal(0, self.factor * make_platform.NOISE[quantity], len(rows))
-        (folder / f"{name}.csv").write_text(",".join(columns) + "\n" + "\n".join(
-            ",".join(f"{x:.6g}" for x in row) for row in rows) + "\n")
-        self.measured = measured
-        return {"asked": trial, "written": {"id": name, "file": f"{name}.csv", "columns": {c: c for c in columns},
-                                            "ambient_C": ambient_C}}
+        return {"asked": trial, "written": make_platform.write_trial(folder, name, columns, rows, ambient_C)}
 
     def write(self, folder, trials):
-        write(folder, trials, kind="platform", declared=make_platform.declared(self.kind),
-              noise={q: float(f"{self.factor * make_platform.NOISE[q]:.6g}") for q in self.measured})
+        make_platform.write_experiment(folder, "experiment.json", self.kind, self.factor, trials)
 
 
 class PalpationBench:
@@ -251,7 +237,7 @@ class PalpationBench:
         return {"asked": trial, "written": written}
 
     def write(self, folder, trials):
-        palpation.write_experiment(folder, "experiment.json", self.scene, self.noise, [t["written"] for t in trials])
+        palpation.write_experiment(folder, "experiment.json", self.scene, self.noise, trials)
 
 
 BENCHES = {"material": MaterialBench, "platform": PlatformBench, "palpation": PalpationBench}
@@ -259,11 +245,6 @@ BENCHES = {"material": MaterialBench, "platform": PlatformBench, "palpation": Pa
 
 def rng_of(seed, name):
     return np.random.default_rng([seed, *map(ord, name)])
-
-
-def write(folder, trials, **experiment):
-    (folder / "experiment.json").write_text(json.dumps({"format": "glisson-experiment/1", "title": folder.parent.name, **experiment,
-                                                        "trials": [t["written"] for t in trials]}, indent=1) + "\n")
 
 
 # What came of it.

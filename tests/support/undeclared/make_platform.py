@@ -103,12 +103,6 @@ def patterns(kind, rng):
             "h-steps": steps([0.6, 1, 0.1, 0.9], 220), "h-bursts": [1.0 if t % 120 < 70 else 0.15 for t in range(900)]}
 
 
-def declared(kind):
-    return {"law": "constant", "nominal_voltage_V": NOMINAL_V, "capacity_Ah": CAPACITY_AH} if kind is cell else {
-        "law": "constant", "idle_W": IDLE_W, "full_load_W": FULL_W, "thermal_resistance_C_per_W": THERMAL_C_PER_W,
-        "time_constant_s": TIME_S}
-
-
 def make(folder, kinds, size, seed, noise_is, null_of):
     if (folder / "truth.json").exists():
         return
@@ -121,27 +115,45 @@ def make(folder, kinds, size, seed, noise_is, null_of):
     found, plain = ({t: kind(e, p) for t, p in trials.items()} for e in (effects, Effects()))
     columns = found[next(iter(found))][0]
     measured = {q: columns[q] for q in NOISE if q in columns}
-    away = np.concatenate([(found[t][1][:, c] - plain[t][1][:, c]) / NOISE[q] for t in trials if t[0] != "h"
-                           for q, c in measured.items()])
-    factor = float(np.sqrt(np.mean(away ** 2))) / size if kinds else 1.0
+    factor = size_in_noises(found, plain) / size if kinds else 1.0
     folder.mkdir(parents=True)
     written = []
     for trial, (_, rows) in found.items():
         noisy = rows.copy()
         for q, c in measured.items():
             noisy[:, c] += noise(rng, factor * NOISE[q], len(rows), noise_is)
-        (folder / f"{trial}.csv").write_text(",".join(columns) + "\n" + "\n".join(
-            ",".join(f"{x:.6g}" for x in row) for row in noisy) + "\n")
-        written.append({"id": trial, "file": f"{trial}.csv", "columns": {c: c for c in columns}, "ambient_C": AMBIENT_C})
+        written.append(write_trial(folder, trial, columns, noisy, AMBIENT_C))
     for file, held_out in (("experiment.json", False), ("heldout.json", True)):
-        (folder / file).write_text(json.dumps({
-            "format": "glisson-experiment/1", "kind": "platform", "title": folder.name, "declared": declared(kind),
-            "noise": {q: float(f"{factor * NOISE[q]:.6g}") for q in measured},
-            "trials": [t for t in written if t["id"].startswith("h-") == held_out]}, indent=1) + "\n")
+        write_experiment(folder, file, kind, factor, [t for t in written if t["id"].startswith("h-") == held_out])
     shown = {k: v for k, v in vars(effects).items() if v != getattr(Effects(), k)}
     (folder / "truth.json").write_text(json.dumps(
         {"kinds": list(kinds), "outside": any(k in OUTSIDE for k in kinds), "size": size if kinds else 0,
          "noise": noise_is, "parameters": shown}, indent=1) + "\n")
+
+
+def size_in_noises(found, plain):
+    """How far the fitted trials are from those without the effect: root mean square, in NOISE."""
+    away = np.concatenate([(found[t][1][:, c] - plain[t][1][:, c]) / NOISE[q] for t in found if t[0] != "h"
+                           for q, c in found[t][0].items() if q in NOISE])
+    return float(np.sqrt(np.mean(away ** 2)))
+
+
+def write_trial(folder, name, columns, rows, ambient_C):
+    """What an experiment's file says of it."""
+    (folder / f"{name}.csv").write_text(",".join(columns) + "\n" + "\n".join(
+        ",".join(f"{x:.6g}" for x in row) for row in rows) + "\n")
+    return {"id": name, "file": f"{name}.csv", "columns": {c: c for c in columns}, "ambient_C": ambient_C}
+
+
+def write_experiment(folder, file, kind, factor, trials):
+    """`factor`: of NOISE."""
+    declared = {"law": "constant", "nominal_voltage_V": NOMINAL_V, "capacity_Ah": CAPACITY_AH} if kind is cell else {
+        "law": "constant", "idle_W": IDLE_W, "full_load_W": FULL_W, "thermal_resistance_C_per_W": THERMAL_C_PER_W,
+        "time_constant_s": TIME_S}
+    measured = [q for q in NOISE if q in trials[0]["columns"]]
+    (folder / file).write_text(json.dumps({
+        "format": "glisson-experiment/1", "kind": "platform", "title": folder.name, "declared": declared,
+        "noise": {q: float(f"{factor * NOISE[q]:.6g}") for q in measured}, "trials": trials}, indent=1) + "\n")
 
 
 def main():

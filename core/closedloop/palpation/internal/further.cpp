@@ -127,13 +127,13 @@ std::vector<FurtherPalpation> further_palpations(const Palpation& experiment,
   const PalpationTool& tool = base.trial->tool;
   const std::vector<Eigen::Vector3d> places = untouched_places(experiment, tool, boundary);
   const auto at = [&](const Eigen::Vector3d& place) { return PalpationTool{place, tool.radius_mm, tool.direction}; };
-  const auto press_at = [&](const Eigen::Vector3d& place) {
+  const auto press_at = [&](const Eigen::Vector3d& place, double times) {
     add({GLISSON_TEXT("Press at ({0}, {1}, {2}) mm with {3} N."),
-         {whole(place.x()), whole(place.y()), whole(place.z()), short_figure(force_N)}},
-        at(place), 1, 0);
+         {whole(place.x()), whole(place.y()), whole(place.z()), short_figure(times * force_N)}},
+        at(place), times, 0);
   };
   const bool bears_twice = moves_little(experiment, *base.sample);
-  if (!places.empty()) press_at(places.front());
+  if (!places.empty()) press_at(places.front(), 1);
   if (bears_twice)
     add({GLISSON_TEXT("Press as in trial {0}, but with {1} N."), {base.trial->id, short_figure(2 * force_N)}}, tool, 2,
         0);
@@ -141,7 +141,7 @@ std::vector<FurtherPalpation> further_palpations(const Palpation& experiment,
       tool, 1, 10 * longest_s);
   add({GLISSON_TEXT("Pull where trial {0} presses, with {1} N."), {base.trial->id, short_figure(force_N)}}, tool, -1,
       0);
-  for (std::size_t i = 1; i < places.size(); ++i) press_at(places[i]);
+  for (std::size_t i = 1; i < places.size(); ++i) press_at(places[i], 1);
   for (const bool second : {false, true}) {
     PalpationTool oblique = tool;
     oblique.direction = tilted(tool.direction, second);
@@ -152,10 +152,7 @@ std::vector<FurtherPalpation> further_palpations(const Palpation& experiment,
   }
   if (places.empty()) return further;
   const Eigen::Vector3d& new_place = places.front();
-  if (bears_twice)
-    add({GLISSON_TEXT("Press at ({0}, {1}, {2}) mm with {3} N."),
-         {whole(new_place.x()), whole(new_place.y()), whole(new_place.z()), short_figure(2 * force_N)}},
-        at(new_place), 2, 0);
+  if (bears_twice) press_at(new_place, 2);
   add({GLISSON_TEXT("Press at ({0}, {1}, {2}) mm with {3} N and hold the force for {4} s."),
        {whole(new_place.x()), whole(new_place.y()), whole(new_place.z()), short_figure(force_N),
         whole(10 * longest_s)}},
