@@ -3316,7 +3316,7 @@
         <translation>Das Szenario sagt selbst, welche Hülle das Organ hat: Der Effekt {0} bleibt weg.</translation>
     </message>
     <message>
-        <source>Only a linear equilibrium by finite elements can have a grain: the effect {0} is left out.</source>
+        <source>Only a linear equilibrium by finite elements can have a fibre direction: the effect {0} is left out.</source>
         <translation>Nur ein lineares Gleichgewicht mit finiten Elementen kann eine Faserrichtung haben: Der Effekt {0} bleibt weg.</translation>
     </message>
     <message>
@@ -5820,10 +5820,6 @@
         <translation>Wahrscheinlichkeit, dass etwas wirkt, das nicht im Katalog steht: {1}.</translation>
     </message>
     <message>
-        <source>What is left passes every test for noise, and yet weighing all explanations finds a weak sign of {0} ({1}): only further trials could tell.</source>
-        <translation>Was übrig ist, besteht jede Prüfung auf Rauschen, und doch findet das Abwägen aller Erklärungen ein schwaches Zeichen für {0} ({1}): nur weitere Versuche könnten es zeigen.</translation>
-    </message>
-    <message>
         <source>What was found suffices, but weighing all explanations, {0} is likelier ({1}): take the name as one of several that these data allow.</source>
         <translation>Das Gefundene genügt, aber beim Abwägen aller Erklärungen ist {0} wahrscheinlicher ({1}): der Name ist einer von mehreren, die diese Daten zulassen.</translation>
     </message>
@@ -5860,7 +5856,7 @@
         <translation>Die Koordinaten der Kamera passen nicht zu denen der Probe: alle Marker scheinen gleich verschoben oder gedreht.</translation>
     </message>
     <message>
-        <source>The tissue has a grain: it is stiffer (or softer) along one direction than across it.</source>
+        <source>The tissue has fibres: it is stiffer (or softer) along one direction than across it.</source>
         <translation>Das Gewebe hat eine Faserung: längs einer Richtung ist es steifer (oder weicher) als quer dazu.</translation>
     </message>
     <message>
@@ -7010,6 +7006,26 @@
     <message>
         <source>Move it there in smaller steps, or away from the body.</source>
         <translation>In kleineren Schritten dorthin bewegen, oder weg vom Körper.</translation>
+    </message>
+    <message>
+        <source>Press where trial {0} presses, with {1} N along ({2}, {3}, {4}).</source>
+        <translation>Drücken, wo Versuch {0} drückt, mit {1} N längs ({2}, {3}, {4}).</translation>
+    </message>
+    <message>
+        <source>Press at ({0}, {1}, {2}) mm with {3} N and hold the force for {4} s.</source>
+        <translation>Bei ({0}, {1}, {2}) mm mit {3} N drücken und die Kraft {4} s lang halten.</translation>
+    </message>
+    <message>
+        <source>What is left is no larger than noise and the prediction&apos;s own error, and yet weighing all explanations finds a weak sign of {0} ({1}): only further trials could tell.</source>
+        <translation>Was übrig ist, ist nicht größer als Rauschen und der eigene Fehler der Vorhersage, und doch findet das Abwägen aller Erklärungen ein schwaches Zeichen für {0} ({1}): nur weitere Versuche könnten es zeigen.</translation>
+    </message>
+    <message>
+        <source>No vessel lies within {0} mm of {1}, where one was told: put the place on the vessel.</source>
+        <translation>Im Umkreis von {0} mm um {1} liegt kein Gefäß, wo eines angegeben wurde: Setzen Sie die Stelle auf das Gefäß.</translation>
+    </message>
+    <message>
+        <source>--click wants VESSEL=X,Y,Z with one of {0}, not &quot;{1}&quot;.</source>
+        <translation>--click verlangt GEFÄSS=X,Y,Z mit einem von {0}, nicht „{1}“.</translation>
     </message>
 </context>
 <context>
@@ -12842,6 +12858,25 @@ Elastizitätsmodul %2 kPa (angenommen)</translation>
     </message>
 </context>
 <context>
+    <name>glisson::widgets::VesselClick</name>
+    <message>
+        <source>Lies at the crosshair</source>
+        <translation>Liegt am Fadenkreuz</translation>
+    </message>
+    <message>
+        <source>Put the crosshair on this vessel, in the middle of its course. Vessels and segments are found again by it</source>
+        <translation>Setzen Sie das Fadenkreuz auf dieses Gefäß, in die Mitte seines Verlaufs. Gefäße und Segmente werden danach neu bestimmt</translation>
+    </message>
+    <message>
+        <source>First stands the vessel whose place would tell most of the borders of segments</source>
+        <translation>Zuerst steht das Gefäß, dessen Lage am meisten über die Grenzen der Segmente sagte</translation>
+    </message>
+    <message>
+        <source>%1 (%2 ml in doubt)</source>
+        <translation>%1 (%2 ml fraglich)</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::VideoForm</name>
     <message>
         <source>Video</source>
@@ -13860,6 +13895,22 @@ Von Hand: mit der rechten Taste ziehen</translation>
     <message>
         <source>stem</source>
         <translation>Stamm</translation>
+    </message>
+    <message>
+        <source>Middle hepatic vein</source>
+        <translation>Mittlere Lebervene</translation>
+    </message>
+    <message>
+        <source>Right hepatic vein</source>
+        <translation>Rechte Lebervene</translation>
+    </message>
+    <message>
+        <source>Umbilical portion of the left portal vein</source>
+        <translation>Umbilikaler Teil der linken Pfortader</translation>
+    </message>
+    <message>
+        <source>Left hepatic vein</source>
+        <translation>Linke Lebervene</translation>
     </message>
 </context>
 </TS>

@@ -3316,7 +3316,7 @@
         <translation>El escenario dice por sí mismo qué envoltura tiene el órgano: el efecto {0} se omite.</translation>
     </message>
     <message>
-        <source>Only a linear equilibrium by finite elements can have a grain: the effect {0} is left out.</source>
+        <source>Only a linear equilibrium by finite elements can have a fibre direction: the effect {0} is left out.</source>
         <translation>Solo un equilibrio lineal por elementos finitos puede tener una dirección de fibras: el efecto {0} se omite.</translation>
     </message>
     <message>
@@ -5820,10 +5820,6 @@
         <translation>Probabilidad de que actúe algo que no está en el catálogo: {1}.</translation>
     </message>
     <message>
-        <source>What is left passes every test for noise, and yet weighing all explanations finds a weak sign of {0} ({1}): only further trials could tell.</source>
-        <translation>Lo que queda supera todas las pruebas de ruido y, sin embargo, al sopesar todas las explicaciones aparece un indicio débil de {0} ({1}): solo más ensayos podrían aclararlo.</translation>
-    </message>
-    <message>
         <source>What was found suffices, but weighing all explanations, {0} is likelier ({1}): take the name as one of several that these data allow.</source>
         <translation>Lo encontrado basta, pero al sopesar todas las explicaciones {0} es más probable ({1}): tome el nombre como uno de varios que estos datos admiten.</translation>
     </message>
@@ -5860,7 +5856,7 @@
         <translation>Las coordenadas de la cámara no coinciden con las de la muestra: todos los marcadores parecen desplazados o girados por igual.</translation>
     </message>
     <message>
-        <source>The tissue has a grain: it is stiffer (or softer) along one direction than across it.</source>
+        <source>The tissue has fibres: it is stiffer (or softer) along one direction than across it.</source>
         <translation>El tejido tiene fibras: es más rígido (o más blando) a lo largo de una dirección que a través de ella.</translation>
     </message>
     <message>
@@ -7010,6 +7006,26 @@
     <message>
         <source>Move it there in smaller steps, or away from the body.</source>
         <translation>Llévela allí con pasos más pequeños, o aléjela del cuerpo.</translation>
+    </message>
+    <message>
+        <source>Press where trial {0} presses, with {1} N along ({2}, {3}, {4}).</source>
+        <translation>Presionar donde presiona el ensayo {0}, con {1} N a lo largo de ({2}, {3}, {4}).</translation>
+    </message>
+    <message>
+        <source>Press at ({0}, {1}, {2}) mm with {3} N and hold the force for {4} s.</source>
+        <translation>Presionar en ({0}, {1}, {2}) mm con {3} N y mantener la fuerza durante {4} s.</translation>
+    </message>
+    <message>
+        <source>What is left is no larger than noise and the prediction&apos;s own error, and yet weighing all explanations finds a weak sign of {0} ({1}): only further trials could tell.</source>
+        <translation>Lo que queda no es mayor que el ruido y el propio error de la predicción y, sin embargo, al sopesar todas las explicaciones aparece un indicio débil de {0} ({1}): solo más ensayos podrían aclararlo.</translation>
+    </message>
+    <message>
+        <source>No vessel lies within {0} mm of {1}, where one was told: put the place on the vessel.</source>
+        <translation>A menos de {0} mm de {1}, donde se indicó un vaso, no hay ninguno: ponga el lugar sobre el vaso.</translation>
+    </message>
+    <message>
+        <source>--click wants VESSEL=X,Y,Z with one of {0}, not &quot;{1}&quot;.</source>
+        <translation>--click pide VASO=X,Y,Z con uno de {0}, no «{1}».</translation>
     </message>
 </context>
 <context>
@@ -12845,6 +12861,25 @@ Módulo de Young %2 kPa (supuesto)</translation>
     </message>
 </context>
 <context>
+    <name>glisson::widgets::VesselClick</name>
+    <message>
+        <source>Lies at the crosshair</source>
+        <translation>Está en la cruz</translation>
+    </message>
+    <message>
+        <source>Put the crosshair on this vessel, in the middle of its course. Vessels and segments are found again by it</source>
+        <translation>Ponga la cruz sobre este vaso, en la mitad de su recorrido. Los vasos y los segmentos se hallan de nuevo según él</translation>
+    </message>
+    <message>
+        <source>First stands the vessel whose place would tell most of the borders of segments</source>
+        <translation>Primero está el vaso cuyo lugar más diría de los límites de los segmentos</translation>
+    </message>
+    <message>
+        <source>%1 (%2 ml in doubt)</source>
+        <translation>%1 (%2 ml en duda)</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::VideoForm</name>
     <message>
         <source>Video</source>
@@ -13863,6 +13898,22 @@ A mano: arrastre con el botón derecho</translation>
     <message>
         <source>stem</source>
         <translation>tronco</translation>
+    </message>
+    <message>
+        <source>Middle hepatic vein</source>
+        <translation>Vena hepática media</translation>
+    </message>
+    <message>
+        <source>Right hepatic vein</source>
+        <translation>Vena hepática derecha</translation>
+    </message>
+    <message>
+        <source>Umbilical portion of the left portal vein</source>
+        <translation>Porción umbilical de la vena porta izquierda</translation>
+    </message>
+    <message>
+        <source>Left hepatic vein</source>
+        <translation>Vena hepática izquierda</translation>
     </message>
 </context>
 </TS>

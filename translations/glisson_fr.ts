@@ -3316,7 +3316,7 @@
         <translation>Le scénario dit lui-même quelle enveloppe a l’organe&#xa0;: l’effet {0} est écarté.</translation>
     </message>
     <message>
-        <source>Only a linear equilibrium by finite elements can have a grain: the effect {0} is left out.</source>
+        <source>Only a linear equilibrium by finite elements can have a fibre direction: the effect {0} is left out.</source>
         <translation>Seul un équilibre linéaire par éléments finis peut avoir une direction de fibres&#xa0;: l’effet {0} est écarté.</translation>
     </message>
     <message>
@@ -5820,10 +5820,6 @@
         <translation>Probabilité qu&apos;agisse quelque chose qui n&apos;est pas au catalogue : {1}.</translation>
     </message>
     <message>
-        <source>What is left passes every test for noise, and yet weighing all explanations finds a weak sign of {0} ({1}): only further trials could tell.</source>
-        <translation>Ce qui reste passe tous les tests de bruit, et pourtant la pesée de toutes les explications trouve un faible signe de {0} ({1}) : seuls d&apos;autres essais pourraient le dire.</translation>
-    </message>
-    <message>
         <source>What was found suffices, but weighing all explanations, {0} is likelier ({1}): take the name as one of several that these data allow.</source>
         <translation>Ce qui a été trouvé suffit, mais en pesant toutes les explications, {0} est plus probable ({1}) : prenez ce nom comme l&apos;un de ceux que ces données permettent.</translation>
     </message>
@@ -5860,7 +5856,7 @@
         <translation>Les coordonnées de la caméra ne correspondent pas à celles de l&apos;échantillon : tous les marqueurs semblent décalés ou tournés de la même façon.</translation>
     </message>
     <message>
-        <source>The tissue has a grain: it is stiffer (or softer) along one direction than across it.</source>
+        <source>The tissue has fibres: it is stiffer (or softer) along one direction than across it.</source>
         <translation>Le tissu a des fibres : il est plus raide (ou plus souple) dans une direction qu&apos;en travers.</translation>
     </message>
     <message>
@@ -7010,6 +7006,26 @@
     <message>
         <source>Move it there in smaller steps, or away from the body.</source>
         <translation>Amenez-le là par de plus petits pas, ou éloignez-le du corps.</translation>
+    </message>
+    <message>
+        <source>Press where trial {0} presses, with {1} N along ({2}, {3}, {4}).</source>
+        <translation>Appuyer là où appuie l’essai {0}, avec {1} N selon ({2}, {3}, {4}).</translation>
+    </message>
+    <message>
+        <source>Press at ({0}, {1}, {2}) mm with {3} N and hold the force for {4} s.</source>
+        <translation>Appuyer en ({0}, {1}, {2}) mm avec {3} N et maintenir la force pendant {4} s.</translation>
+    </message>
+    <message>
+        <source>What is left is no larger than noise and the prediction&apos;s own error, and yet weighing all explanations finds a weak sign of {0} ({1}): only further trials could tell.</source>
+        <translation>Ce qui reste n’est pas plus grand que le bruit et l’erreur propre de la prédiction, et pourtant la pesée de toutes les explications trouve un faible signe de {0} ({1}) : seuls d’autres essais pourraient le dire.</translation>
+    </message>
+    <message>
+        <source>No vessel lies within {0} mm of {1}, where one was told: put the place on the vessel.</source>
+        <translation>Aucun vaisseau ne se trouve à moins de {0} mm de {1}, là où un vaisseau a été indiqué : placez l’endroit sur le vaisseau.</translation>
+    </message>
+    <message>
+        <source>--click wants VESSEL=X,Y,Z with one of {0}, not &quot;{1}&quot;.</source>
+        <translation>--click veut VAISSEAU=X,Y,Z avec l’un de {0}, pas « {1} ».</translation>
     </message>
 </context>
 <context>
@@ -12845,6 +12861,25 @@ Module de Young %2 kPa (supposé)</translation>
     </message>
 </context>
 <context>
+    <name>glisson::widgets::VesselClick</name>
+    <message>
+        <source>Lies at the crosshair</source>
+        <translation>Est au réticule</translation>
+    </message>
+    <message>
+        <source>Put the crosshair on this vessel, in the middle of its course. Vessels and segments are found again by it</source>
+        <translation>Placez le réticule sur ce vaisseau, au milieu de son trajet. Les vaisseaux et les segments sont retrouvés d’après lui</translation>
+    </message>
+    <message>
+        <source>First stands the vessel whose place would tell most of the borders of segments</source>
+        <translation>En premier vient le vaisseau dont la place en dirait le plus sur les limites des segments</translation>
+    </message>
+    <message>
+        <source>%1 (%2 ml in doubt)</source>
+        <translation>%1 (%2 ml incertains)</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::VideoForm</name>
     <message>
         <source>Video</source>
@@ -13863,6 +13898,22 @@ By hand: drag with the right button</source>
     <message>
         <source>stem</source>
         <translation>tronc</translation>
+    </message>
+    <message>
+        <source>Middle hepatic vein</source>
+        <translation>Veine hépatique moyenne</translation>
+    </message>
+    <message>
+        <source>Right hepatic vein</source>
+        <translation>Veine hépatique droite</translation>
+    </message>
+    <message>
+        <source>Umbilical portion of the left portal vein</source>
+        <translation>Portion ombilicale de la veine porte gauche</translation>
+    </message>
+    <message>
+        <source>Left hepatic vein</source>
+        <translation>Veine hépatique gauche</translation>
     </message>
 </context>
 </TS>

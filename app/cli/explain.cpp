@@ -56,7 +56,7 @@ std::string in_words(const closedloop::Explanation& explanation, const closedloo
     text += "\n";
   }
   if (explanation.smooth_correction) text += "  smooth-correction, which claims no cause\n";
-  for (const auto& next : explanation.next)
+  for (const auto& next : explanation.next.to_make)
     text += fmt::format("  next: {} ({:.0f} % of the doubt gone)\n", next.sentence.message(), 100 * next.doubt_removed);
   return text + bullet_list(messages(explanation.notes));
 }

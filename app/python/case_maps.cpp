@@ -10,6 +10,7 @@
 #include "casefile/vascular.h"
 #include "casefile/waves.h"
 #include "choices.h"
+#include "clicks.h"
 #include "documents.h"
 #include "image_grid.h"
 #include "long_call.h"
@@ -70,19 +71,17 @@ Raises glisson.Error: waves-none, choice-unknown.)")
       .def(
           "find_vessels",
           [](Case& self, const std::optional<std::string>& structure, const std::optional<Numbers>& portal_mm,
-             const std::optional<Numbers>& hepatic_mm, const py::object& progress) {
-            vasculature::Clicks clicks;
-            if (portal_mm) clicks.portal_mm = vector_from(*portal_mm, "portal_mm");
-            if (hepatic_mm) clicks.hepatic_mm = vector_from(*hepatic_mm, "hepatic_mm");
-            return std::make_shared<vasculature::VesselTrees>(
-                long_call(progress, [&](const Progress& told) { return find_vessels(self, structure, clicks, told); }));
+             const std::optional<Numbers>& hepatic_mm, const NamedPlaces& clicks, const py::object& progress) {
+            const vasculature::Clicks told_by = clicks_from(portal_mm, hepatic_mm, clicks);
+            return std::make_shared<vasculature::VesselTrees>(long_call(
+                progress, [&](const Progress& told) { return find_vessels(self, structure, told_by, told); }));
           },
           py::kw_only(), py::arg("structure") = py::none(), py::arg("portal_mm") = py::none(),
-          py::arg("hepatic_mm") = py::none(), py::arg("progress") = py::none(),
+          py::arg("hepatic_mm") = py::none(), py::arg("clicks") = NamedPlaces(), py::arg("progress") = py::none(),
           (std::string(
                "The VesselTrees of the case, saved in it: of the structures portal-vein and hepatic-vein, or of "
                "one that holds both. portal_mm, hepatic_mm: a place (LPS, mm) on each main stem, where the "
-               "first guess is wrong.") +
+               "first guess is wrong. clicks: (vessel, place) each, as for vessel_trees().") +
            stage_note + "\nRaises glisson.Error: vessels-missing, labels-grids-differ.")
               .c_str())
       .def(

@@ -6,6 +6,7 @@
 
 #include "arrays.h"
 #include "choices.h"
+#include "clicks.h"
 #include "long_call.h"
 #include "rooms.h"
 #include "segment_dict.h"
@@ -59,30 +60,40 @@ void add_trees(py::module_& module) {
           R"(Parents first, a dict each: name ("portal/right/posterior/VI/2"), system ("portal-vein", "hepatic-vein"), parent (an
 earlier branch, or -1), generation, confidence of the system (0.5 to 1), length_mm, radius_mm (median), points_mm (n, 3)
 and radii_mm (n,), outwards.)")
+      .def_property_readonly(
+          "border_doubts",
+          [](const VesselTrees& self) {
+            py::list doubts;
+            for (const BorderDoubt& doubt : self.border_doubts) {
+              doubts.append(py::make_tuple(vessel_name(doubt.vessel), doubt.doubt_ml));
+            }
+            return doubts;
+          },
+          "(vessel, ml) each, the largest first: how much is in doubt along the border where that vessel runs.")
       .def("__repr__", [](const VesselTrees& self) {
         return "<glisson.VesselTrees, " + std::to_string(self.branches.size()) + " branches>";
       });
   module.def(
       "vessel_trees",
       [](const Mask& vessels, const Mask& liver, const std::optional<Numbers>& portal_mm,
-         const std::optional<Numbers>& hepatic_mm, const py::object& progress) {
-        Clicks clicks;
-        if (portal_mm) clicks.portal_mm = vector_from(*portal_mm, "portal_mm");
-        if (hepatic_mm) clicks.hepatic_mm = vector_from(*hepatic_mm, "hepatic_mm");
+         const std::optional<Numbers>& hepatic_mm, const NamedPlaces& clicks, const py::object& progress) {
+        const Clicks told_by = clicks_from(portal_mm, hepatic_mm, clicks);
         auto found = long_call(progress, [&](const Progress& told) {
           return center_lines(vessels, {}, told.part(0, 0.5)).and_then([&](const VesselGraph& graph) {
-            return explain_vessels(graph, liver, clicks, told.part(0.5, 1));
+            return explain_vessels(graph, liver, told_by, told.part(0.5, 1));
           });
         });
         return std::make_shared<VesselTrees>(std::move(found.trees));
       },
       py::arg("vessels"), py::arg("liver"), py::kw_only(), py::arg("portal_mm") = py::none(),
-      py::arg("hepatic_mm") = py::none(), py::arg("progress") = py::none(),
+      py::arg("hepatic_mm") = py::none(), py::arg("clicks") = NamedPlaces(), py::arg("progress") = py::none(),
       R"(VesselTrees of a Mask that holds portal and hepatic veins together: centre lines, the two told apart by the liver's shape,
 branches named. portal_mm, hepatic_mm: a place (LPS, mm) on each main stem, where the first guess is wrong.
+clicks: (vessel, place) each, what the vessel there is: "portal-vein", "hepatic-vein", "middle-hepatic-vein",
+"right-hepatic-vein", "umbilical-portion" or "left-hepatic-vein".
 
 progress is told (fraction, stage); KeyboardInterrupt cancels.
-Raises glisson.Error: vessels-empty, vessels-one-blob, vessels-grid, vessels-outside, liver-empty.)");
+Raises glisson.Error: choice-unknown, click-beside, vessels-empty, vessels-one-blob, vessels-grid, vessels-outside, liver-empty.)");
   module.def(
       "read_trees",
       [](const std::filesystem::path& file) {

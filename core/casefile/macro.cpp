@@ -13,6 +13,7 @@
 #include "casefile/internal/history_journal.h"
 #include "casefile/internal/macro_values.h"
 #include "casefile/model_upkeep.h"
+#include "vasculature/systems.h"
 
 namespace glisson::casefile {
 namespace fs = std::filesystem;
@@ -170,22 +171,32 @@ std::optional<Command> invert(const std::string&, const Provenance& made) {
 
 std::optional<Command> vessels(const std::string&, const Provenance& made) {
   const std::string of = option(made.options, "of");
-  const bool portal = made.options.count("portal-click_mm") != 0, hepatic = made.options.count("hepatic-click_mm") != 0;
-  if (of.empty() || (hepatic && !portal)) return {};  // the first place is the portal vein's
+  if (of.empty()) return {};
   Command command{{"vessels", the_case}, {}};
   std::vector<std::string> named;
   if (of.find(',') == std::string::npos) {
     command.words.insert(command.words.end(), {"--structure", of});
     named.push_back("structure=" + in_python(of));
   }
-  for (const auto& [there, name, word] :
-       {std::tuple(portal, "portal-click_mm", "portal_mm"), std::tuple(hepatic, "hepatic-click_mm", "hepatic_mm")}) {
-    if (!there) continue;
-    const std::string place = position_in(option(made.options, name));
-    if (place.empty()) return {};
-    command.words.insert(command.words.end(), {"--seed", place});
-    named.push_back(fmt::format("{}=[{}]", word, place));
+  std::vector<std::pair<std::string, std::string>> told;  // in the order of the clicks: the tenth after the ninth
+  std::copy_if(made.options.begin(), made.options.end(), std::back_inserter(told), [](const auto& made_by) {
+    return made_by.first.ends_with("_mm") && made_by.first.find("click") != std::string::npos;
+  });
+  std::stable_sort(told.begin(), told.end(),
+                   [](const auto& a, const auto& b) { return a.first.size() < b.first.size(); });
+  std::vector<std::string> clicks;
+  for (const auto& [name, value] : told) {
+    // "click-1_mm": the vessel and where; by earlier versions "portal-click_mm": where alone.
+    const std::size_t equals = value.find('=');
+    const std::string vessel = equals != std::string::npos  ? value.substr(0, equals)
+                               : name.starts_with("portal") ? "portal-vein"
+                                                            : "hepatic-vein";
+    const std::string place = position_in(equals != std::string::npos ? value.substr(equals + 1) : value);
+    if (place.empty() || !vasculature::vessel_named(vessel)) return {};
+    command.words.insert(command.words.end(), {"--click", vessel + "=" + place});
+    clicks.push_back(fmt::format("({}, [{}])", in_python(vessel), place));
   }
+  if (!clicks.empty()) named.push_back(fmt::format("clicks=[{}]", fmt::join(clicks, ", ")));
   command.python = fmt::format("patient.find_vessels({})", fmt::join(named, ", "));
   return command;
 }

@@ -60,7 +60,8 @@ std::vector<Sentence> put_into(mechanics::Scenario& scenario, const PatientModel
       return GLISSON_TEXT("The scenario says itself what skin the organ has: the effect {0} is left out.");
     }
     if (stays_isotropic && kind == "anisotropy") {
-      return GLISSON_TEXT("Only a linear equilibrium by finite elements can have a grain: the effect {0} is left out.");
+      return GLISSON_TEXT(
+          "Only a linear equilibrium by finite elements can have a fibre direction: the effect {0} is left out.");
     }
     return {};
   };

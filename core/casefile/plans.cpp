@@ -28,7 +28,7 @@ bool is_tumour(const std::string& id) { return id.starts_with("labels/tumour"); 
 std::vector<std::string> foundations(const Case& patient) {
   std::vector<std::string> ids;
   for (const Entry& entry : patient.entries()) {
-    if (entry.id == "labels/liver" || is_tumour(entry.id) || entry.id == "vessels/trees" ||
+    if (entry.id == "labels/liver" || is_tumour(entry.id) || entry.id == trees_id ||
         entry.id == "territories/couinaud" || entry.id == "territories/portal-vein" ||
         entry.id == "territories/hepatic-vein" || entry.id == "volumes/stiffness" || entry.id == "volumes/confidence") {
       ids.push_back(entry.id);
@@ -97,7 +97,7 @@ std::string id_of(const Case& patient, const std::string& name) {
 }  // namespace
 
 Result<OpenedPlanner> open_planner(const Case& patient, const Progress& progress) {
-  const SegmentsBy by = patient.find("vessels/trees") != nullptr ? SegmentsBy::trees : SegmentsBy::shape;
+  const SegmentsBy by = patient.find(trees_id) != nullptr ? SegmentsBy::trees : SegmentsBy::shape;
   if (by == SegmentsBy::shape && kept_territories(patient, by) != Kept::current) {
     return open_planner(patient, FoundTerritories{}, progress);
   }
@@ -116,7 +116,7 @@ Result<OpenedPlanner> open_planner(const Case& patient, const FoundTerritories& 
   parts.hepatic = found.territory[1];
   auto planner = planning::Planner::open(parts, progress);
   if (!planner) return failure(std::move(planner.error()));
-  return OpenedPlanner{std::move(*planner), remarks_on(patient, {"vessels/trees"})};
+  return OpenedPlanner{std::move(*planner), remarks_on(patient, {trees_id})};
 }
 
 planning::Cut cut_of(const PlannedCut& cut) {

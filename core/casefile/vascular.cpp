@@ -22,7 +22,6 @@ using imaging::Mask;
 using vasculature::System;
 using vasculature::VesselTrees;
 
-constexpr const char* trees_id = "vessels/trees";
 constexpr const char* doubt_id = "territories/doubt";
 std::string territory_id(System system) { return std::string("territories/") + vasculature::system_name(system); }
 
@@ -69,14 +68,22 @@ Result<VesselTrees> known_trees(const Case& patient, const Mask& liver, const va
     if (!graph) return failure(std::move(graph.error()));
     graphs.at(n) = std::move(*graph);
   }
+  for (const vasculature::Click& click : clicks) {
+    const auto& graph = graphs.at(static_cast<std::size_t>(vasculature::system_of(click.vessel)));
+    if (auto on_vessel = vasculature::lie_on_vessels(graph, {click}); !on_vessel) {
+      return failure(std::move(on_vessel.error()));
+    }
+  }
   const auto expected = vasculature::expected_entries(liver);
   if (!expected) return failure(expected.error());
   vasculature::VesselEntries entries = vasculature::possible_entries(graphs[0], *expected, clicks, 1).front();
   entries.hepatic_mm = vasculature::possible_entries(graphs[1], *expected, clicks, 1).front().hepatic_mm;
   VesselTrees trees = vasculature::known_vessels(graphs[0], graphs[1], entries);
+  trees.clicks = clicks;
   const auto segments = vasculature::couinaud_segments(liver, &trees, progress.part(0.8, 1));
   if (!segments) return failure(segments.error());
   vasculature::name_branches(trees, *segments);
+  trees.border_doubts = segments->border_doubts;
   return trees;
 }
 
@@ -146,11 +153,11 @@ Result<VesselTrees> find_vessels(Case& patient, const std::optional<std::string>
   for (const auto& label : apart ? std::vector<std::string>{"portal-vein", "hepatic-vein"} : std::vector{name}) {
     made.from.push_back("labels/" + label);
   }
-  const auto told = [&](const char* option, const std::optional<Eigen::Vector3d>& click) {
-    if (click) made.options[option] = fmt::format("{},{},{}", click->x(), click->y(), click->z());
-  };
-  told("portal-click_mm", clicks.portal_mm);
-  told("hepatic-click_mm", clicks.hepatic_mm);
+  for (std::size_t n = 0; n < clicks.size(); ++n) {
+    const Eigen::Vector3d& place = clicks[n].position_mm;
+    made.options[fmt::format("click-{}_mm", n + 1)] =
+        fmt::format("{}={},{},{}", vasculature::vessel_name(clicks[n].vessel), place.x(), place.y(), place.z());
+  }
   const Entry* kept = patient.find(trees_id);
   if (kept != nullptr && kept->made.options == made.options && is_current(patient, trees_id)) {
     return patient.file_of(trees_id).and_then(vasculature::read_trees);

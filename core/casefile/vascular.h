@@ -20,6 +20,7 @@
 
 namespace glisson::casefile {
 
+inline constexpr const char* trees_id = "vessels/trees";
 inline constexpr const char* couinaud_id = "territories/couinaud";
 // The eight segments by name and colour, with their values in that map.
 [[nodiscard]] std::vector<imaging::SegmentInfo> couinaud_segment_infos();

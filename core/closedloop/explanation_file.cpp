@@ -104,14 +104,14 @@ Json report_json(const Explanation& explanation, const Observations& observation
   json["residual"] = {{"before", json_of(explanation.residual_before)}, {"after", json_of(explanation.residual_after)}};
   json["next_measurement"] = nullptr;
   json["next_trials"] = Json::array();
-  for (const NextMeasurement& next : explanation.next) {
+  for (const NextMeasurement& next : explanation.next.to_make) {
     Json pieces = json_of(next.sentence);
     pieces["alternatives"] = next.alternatives;
     pieces["doubt_removed"] = next.doubt_removed;
     json["next_trials"].push_back(std::move(pieces));
   }
-  if (!explanation.next.empty()) {
-    const NextMeasurement& next = explanation.next.front();
+  if (!explanation.next.to_make.empty()) {
+    const NextMeasurement& next = explanation.next.to_make.front();
     json["next_measurement"] = next.sentence.message();
     if (!next.alternatives.empty())
       json["next_measurement"] = fmt::format("{} It would tell what is likeliest from: {}.", next.sentence.message(),
@@ -135,19 +135,6 @@ Json report_json(const Explanation& explanation, const Observations& observation
   json["notes"] = messages(explanation.notes);
   json["note_pieces"] = Json::array();
   for (const Sentence& note : explanation.notes) json["note_pieces"].push_back(json_of(note));
-  return null_where_not_finite(std::move(json));
-}
-
-Json next_trials_json(const Explanation& explanation, const Experiment& experiment) {
-  Json json{{"format", "glisson-next-trials/1"},
-            {"kind", kind_of(experiment)},
-            {"title", experiment.title},
-            {"trials", Json::array()}};
-  for (const NextMeasurement& next : explanation.next)
-    json["trials"].push_back({{"sentence", next.sentence.message()},
-                              {"tells_apart", next.alternatives},
-                              {"doubt_removed", next.doubt_removed},
-                              {"trial", *next.conditions}});
   return null_where_not_finite(std::move(json));
 }
 

@@ -30,10 +30,6 @@ struct BetterModel {
 [[nodiscard]] Json report_json(const Explanation& explanation, const Observations& observations,
                                const PosteriorHistory& history = {});
 
-// The trials to make next, for a lab ("glisson-next-trials/1"). Each has a sentence, and what is done in it as an
-// experiment's file says it. So it can be measured, completed and added there.
-[[nodiscard]] Json next_trials_json(const Explanation& explanation, const Experiment& experiment);
-
 // Needs the model for the names of parameters.
 [[nodiscard]] std::string model_text(const Explanation& explanation, const ForwardModel& model,
                                      const Experiment& experiment);

@@ -3,6 +3,7 @@
 #include "base/json.h"
 #include "base/write_file.h"
 #include "closedloop/explanation_file.h"
+#include "closedloop/next_trials_file.h"
 #include "closedloop/posterior_history.h"
 #include "closedloop/where_it_holds.h"
 #include "report/html.h"
@@ -22,8 +23,9 @@ Result<void> write_explanation(const std::filesystem::path& folder, const closed
                             closedloop::model_text(explained.explanation, *explained.model, explained.experiment));
         })
         .and_then([&] {
-          return write_file(folder / "next_trials.json",
-                            closedloop::next_trials_json(explained.explanation, explained.experiment).dump(2) + "\n");
+          return write_file(
+              folder / "next_trials.json",
+              closedloop::next_trials_json(explained.explanation.next, explained.experiment).dump(2) + "\n");
         })
         .and_then([&] {
           return write_html(folder / "report.html", explanation_page(explained.explanation, observations,

@@ -10,6 +10,14 @@ namespace glisson::vasculature {
 
 using Eigen::Vector3d;
 
+double from_wall_mm(const std::vector<CenterPoint>& line, const Vector3d& place_mm) {
+  double nearest_mm = std::numeric_limits<double>::infinity();
+  for (const CenterPoint& point : line) {
+    nearest_mm = std::min(nearest_mm, (point.position_mm - place_mm).norm() - point.radius_mm);
+  }
+  return nearest_mm;
+}
+
 std::vector<std::vector<int>> VesselGraph::branches_at_vertices() const {
   std::vector<std::vector<int>> at(vertices_mm.size());
   for (std::size_t b = 0; b < branches.size(); ++b) {

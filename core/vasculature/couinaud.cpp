@@ -1,7 +1,9 @@
 #include "vasculature/couinaud.h"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "base/parallel.h"
@@ -27,6 +29,8 @@ std::vector<PlaneParameters> others_as_likely(const Evidence& evidence, const Pl
 CouinaudSegments segments_of(const Mask& liver, const Evidence& evidence, const PlaneParameters& best);
 void label(const Mask& liver, const Evidence& evidence, const PlaneParameters& best,
            const std::vector<PlaneParameters>& others, CouinaudSegments& segments);
+std::vector<BorderDoubt> border_doubts(const Evidence& evidence, const PlaneParameters& best,
+                                       const std::vector<PlaneParameters>& others);
 
 }  // namespace
 
@@ -45,9 +49,27 @@ Result<CouinaudSegments> couinaud_segments(const Mask& liver, const VesselTrees*
   return segments;
 }
 
+Result<void> lie_on_vessels(const VesselGraph& graph, const Clicks& clicks) {
+  constexpr double most_mm = 10;
+  for (const Click& click : clicks) {
+    double nearest_mm = std::numeric_limits<double>::infinity();
+    for (const GraphBranch& branch : graph.branches) {
+      nearest_mm = std::min(nearest_mm, from_wall_mm(branch.points, click.position_mm));
+    }
+    if (nearest_mm <= most_mm) continue;
+    const Vector3d& p = click.position_mm;
+    return failure(
+        "click-beside",
+        GLISSON_TEXT("No vessel lies within {0} mm of {1}, where one was told: put the place on the vessel."),
+        {fmt::format("{:.0f}", most_mm), fmt::format("{:.1f},{:.1f},{:.1f}", p.x(), p.y(), p.z())});
+  }
+  return {};
+}
+
 Result<LiverAnatomy> explain_vessels(const VesselGraph& graph, const Mask& liver, const Clicks& clicks,
                                      const Progress& progress) {
   progress.report(0, GLISSON_TEXT("looking at the liver"));
+  if (auto on_vessels = lie_on_vessels(graph, clicks); !on_vessels) return failure(std::move(on_vessels.error()));
   auto evidence = evidence_of(liver);
   if (!evidence) return failure(evidence.error());
   progress.report(0.2, GLISSON_TEXT("finding the segments"));
@@ -58,6 +80,7 @@ Result<LiverAnatomy> explain_vessels(const VesselGraph& graph, const Mask& liver
   if (auto added = add_vessels(liver, anatomy.trees, *evidence); !added) return failure(std::move(added.error()));
   anatomy.segments = segments_of(liver, *evidence, descended(*evidence, by_shape).planes);
   name_branches(anatomy.trees, anatomy.segments);
+  anatomy.trees.border_doubts = anatomy.segments.border_doubts;
   progress.report(1, GLISSON_TEXT("done"));
   return anatomy;
 }
@@ -67,8 +90,37 @@ namespace {
 CouinaudSegments segments_of(const Mask& liver, const Evidence& evidence, const PlaneParameters& best) {
   CouinaudSegments segments;
   segments.from = evidence.vessels.empty() ? SegmentsFrom::shape : SegmentsFrom::trees;
-  label(liver, evidence, best, others_as_likely(evidence, best), segments);
+  const std::vector<PlaneParameters> others = others_as_likely(evidence, best);
+  label(liver, evidence, best, others, segments);
+  segments.border_doubts = border_doubts(evidence, best, others);
   return segments;
+}
+
+// Places that other answers put beyond a border, from right to left: those of the sectors, and that of II and III.
+std::vector<BorderDoubt> border_doubts(const Evidence& evidence, const PlaneParameters& best,
+                                       const std::vector<PlaneParameters>& others) {
+  static constexpr std::array<int, 9> sector = {0, 0, 1, 1, 2, 3, 4, 4, 3};
+  std::vector<BorderDoubt> doubts = {{Vessel::umbilical_portion, 0},
+                                     {Vessel::middle_hepatic_vein, 0},
+                                     {Vessel::right_hepatic_vein, 0},
+                                     {Vessel::left_hepatic_vein, 0}};
+  const double place_ml = evidence.liver.volume_ml / static_cast<double>(evidence.places_mm.size());
+  const SegmentPlanes planes(evidence.liver, best);
+  for (const PlaneParameters& other : others) {
+    const SegmentPlanes other_planes(evidence.liver, other);
+    for (const Vector3d& place : evidence.places_mm) {
+      const auto a = static_cast<std::size_t>(planes.at(place)), b = static_cast<std::size_t>(other_planes.at(place));
+      if (a == 1 || b == 1 || a == b) continue;
+      const double ml = place_ml / static_cast<double>(others.size());
+      for (int s = std::min(sector[a], sector[b]); s < std::max(sector[a], sector[b]); ++s) {
+        doubts[static_cast<std::size_t>(s - 1)].doubt_ml += ml;
+      }
+      if (sector[a] == 1 && sector[b] == 1) doubts.back().doubt_ml += ml;
+    }
+  }
+  std::stable_sort(doubts.begin(), doubts.end(),
+                   [](const BorderDoubt& a, const BorderDoubt& b) { return a.doubt_ml > b.doubt_ml; });
+  return doubts;
 }
 
 // Downhill along one parameter after the other, in steps that shrink.

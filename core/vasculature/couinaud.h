@@ -26,10 +26,11 @@ enum class SegmentsFrom { trees, shape };
 
 struct CouinaudSegments {
   SegmentsFrom from = SegmentsFrom::shape;
-  imaging::LabelMap segment;           // 1 to 8 in the liver, 0 elsewhere
-  std::vector<std::uint8_t> doubt;     // of each voxel, percent
-  std::array<double, 9> volume_ml{};   // by segment; 0: all
-  std::array<double, 9> confidence{};  // one less the mean doubt
+  imaging::LabelMap segment;               // 1 to 8 in the liver, 0 elsewhere
+  std::vector<std::uint8_t> doubt;         // of each voxel, percent
+  std::array<double, 9> volume_ml{};       // by segment; 0: all
+  std::array<double, 9> confidence{};      // one less the mean doubt
+  std::vector<BorderDoubt> border_doubts;  // the largest first; not kept with the maps
 };
 
 // Without trees (null, or none with branches) the liver's shape decides. Fails as liver_frame does, with
@@ -43,7 +44,10 @@ void measure(CouinaudSegments& segments);
 // Where vessels enter, by the liver's shape alone. Fails as liver_frame does.
 Result<VesselEntries> expected_entries(const imaging::Mask& liver);
 
-// Vessels of one class told apart, and the segments with them. Fails as couinaud_segments does.
+// Fails with click-beside: one of them lies more than 10 mm from the wall of any vessel.
+Result<void> lie_on_vessels(const VesselGraph& graph, const Clicks& clicks);
+
+// Vessels of one class told apart, and the segments with them. Fails as couinaud_segments and lie_on_vessels do.
 struct LiverAnatomy {
   VesselTrees trees;
   CouinaudSegments segments;

@@ -47,7 +47,7 @@ double murray_angle_deg(double r) {
 
 class ForestWalk {
  public:
-  ForestWalk(const Junctions& junctions, const VesselEntries& entries, std::uint64_t seed);
+  ForestWalk(const Junctions& junctions, const VesselEntries& entries, const KnownPieces& known, std::uint64_t seed);
   void cool();
   void look_around(Forest& forest);  // sets how sure it is
   [[nodiscard]] Forest forest() const;
@@ -59,6 +59,7 @@ class ForestWalk {
   [[nodiscard]] int junction(int end) const { return junctions_.end(end).junction; }
   [[nodiscard]] bool hangs_on(int p, int top) const;
   [[nodiscard]] int top_of(int p) const;
+  [[nodiscard]] bool keeps_known() const;
 
   // The energy's terms: of joining two ends, of a piece with what hangs on it, of what begins in a junction.
   [[nodiscard]] double joining(int from_end, int to_end, const Passage& passage) const;
@@ -67,7 +68,7 @@ class ForestWalk {
   [[nodiscard]] double of_pieces(std::initializer_list<int> pieces) const;  // negative and repeated ones left out
 
   void hang(int p, int parent);
-  [[nodiscard]] bool accepted(double change);
+  [[nodiscard]] bool accepted(double change);  // of a move that is made
   [[nodiscard]] double uniform() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
 
   // Moves of piece p: to another parent, to a tree of its own, all trees at its entry to the other system, and its way
@@ -84,6 +85,7 @@ class ForestWalk {
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
   const Junctions& junctions_;
+  KnownPieces known_;
   std::vector<std::vector<double>> joining_;  // as Junctions::passages
   std::array<std::vector<double>, 2> entry_;  // by junction
   std::vector<int> parent_, near_, system_;   // the system counts where a tree begins
@@ -93,8 +95,10 @@ class ForestWalk {
   std::mt19937_64 engine_;
 };
 
-ForestWalk::ForestWalk(const Junctions& junctions, const VesselEntries& entries, std::uint64_t seed)
+ForestWalk::ForestWalk(const Junctions& junctions, const VesselEntries& entries, const KnownPieces& known,
+                       std::uint64_t seed)
     : junctions_(junctions),
+      known_(known),
       parent_(junctions.pieces.size(), -1),
       near_(junctions.pieces.size(), 0),
       system_(junctions.pieces.size(), 0),
@@ -128,6 +132,13 @@ ForestWalk::ForestWalk(const Junctions& junctions, const VesselEntries& entries,
     const std::size_t j = at(junction(near(p)));
     system_[at(p)] = entry_[1][j] < entry_[0][j] ? 1 : 0;
   }
+  for (const auto& [p, system] : known_) system_[at(p)] = static_cast<int>(system);
+}
+
+bool ForestWalk::keeps_known() const {
+  return std::all_of(known_.begin(), known_.end(), [&](const auto& known) {
+    return system_[at(top_of(known.first))] == static_cast<int>(known.second);
+  });
 }
 
 bool ForestWalk::hangs_on(int p, int top) const {
@@ -198,7 +209,9 @@ void ForestWalk::hang(int p, int parent) {
   if (parent >= 0) children_[at(parent)].push_back(p);
 }
 
-bool ForestWalk::accepted(double change) { return change <= 0 || uniform() < std::exp(-change / temperature_); }
+bool ForestWalk::accepted(double change) {
+  return (change <= 0 || uniform() < std::exp(-change / temperature_)) && keeps_known();
+}
 
 void ForestWalk::hang_elsewhere(int p) {
   const int j = junction(near(p)), old = parent_[at(p)];
@@ -351,8 +364,9 @@ Forest ForestWalk::forest() const {
 
 }  // namespace
 
-Forest cooled_forest(const Junctions& junctions, const VesselEntries& entries, std::uint64_t seed) {
-  ForestWalk walk(junctions, entries, seed);
+Forest cooled_forest(const Junctions& junctions, const VesselEntries& entries, const KnownPieces& known,
+                     std::uint64_t seed) {
+  ForestWalk walk(junctions, entries, known, seed);
   walk.cool();
   Forest forest = walk.forest();
   walk.look_around(forest);

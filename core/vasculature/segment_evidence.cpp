@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
+#include <optional>
 
 #include "vasculature/internal/nearest_voxel.h"
 
@@ -27,6 +29,7 @@ constexpr std::array<double, 9> share_spread = {0, 0.8, 0.63, 0.8, 0.47, 0.55, 0
 struct Weights {
   double hepatic = 5;             // all hepatic veins together
   double portal = 5;              // all portal branches together
+  double named = 10;              // one vessel that somebody named
   double on_border_mm = 5;        // how near a hepatic vein runs to a border
   double off_border_mm = 5;       // how far from borders portal branches keep
   double maximum_off_border = 2;  // beyond this a vein counts as none of those that part segments
@@ -35,7 +38,16 @@ struct Weights {
 const Weights weights;
 
 // What each of them adds.
-enum Term : std::size_t { of_planes, of_volumes, of_entries, of_hepatic, of_left_portal, of_portal, term_count };
+enum Term : std::size_t {
+  of_planes,
+  of_volumes,
+  of_entries,
+  of_hepatic,
+  of_left_portal,
+  of_portal,
+  of_named,
+  term_count
+};
 
 std::array<double, term_count> terms(const Evidence& evidence, const PlaneParameters& parameters) {
   std::array<double, term_count> sum{};
@@ -61,12 +73,15 @@ std::array<double, term_count> terms(const Evidence& evidence, const PlaneParame
   for (const Vector3d& off : {portal_off, hepatic_off}) {
     sum[of_entries] += std::min(4.0, 0.5 * off.squaredNorm() / (weights.entry_mm * weights.entry_mm * scale * scale));
   }
+  const auto on = [&](double distance_mm) {
+    const double off = distance_mm / (weights.on_border_mm * scale);
+    return std::min(weights.maximum_off_border, 0.5 * off * off);
+  };
+  for (const BorderSample& sample : evidence.borders) {
+    sum[of_named] += sample.weight * on(planes.distances_mm(sample.position_mm)[sample.border]);
+  }
   for (const VesselSample& vessel : evidence.vessels) {
     const std::array<double, 4> away = planes.distances_mm(vessel.position_mm);
-    const auto on = [&](double distance_mm) {
-      const double off = distance_mm / (weights.on_border_mm * scale);
-      return std::min(weights.maximum_off_border, 0.5 * off * off);
-    };
     double nearest = std::min({std::abs(away[SegmentPlanes::middle]), std::abs(away[SegmentPlanes::right]),
                                std::abs(away[SegmentPlanes::umbilical])});
     // II and III part left of the umbilical fissure alone.
@@ -81,6 +96,37 @@ std::array<double, term_count> terms(const Evidence& evidence, const PlaneParame
     }
   }
   return sum;
+}
+
+std::optional<SegmentPlanes::Surface> border_along(Vessel vessel) {
+  switch (vessel) {
+    case Vessel::middle_hepatic_vein: return SegmentPlanes::middle;
+    case Vessel::right_hepatic_vein: return SegmentPlanes::right;
+    case Vessel::umbilical_portion: return SegmentPlanes::umbilical;
+    case Vessel::left_hepatic_vein: return SegmentPlanes::left_vein;
+    default: return {};
+  }
+}
+
+// The borders along the branches that somebody clicked on by name.
+void add_named(const VesselTrees& trees, Evidence& evidence) {
+  for (const Click& click : trees.clicks) {
+    const auto border = border_along(click.vessel);
+    const TreeBranch* nearest = nullptr;
+    double nearest_mm = std::numeric_limits<double>::infinity();
+    for (const TreeBranch& branch : trees.branches) {
+      const double away_mm = from_wall_mm(branch.points, click.position_mm);
+      if (branch.system != system_of(click.vessel) || away_mm >= nearest_mm) continue;
+      nearest_mm = away_mm;
+      nearest = &branch;
+    }
+    if (!border || nearest == nullptr) continue;
+    constexpr std::size_t stride = 2;
+    const std::size_t count = (nearest->points.size() + stride - 1) / stride;
+    for (std::size_t i = 0; i < nearest->points.size(); i += stride) {
+      evidence.borders.push_back({nearest->points[i].position_mm, *border, weights.named / static_cast<double>(count)});
+    }
+  }
 }
 
 }  // namespace
@@ -139,6 +185,7 @@ Result<void> add_vessels(const Mask& liver, const VesselTrees& trees, Evidence& 
     sample.hepatic_weight *= weights.hepatic / std::max(150.0, hepatic);
     sample.portal_weight *= weights.portal / std::max(150.0, portal);
   }
+  add_named(trees, evidence);
   if (inside < 0.5 * all) {
     return failure("vessels-outside",
                    GLISSON_TEXT("Only {0} % of the vessels lie in the liver: check that both masks are of one scan."),

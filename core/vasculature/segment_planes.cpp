@@ -14,10 +14,10 @@ constexpr double degrees = 180 / std::numbers::pi;
 
 }  // namespace
 
-const PlaneParameters mean_planes = {34, 5,     0.12, 0.06, 126, 2,  179, -5, 90, 0,  -8, -0.04,
-                                     -7, -0.06, -19,  0.1,  2.1, 15, -13, 11, 29, 23, 49};
-const PlaneParameters plane_spread = {9, 6,    0.12, 0.07, 9,   8, 3, 5,  12, 12, 6, 0.09,
-                                      7, 0.07, 10,   0.12, 0.4, 5, 5, 11, 4,  3,  8};
+const PlaneParameters mean_planes = {40, 4,     0.09, 0.07, 131, 1,  180, -5, 97, -1, -9, -0.05,
+                                     -9, -0.05, -17,  0.03, 2.6, 10, -10, 8,  30, 24, 52};
+const PlaneParameters plane_spread = {7, 4,    0.08, 0.03, 8,   5, 2, 2,  9, 9, 5, 0.04,
+                                      6, 0.03, 7,    0.1,  0.4, 5, 5, 12, 4, 2, 8};
 
 SegmentPlanes::SegmentPlanes(const LiverFrame& liver, const PlaneParameters& parameters)
     : p_(parameters),

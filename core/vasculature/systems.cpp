@@ -216,15 +216,35 @@ void add_trees(const VesselGraph& graph, System system, const std::vector<double
 
 const char* system_name(System system) { return system == System::portal_vein ? "portal-vein" : "hepatic-vein"; }
 
+const char* vessel_name(Vessel vessel) {
+  static constexpr std::array<const char*, all_vessels.size()> names = {"portal-vein",         "hepatic-vein",
+                                                                        "middle-hepatic-vein", "right-hepatic-vein",
+                                                                        "umbilical-portion",   "left-hepatic-vein"};
+  return names.at(static_cast<std::size_t>(vessel));
+}
+
+std::optional<Vessel> vessel_named(const std::string& name) {
+  const auto* found =
+      std::find_if(all_vessels.begin(), all_vessels.end(), [&](Vessel vessel) { return name == vessel_name(vessel); });
+  return found == all_vessels.end() ? std::nullopt : std::optional<Vessel>(*found);
+}
+
+System system_of(Vessel vessel) {
+  const bool portal = vessel == Vessel::portal_vein || vessel == Vessel::umbilical_portion;
+  return portal ? System::portal_vein : System::hepatic_vein;
+}
+
 std::vector<VesselEntries> possible_entries(const VesselGraph& graph, const VesselEntries& expected,
                                             const Clicks& clicks, int each) {
   const double spread_mm = 18 * expected.scale;
-  const auto places = [&](const std::optional<Vector3d>& click, const Vector3d& expected_mm) {
-    return click ? std::vector<Vector3d>{*click} : thick_places(graph, expected_mm, spread_mm, each);
+  const auto places = [&](Vessel vessel, const Vector3d& expected_mm) {
+    const auto click = std::find_if(clicks.rbegin(), clicks.rend(), [&](const Click& c) { return c.vessel == vessel; });
+    return click != clicks.rend() ? std::vector<Vector3d>{click->position_mm}
+                                  : thick_places(graph, expected_mm, spread_mm, each);
   };
   std::vector<VesselEntries> entries;
-  for (const Vector3d& portal : places(clicks.portal_mm, expected.portal_mm)) {
-    for (const Vector3d& hepatic : places(clicks.hepatic_mm, expected.hepatic_mm)) {
+  for (const Vector3d& portal : places(Vessel::portal_vein, expected.portal_mm)) {
+    for (const Vector3d& hepatic : places(Vessel::hepatic_vein, expected.hepatic_mm)) {
       if ((portal - hepatic).norm() > 15 * expected.scale) entries.push_back({portal, hepatic, expected.scale});
     }
   }
@@ -235,7 +255,7 @@ std::vector<VesselEntries> possible_entries(const VesselGraph& graph, const Vess
 VesselTrees classify_vessels(const VesselGraph& graph, const VesselEntries& entries,
                              const std::vector<Vector3d>& places_mm, const Clicks& clicks) {
   const ToldApart told = tell_apart(graph, entries, places_mm, clicks);
-  VesselTrees trees{told.entries.portal_mm, told.entries.hepatic_mm, {}};
+  VesselTrees trees{told.entries.portal_mm, told.entries.hepatic_mm, {}, clicks, {}};
   for (const System system : {System::portal_vein, System::hepatic_vein}) {
     VesselGraph own{graph.vertices_mm, {}};
     std::vector<double> confidence;
@@ -250,7 +270,7 @@ VesselTrees classify_vessels(const VesselGraph& graph, const VesselEntries& entr
 }
 
 VesselTrees known_vessels(const VesselGraph& portal, const VesselGraph& hepatic, const VesselEntries& entries) {
-  VesselTrees trees{entries.portal_mm, entries.hepatic_mm, {}};
+  VesselTrees trees{entries.portal_mm, entries.hepatic_mm, {}, {}, {}};
   add_trees(portal, System::portal_vein, std::vector<double>(portal.branches.size(), 1.0), trees);
   add_trees(hepatic, System::hepatic_vein, std::vector<double>(hepatic.branches.size(), 1.0), trees);
   return trees;

@@ -6,6 +6,7 @@
 // grows from where it enters, along its part of the graph. It costs a vessel to turn sharply, to grow wider on its way
 // out and to pass a neck.
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,6 +18,28 @@ namespace glisson::vasculature {
 
 enum class System { portal_vein, hepatic_vein };
 [[nodiscard]] const char* system_name(System system);  // "portal-vein", as the structure is called
+
+// What a click may say of a vessel: its system, or its own name where it runs between segments.
+enum class Vessel {
+  portal_vein,
+  hepatic_vein,
+  middle_hepatic_vein,
+  right_hepatic_vein,
+  umbilical_portion,  // of the left portal vein
+  left_hepatic_vein
+};
+inline constexpr std::array<Vessel, 6> all_vessels = {Vessel::portal_vein,         Vessel::hepatic_vein,
+                                                      Vessel::middle_hepatic_vein, Vessel::right_hepatic_vein,
+                                                      Vessel::umbilical_portion,   Vessel::left_hepatic_vein};
+[[nodiscard]] const char* vessel_name(Vessel vessel);  // "middle-hepatic-vein"
+[[nodiscard]] std::optional<Vessel> vessel_named(const std::string& name);
+[[nodiscard]] System system_of(Vessel vessel);
+
+struct Click {
+  Vessel vessel = Vessel::portal_vein;
+  Eigen::Vector3d position_mm{0, 0, 0};
+};
+using Clicks = std::vector<Click>;  // of two on one branch the later counts
 
 // One branch of a tree, its points from where it leaves its parent outwards.
 struct TreeBranch {
@@ -30,9 +53,17 @@ struct TreeBranch {
   double length_mm = 0, radius_mm = 0;
 };
 
+// How much of the liver is in doubt along the border where a vessel runs, which a click on that vessel would tell.
+struct BorderDoubt {
+  Vessel vessel = Vessel::middle_hepatic_vein;
+  double doubt_ml = 0;
+};
+
 struct VesselTrees {
   Eigen::Vector3d portal_entry_mm{0, 0, 0}, hepatic_entry_mm{0, 0, 0};
-  std::vector<TreeBranch> branches;  // parents first
+  std::vector<TreeBranch> branches;        // parents first
+  Clicks clicks;                           // what they were told by
+  std::vector<BorderDoubt> border_doubts;  // of segments by them, the largest first; of one class alone
 };
 
 // Where the portal vein divides and where the hepatic veins meet the vena cava, as far as the liver's shape says
@@ -42,18 +73,14 @@ struct VesselEntries {
   double scale = 1;
 };
 
-// A click on each, where the first guess is wrong: anywhere on the main stem of the system.
-struct Clicks {
-  std::optional<Eigen::Vector3d> portal_mm, hepatic_mm;
-};
-
 // Guesses at where vessels really enter, the best first. They are the thickest places near where they are expected,
 // those of one system at least 20 mm apart. Each is joined with each of the other system; a click leaves no choice.
 [[nodiscard]] std::vector<VesselEntries> possible_entries(const VesselGraph& graph, const VesselEntries& expected,
                                                           const Clicks& clicks = {}, int each = 3);
 
 // From about where vessels enter. places_mm: spread over the liver, each to be fed and drained; none: this is not
-// asked. A click tells the system of the branch nearest to it. Same graph, same trees.
+// asked. A click tells the system of the branch whose wall is nearest: all else follows from it. Same graph, same
+// trees.
 [[nodiscard]] VesselTrees classify_vessels(const VesselGraph& graph, const VesselEntries& entries,
                                            const std::vector<Eigen::Vector3d>& places_mm = {},
                                            const Clicks& clicks = {});

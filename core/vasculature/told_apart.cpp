@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "base/parallel.h"
 #include "vasculature/internal/forest.h"
@@ -16,8 +17,7 @@ using Eigen::Vector3d;
 // Tuned on generated patients 1 to 10 (docs/territories.md).
 constexpr std::uint64_t walks = 6;
 constexpr double of_distance = 2, farthest_mm = 30;  // a square millimetre of the mean squared distance, and its limit
-constexpr double of_click = 1e4;
-constexpr double as_likely = 20;  // energies this much higher count 1 / e for the confidence
+constexpr double as_likely = 20;                     // energies this much higher count 1 / e for the confidence
 
 const GraphBranch& branch_of(const VesselGraph& graph, const Junctions& junctions, std::size_t piece) {
   return graph.branches[static_cast<std::size_t>(junctions.pieces[piece].branch)];
@@ -45,21 +45,21 @@ double squared_distance_mm2(const VesselGraph& graph, const Junctions& junctions
   return places_mm.empty() ? 0 : sum / static_cast<double>(places_mm.size());
 }
 
-// Whether what was clicked on has another system than the click says.
-bool against(const VesselGraph& graph, const Junctions& junctions, const Forest& forest,
-             const std::optional<Vector3d>& click, System system) {
-  if (!click) return false;
-  double nearest_mm = std::numeric_limits<double>::infinity();
-  System found = system;
-  for (std::size_t p = 0; p < junctions.pieces.size(); ++p) {
-    for (const CenterPoint& point : branch_of(graph, junctions, p).points) {
-      const double away = (point.position_mm - *click).norm() - point.radius_mm;
-      if (away >= nearest_mm) continue;
-      nearest_mm = away;
-      found = forest.system[p];
+// The pieces that somebody clicked on; of two clicks on one the later counts.
+KnownPieces known_by(const VesselGraph& graph, const Junctions& junctions, const Clicks& clicks) {
+  std::map<int, System> known;
+  for (const Click& click : clicks) {
+    double nearest_mm = std::numeric_limits<double>::infinity();
+    int nearest = 0;
+    for (std::size_t p = 0; p < junctions.pieces.size(); ++p) {
+      const double away_mm = from_wall_mm(branch_of(graph, junctions, p).points, click.position_mm);
+      if (away_mm >= nearest_mm) continue;
+      nearest_mm = away_mm;
+      nearest = static_cast<int>(p);
     }
+    known.insert_or_assign(nearest, system_of(click.vessel));
   }
-  return found != system;
+  return {known.begin(), known.end()};
 }
 
 // The mean of the places where trees of each system begin, thick ones and near ones first.
@@ -124,17 +124,18 @@ ToldApart tell_apart(const VesselGraph& graph, const VesselEntries& expected, co
                      const Clicks& clicks) {
   const Junctions junctions = junctions_of(graph);
   VesselEntries entries = expected;
-  if (clicks.portal_mm) entries.portal_mm = *clicks.portal_mm;
-  if (clicks.hepatic_mm) entries.hepatic_mm = *clicks.hepatic_mm;
+  for (const Click& click : clicks) {
+    if (click.vessel == Vessel::portal_vein) entries.portal_mm = click.position_mm;
+    if (click.vessel == Vessel::hepatic_vein) entries.hepatic_mm = click.position_mm;
+  }
   if (junctions.pieces.empty()) return {std::vector<std::array<bool, 2>>(graph.branches.size()), {}, entries};
+  const KnownPieces known = known_by(graph, junctions, clicks);
   std::vector<Forest> forests(walks);
   std::vector<double> costs(walks, 0);
   parallel_for(walks, 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n) {
-      forests[n] = cooled_forest(junctions, entries, n + 1);
+      forests[n] = cooled_forest(junctions, entries, known, n + 1);
       costs[n] = forests[n].energy + of_distance * squared_distance_mm2(graph, junctions, forests[n], places_mm);
-      if (against(graph, junctions, forests[n], clicks.portal_mm, System::portal_vein)) costs[n] += of_click;
-      if (against(graph, junctions, forests[n], clicks.hepatic_mm, System::hepatic_vein)) costs[n] += of_click;
     }
   });
   const auto best = static_cast<std::size_t>(std::min_element(costs.begin(), costs.end()) - costs.begin());

@@ -59,14 +59,55 @@ bool read_branch(const Json& object, std::size_t index, TreeBranch& branch) {
   return true;
 }
 
+// False where one is no click; where there is none of them nothing was clicked on.
+bool read_clicks(const Json* values, Clicks& clicks) {
+  if (values == nullptr) return true;
+  if (!values->is_array()) return false;
+  for (const Json& value : *values) {
+    const auto name = string_in(value, "vessel");
+    const auto vessel = name ? vessel_named(*name) : std::nullopt;
+    Click& click = clicks.emplace_back();
+    if (!vessel || !read_place(value_in(value, "position_mm"), click.position_mm)) return false;
+    click.vessel = *vessel;
+  }
+  return true;
+}
+
+bool read_border_doubts(const Json* values, std::vector<BorderDoubt>& doubts) {
+  if (values == nullptr) return true;
+  if (!values->is_array()) return false;
+  for (const Json& value : *values) {
+    const auto name = string_in(value, "vessel");
+    const auto vessel = name ? vessel_named(*name) : std::nullopt;
+    const double doubt_ml = number_in(value, "doubt_ml", -1);
+    if (!vessel || !(doubt_ml >= 0)) return false;
+    doubts.push_back({*vessel, doubt_ml});
+  }
+  return true;
+}
+
 }  // namespace
+
+Json border_doubts_json(const VesselTrees& trees) {
+  Json doubts = Json::array();
+  for (const BorderDoubt& doubt : trees.border_doubts) {
+    doubts.push_back({{"vessel", vessel_name(doubt.vessel)}, {"doubt_ml", rounded(doubt.doubt_ml)}});
+  }
+  return doubts;
+}
 
 Json trees_json(const VesselTrees& trees) {
   Json document{{"format", format_name},
                 {"frame", "patient coordinates, LPS, mm"},
                 {"portal_entry_mm", json_of_place(trees.portal_entry_mm)},
                 {"hepatic_entry_mm", json_of_place(trees.hepatic_entry_mm)},
+                {"clicks", Json::array()},
+                {"border_doubts", border_doubts_json(trees)},
                 {"branches", Json::array()}};
+  for (const Click& click : trees.clicks) {
+    document["clicks"].push_back(
+        {{"vessel", vessel_name(click.vessel)}, {"position_mm", json_of_place(click.position_mm)}});
+  }
   for (std::size_t b = 0; b < trees.branches.size(); ++b) {
     const TreeBranch& branch = trees.branches[b];
     Json points = Json::array();
@@ -109,6 +150,9 @@ Result<VesselTrees> read_trees(const std::filesystem::path& file) {
   if (!read_place(value_in(*document, "hepatic_entry_mm"), trees.hepatic_entry_mm)) {
     return unreadable("hepatic_entry_mm");
   }
+  if (!read_clicks(value_in(*document, "clicks"), trees.clicks)) return unreadable("clicks");
+  if (!read_border_doubts(value_in(*document, "border_doubts"), trees.border_doubts))
+    return unreadable("border_doubts");
   const Json* branches = value_in(*document, "branches");
   if (branches == nullptr || !branches->is_array()) return unreadable("branches");
   for (const Json& object : *branches) {

@@ -10,6 +10,7 @@
 namespace glisson::vasculature {
 
 [[nodiscard]] Json trees_json(const VesselTrees& trees);
+[[nodiscard]] Json border_doubts_json(const VesselTrees& trees);  // {"vessel", "doubt_ml"} each
 
 Result<void> write_trees(const std::filesystem::path& file, const VesselTrees& trees);
 

@@ -37,6 +37,9 @@ struct VesselGraph {
   [[nodiscard]] std::vector<std::vector<int>> branches_at_vertices() const;
 };
 
+// How far a place is from the wall of the vessel along a line, mm; negative inside of it.
+[[nodiscard]] double from_wall_mm(const std::vector<CenterPoint>& line, const Eigen::Vector3d& place_mm);
+
 // Sets length and radius from the points.
 void measure(GraphBranch& branch);
 

@@ -2,7 +2,7 @@
 # How often `explain` finds something where nothing was put: nulls of each sort, with noise as stated and otherwise (0.7 and
 # 1.5 times as large, repeating itself, one in a hundred ten times as large). Run by hand:
 #
-#   tests/benchmarks/false_alarms.sh [FOLDER [FIRST_SEED [MATERIAL [PLATFORM [PALPATION]]]]]    # build/false-alarms 1001 300 150 10
+#   tests/benchmarks/false_alarms.sh [FOLDER [FIRST_SEED [MATERIAL [PLATFORM [PALPATION]]]]]    # build/false-alarms 1001 300 150 300
 #
 # So many seeds of each sort with noise as stated and a third of that with each other noise (of palpations a tenth); of a
 # platform a seed is a cell and a board, of a material test compression and tension alternate. It may be stopped and taken up again (judge.py). Needs
@@ -21,7 +21,7 @@ nulls() {  # SORT COUNT NOISE MORE PART
 for noise in stated x0.7 x1.5 correlated outliers; do
   nulls material "$(((${3:-300} + 1) / 2))" $noise "--modes compression,tension"
   nulls platform "${4:-150}" $noise
-  nulls palpation "${5:-10}" $noise "--specimens tiny" 10
+  nulls palpation "${5:-300}" $noise "--specimens tiny" 10
 done
 for sort in material platform palpation; do
   test -d "$folder/$sort" || continue

@@ -46,8 +46,8 @@ struct Laparoscopy {
     anatomy::PatientOptions patient;
     patient.seed = patient_seed;
     const auto model = test::liver_model(anatomy::make_liver_surface(patient).value(), 20000,
-                                         test::places_of(file.parent_path() / "hidden.csv"));
-    truth_mm = test::places_of(file.parent_path() / "hidden-truth.csv");
+                                         test::places_in(file.parent_path() / "hidden.csv"));
+    truth_mm = test::places_in(file.parent_path() / "hidden-truth.csv");
     guided = casefile::guided_sequence(model, registration_quality::read_sequence(file).value(), std::nullopt).value();
     modes = std::make_unique<guidance::ForceModes>(
         guidance::ForceModes::create(guided.guidance.mesh, guided.guidance.youngs_kPa, guided.guidance.poisson_ratio)
@@ -112,8 +112,8 @@ void BM_FirstPoses(benchmark::State& state) {
         const auto calibration = vision::read_stereo_calibration(video / "camera.json").value();
         file = registration_quality::make_sequence(source, calibration, folder.path() / "made").value().file;
       }
-      const auto rest_mm = test::places_of(given.parent_path() / "hidden.csv");
-      const auto truth_mm = test::places_of(given.parent_path() / "hidden-truth.csv");
+      const auto rest_mm = test::places_in(given.parent_path() / "hidden.csv");
+      const auto truth_mm = test::places_in(given.parent_path() / "hidden-truth.csv");
       anatomy::PatientOptions patient;
       patient.seed = seed;
       const geometry::Surface liver = anatomy::make_liver_surface(patient).value();

@@ -134,7 +134,10 @@ TEST_F(MacroTest, WhatWasComputedIsComputedAgainWithTheSameOptions) {
   compute("meshes/model", "stiffness", {{"uniform_kPa", "6.1"}});
   compute("meshes/model", "stiffness", {{"atlas_kPa", "6.09"}});
   compute("meshes/model", "stiffness", {});
-  compute("vessels/trees", "vessels", {{"of", "vessels"}, {"portal-click_mm", "1,2,3"}});
+  compute("vessels/trees", "vessels", {{"of", "vessels"}, {"click-1_mm", "right-hepatic-vein=1,2,3"}});
+  compute("vessels/trees", "vessels", {{"of", "vessels"}, {"portal-click_mm", "1,2,3"}});  // of an earlier version
+  compute("vessels/trees", "vessels",
+          {{"of", "vessels"}, {"click-10_mm", "portal-vein=4,5,6"}, {"click-9_mm", "hepatic-vein=4,5,6"}});
   compute("territories/couinaud", "territories", {{"from", "prior"}});
   compute("volumes/stiffness", "invert",
           {{"method", "lfe"}, {"long-waves", "curl"}, {"directions", "apart"}, {"asked-frequency_Hz", "62.5"}});
@@ -142,7 +145,10 @@ TEST_F(MacroTest, WhatWasComputedIsComputedAgainWithTheSameOptions) {
               ElementsAre("segment {case} --structure liver --seed -1.125,2,30.0625 --seed 4,5,6 --inside body",
                           "mesh {case} --target-cells 20000", "stiffness {case} --uniform-kPa 6.1",
                           "stiffness {case} --atlas 2.1", "stiffness {case}",
-                          "vessels {case} --structure vessels --seed 1,2,3", "territories {case} --from prior",
+                          "vessels {case} --structure vessels --click right-hepatic-vein=1,2,3",
+                          "vessels {case} --structure vessels --click portal-vein=1,2,3",
+                          "vessels {case} --structure vessels --click hepatic-vein=4,5,6 --click portal-vein=4,5,6",
+                          "territories {case} --from prior",
                           "invert {case} --method lfe --long-waves curl --directional --frequency-Hz 62.5"));
 }
 

@@ -68,12 +68,23 @@ TEST(NextTrials, TakeTheDoubtAwayThatTheyPromiseTo) {
   Material material = test::compression_tests(relaxing, 0.3);
   material.trials.resize(1);
   const Explanation first = diagnose(*material_model(material).value()).value();
-  ASSERT_FALSE(first.next.empty());
+  ASSERT_FALSE(first.next.to_make.empty());
   EXPECT_LT(first.posterior.front().probability, 0.8);
-  const NextMeasurement& next = first.next.front();
+  const NextMeasurement& next = first.next.to_make.front();
   EXPECT_GT(next.doubt_removed, 0.3);
-  for (std::size_t i = 1; i < first.next.size(); ++i)
-    EXPECT_GT(first.next[i].doubt_removed, first.next[i - 1].doubt_removed);
+  for (std::size_t i = 1; i < first.next.to_make.size(); ++i)
+    EXPECT_GT(first.next.to_make[i].doubt_removed, first.next.to_make[i - 1].doubt_removed);
+
+  // By itself the first is worth what it is worth before the others, and none is worth more by much.
+  const auto& possible = first.next.possible;
+  ASSERT_GT(possible.size(), first.next.to_make.size());
+  for (const PossibleTrial& one : possible) {
+    EXPECT_LE(one.doubt_removed, next.doubt_removed + DiagnosisOptions{}.next_trial.about_as_good + 1e-9);
+    EXPECT_FALSE(one.separations.empty());
+    if (one.conditions == next.conditions) {
+      EXPECT_EQ(one.doubt_removed, next.doubt_removed);
+    }
+  }
 
   // Made as its conditions say; the answer is the formula's above.
   const auto column = [&](const char* name) {
@@ -100,7 +111,7 @@ TEST(NextTrials, AreNoneWhereThereIsNoDoubt) {
                                    0.1))
                     .value())
           .value();
-  EXPECT_TRUE(creep.next.empty());
+  EXPECT_TRUE(creep.next.to_make.empty());
 }
 
 }  // namespace

@@ -3,7 +3,9 @@
 #include "closedloop/palpation/model.h"
 
 #include <gmock/gmock.h>
+#include <array>
 #include <Eigen/Dense>
+#include <set>
 
 #include "base/json.h"
 #include "closedloop/palpation/internal/effects.h"
@@ -221,10 +223,11 @@ TEST(PalpationModel, TheDiscretisationErrorIsWhatAFinerMeshShows) {
 
 TEST(PalpationModel, FurtherTrialsArePredictedAsTheExperimentsOwnWouldBe) {
   Palpation experiment = pad({.bricks = {4, 4, 2}, .forces_N = {1.0}, .hold_on = false});
-  experiment.trials[2].samples.back().force_mN = 1500;  // the one that the further trials vary
+  experiment.trials.erase(experiment.trials.begin(), experiment.trials.begin() + 2);
+  experiment.trials[0].samples.back().force_mN = 1500;
   const auto model = model_of(experiment);
   const std::vector<FurtherTrial> trials = model->further_trials();
-  ASSERT_EQ(trials.size(), 4u);
+  ASSERT_EQ(trials.size(), 13u);
   std::vector<std::string> further;
   for (const FurtherTrial& trial : trials) further.push_back(trial.sentence.message());
   EXPECT_NEAR(trials[1].conditions->at("samples").at(1).at("force_N").get<double>(), 3, 1e-9);
@@ -232,9 +235,25 @@ TEST(PalpationModel, FurtherTrialsArePredictedAsTheExperimentsOwnWouldBe) {
   EXPECT_THAT(further[1], HasSubstr("trial p03, but with 3 N"));
   EXPECT_THAT(further[2], HasSubstr("hold the force for"));
   EXPECT_THAT(further[3], HasSubstr("Pull where trial p03 presses"));
+  // Places lie apart from each other and from what was pressed; the force is tilted by 30 degrees at most.
+  std::set<std::array<double, 3>> places;
+  const double width_mm = experiment.trials[0].tool.radius_mm;
+  const auto& along = experiment.trials[0].tool.direction;
+  for (const FurtherTrial& trial : trials) {
+    const auto vector = [&](const char* name) {
+      return trial.conditions->at("tool").at(name).get<std::array<double, 3>>();
+    };
+    const auto direction = vector("direction");
+    EXPECT_GT(Eigen::Vector3d(direction.data()).dot(along), std::cos(0.53)) << trial.sentence.message();
+    places.insert(vector("center_mm"));
+  }
+  EXPECT_GE(places.size(), 2u);
+  for (auto one = places.begin(); one != places.end(); ++one)
+    for (auto other = std::next(one); other != places.end(); ++other)
+      EXPECT_GT((Eigen::Vector3d(one->data()) - Eigen::Vector3d(other->data())).norm(), width_mm);
 
   const Eigen::Index rows = 3 * 40;
-  const Eigen::VectorXd own = model->predict({}).value().segment(2 * rows, rows) / experiment.noise_mm;
+  const Eigen::VectorXd own = model->predict({}).value().segment(0, rows) / experiment.noise_mm;
   const auto predicted = [&](std::size_t trial, const Settings& settings) {
     Eigen::Index first = 0;
     for (std::size_t t = 0; t < trial; ++t) first += trials[t].rows;

@@ -204,6 +204,30 @@ TEST(Posterior, SaysWhatTheVerdictSaysWhereTheAnswerIsClear) {
   EXPECT_NEAR(sum, 1, 0.02);
 }
 
+TEST(Posterior, OfWhatThePredictionsOwnErrorHidesIsThatOfNothing) {
+  // Creep fits best, a softer specimen far worse and yet far better than nothing: neither shows anything.
+  Material material = test::compression_tests(
+      [](const auto& trial) { return test::relaxing(test::straight_line(trial), trial.time_s, 0.3, 12); }, 0.1);
+  material.trials.resize(2);
+  const auto model = material_model(material).value();
+  const Whitening whitening(model->observations().noise, {}, all_rows(model->observations()));
+  const auto fitted = [&](const std::string& kind) {
+    const auto& catalogue = model->catalogue();
+    const auto effect =
+        std::find_if(catalogue.begin(), catalogue.end(), [&](const Effect& e) { return e.kind == kind; });
+    return local_fit(fit(*model, {{kind, effect->form, effect->starts.front()}}, whitening).value(), whitening);
+  };
+  const std::vector<LocalFit> considered{fitted("viscoelastic-creep"), fitted("stiffness-scale")};
+  ASSERT_LT(considered[0].chi2, considered[1].chi2 - 100);
+  const auto leading = [&](double indistinct) {
+    SystematicUncertainty systematic;
+    systematic.indistinct = indistinct;
+    return posterior({*model, systematic, whitening, 1}, considered, posterior_options).value().front();
+  };
+  EXPECT_EQ(name_of(leading(0)), "viscoelastic-creep");
+  EXPECT_EQ(name_of(leading(1e4)), "nothing is missing");
+}
+
 TEST(Posterior, StandsInTheReport) {
   const auto model = material_model(test::compression_tests(test::straight_line, 0.1)).value();
   const Explanation explanation = diagnose(*model).value();

@@ -4,27 +4,17 @@ anew in a folder of their own: undeclared_effects.py GLISSON_CLI. Exit code 77 w
 table is tests/benchmarks/closed_loop.sh."""
 
 import os
-import pathlib
 import subprocess
 import sys
 import tempfile
 
 sys.dont_write_bytecode = True
-UNDECLARED = pathlib.Path(__file__).parents[1] / "support" / "undeclared"
-sys.path.insert(0, str(UNDECLARED))
-try:
-    import calculix
-except ModuleNotFoundError as missing:
-    print(f"skipped: {missing.name} is not installed")
-    sys.exit(77)
+from with_calculix import UNDECLARED
 
 CASES = [("null", "0"), ("stiffness-scale", "8"), ("force-bias", "4"), ("frame-misalignment", "4")]
 
 
 def main():
-    if not calculix.available():
-        print("skipped: CalculiX (ccx) is not installed")
-        sys.exit(77)
     with tempfile.TemporaryDirectory() as folder:
         env = {**os.environ, "GLISSON_TRUTH_CACHE": folder + "/cache", "OPENBLAS_NUM_THREADS": "1"}
         for kind, size in CASES:

@@ -41,7 +41,7 @@ closedloop::Explanation a_bed_that_gives_way() {
 TEST(ExplanationPage, SaysTheVerdictTheCandidatesAndWhatToMeasureNext) {
   const TemporaryFolder folder;
   closedloop::Explanation e = a_bed_that_gives_way();
-  e.next = {{{"Press at the rim.", {}}, {}, {"preload"}, 0.8}};
+  e.next.to_make = {{{"Press at the rim.", {}}, {}, {"preload"}, 0.8}};
   e.smallest_visible = {{"capsule", "", "stiffness_N_per_mm", 0, 0, 0.125},
                         {"preload", "gravity", "gravity_m_s2", 2, 0, {}}};
   const Page page = explanation_page(e, two_markers(), "A <pad>");

@@ -54,8 +54,8 @@ class GuidedSequenceTest : public testing::Test {
     anatomy::PatientOptions patient;
     patient.seed = patient_seed;
     model_ = test::liver_model(anatomy::make_liver_surface(patient).value(), 6000,
-                               test::places_of(file->parent_path() / "hidden.csv"));
-    truth_mm_ = test::places_of(file->parent_path() / "hidden-truth.csv");
+                               test::places_in(file->parent_path() / "hidden.csv"));
+    truth_mm_ = test::places_in(file->parent_path() / "hidden-truth.csv");
     const Json truth = read_json_file(file->parent_path() / "truth.json").value();
     pose_ = *guidance::rigid_pose(truth["patient_to_camera"].get<std::vector<double>>());
   }

@@ -2,33 +2,14 @@
 // A generated liver as a patient's model, to lay on the video that `study example-sequence` makes of it: its outline
 // meshed, one stiffness, and places inside whose truth the video's tables hold.
 
-#include <filesystem>
-#include <sstream>
-#include <string>
 #include <vector>
 
-#include "base/files.h"
 #include "casefile/model.h"
 #include "meshing/mesh_labels.h"
 #include "segmentation/rasterise.h"
+#include "table_places.h"
 
 namespace glisson::test {
-
-// The last three columns of all rows.
-inline std::vector<Eigen::Vector3d> places_of(const std::filesystem::path& file) {
-  std::stringstream text(read_text_file(file).value());
-  std::string line;
-  std::getline(text, line);
-  std::vector<Eigen::Vector3d> places;
-  while (std::getline(text, line)) {
-    std::vector<std::string> cells;
-    std::stringstream row(line);
-    for (std::string cell; std::getline(row, cell, ',');) cells.push_back(cell);
-    const std::size_t n = cells.size();
-    places.emplace_back(std::stod(cells.at(n - 3)), std::stod(cells.at(n - 2)), std::stod(cells.at(n - 1)));
-  }
-  return places;
-}
 
 inline casefile::PatientModel liver_model(const geometry::Surface& liver, std::size_t cells,
                                           const std::vector<Eigen::Vector3d>& hidden_mm) {

@@ -41,6 +41,27 @@ class GeneratedCase : public testing::Test {
   static std::string label(const std::string& name) { return file("anatomy/labels/" + name + ".nrrd"); }
   static std::string patient() { return file("generated.glisson"); }
 
+  // The first branch of these trees, of the other system than was found.
+  static void tell_by_click(const Json& found) {
+    const Finished unknown = glisson_cli({"vessels", patient(), "--click", "aorta=1,2,3", "--json", "--quiet"});
+    EXPECT_EQ(unknown.exit_code, 1);
+    EXPECT_EQ(unknown.json().at("error").at("code"), "click-invalid");
+    const Finished beside =
+        glisson_cli({"vessels", patient(), "--click", "right-hepatic-vein=999,0,0", "--json", "--quiet"});
+    EXPECT_EQ(beside.exit_code, 1);
+    EXPECT_EQ(beside.json().at("error").at("code"), "click-beside");
+    const bool portal = found.at("branches").at(0).at("system") == "portal-vein";
+    const Json before = read_json_file(found.at("file").get<std::string>()).value();
+    const Json& place = before.at("branches").at(0).at("points").at(1);
+    const Json told =
+        answer({"vessels", patient(), "--structure", "vessels", "--click",
+                fmt::format("{}={},{},{}", portal ? "right-hepatic-vein" : "umbilical-portion",
+                            place.at(0).get<double>(), place.at(1).get<double>(), place.at(2).get<double>())});
+    const Json after = read_json_file(told.at("file").get<std::string>()).value();
+    EXPECT_EQ(after.at("clicks").size(), 1u);
+    EXPECT_NE(after.at("branches"), before.at("branches"));
+  }
+
   static TemporaryFolder* folder_;
 };
 TemporaryFolder* GeneratedCase::folder_ = nullptr;
@@ -59,6 +80,8 @@ TEST_F(GeneratedCase, GoesFromVesselsToTreesToSegments) {
   answer({"segment", patient(), "--structure", "vessels", "--unite", "hepatic-vein"});
   const Json together = answer({"vessels", patient(), "--structure", "vessels"});
   EXPECT_GT(together.at("branches").size(), 50u);
+  EXPECT_EQ(together.at("border_doubts").size(), 4u);
+  tell_by_click(together);
   const Json apart = answer({"vessels", patient()});
   EXPECT_GT(apart.at("branches").size(), 50u);
   for (const Json& branch : apart.at("branches")) EXPECT_EQ(branch.at("confidence"), 1.0);

@@ -1,6 +1,8 @@
 // Segments of generated patients, whose segments are known, and what is refused.
 
 #include <gmock/gmock.h>
+#include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "anatomy/patient.h"
@@ -72,6 +74,58 @@ TEST(Couinaud, WrongVoxelsAreInMoreDoubtThanRightOnes) {
   }
   ASSERT_GT(count[0], 0);
   EXPECT_GT(doubt[0] / count[0], 1.3 * doubt[1] / count[1]);
+}
+
+// A vein 20 mm away from where the shape has its border, in a liver by its shape alone.
+TEST(Couinaud, ABorderFollowsTheVeinThatSomebodyNamed) {
+  const Known known = known_liver(24, 3);
+  const auto before = couinaud_segments(known.liver).value();
+  const auto at = [](const CouinaudSegments& segments, const Vector3d& place_mm) {
+    const Vector3d index = segments.segment.grid.index_of(place_mm);
+    return segments.segment.at(static_cast<int>(std::lround(index.x())), static_cast<int>(std::lround(index.y())),
+                               static_cast<int>(std::lround(index.z())));
+  };
+  // Along one row from right to left: where IV begins, the border along the middle hepatic vein.
+  Vector3d sum = Vector3d::Zero();
+  double voxels = 0;
+  const imaging::Grid& grid = known.liver.grid;
+  for (int k = 0; k < grid.size[2]; ++k) {
+    for (int j = 0; j < grid.size[1]; ++j) {
+      for (int i = 0; i + 1 < grid.size[0]; ++i) {
+        const int a = before.segment.at(i, j, k), b = before.segment.at(i + 1, j, k);
+        if (std::min(a, b) != 4 || (std::max(a, b) != 5 && std::max(a, b) != 8)) continue;
+        sum += grid.position_mm(i, j, k);
+        ++voxels;
+      }
+    }
+  }
+  ASSERT_GT(voxels, 0);
+  const Vector3d middle_mm = sum / voxels, vein_mm = middle_mm - Vector3d(15, 0, 0);
+  EXPECT_NE(at(before, vein_mm + Vector3d(7, 0, 0)), 4);
+  VesselTrees trees;
+  trees.portal_entry_mm = expected_entries(known.liver).value().portal_mm;
+  trees.hepatic_entry_mm = expected_entries(known.liver).value().hepatic_mm;
+  TreeBranch vein;
+  vein.system = System::hepatic_vein;
+  vein.confidence = 0.5;  // says nothing but by its name
+  for (int z = -10; z <= 10; ++z) vein.points.push_back({vein_mm + Vector3d(0, 0, z), 3});
+  TreeBranch elsewhere = vein;
+  elsewhere.confidence = 1;
+  elsewhere.points = {{vein_mm + Vector3d(0, 0, 20), 1.3}, {vein_mm + Vector3d(0, 0, 21), 1.3}};
+  trees.branches = {vein, elsewhere};
+  trees.clicks = {{Vessel::middle_hepatic_vein, vein_mm}};
+  const auto after = couinaud_segments(known.liver, &trees).value();
+  EXPECT_EQ(at(after, vein_mm + Vector3d(7, 0, 0)), 4);
+  EXPECT_NE(at(after, vein_mm - Vector3d(10, 0, 0)), 4);
+  const auto doubt_ml = [](const CouinaudSegments& segments) {
+    for (const BorderDoubt& doubt : segments.border_doubts) {
+      if (doubt.vessel == Vessel::middle_hepatic_vein) return doubt.doubt_ml;
+    }
+    return -1.0;
+  };
+  EXPECT_LT(doubt_ml(after), doubt_ml(before)) << "what was told is less in doubt";
+  EXPECT_TRUE(std::is_sorted(after.border_doubts.begin(), after.border_doubts.end(),
+                             [](const auto& a, const auto& b) { return a.doubt_ml > b.doubt_ml; }));
 }
 
 TEST(Couinaud, AMirroredGridOfTheSameLiverGivesTheSameSegments) {

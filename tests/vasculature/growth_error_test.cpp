@@ -38,7 +38,7 @@ double centroid_x_mm(const imaging::Mask& liver) {
 RealLiver grown(const RealLiver& liver) {
   const DrawnOut growth{centroid_x_mm(liver.liver), grown_by};
   const imaging::Grid grid = growth.other_grid(liver.liver.grid, 1.25);
-  RealLiver after{growth.carried(liver.segments, grid), growth.carried(liver.liver, grid), {}};
+  RealLiver after{growth.carried(liver.segments, grid), growth.carried(liver.liver, grid), {}, {}};
   if (!liver.vessels.values.empty()) after.vessels = growth.carried(liver.vessels, grid);
   return after;
 }

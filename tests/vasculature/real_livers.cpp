@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <map>
+#include <set>
 
 #include "imaging/volume_file.h"
 #include "support/data.h"
@@ -22,6 +22,50 @@ imaging::Mask mask_of(const imaging::LabelMap& labels) {
   imaging::Mask mask{labels.grid, std::vector<std::uint8_t>(labels.values.size())};
   for (std::size_t i = 0; i < mask.values.size(); ++i) mask.values[i] = labels.values[i] != 0 ? 1 : 0;
   return mask;
+}
+
+// The segments on either side of the border along which a vessel runs, and all that lies beside it on its way.
+struct Border {
+  std::set<int> one, other, beside;
+};
+Border border_along(vasculature::Vessel vessel) {
+  using vasculature::Vessel;
+  switch (vessel) {
+    case Vessel::middle_hepatic_vein: return {{4}, {5, 8}, {4, 5, 8}};
+    case Vessel::right_hepatic_vein: return {{5, 8}, {6, 7}, {5, 6, 7, 8}};
+    case Vessel::umbilical_portion: return {{3}, {4}, {2, 3, 4}};
+    case Vessel::left_hepatic_vein: return {{2}, {3}, {2, 3}};
+    default: return {};
+  }
+}
+
+// How far a place is from the farther side of the border, and from what does not lie beside it, at most `farthest_mm`.
+struct Away {
+  double from_border_mm, from_others_mm;
+};
+constexpr double farthest_mm = 8;
+Away away_from(const imaging::LabelMap& segments, const Border& border, const Vector3d& place_mm) {
+  const imaging::Grid& grid = segments.grid;
+  const Vector3d at = grid.index_of(place_mm);
+  std::array<int, 3> low{}, high{};
+  for (int a = 0; a < 3; ++a) {
+    const double reach = farthest_mm / grid.spacing_mm[a];
+    low.at(static_cast<std::size_t>(a)) = std::max(0, static_cast<int>(std::ceil(at[a] - reach)));
+    high.at(static_cast<std::size_t>(a)) = std::min(grid.size[a] - 1, static_cast<int>(std::floor(at[a] + reach)));
+  }
+  double one = farthest_mm, other = farthest_mm, others = farthest_mm;
+  for (int k = low[2]; k <= high[2]; ++k) {
+    for (int j = low[1]; j <= high[1]; ++j) {
+      for (int i = low[0]; i <= high[0]; ++i) {
+        const int segment = segments.at(i, j, k);
+        const double away = (grid.position_mm(i, j, k) - place_mm).norm();
+        if (border.one.count(segment) != 0) one = std::min(one, away);
+        if (border.other.count(segment) != 0) other = std::min(other, away);
+        if (segment != 0 && border.beside.count(segment) == 0) others = std::min(others, away);
+      }
+    }
+  }
+  return {std::max(one, other), others};
 }
 
 }  // namespace
@@ -47,42 +91,53 @@ RealLiver read_real_liver(const std::string& name) {
   if (std::filesystem::exists(file_of(name, "vessels"))) {
     liver.vessels = mask_of(imaging::read_labels_file(file_of(name, "vessels")).value());
   }
+  if (std::filesystem::exists(file_of(name, "couinaud2"))) {
+    liver.segments_by_another = imaging::read_labels_file(file_of(name, "couinaud2")).value();
+  }
   return liver;
 }
 
-vasculature::Clicks clicks_by_truth(const RealLiver& liver, const vasculature::VesselGraph& graph) {
-  const auto expected = vasculature::expected_entries(liver.liver).value();
-  const imaging::Grid& grid = liver.segments.grid;
-  static constexpr std::array<int, 9> sector = {0, 0, 1, 1, 2, 3, 4, 4, 3};
-  const auto on_border = [&](const Vector3d& position_mm) {
-    int first = 0;
-    for (int n = 0; n < 27; ++n) {
-      const Vector3d beside = position_mm + 4 * Vector3d(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
-      const Vector3d at = grid.index_of(beside);
-      const int i = static_cast<int>(std::lround(at.x())), j = static_cast<int>(std::lround(at.y())),
-                k = static_cast<int>(std::lround(at.z()));
-      const int here = grid.contains(i, j, k) ? sector.at(liver.segments.at(i, j, k)) : 0;
-      if (here != 0 && first != 0 && here != first) return true;
-      if (here != 0) first = here;
+std::optional<vasculature::Click> click_by_truth(const RealLiver& liver, const vasculature::VesselGraph& graph,
+                                                 vasculature::Vessel vessel) {
+  const Border border = border_along(vessel);
+  const vasculature::GraphBranch* best = nullptr;
+  double most = 0;
+  for (const vasculature::GraphBranch& branch : graph.branches) {
+    if (branch.joint != vasculature::Joint::vessel || branch.points.size() < 5) continue;
+    std::vector<double> away_mm;
+    double size = 0;
+    for (const vasculature::CenterPoint& point : branch.points) {
+      away_mm.push_back(away_from(liver.segments, border, point.position_mm).from_border_mm);
+      size += std::max(0.0, point.radius_mm - 1);
     }
-    return false;
-  };
-  vasculature::Clicks best;
-  double most = -1e30;
-  for (const vasculature::VesselEntries& entries : vasculature::possible_entries(graph, expected)) {
-    double score = 0;
-    for (const vasculature::TreeBranch& branch : vasculature::classify_vessels(graph, entries).branches) {
-      for (const vasculature::CenterPoint& point : branch.points) {
-        if (point.radius_mm < 2 || (point.position_mm - entries.portal_mm).norm() < 25) continue;
-        const double sign = branch.system == vasculature::System::hepatic_vein ? 1 : -1;
-        if (on_border(point.position_mm)) score += sign * (point.radius_mm - 1);
-      }
-    }
-    if (score <= most) continue;
-    most = score;
-    best = {entries.portal_mm, entries.hepatic_mm};
+    const Vector3d& middle_mm = branch.points[branch.points.size() / 2].position_mm;
+    if (size <= most || median(away_mm) > 4) continue;
+    if (away_from(liver.segments, border, middle_mm).from_others_mm < farthest_mm) continue;
+    most = size;
+    best = &branch;
   }
-  return best;
+  if (best == nullptr) return {};
+  return vasculature::Click{vessel, best->points[best->points.size() / 2].position_mm};
+}
+
+vasculature::LiverAnatomy explained_with_clicks(const RealLiver& liver, const vasculature::VesselGraph& graph,
+                                                int clicks) {
+  vasculature::Clicks clicked;
+  auto found = vasculature::explain_vessels(graph, liver.liver).value();
+  std::set<vasculature::Vessel> asked;
+  while (static_cast<int>(clicked.size()) < clicks) {
+    const auto& doubts = found.segments.border_doubts;
+    const auto next =
+        std::find_if(doubts.begin(), doubts.end(), [&](const auto& doubt) { return asked.count(doubt.vessel) == 0; });
+    if (next == doubts.end()) break;
+    const vasculature::Vessel vessel = next->vessel;
+    asked.insert(vessel);
+    const auto click = click_by_truth(liver, graph, vessel);
+    if (!click) continue;
+    clicked.push_back(*click);
+    found = vasculature::explain_vessels(graph, liver.liver, clicked).value();
+  }
+  return found;
 }
 
 SegmentScore score_of(const imaging::LabelMap& found, const imaging::LabelMap& truth) {

@@ -2,6 +2,7 @@
 // Real livers with segments that somebody drew (livers_couinaud, read only), and how far ours are from them.
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,14 +19,20 @@ enum class Kind { with_vessels, without_vessels };
 
 struct RealLiver {
   imaging::LabelMap segments;
-  imaging::Mask liver, vessels;  // vessels: empty where there are none
+  imaging::Mask liver, vessels;           // vessels: empty where there are none
+  imaging::LabelMap segments_by_another;  // the same liver labelled once more; empty where it was not
 };
 [[nodiscard]] RealLiver read_real_liver(const std::string& name);
 
-// Where somebody who can tell the veins apart would click: of the thick places around where stems are expected (three
-// of each system), those that let most hepatic veins run on the drawn borders of the sectors, and most portal branches
-// off them.
-[[nodiscard]] vasculature::Clicks clicks_by_truth(const RealLiver& liver, const vasculature::VesselGraph& graph);
+// Where somebody who can tell the vein that runs along a border would click on it: in the middle of that branch, half
+// of it within 4 mm of the drawn border, that is the longest and thickest. None: no branch runs there.
+[[nodiscard]] std::optional<vasculature::Click> click_by_truth(const RealLiver& liver,
+                                                               const vasculature::VesselGraph& graph,
+                                                               vasculature::Vessel vessel);
+
+// Asked for one vessel after the other, each time the one along the border that is most in doubt and can be seen.
+[[nodiscard]] vasculature::LiverAnatomy explained_with_clicks(const RealLiver& liver,
+                                                              const vasculature::VesselGraph& graph, int clicks);
 
 struct SegmentScore {
   std::array<double, 9> dice{};          // by segment; 0: their mean

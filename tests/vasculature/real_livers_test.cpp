@@ -51,8 +51,8 @@ TEST(RealLivers, VesselsOfOneClassBecomeTwoTrees) {
 
 struct Scores {
   std::vector<double> dice, volume_errors;
-  void add(const vasculature::CouinaudSegments& found, const RealLiver& liver) {
-    const SegmentScore score = score_of(found.segment, liver.segments);
+  void add(const imaging::LabelMap& found, const RealLiver& liver) {
+    const SegmentScore score = score_of(found, liver.segments);
     dice.insert(dice.end(), score.dice.begin() + 1, score.dice.end());
     volume_errors.insert(volume_errors.end(), score.volume_error.begin() + 1, score.volume_error.end());
   }
@@ -74,26 +74,27 @@ TEST(RealLivers, Judged) {
   if (which == nullptr) GTEST_SKIP() << "set GLISSON_JUDGE=judging (or tuning): takes minutes";
   GLISSON_NEEDS_DATA("livers_couinaud");
   const Half half = std::string(which) == "tuning" ? Half::tuning : Half::judging;
-  Scores shape_alone, shape, trees, clicked;
+  Scores shape_alone, shape, trees, clicked, another;
   for (const std::string& name : real_livers(Kind::without_vessels, half)) {
     const RealLiver liver = read_real_liver(name);
-    shape_alone.add(vasculature::couinaud_segments(liver.liver).value(), liver);
+    shape_alone.add(vasculature::couinaud_segments(liver.liver).value().segment, liver);
   }
   shape_alone.print("shape, livers without vessels");
   double slowest_s = 0;
   for (const std::string& name : real_livers(Kind::with_vessels, half)) {
     const RealLiver liver = read_real_liver(name);
-    shape.add(vasculature::couinaud_segments(liver.liver).value(), liver);
+    if (!liver.segments_by_another.values.empty()) another.add(liver.segments_by_another, liver);
+    shape.add(vasculature::couinaud_segments(liver.liver).value().segment, liver);
     const auto start = std::chrono::steady_clock::now();
     const auto graph = vasculature::center_lines(liver.vessels).value();
-    trees.add(vasculature::explain_vessels(graph, liver.liver).value().segments, liver);
+    trees.add(vasculature::explain_vessels(graph, liver.liver).value().segments.segment, liver);
     slowest_s = std::max(slowest_s, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-    clicked.add(vasculature::explain_vessels(graph, liver.liver, clicks_by_truth(liver, graph)).value().segments,
-                liver);
+    clicked.add(explained_with_clicks(liver, graph, 2).segments.segment, liver);
   }
   shape.print("shape, livers with vessels");
   trees.print("vessels, no click");
   clicked.print("vessels, two clicks");
+  another.print("another labelling");
   fmt::print("slowest liver from mask to segments: {:.1f} s\n", slowest_s);
   EXPECT_GT(median(shape_alone.dice), 0.5);
 }

@@ -55,8 +55,9 @@ TEST(Systems, AClickTellsTheSystemOfWhatItLiesOn) {
   ASSERT_TRUE(graph) << graph.error().message();
   // Expected the wrong way round.
   const VesselEntries expected{{101, hepatic_y, 20}, {8, portal_y, 20}, 1};
-  const VesselTrees trees =
-      classify_vessels(*graph, expected, {}, {Vector3d(20, portal_y, 29), Vector3d(90, hepatic_y, 29)});
+  const VesselTrees trees = classify_vessels(
+      *graph, expected, {},
+      {{Vessel::portal_vein, Vector3d(20, portal_y, 29)}, {Vessel::hepatic_vein, Vector3d(90, hepatic_y, 29)}});
   for (const TreeBranch& branch : trees.branches) {
     for (const CenterPoint& point : branch.points) {
       const double from_portal = (point.position_mm - Vector3d(20, portal_y, 29)).norm();
@@ -65,6 +66,29 @@ TEST(Systems, AClickTellsTheSystemOfWhatItLiesOn) {
       EXPECT_EQ(branch.system, from_portal < from_hepatic ? System::portal_vein : System::hepatic_vein);
     }
   }
+}
+
+TEST(Systems, WhatFollowsFromAClickFollowsIt) {
+  const auto graph = center_lines(crossing());
+  ASSERT_TRUE(graph) << graph.error().message();
+  // Nothing is known of where vessels enter; the stem is told at its far end, and its own branches go with it.
+  const VesselEntries expected{{55, 0, 0}, {55, 0, 0}, 1};
+  for (const Vessel vessel : {Vessel::umbilical_portion, Vessel::right_hepatic_vein}) {
+    const VesselTrees trees = classify_vessels(*graph, expected, {}, {{vessel, Vector3d(20, portal_y, 29)}});
+    ASSERT_EQ(trees.clicks.size(), 1u);
+    for (const TreeBranch& branch : trees.branches) {
+      for (const CenterPoint& point : branch.points) {
+        if ((point.position_mm - Vector3d(20, portal_y, 29)).norm() > 15) continue;
+        EXPECT_EQ(branch.system, system_of(vessel));
+        EXPECT_DOUBLE_EQ(branch.confidence, 1) << "what is told is in no doubt";
+      }
+    }
+  }
+}
+
+TEST(Systems, EachVesselHasAName) {
+  for (const Vessel vessel : all_vessels) EXPECT_EQ(vessel_named(vessel_name(vessel)), vessel);
+  EXPECT_FALSE(vessel_named("vena-cava"));
 }
 
 }  // namespace

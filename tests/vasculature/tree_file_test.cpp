@@ -25,6 +25,8 @@ VesselTrees two_branches() {
   right.generation = 1;
   right.joint = Joint::gap;
   trees.branches = {stem, right};
+  trees.clicks = {{Vessel::right_hepatic_vein, {7, 8, 9.5}}};
+  trees.border_doubts = {{Vessel::umbilical_portion, 41.5}, {Vessel::middle_hepatic_vein, 3}};
   return trees;
 }
 
@@ -48,7 +50,11 @@ TEST(TreeFile, WhatIsDamagedIsNamed) {
           "parent": 5, "points": [[0,0,0,1],[1,0,0,1]]}]})"},
         std::pair{"branches[0]", R"({"format": "glisson-vessel-trees/1", "portal_entry_mm": [0,0,0],
           "hepatic_entry_mm": [0,0,0], "branches": [{"system": "portal-vein", "name": "a", "joint": "vessel",
-          "parent": -1, "generation": 1e300, "points": [[0,0,0,1],[1,0,0,1]]}]})"}}) {
+          "parent": -1, "generation": 1e300, "points": [[0,0,0,1],[1,0,0,1]]}]})"},
+        std::pair{"clicks", R"({"format": "glisson-vessel-trees/1", "portal_entry_mm": [0,0,0],
+          "hepatic_entry_mm": [0,0,0], "branches": [], "clicks": [{"vessel": "aorta", "position_mm": [0,0,0]}]})"},
+        std::pair{"border_doubts", R"({"format": "glisson-vessel-trees/1", "portal_entry_mm": [0,0,0],
+          "hepatic_entry_mm": [0,0,0], "branches": [], "border_doubts": [{"vessel": "hepatic-vein"}]})"}}) {
     std::ofstream(file) << text;
     const auto read = read_trees(file);
     ASSERT_FALSE(read);

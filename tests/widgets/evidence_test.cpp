@@ -379,7 +379,7 @@ class EvidenceTest : public QObject {
     for (const auto& trial : (*palpation)->further_trials()) proposals.push_back(trial.sentence);
     const auto hardware = closedloop::hardware_model(cell_at_2_A());
     for (const auto& trial : (*hardware)->further_trials()) proposals.push_back(trial.sentence);
-    QCOMPARE(proposals.size(), std::size_t{13});
+    QCOMPARE(proposals.size(), std::size_t{22});
 
     const fs::path kept = folder_ / "next";
     fs::copy(view_->record()->folder, kept, fs::copy_options::recursive);

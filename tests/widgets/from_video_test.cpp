@@ -68,7 +68,7 @@ class FromVideoTest : public QObject {
     options.stereo = true;
     sequence_ = test::needed(studies::write_example_sequence(folder_.path() / "example", options));
     video_ = sequence_.parent_path() / "video";
-    truth_mm_ = test::places_in(sequence_.parent_path() / "hidden-truth.csv", std::string(tumour_at) + ",");
+    truth_mm_ = glisson::test::places_in(sequence_.parent_path() / "hidden-truth.csv", std::string(tumour_at) + ",");
     case_ = test::guided_case(folder_.path(), sequence_, tumour_at);
     make_both_in_one();
     window_ = shown_window({1280, 720});

@@ -35,7 +35,7 @@ class GuideTest : public QObject {
  private Q_SLOTS:
   void initTestCase() {
     sequence_ = test::guided_sequence(folder_.path() / "video", frames);
-    truth_mm_ = test::places_in(sequence_.parent_path() / "hidden-truth.csv", std::string(tumour_at) + ",");
+    truth_mm_ = glisson::test::places_in(sequence_.parent_path() / "hidden-truth.csv", std::string(tumour_at) + ",");
     QCOMPARE(truth_mm_.size(), std::size_t{frames});
     case_ = test::guided_case(folder_.path(), sequence_, tumour_at);
     window_ = shown_window({1600, 1000});

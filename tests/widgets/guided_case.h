@@ -2,9 +2,6 @@
 // The demo patient's liver as a case, coarse and quick, with a planned cut and a tumour at a place whose truth in every
 // frame of the example sequence is known; and that sequence.
 
-#include <fstream>
-#include <sstream>
-
 #include "anatomy/patient.h"
 #include "casefile/model.h"
 #include "casefile/resection_folder.h"
@@ -13,6 +10,7 @@
 #include "segmentation/edit.h"
 #include "segmentation/rasterise.h"
 #include "studies/review/example_sequence.h"
+#include "support/table_places.h"
 
 namespace glisson::widgets::test {
 
@@ -29,20 +27,6 @@ inline fs::path guided_sequence(const fs::path& folder, int frames, std::uint64_
   options.frames = frames;
   options.patient = patient;
   return needed(studies::write_example_sequence(folder, options));
-}
-
-// The last three columns of the lines that begin so.
-inline std::vector<Eigen::Vector3d> places_in(const fs::path& table, const std::string& beginning) {
-  std::ifstream file(table);
-  std::vector<Eigen::Vector3d> places;
-  for (std::string line; std::getline(file, line);) {
-    if (!line.starts_with(beginning)) continue;
-    std::vector<double> numbers;
-    std::stringstream row(line);
-    for (std::string cell; std::getline(row, cell, ',');) numbers.push_back(std::strtod(cell.c_str(), nullptr));
-    places.emplace_back(numbers[numbers.size() - 3], numbers[numbers.size() - 2], numbers.back());
-  }
-  return places;
 }
 
 // `tumour`: "hidden-3" of the sequence's hidden.csv.
@@ -73,7 +57,7 @@ inline fs::path guided_case(const fs::path& parent, const fs::path& sequence, co
     if (surface.name != "liver" && surface.name != "hepatic-vein") continue;
     save(surface.name, segmentation::rasterise(surface.surface, volume.grid));
   }
-  const Eigen::Vector3d at_mm = places_in(sequence.parent_path() / "hidden.csv", tumour + ",").at(0);
+  const Eigen::Vector3d at_mm = glisson::test::places_in(sequence.parent_path() / "hidden.csv", tumour + ",").at(0);
   save("tumour-1", segmentation::paint({volume.grid, std::vector<std::uint8_t>(volume.grid.voxels())}, {at_mm, 9}));
   meshing::MeshOptions mesh;
   mesh.target_cells = 6000;

@@ -86,6 +86,28 @@ class PlanByAnatomyTest : public QObject {
     child<QCheckBox>("show_segments")->click();
   }
 
+  // The vessel along the border that is most in doubt is offered first; told where it lies, the trees keep that.
+  void finds_segments_again_by_a_vessel_that_is_told() {
+    const auto* offered = child<QComboBox>("vessel_at_crosshair");
+    QVERIFY(offered->isVisibleTo(panel_));
+    const vasculature::VesselTrees& trees = live().anatomy()->planner.trees();
+    QCOMPARE(offered->count(), 6);
+    QCOMPARE(offered->currentData().toInt(), static_cast<int>(trees.border_doubts.front().vessel));
+    QVERIFY(offered->currentText().contains(" ml in doubt"));
+    const vasculature::System system = vasculature::system_of(trees.border_doubts.front().vessel);
+    const auto branch = std::find_if(trees.branches.begin(), trees.branches.end(),
+                                     [&](const auto& one) { return one.system == system; });
+    QVERIFY(branch != trees.branches.end());
+    window_->views().set_crosshair(branch->points[branch->points.size() / 2].position_mm);
+    child<QPushButton>("tell_vessel")->click();
+    const auto told = [&] {
+      return live().anatomy() && live().anatomy()->has_segments && live().anatomy()->planner.trees().clicks.size() == 1;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(told(), patience_ms);
+    QTest::qWait(300);
+    QVERIFY(window_->grab().save(glisson::test::kept_picture("plan-vessel-told.png")));
+  }
+
   // While it is dragged the answers follow, and a branch that is cut is named.
   void tells_what_lives_as_a_plane_moves() {
     window_->views().set_crosshair(liver_.center_mm());

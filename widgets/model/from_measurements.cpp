@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <QHBoxLayout>
+#include <QSignalBlocker>
 #include <QVBoxLayout>
 
 #include "rehearsal/comparison.h"
@@ -83,15 +84,17 @@ void FromMeasurements::retract_by(const std::filesystem::path& file) {
           answer_ = std::make_shared<const casefile::RetractionFromData>(*std::move(answer));
           file_ = file;
           force_N_ = force_N;
-          see_->setChecked(true);
-          show_answer();
+          show_answer(true);
         };
       });
 }
 
-void FromMeasurements::show_answer() {
+void FromMeasurements::show_answer(bool seen) {
   const bool usable = answer_ != nullptr && answer_->validity.usable();
-  if (!usable) see_->setChecked(false);
+  {
+    const QSignalBlocker quiet(see_);  // the scene is told of once, below
+    see_->setChecked(usable && (seen || see_->isChecked()));
+  }
   show_text(text_, answer_ == nullptr ? QString() : told());
   plot_->setVisible(answer_ != nullptr);
   if (answer_) plot_->show_measurements(answer_->measured, answer_->slope_kPa);

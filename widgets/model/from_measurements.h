@@ -34,7 +34,7 @@ class FromMeasurements : public QWidget {
 
  private:
   void ask();
-  void show_answer();
+  void show_answer(bool seen = false);  // seen: in the 3D view from now on
   [[nodiscard]] QString told() const;
 
   WorkspaceContext context_;

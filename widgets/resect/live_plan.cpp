@@ -82,7 +82,7 @@ Result<std::shared_ptr<const OpenedAnatomy>> opened_anatomy(const std::filesyste
   const auto patient = casefile::Case::open(folder);
   if (!patient) return failure(patient.error());
   casefile::FoundTerritories found;
-  const bool has_trees = patient->find("vessels/trees") != nullptr;
+  const bool has_trees = patient->find(casefile::trees_id) != nullptr;
   const SegmentsBy by = has_trees ? SegmentsBy::trees : SegmentsBy::shape;
   if (has_trees || casefile::kept_territories(*patient, by) == casefile::Kept::current) {
     auto read = casefile::territories_in(*patient, by);

@@ -5,6 +5,7 @@
 #include <QVBoxLayout>
 
 #include "casefile/vascular.h"
+#include "vasculature/tree_file.h"
 #include "widgets/panels/parts.h"
 #include "widgets/panels/small_table.h"
 #include "widgets/session/load_patient.h"
@@ -13,8 +14,15 @@
 namespace glisson::widgets {
 namespace {
 
+// By what somebody told of vessels before.
+vasculature::Clicks clicks_kept(const casefile::Case& patient) {
+  const auto trees = patient.file_of(casefile::trees_id).and_then(vasculature::read_trees);
+  return trees ? trees->clicks : vasculature::Clicks();
+}
+
 // The vessels and segments of a case, kept in it.
-Result<void> find_anatomy(const std::filesystem::path& folder, const Progress& progress) {
+Result<void> find_anatomy(const std::filesystem::path& folder, const vasculature::Clicks& more,
+                          const Progress& progress) {
   using casefile::SegmentsBy;
   auto patient = casefile::Case::open(folder);
   if (!patient) return failure(std::move(patient.error()));
@@ -22,10 +30,12 @@ Result<void> find_anatomy(const std::filesystem::path& folder, const Progress& p
       patient->find("labels/vessels") != nullptr ||
       (patient->find("labels/portal-vein") != nullptr && patient->find("labels/hepatic-vein") != nullptr);
   if (has_vessels) {
-    const auto trees = casefile::find_vessels(*patient, {}, {}, progress.part(0, 0.6));
+    vasculature::Clicks clicks = clicks_kept(*patient);
+    clicks.insert(clicks.end(), more.begin(), more.end());
+    const auto trees = casefile::find_vessels(*patient, {}, clicks, progress.part(0, 0.6));
     if (!trees) return failure(trees.error());
   }
-  const bool by_trees = patient->find("vessels/trees") != nullptr;
+  const bool by_trees = patient->find(casefile::trees_id) != nullptr;
   const auto found =
       casefile::find_territories(*patient, by_trees ? SegmentsBy::trees : SegmentsBy::shape, progress.part(0.6, 1));
   return found ? Result<void>() : failure(found.error());
@@ -98,6 +108,8 @@ QWidget* PlanByAnatomy::make_anatomy() {
   row->addWidget(show_segments_);
   row->addWidget(take_segments_, 1);
   rows->addLayout(row);
+  vessel_click_ = new VesselClick(anatomy_);
+  rows->addWidget(vessel_click_);
   column->addWidget(anatomy_);
 
   around_ = new QWidget(group);
@@ -113,7 +125,10 @@ QWidget* PlanByAnatomy::make_anatomy() {
   column->addWidget(around_);
   column->addWidget(make_territory_and_ablation());
 
-  connect(find_, &QPushButton::clicked, this, &PlanByAnatomy::find_segments);
+  connect(find_, &QPushButton::clicked, this, [this] { find_segments(); });
+  connect(vessel_click_, &VesselClick::told, this, [this](vasculature::Vessel vessel) {
+    find_segments({{vessel, context_.views.crosshair_mm()}});
+  });
   connect(take_segments_, &QPushButton::clicked, this, &PlanByAnatomy::take_segments);
   connect(take_around_, &QPushButton::clicked, this, &PlanByAnatomy::take_around);
   connect(show_segments_, &QCheckBox::toggled, this, &PlanByAnatomy::drawing_changed);
@@ -231,11 +246,13 @@ void PlanByAnatomy::cuts_changed() {
   Q_EMIT taken_changed();
 }
 
-void PlanByAnatomy::find_segments() {
-  context_.change(tr("Finding vessels and segments"), [folder = folder_](const Progress& progress) -> Result<Patient> {
-    if (auto found = find_anatomy(folder, progress.part(0, 0.8)); !found) return failure(std::move(found.error()));
-    return load_patient(folder, progress.part(0.8, 1));
-  });
+void PlanByAnatomy::find_segments(const vasculature::Clicks& clicks) {
+  context_.change(tr("Finding vessels and segments"),
+                  [folder = folder_, clicks](const Progress& progress) -> Result<Patient> {
+                    auto found = find_anatomy(folder, clicks, progress.part(0, 0.8));
+                    if (!found) return failure(std::move(found.error()));
+                    return load_patient(folder, progress.part(0.8, 1));
+                  });
 }
 
 bool PlanByAnatomy::complete() const {

@@ -22,6 +22,7 @@
 #include "widgets/resect/plan_list.h"
 #include "widgets/resect/resectogram_view.h"
 #include "widgets/resect/two_stage_controls.h"
+#include "widgets/resect/vessel_click.h"
 #include "widgets/words/number_box.h"
 #include "widgets/workspaces/workspace.h"
 
@@ -66,7 +67,7 @@ class PlanByAnatomy : public QWidget {
   QWidget* make_unrolled();
   void make_plans();
   QWidget* make_growth();
-  void find_segments();
+  void find_segments(const vasculature::Clicks& clicks = {});  // besides those by which they were found before
   void take_segments();
   void take_around();
   void take_territory();
@@ -108,6 +109,7 @@ class PlanByAnatomy : public QWidget {
   QTableWidget* segments_;
   QCheckBox* show_segments_;
   QPushButton* take_segments_;
+  VesselClick* vessel_click_;
   QWidget* around_;
   QComboBox* tumour_;
   NumberBox* margin_;

@@ -71,6 +71,7 @@ void PlanByAnatomy::show_anatomy() {
   along_->setVisible(anatomy && !anatomy->territories.empty());
   staging_->setVisible(anatomy && !anatomy->territories.empty());
   ablating_->setVisible(anatomy != nullptr);
+  vessel_click_->offer(anatomy ? &anatomy->planner.trees() : nullptr);
   if (!anatomy) return;
   const QString before = tumour_->currentData().toString();
   tumour_->clear();

@@ -32,7 +32,7 @@ std::vector<LawForm> make_laws() {
   const auto coefficient = [](const char* name) { return LawParameter{name, LawNumber::coefficient, 0, 0, 0, {}}; };
   const char* stiffening =
       GLISSON_TEXT("The material resists shear and change of volume by another law than the one that is declared.");
-  const char* grain = GLISSON_TEXT("The material is stiffer along fibres than across them.");
+  const char* fibres = GLISSON_TEXT("The material is stiffer along fibres than across them.");
   return {
       {"neo-hookean", stiffening, {c10, volume}},
       {"mooney-rivlin", stiffening, {c10, coefficient("C01"), volume}},
@@ -43,11 +43,11 @@ std::vector<LawForm> make_laws() {
       {"isihara", stiffening, {c10, coefficient("C01"), coefficient("C20"), volume}},
       {"yeoh", stiffening, {c10, coefficient("C20"), coefficient("C30"), volume}},
       {"fibre",
-       grain,
+       fibres,
        {c10, coefficient("k"), volume, {"angle_deg", LawNumber::angle, 0, -95, 185, every(15, 0, 165)}}},
       {"haines-wilson", stiffening, {c10, coefficient("C01"), coefficient("C11"), coefficient("C30"), volume}},
       {"holzapfel",
-       grain,
+       fibres,
        {c10,
         coefficient("k1"),
         volume,

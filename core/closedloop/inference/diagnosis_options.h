@@ -113,13 +113,14 @@ struct VisibleOptions {
 
 // Which trials are proposed (next_trial.h).
 struct NextTrialOptions {
-  std::size_t trials = 3;       // a lab seldom plans further ahead
-  std::size_t compared = 6;     // explanations: each takes a solve of all trials
-  double stands = 0.01;         // of probability: what is less is no alternative
-  double minimum_doubt = 0.03;  // nats: one of two explanations has 99.5 %
-  double worth_a_trial = 0.1;   // of the doubt, expected to go with it
-  double about_as_good = 0.03;  // of the doubt: then the simpler trial is made
-  int draws = 200;              // an explanation: the information is known to some hundredths of it
+  std::size_t trials = 3;        // a lab seldom plans further ahead
+  std::size_t compared = 6;      // explanations: each takes a solve of all trials
+  double stands = 0.01;          // of probability: what is less is no alternative
+  double unknown_stands = 0.05;  // of "something else", which is never quite ruled out
+  double minimum_doubt = 0.03;   // nats: one of two explanations has 99.5 %
+  double worth_a_trial = 0.1;    // of the doubt, expected to go with it
+  double about_as_good = 0.03;   // of the doubt: then the simpler trial is made
+  int draws = 200;               // an explanation: the information is known to some hundredths of it
 };
 
 struct DiagnosisOptions {

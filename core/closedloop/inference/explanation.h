@@ -73,8 +73,25 @@ struct NextMeasurement {
   Sentence sentence;
   std::shared_ptr<const Json> conditions;  // what is done, as a trial of an experiment's file says it
   std::vector<std::string> alternatives;   // kinds that it would tell from what is likeliest
-  // Of the doubt among the known explanations, the share that it and those before it are expected to take away.
+  // Of the doubt among the explanations, the share that it and those before it are expected to take away.
   double doubt_removed = 0;
+};
+
+// A further trial by itself, whether it is among those to make or not: for who cannot make these.
+struct PossibleTrial {
+  struct Separation {
+    std::vector<std::string> kinds;  // of a standing explanation
+    double noises = 0;               // from its prediction to that of the likeliest, all rows together, in deviations
+  };
+  Sentence sentence;
+  std::shared_ptr<const Json> conditions;
+  double doubt_removed = 0;             // as of NextMeasurement; 0 where it cannot be solved
+  std::vector<Separation> separations;  // of all known explanations that stand, but the likeliest
+};
+
+struct NextTrials {
+  std::vector<NextMeasurement> to_make;  // one after the other, the most telling first
+  std::vector<PossibleTrial> possible;   // all that were considered, in the model's order
 };
 
 // How probable an explanation is among all that were weighed.
@@ -122,7 +139,7 @@ struct Explanation {
   std::optional<SmoothCorrection> smooth_correction;
   std::optional<HeldOut> held_out_corrected;    // with it
   std::optional<HiddenTargets> hidden_targets;  // of guidance, where they were given
-  std::vector<NextMeasurement> next;            // one after the other, the most telling first
+  NextTrials next;
   Posterior posterior;
   std::vector<SmallestVisible> smallest_visible;  // with "nothing missing"
   // For a person: what is undetermined, what was left out and why. Arguments name kinds and parameters as they are.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <Eigen/Cholesky>
+#include <limits>
 #include <random>
 
 #include "closedloop/inference/internal/log_sum.h"
@@ -10,60 +11,73 @@
 namespace glisson::closedloop {
 namespace {
 
-// What is weighed against each other: a known explanation and what it expects of each further trial.
+// What is weighed against each other: an explanation and what it expects of each further trial.
 struct Standing {
   const WeighedExplanation* explanation = nullptr;
   double probability = 0;                      // among those that stand
   std::vector<ExpectedMeasurement> of_trials;  // no rows where the trial cannot be solved
 };
+// The declared model's, of the rows of all trials: in noises, and what one deviation is there, noise and own error.
+struct Declared {
+  Eigen::VectorXd predicted, deviation;
+};
+Declared declared_further(const Weighing& weighing, const std::vector<FurtherTrial>& trials);
+Standing something_else(const WeighedExplanation& explanation, const Standing& likeliest, const Declared& declared,
+                        const std::vector<FurtherTrial>& trials);
 
 std::vector<Standing> standing(const Weighing& weighing, const Posterior& posterior,
                                const std::vector<FurtherTrial>& trials, const DiagnosisOptions& options,
                                const Progress& progress);
+std::vector<PossibleTrial> possible(const std::vector<Standing>& all, const std::vector<FurtherTrial>& trials);
+double separation(const Standing& one, const Standing& other, std::size_t trial);
 double entropy(const std::vector<double>& probability);
-ExpectedMeasurement together(const ExpectedMeasurement& first, const ExpectedMeasurement& second);
+ExpectedMeasurement together(const Standing& standing, const ExpectedMeasurement& first,
+                             const ExpectedMeasurement& second);
 std::vector<std::string> told_apart(const std::vector<Standing>& all, std::size_t trial, double clear_separation);
 
 }  // namespace
 
-Result<std::vector<NextMeasurement>> next_trials(const Weighing& weighing, const Posterior& posterior,
-                                                 const DiagnosisOptions& options, const Progress& progress) {
+Result<NextTrials> next_trials(const Weighing& weighing, const Posterior& posterior, const DiagnosisOptions& options,
+                               const Progress& progress) {
   const NextTrialOptions& asked = options.next_trial;
   const std::vector<FurtherTrial> trials = weighing.model.further_trials();
   const std::vector<Standing> all = standing(weighing, posterior, trials, options, progress);
   if (progress.cancelled()) return cancelled();
-  if (all.size() < 2) return std::vector<NextMeasurement>{};
+  if (all.size() < 2) return NextTrials{};
   std::vector<double> probability;
   for (const Standing& one : all) probability.push_back(one.probability);
   const double doubt = entropy(probability);
-  if (doubt < asked.minimum_doubt) return std::vector<NextMeasurement>{};
+  if (doubt < asked.minimum_doubt) return NextTrials{};
 
-  std::vector<NextMeasurement> chosen;
+  NextTrials next{{}, possible(all, trials)};
   std::vector<ExpectedMeasurement> so_far(all.size());
   std::vector<bool> is_chosen(trials.size(), false);
   double known = 0;  // information of the trials chosen so far
-  while (chosen.size() < asked.trials) {
+  while (next.to_make.size() < asked.trials) {
     std::vector<double> information(trials.size(), 0);
     for (std::size_t t = 0; t < trials.size(); ++t) {
       if (is_chosen[t]) continue;
       std::vector<ExpectedMeasurement> with;
       for (std::size_t k = 0; k < all.size() && all[k].of_trials[t].mean.size() > 0; ++k)
-        with.push_back(together(so_far[k], all[k].of_trials[t]));
+        with.push_back(together(all[k], so_far[k], all[k].of_trials[t]));
       if (with.size() == all.size()) information[t] = expected_information(probability, with, asked.draws);
       if (progress.cancelled()) return cancelled();
     }
+    if (next.to_make.empty())
+      for (std::size_t t = 0; t < trials.size(); ++t)
+        next.possible[t].doubt_removed = std::min(1.0, information[t] / doubt);
     const double most = information.empty() ? 0 : *std::max_element(information.begin(), information.end());
     if (most - known < asked.worth_a_trial * doubt) break;
     const auto best = std::find_if(information.begin(), information.end(),
                                    [&](double one) { return one >= most - asked.about_as_good * doubt; });
     const auto t = static_cast<std::size_t>(best - information.begin());
-    chosen.push_back({trials[t].sentence, trials[t].conditions, told_apart(all, t, options.clear_separation),
-                      std::min(1.0, *best / doubt)});
+    next.to_make.push_back({trials[t].sentence, trials[t].conditions, told_apart(all, t, options.clear_separation),
+                            std::min(1.0, *best / doubt)});
     is_chosen[t] = true;
     known = *best;
-    for (std::size_t k = 0; k < all.size(); ++k) so_far[k] = together(so_far[k], all[k].of_trials[t]);
+    for (std::size_t k = 0; k < all.size(); ++k) so_far[k] = together(all[k], so_far[k], all[k].of_trials[t]);
   }
-  return chosen;
+  return next;
 }
 
 double expected_information(const std::vector<double>& probability, const std::vector<ExpectedMeasurement>& expected,
@@ -126,6 +140,7 @@ std::vector<Standing> standing(const Weighing& weighing, const Posterior& poster
                                const std::vector<FurtherTrial>& trials, const DiagnosisOptions& options,
                                const Progress& progress) {
   std::vector<Standing> all;
+  const Declared declared = declared_further(weighing, trials);
   double sum = 0;
   for (const WeighedExplanation& one : posterior) {
     if (one.something_else || one.probability < options.next_trial.stands || all.size() == options.next_trial.compared)
@@ -136,8 +151,10 @@ std::vector<Standing> standing(const Weighing& weighing, const Posterior& poster
     Standing standing{&one, one.probability, {}};
     Eigen::Index row = 0;
     for (const FurtherTrial& trial : trials) {
-      ExpectedMeasurement expected{linear->predicted.segment(row, trial.rows),
-                                   linear->derivatives.middleRows(row, trial.rows)};
+      const auto deviation = declared.deviation.segment(row, trial.rows);
+      ExpectedMeasurement expected{
+          linear->predicted.segment(row, trial.rows).cwiseQuotient(deviation),
+          deviation.cwiseInverse().asDiagonal() * linear->derivatives.middleRows(row, trial.rows)};
       row += trial.rows;
       if (expected.mean.allFinite() && expected.spread.allFinite())
         expected.spread = spread_of(weighing, one.fit, expected.spread, options.posterior);
@@ -148,8 +165,63 @@ std::vector<Standing> standing(const Weighing& weighing, const Posterior& poster
     sum += one.probability;
     all.push_back(std::move(standing));
   }
+  const auto unknown =
+      std::find_if(posterior.begin(), posterior.end(), [](const auto& one) { return one.something_else; });
+  if (!all.empty() && unknown != posterior.end() && unknown->probability >= options.next_trial.unknown_stands) {
+    sum += unknown->probability;
+    all.push_back(something_else(*unknown, all.front(), declared, trials));
+  }
   for (Standing& one : all) one.probability /= sum;
   return all;
+}
+
+// The prediction is off in a further trial by as large a share of the response as in those that were made.
+Declared declared_further(const Weighing& weighing, const std::vector<FurtherTrial>& trials) {
+  Eigen::Index rows = 0;
+  for (const FurtherTrial& trial : trials) rows += trial.rows;
+  const auto further = weighing.model.predict_further({});
+  Declared declared{further && further->allFinite() ? *further : Eigen::VectorXd::Zero(rows),
+                    Eigen::VectorXd::Ones(rows)};
+  const auto made = weighing.model.predict({});
+  if (weighing.systematic.expected.size() == 0 || !made || made->norm() == 0) return declared;
+  const double share = weighing.systematic.expected.norm() / made->norm();
+  declared.deviation = (1 + (share * declared.predicted.array()).square()).sqrt();
+  return declared;
+}
+
+// What is unknown says nothing of a trial. That the likeliest cause acts in each as it should would be chance: what it
+// changes there is off by as much again, in each trial anew.
+Standing something_else(const WeighedExplanation& explanation, const Standing& likeliest, const Declared& declared,
+                        const std::vector<FurtherTrial>& trials) {
+  Standing standing{&explanation, explanation.probability, likeliest.of_trials};
+  Eigen::Index row = 0;
+  for (std::size_t t = 0; t < trials.size(); ++t) {
+    ExpectedMeasurement& expected = standing.of_trials[t];
+    const Eigen::Index rows = trials[t].rows;
+    if (expected.mean.size() > 0)
+      expected.spread =
+          expected.mean - declared.predicted.segment(row, rows).cwiseQuotient(declared.deviation.segment(row, rows));
+    row += rows;
+  }
+  return standing;
+}
+
+std::vector<PossibleTrial> possible(const std::vector<Standing>& all, const std::vector<FurtherTrial>& trials) {
+  std::vector<PossibleTrial> one_by_one;
+  for (std::size_t t = 0; t < trials.size(); ++t) {
+    PossibleTrial trial{trials[t].sentence, trials[t].conditions, 0, {}};
+    for (std::size_t k = 1; k < all.size() && !all[k].explanation->something_else; ++k)
+      trial.separations.push_back({all[k].explanation->kinds, separation(all[k], all.front(), t)});
+    one_by_one.push_back(std::move(trial));
+  }
+  return one_by_one;
+}
+
+// In noises, all rows together; not a number where either cannot be solved.
+double separation(const Standing& one, const Standing& other, std::size_t trial) {
+  const Eigen::VectorXd &here = one.of_trials[trial].mean, &there = other.of_trials[trial].mean;
+  if (here.size() == 0 || there.size() == 0) return std::numeric_limits<double>::quiet_NaN();
+  return (here - there).norm();
 }
 
 double entropy(const std::vector<double>& probability) {
@@ -159,23 +231,26 @@ double entropy(const std::vector<double>& probability) {
   return sum;
 }
 
-// Of two trials: parameters are the same in both.
-ExpectedMeasurement together(const ExpectedMeasurement& first, const ExpectedMeasurement& second) {
+// Of two trials: an explanation's parameters are the same in both, what is unknown has its own in each.
+ExpectedMeasurement together(const Standing& standing, const ExpectedMeasurement& first,
+                             const ExpectedMeasurement& second) {
   if (first.mean.size() == 0) return second;
+  const Eigen::Index rows = first.mean.size(), columns = first.spread.cols();
+  const Eigen::Index at = standing.explanation->something_else ? columns : 0;
   ExpectedMeasurement both;
-  both.mean.resize(first.mean.size() + second.mean.size());
+  both.mean.resize(rows + second.mean.size());
   both.mean << first.mean, second.mean;
-  both.spread.resize(both.mean.size(), first.spread.cols());
-  both.spread << first.spread, second.spread;
+  both.spread = Eigen::MatrixXd::Zero(both.mean.size(), at + second.spread.cols());
+  both.spread.topLeftCorner(rows, columns) = first.spread;
+  both.spread.bottomRightCorner(second.mean.size(), second.spread.cols()) = second.spread;
   return both;
 }
 
 // The kinds of the explanations that this trial parts from the likeliest.
 std::vector<std::string> told_apart(const std::vector<Standing>& all, std::size_t trial, double clear_separation) {
   std::vector<std::string> kinds;
-  for (std::size_t k = 1; k < all.size(); ++k) {
-    const double separation = (all[k].of_trials[trial].mean - all.front().of_trials[trial].mean).norm();
-    if (separation < clear_separation) continue;
+  for (std::size_t k = 1; k < all.size() && !all[k].explanation->something_else; ++k) {
+    if (!(separation(all[k], all.front(), trial) >= clear_separation)) continue;
     for (const std::string& kind : all[k].explanation->kinds) {
       const auto& leading = all.front().explanation->kinds;
       if (std::count(leading.begin(), leading.end(), kind) == 0 && std::count(kinds.begin(), kinds.end(), kind) == 0)

@@ -4,8 +4,9 @@
 //
 //   I(K; Y) = H(K) - E_Y [H(K | Y)],   Y given k ~ N(f_k, 1 + S_k S_k^T)
 //
-// k: an explanation with its probability; f_k what it predicts, in units of the noise; S_k S_k^T what the parameters,
-// as far as the measurements leave them open, spread that by, to first order. By Monte Carlo over k and Y.
+// k: an explanation with its probability; f_k what it predicts, in deviations: the noise and what the declared model's
+// own prediction may be off by. S_k S_k^T what the parameters, as far as the measurements leave them open, spread that
+// by, to first order. By Monte Carlo over k and Y.
 // Lindley 1956, Ann. Math. Stat. 27:986; Chaloner and Verdinelli 1995, Stat. Sci. 10:273.
 
 #include <Eigen/Core>
@@ -32,10 +33,12 @@ struct ExpectedMeasurement {
                                           const std::vector<ExpectedMeasurement>& expected, int draws);
 
 // Of the model's further trials those to make, one after the other, each given those before it. Each has the largest
-// expected information about which of the likeliest known explanations holds. Of about as good ones it is the simplest.
-// Empty where there is no doubt among them (NextTrialOptions), or where no trial would lessen it. Fails when cancelled;
-// a trial or an explanation that cannot be solved is passed over.
-Result<std::vector<NextMeasurement>> next_trials(const Weighing& weighing, const Posterior& posterior,
-                                                 const DiagnosisOptions& options, const Progress& progress = {});
+// expected information about which of the likeliest explanations holds. Of about as good ones it is the simplest.
+// "Something else" predicts what the likeliest does, but what that changes is off by a factor of its own in each trial
+// (deviation 1): a trial that puts a known cause to a severe test lessens that doubt.
+// None is to be made where no trial would lessen the doubt; both lists are empty where there is none
+// (NextTrialOptions). Fails when cancelled; a trial or an explanation that cannot be solved is passed over.
+Result<NextTrials> next_trials(const Weighing& weighing, const Posterior& posterior, const DiagnosisOptions& options,
+                               const Progress& progress = {});
 
 }  // namespace glisson::closedloop

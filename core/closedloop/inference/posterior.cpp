@@ -30,6 +30,8 @@ bool shows_all(const LocalFit& fit);
 std::vector<LocalFit> best_of_each_set(std::vector<LocalFit> considered);
 void refine(const Weighing& weighing, std::vector<Weighed>& all, const PosteriorOptions& options,
             const Progress& progress);
+void disregard_what_the_mesh_hides(const Weighing& weighing, const Eigen::VectorXd& declared, double of_nothing,
+                                   std::vector<Weighed>& all, const PosteriorOptions& options);
 // Root mean square by which what is left exceeds the noise, in noises.
 double excess(const Observations& observations, const Eigen::VectorXd& predicted);
 // Natural logarithms, priors included.
@@ -71,7 +73,6 @@ class Priors {
 Result<Posterior> posterior(const Weighing& weighing, std::vector<LocalFit> considered, const PosteriorOptions& options,
                             const Progress& progress) {
   const ForwardModel& model = weighing.model;
-  const Observations& observations = model.observations();
   const auto declared = without_fitting(model, {}, weighing.whitening);
   if (!declared) return failure(declared.error());
   considered.push_back(local_fit(*declared, weighing.whitening));
@@ -87,24 +88,9 @@ Result<Posterior> posterior(const Weighing& weighing, std::vector<LocalFit> cons
   }
   if (model.predicts_quickly()) refine(weighing, all, options, progress);
 
-  // What lies within the prediction's own error shows nothing.
-  const double indistinct = weighing.systematic.indistinct;
-  const auto nothing = std::find_if(all.begin(), all.end(), [](const Weighed& one) { return one.kinds.empty(); });
+  const auto nothing = std::find_if(all.begin(), all.end(), [](const auto& one) { return one.kinds.empty(); });
   const double of_nothing = nothing->log.evidence;
-  if (indistinct > 0) {
-    const double highest = std::max_element(all.begin(), all.end(), [](const auto& a, const auto& b) {
-                             return a.log.evidence < b.log.evidence;
-                           })->log.evidence;
-    const bool as_the_mesh = excess(observations, declared->predicted) <= indistinct;
-    for (Weighed& one : all) {
-      if (one.log.evidence <= of_nothing || one.log.evidence < highest - options.worth_refining) continue;
-      const auto predicted = model.predict(one.fit.settings);
-      const bool shows =
-          predicted &&
-          root_mean_square((*predicted - declared->predicted).cwiseQuotient(observations.noise)) > indistinct;
-      if (as_the_mesh || !shows) one.log.evidence = of_nothing;
-    }
-  }
+  disregard_what_the_mesh_hides(weighing, declared->predicted, of_nothing, all, options);
 
   const auto weight = [](const Weighed& one) { return one.log.evidence + one.log_prior; };
   const auto leading =
@@ -208,8 +194,8 @@ Sentence posterior_sentence(const Explanation& explanation, const NameOfExplanat
   }
   switch (explanation.verdict) {
     case Verdict::nothing_missing:
-      return {GLISSON_TEXT("What is left passes every test for noise, and yet weighing all explanations finds a weak "
-                           "sign of {0} ({1}): only further trials could tell."),
+      return {GLISSON_TEXT("What is left is no larger than noise and the prediction's own error, and yet weighing all "
+                           "explanations finds a weak sign of {0} ({1}): only further trials could tell."),
               {called(leading), much}};
     case Verdict::explained:
       return {GLISSON_TEXT("What was found suffices, but weighing all explanations, {0} is likelier ({1}): take the "
@@ -269,6 +255,32 @@ void refine(const Weighing& weighing, std::vector<Weighed>& all, const Posterior
       all[i].log = log_evidence(weighing.model, all[i].fit, weighing.correlation, options);
     }
   });
+}
+
+// What lies within the prediction's own error shows nothing: it is no better evidence than the declared model. From the
+// best down, to where the rest weighs nothing beside what does show something.
+void disregard_what_the_mesh_hides(const Weighing& weighing, const Eigen::VectorXd& declared, double of_nothing,
+                                   std::vector<Weighed>& all, const PosteriorOptions& options) {
+  const double indistinct = weighing.systematic.indistinct;
+  if (!(indistinct > 0)) return;
+  const Observations& observations = weighing.model.observations();
+  const bool as_the_mesh = excess(observations, declared) <= indistinct;
+  const auto changes_more = [&](const Weighed& one) {
+    const auto predicted = weighing.model.predict(one.fit.settings);
+    return predicted && root_mean_square((*predicted - declared).cwiseQuotient(observations.noise)) > indistinct;
+  };
+  std::vector<Weighed*> best_first;
+  for (Weighed& one : all) best_first.push_back(&one);
+  std::stable_sort(best_first.begin(), best_first.end(),
+                   [](const Weighed* a, const Weighed* b) { return a->log.evidence > b->log.evidence; });
+  double shown = -std::numeric_limits<double>::infinity();
+  for (Weighed* one : best_first) {
+    if (one->log.evidence <= of_nothing || one->log.evidence < shown - options.worth_refining) break;
+    if (!as_the_mesh && changes_more(*one))
+      shown = std::max(shown, one->log.evidence);
+    else
+      one->log.evidence = of_nothing;
+  }
 }
 
 double excess(const Observations& observations, const Eigen::VectorXd& predicted) {

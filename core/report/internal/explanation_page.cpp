@@ -96,10 +96,10 @@ Page explanation_page(const Explanation& explanation, const Observations& observ
   heading(GLISSON_TEXT("After"));
   paragraph(shape_sentence(explanation.residual_after, words));
   heading(GLISSON_TEXT("What to measure next"));
-  if (explanation.next.empty())
+  if (explanation.next.to_make.empty())
     paragraph(words.say(GLISSON_TEXT(
         "No further trial is needed to tell the leading explanations apart, or none is known that would.")));
-  for (const auto& next : explanation.next) paragraph(next_trial(next, words));
+  for (const auto& next : explanation.next.to_make) paragraph(next_trial(next, words));
   for (Sentence note : explanation.notes) {
     for (std::string& argument : note.arguments) argument = words.quoted_effect(argument);
     paragraph(words.sentence(note));

@@ -6,6 +6,7 @@
 // on its way, ends thin, passes no neck, and begins where its system enters. All trees together are looked for.
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "vasculature/internal/junctions.h"
@@ -21,8 +22,13 @@ struct Forest {
   double energy = 0;           // minus the logarithm of its probability, but for a constant
 };
 
+// A piece whose system is known, each piece at most once.
+using KnownPieces = std::vector<std::pair<int, System>>;
+
 // By a walk that visits forests as often as they are probable, and cools down (Kirkpatrick et al. 1983, Science
-// 220:671). Another seed may end in another forest; the same gives the same.
-[[nodiscard]] Forest cooled_forest(const Junctions& junctions, const VesselEntries& entries, std::uint64_t seed);
+// 220:671). It visits none in which a known piece has another system. Another seed may end in another forest; the same
+// gives the same.
+[[nodiscard]] Forest cooled_forest(const Junctions& junctions, const VesselEntries& entries, const KnownPieces& known,
+                                   std::uint64_t seed);
 
 }  // namespace glisson::vasculature

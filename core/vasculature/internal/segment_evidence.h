@@ -14,7 +14,7 @@ namespace glisson::vasculature {
 // Where the portal vein divides is counted from the vena cava's axis and the middle of the borders of V and VI. Where
 // the hepatic veins meet is counted from the axis and the base point. Both are means of generated patients 1 to 10,
 // carried over to this base point and rounded, mm at scale 1.
-inline const Eigen::Vector3d portal_from_axis(-14, -25, -5), hepatic_from_axis(-18, -32, 39);
+inline const Eigen::Vector3d portal_from_axis(-20, -24, -4), hepatic_from_axis(-23, -31, 39);
 
 // A piece of vessel with what it counts as one of each system.
 struct VesselSample {
@@ -23,11 +23,19 @@ struct VesselSample {
   bool left_portal;  // thick, and to the left of where the portal vein divides
 };
 
+// A place where somebody says that a border runs, with what it counts.
+struct BorderSample {
+  Eigen::Vector3d position_mm;
+  SegmentPlanes::Surface border;
+  double weight;
+};
+
 // What is known of one liver.
 struct Evidence {
   LiverFrame liver;
   std::vector<Eigen::Vector3d> places_mm;  // spread over the liver
   std::vector<VesselSample> vessels;
+  std::vector<BorderSample> borders;
   Eigen::Vector3d portal_mm{0, 0, 0}, hepatic_mm{0, 0, 0};
 };
 

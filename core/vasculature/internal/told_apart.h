@@ -18,7 +18,8 @@ struct ToldApart {
   VesselEntries entries;                     // where the thickest trees near the expected place begin
 };
 
-// places_mm: spread over the liver; none: what is near is not asked. A click tells the system of the nearest branch.
+// places_mm: spread over the liver; none: what is near is not asked. A click tells the system of the nearest branch,
+// which every forest keeps.
 [[nodiscard]] ToldApart tell_apart(const VesselGraph& graph, const VesselEntries& expected,
                                    const std::vector<Eigen::Vector3d>& places_mm, const Clicks& clicks);
 

@@ -100,20 +100,29 @@ def make(folder, mode, kinds, size, seed, noise_is):
     written = []
     for trial, (times, stretches) in trials.items():
         noisy = found[trial] + noise_of(rng, noise, len(times), noise_is)
-        rows = "\n".join(f"{t:.5f},{x:.7f},{s:.6f}" for t, x, s in zip(times, stretches, noisy))
-        (folder / f"{trial}.csv").write_text("Time,Stretch,Stress\n" + rows + "\n")
-        written.append({"id": trial, "file": f"{trial}.csv",
-                        "columns": {"time_s": "Time", "stretch": "Stretch", "stress_kPa": "Stress"}})
+        written.append(write_trial(folder, trial, times, stretches, noisy))
     for file, held_out in (("experiment.json", False), ("heldout.json", True)):
-        (folder / file).write_text(json.dumps({
-            "format": "glisson-experiment/1", "kind": "material", "title": folder.name,
-            "specimen": {"shape": "cylinder", "diameter_mm": 50, "height_mm": 30}, "mode": mode,
-            "declared": {"law": "linear", "youngs_modulus_kPa": YOUNGS_KPA}, "noise_kPa": round(noise, 6),
-            "trials": [t for t in written if t["id"].startswith("h-") == held_out]}, indent=1) + "\n")
+        write_experiment(folder, file, mode, noise, [t for t in written if t["id"].startswith("h-") == held_out])
     shown = {k: v for k, v in vars(together(parts)).items() if v != getattr(Effects(), k)}
     (folder / "truth.json").write_text(json.dumps(
         {"kinds": list(kinds), "outside": any(k in OUTSIDE for k in kinds), "size": size if kinds else 0,
          "noise_kPa": noise, "noise": noise_is, "parameters": shown}, indent=1) + "\n")
+
+
+def write_trial(folder, name, times, stretches, stress_kPa):
+    """What an experiment's file says of it."""
+    rows = "\n".join(f"{t:.5f},{x:.7f},{s:.6f}" for t, x, s in zip(times, stretches, stress_kPa))
+    (folder / f"{name}.csv").write_text("Time,Stretch,Stress\n" + rows + "\n")
+    return {"id": name, "file": f"{name}.csv",
+            "columns": {"time_s": "Time", "stretch": "Stretch", "stress_kPa": "Stress"}}
+
+
+def write_experiment(folder, file, mode, noise_kPa, trials):
+    (folder / file).write_text(json.dumps({
+        "format": "glisson-experiment/1", "kind": "material", "title": folder.name,
+        "specimen": {"shape": "cylinder", "diameter_mm": 50, "height_mm": 30}, "mode": mode,
+        "declared": {"law": "linear", "youngs_modulus_kPa": YOUNGS_KPA}, "noise_kPa": round(noise_kPa, 6),
+        "trials": trials}, indent=1) + "\n")
 
 
 def main():

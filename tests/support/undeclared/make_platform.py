@@ -38,8 +38,8 @@ class Effects:
     contact: tuple = None                 # ohm, and how often it comes and goes (s)
 
 
-def cell(effects, currents):
-    """(time, current, voltage) at every tenth second; the voltage is 0 when nothing is left."""
+def cell(effects, currents, _ambient_C=AMBIENT_C):
+    """(time, current, voltage) at every tenth second; the voltage is 0 when nothing is left. The room changes nothing."""
     spent, pairs, rows = 0.0, [0.0] * len(effects.polarisation), []
     for t, current in enumerate(currents):
         rate = 1.0
@@ -58,20 +58,20 @@ def cell(effects, currents):
     return {"time_s": 0, "current_A": 1, "voltage_V": 2}, np.array(rows)
 
 
-def board(effects, loads):
+def board(effects, loads, ambient_C=AMBIENT_C):
     """(time, load asked for, power, temperature) at every fifth second."""
-    temperature, speed, rows = AMBIENT_C, 1.0, []
+    temperature, speed, rows = ambient_C, 1.0, []
     for t, load in enumerate(loads):
         if effects.limit_C:   # a governor in small steps
             speed = min(1.0, speed + 0.004) if temperature < effects.limit_C else max(0.05, speed - 0.008)
-        power = (IDLE_W + FULL_W * load * speed + effects.static_W) * (1 + effects.per_C * (temperature - AMBIENT_C))
+        power = (IDLE_W + FULL_W * load * speed + effects.static_W) * (1 + effects.per_C * (temperature - ambient_C))
         power /= effects.efficiency
         if effects.job and t % effects.job[0] < effects.job[1]:
             power += effects.job[2]
         if t % 5 == 0:
             rows.append((t, load, power, temperature))
         resistance = THERMAL_C_PER_W * (0.5 if effects.fan_at_s and t > effects.fan_at_s else 1)
-        temperature += (AMBIENT_C + resistance * power - temperature) * (1 - math.exp(-1 / TIME_S))
+        temperature += (ambient_C + resistance * power - temperature) * (1 - math.exp(-1 / TIME_S))
     return {"time_s": 0, "load": 1, "power_W": 2, "temperature_C": 3}, np.array(rows)
 
 
@@ -115,30 +115,45 @@ def make(folder, kinds, size, seed, noise_is, null_of):
     found, plain = ({t: kind(e, p) for t, p in trials.items()} for e in (effects, Effects()))
     columns = found[next(iter(found))][0]
     measured = {q: columns[q] for q in NOISE if q in columns}
-    away = np.concatenate([(found[t][1][:, c] - plain[t][1][:, c]) / NOISE[q] for t in trials if t[0] != "h"
-                           for q, c in measured.items()])
-    factor = float(np.sqrt(np.mean(away ** 2))) / size if kinds else 1.0
+    factor = size_in_noises(found, plain) / size if kinds else 1.0
     folder.mkdir(parents=True)
     written = []
     for trial, (_, rows) in found.items():
         noisy = rows.copy()
         for q, c in measured.items():
             noisy[:, c] += noise(rng, factor * NOISE[q], len(rows), noise_is)
-        (folder / f"{trial}.csv").write_text(",".join(columns) + "\n" + "\n".join(
-            ",".join(f"{x:.6g}" for x in row) for row in noisy) + "\n")
-        written.append({"id": trial, "file": f"{trial}.csv", "columns": {c: c for c in columns}, "ambient_C": AMBIENT_C})
-    declared = {"law": "constant", "nominal_voltage_V": NOMINAL_V, "capacity_Ah": CAPACITY_AH} if kind is cell else {
-        "law": "constant", "idle_W": IDLE_W, "full_load_W": FULL_W, "thermal_resistance_C_per_W": THERMAL_C_PER_W,
-        "time_constant_s": TIME_S}
+        written.append(write_trial(folder, trial, columns, noisy, AMBIENT_C))
     for file, held_out in (("experiment.json", False), ("heldout.json", True)):
-        (folder / file).write_text(json.dumps({
-            "format": "glisson-experiment/1", "kind": "platform", "title": folder.name, "declared": declared,
-            "noise": {q: float(f"{factor * NOISE[q]:.6g}") for q in measured},
-            "trials": [t for t in written if t["id"].startswith("h-") == held_out]}, indent=1) + "\n")
+        write_experiment(folder, file, kind, factor, [t for t in written if t["id"].startswith("h-") == held_out])
     shown = {k: v for k, v in vars(effects).items() if v != getattr(Effects(), k)}
     (folder / "truth.json").write_text(json.dumps(
         {"kinds": list(kinds), "outside": any(k in OUTSIDE for k in kinds), "size": size if kinds else 0,
          "noise": noise_is, "parameters": shown}, indent=1) + "\n")
+
+
+def size_in_noises(found, plain):
+    """How far the fitted trials are from those without the effect: root mean square, in NOISE."""
+    away = np.concatenate([(found[t][1][:, c] - plain[t][1][:, c]) / NOISE[q] for t in found if t[0] != "h"
+                           for q, c in found[t][0].items() if q in NOISE])
+    return float(np.sqrt(np.mean(away ** 2)))
+
+
+def write_trial(folder, name, columns, rows, ambient_C):
+    """What an experiment's file says of it."""
+    (folder / f"{name}.csv").write_text(",".join(columns) + "\n" + "\n".join(
+        ",".join(f"{x:.6g}" for x in row) for row in rows) + "\n")
+    return {"id": name, "file": f"{name}.csv", "columns": {c: c for c in columns}, "ambient_C": ambient_C}
+
+
+def write_experiment(folder, file, kind, factor, trials):
+    """`factor`: of NOISE."""
+    declared = {"law": "constant", "nominal_voltage_V": NOMINAL_V, "capacity_Ah": CAPACITY_AH} if kind is cell else {
+        "law": "constant", "idle_W": IDLE_W, "full_load_W": FULL_W, "thermal_resistance_C_per_W": THERMAL_C_PER_W,
+        "time_constant_s": TIME_S}
+    measured = [q for q in NOISE if q in trials[0]["columns"]]
+    (folder / file).write_text(json.dumps({
+        "format": "glisson-experiment/1", "kind": "platform", "title": folder.name, "declared": declared,
+        "noise": {q: float(f"{factor * NOISE[q]:.6g}") for q in measured}, "trials": trials}, indent=1) + "\n")
 
 
 def main():

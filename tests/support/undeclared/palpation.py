@@ -396,22 +396,27 @@ def write_case(folder, scene, effects, noise_mm, seed, answer):
     """`answer` goes into truth.json: kinds, outside, size, noise (noise.py), ..."""
     folder.mkdir(parents=True, exist_ok=True)
     rng = np.random.default_rng([seed, *map(ord, folder.name)])
-    fixed = np.zeros(len(scene.experiment.points))
-    fixed[scene.experiment.held_nodes()] = 1
-    write_vtu(folder / "specimen.vtu", scene.experiment, fixed=fixed)
     paths = truth(scene, effects)
     for file, held_out in (("experiment.json", False), ("heldout.json", True)):
         trials = []
         for site, path in zip(scene.sites, paths):
             if site.held_out == held_out:
                 trials.append(write_trial(folder, scene, effects, site, path, noise_mm, rng, answer["noise"]))
-        (folder / file).write_text(json.dumps({
-            "format": "glisson-experiment/1", "kind": "palpation", "title": folder.name,
-            "specimen": {"mesh": "specimen.vtu", "youngs_modulus_kPa": scene.youngs_kPa,
-                         "poisson_ratio": scene.poisson_ratio, "density_kg_m3": 1000},
-            "supports": [{"point_array": "fixed"}], "gravity_m_s2": [0, 0, 0], "noise_mm": noise_mm,
-            "trials": trials}, indent=1) + "\n")
+        write_experiment(folder, file, scene, noise_mm, trials)
     (folder / "truth.json").write_text(json.dumps({**answer, "noise_mm": noise_mm}, indent=1) + "\n")
+
+
+def write_experiment(folder, file, scene, noise_mm, trials):
+    """Trials as write_trial gives them, and the specimen's mesh beside them."""
+    fixed = np.zeros(len(scene.experiment.points))
+    fixed[scene.experiment.held_nodes()] = 1
+    write_vtu(folder / "specimen.vtu", scene.experiment, fixed=fixed)
+    (folder / file).write_text(json.dumps({
+        "format": "glisson-experiment/1", "kind": "palpation", "title": folder.name,
+        "specimen": {"mesh": "specimen.vtu", "youngs_modulus_kPa": scene.youngs_kPa,
+                     "poisson_ratio": scene.poisson_ratio, "density_kg_m3": 1000},
+        "supports": [{"point_array": "fixed"}], "gravity_m_s2": [0, 0, 0], "noise_mm": noise_mm,
+        "trials": trials}, indent=1) + "\n")
 
 
 def write_trial(folder, scene, effects, site, path, noise_mm, rng, noise_is):

@@ -299,7 +299,7 @@ std::vector<Effect> anisotropy(double poisson_ratio) {
           {"axis", 0, -2, 2, -1, 1, Scale::linear},
           {"axis", 1, -2, 2, -1, 1, Scale::linear},
           {"ratio", 1, lowest, 20, 0.5, 4, Scale::logarithmic}},
-         GLISSON_TEXT("The tissue has a grain: it is stiffer (or softer) along one direction than across it."),
+         GLISSON_TEXT("The tissue has fibres: it is stiffer (or softer) along one direction than across it."),
          {numbers_of({1, 0, 0, 1.3}), numbers_of({0, 1, 0, 1.3}), numbers_of({0, 0, 1, 1.3})},
          form == palpation::form_engineering});
   }
