@@ -16,6 +16,8 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
+constexpr double deepest_between_mm = 0.05;  // the points that tools press on
+
 }  // namespace
 
 Result<AugmentedLagrangian> AugmentedLagrangian::create(const Body& body, const std::vector<ContactTool>& tools,
@@ -196,7 +198,7 @@ Result<bool> AugmentedLagrangian::equilibrate_at_advances(const std::vector<Cont
       cut_contact.multiplier_mN = force_mN;
     }
     report_.overlap_mm = report_.penetration_mm = walls_.find(u_mm_, CutSelfContact::Search::more);
-    for (const NearPoint& place : points_near(*body_, tools, advance_mm_, u_mm_, 0.0)) {
+    for (const NearPoint& place : points_near(*body_, tools, advance_mm_, u_mm_, 0.0, deepest_between_mm)) {
       report_.penetration_mm = std::max(report_.penetration_mm, -place.gap_mm);
     }
     if (report_.penetration_mm <= options_.penetration_tolerance_mm &&
@@ -210,7 +212,7 @@ Result<bool> AugmentedLagrangian::equilibrate_at_advances(const std::vector<Cont
 // Places that come near are borne by a spring from now on, without a force yet.
 void AugmentedLagrangian::update_multipliers(const std::vector<ContactTool>& tools) {
   constexpr double margin_mm = 1.0;
-  for (const NearPoint& near : points_near(*body_, tools, advance_mm_, u_mm_, margin_mm)) {
+  for (const NearPoint& near : points_near(*body_, tools, advance_mm_, u_mm_, margin_mm, deepest_between_mm)) {
     const bool known = std::any_of(constraints_.begin(), constraints_.end(), [&](const ContactConstraint& other) {
       return other.tool == near.tool && other.which_rod == near.rod && other.at == near.at;
     });
@@ -290,7 +292,7 @@ std::vector<ToolContact> AugmentedLagrangian::contacts(const std::vector<Contact
       contacts[gripped.tool].force_mN = *pull_mN * grasp.direction.normalized();
     }
   }
-  for (const NearPoint& place : points_near(*body_, tools, advance_mm_, u_mm_, 0.0)) {
+  for (const NearPoint& place : points_near(*body_, tools, advance_mm_, u_mm_, 0.0, deepest_between_mm)) {
     contacts[place.tool].penetration_mm = std::max(contacts[place.tool].penetration_mm, -place.gap_mm);
   }
   return contacts;

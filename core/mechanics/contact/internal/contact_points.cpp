@@ -12,7 +12,7 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr int finest = 2;
+constexpr int finest = 3;
 
 // Barycentric, of each fineness in turn.
 struct Rule {
@@ -20,8 +20,8 @@ struct Rule {
   std::array<int, finest + 2> begin;
 };
 const Rule& rule();
-// Enough that a rod lies no deeper than 0.2 mm between the points of a face with such edges.
-int fineness(double edge_mm, double radius_mm);
+// Enough that a rod lies no deeper than that between the points of a face with such edges.
+int fineness(double edge_mm, double radius_mm, double deepest_between_mm);
 
 using FaceValues = Eigen::Matrix<double, 6, 1>;
 FaceValues values_at(ElementOrder order, int point);
@@ -61,7 +61,7 @@ ContactPointWeights weights_at(const Body& body, const ContactPoint& at) {
 }
 
 std::vector<NearPoint> points_near(const Body& body, const std::vector<ContactTool>& tools, const VectorXd& advance_mm,
-                                   const VectorXd& u_mm, double margin_mm) {
+                                   const VectorXd& u_mm, double margin_mm, double deepest_between_mm) {
   std::vector<NearPoint> near;
   for (std::size_t t = 0; t < tools.size(); ++t) {
     const auto* tool = std::get_if<TouchingTool>(&tools[t].what);
@@ -73,7 +73,7 @@ std::vector<NearPoint> points_near(const Body& body, const std::vector<ContactTo
       std::vector<std::pair<int, Vector3d>> seen;  // of this face, with the normal
       for (std::size_t r = 0; r < rods.size(); ++r) {
         if (!face.box.meets(box_of(rods[r], margin_mm))) continue;
-        const int level = fineness(face.edge_mm, rods[r].radius_mm);
+        const int level = fineness(face.edge_mm, rods[r].radius_mm, deepest_between_mm);
         for (int p = rule().begin[level]; p < rule().begin[level + 1]; ++p) {
           const Vector3d arm = arm_of(rods[r], face.nodes_mm * values_at(body.layout.order, p));
           const double distance_mm = arm.norm();
@@ -122,8 +122,8 @@ const Rule& rule() {
   return kept;
 }
 
-int fineness(double edge_mm, double radius_mm) {
-  constexpr double deepest_between_mm = 0.2, hole_of_edge = 0.29;
+int fineness(double edge_mm, double radius_mm, double deepest_between_mm) {
+  constexpr double hole_of_edge = 0.29;
   int level = 0;
   for (double hole_mm = hole_of_edge * edge_mm;
        level < finest && hole_mm * hole_mm > 2 * radius_mm * deepest_between_mm; hole_mm /= 2) {

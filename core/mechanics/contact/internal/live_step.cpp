@@ -61,7 +61,9 @@ Result<LiveState> LiveStep::run(const LiveState& from, Until until) {
     if (!turned && (round >= most_rounds || shown)) break;
     if (round == most_rounds + rounds_to_turn_back) return failure(turned_inside_out());
     const VectorXd again_mN = settling && at_rest && !turned ? with_tools(now_, state_.u_mm) : r_mN;
-    go(direction(levels, again_mN, settling ? options_.settling_gradients : options_.gradients, settling), again_mN);
+    VectorXd step = direction(levels, again_mN, Presses::then);
+    if (again_mN.dot(step) <= 0) step = direction(levels, again_mN, Presses::now);
+    go(step, again_mN);
     if (progress_.cancelled()) return cancelled();
   }
   if (swallows_a_tool()) return failure(swallowed());
@@ -147,9 +149,9 @@ double LiveStep::estimate(const SplineLevels::WithRows& levels) const {
   return farthest_mm;
 }
 
-void LiveStep::add_rows_times(const SplineLevels::WithRows& levels, const VectorXd& p, VectorXd& product) const {
+void LiveStep::add_rows_times(const std::vector<std::uint8_t>& presses, const VectorXd& p, VectorXd& product) const {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
-    if (!levels.presses(i)) continue;
+    if (presses[i] == 0) continue;
     const StiffRow& row = rows_[i];
     double seen = row.further >= 0 ? -row.along * p[n_ + row.further] : 0.0;
     for (const auto& [node, direction] : row.on) seen += direction.dot(p.segment<3>(3 * node));
@@ -167,15 +169,21 @@ void LiveStep::add_rows_times(const SplineLevels::WithRows& levels, const Vector
   }
 }
 
-// Conjugate gradients on the tangent. Where a tool would slide off, that is left out, and they begin again.
-VectorXd LiveStep::direction(const SplineLevels::WithRows& levels, const VectorXd& r_mN, int gradients, bool settling) {
+// Conjugate gradients on the tangent. Where a tool would slide off, that is left out, and they begin again. With the
+// rows that the levels expect to press the step may climb; with those that press now it never does.
+VectorXd LiveStep::direction(const SplineLevels::WithRows& levels, const VectorXd& r_mN, Presses when) {
+  const bool settling = until_ == Until::settled;
+  const int gradients = settling ? options_.settling_gradients : options_.gradients;
   // A row that presses from now on has a gap to close first, and one that lets go keeps no force.
+  std::vector<std::uint8_t> presses(rows_.size());
   VectorXd begin = r_mN, pressing_mN = VectorXd::Zero(static_cast<Eigen::Index>(rows_.size()));
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const StiffRow& row = rows_[i];
-    if (levels.presses(i)) pressing_mN[static_cast<Eigen::Index>(i)] = -row.stiffness * row.gap_mm;
-    if (row.two_sided || levels.presses(i) == (row.gap_mm < 0)) continue;
-    const double force = (levels.presses(i) ? -1 : 1) * row.stiffness * row.gap_mm;
+    const bool now = row.two_sided || row.gap_mm < 0;
+    presses[i] = when == Presses::then ? levels.presses(i) : now;
+    if (presses[i] != 0) pressing_mN[static_cast<Eigen::Index>(i)] = -row.stiffness * row.gap_mm;
+    if ((presses[i] != 0) == now) continue;
+    const double force = (now ? 1 : -1) * row.stiffness * row.gap_mm;
     for (const auto& [node, along] : row.on) begin.segment<3>(3 * node) += force * along;
     if (row.further >= 0) begin[n_ + row.further] -= force * row.along;
   }
@@ -192,7 +200,7 @@ VectorXd LiveStep::direction(const SplineLevels::WithRows& levels, const VectorX
     const Unbalanced moved = unbalanced(state_.u_mm + h * p.head(n_));
     product.head(n_) = (now_.body_mN - moved.body_mN) / h;
     product.tail(further_).setZero();
-    add_rows_times(levels, p, product);
+    add_rows_times(presses, p, product);
     parts_.free(product);
     ++state_.report.rounds;
     const double curvature = p.dot(product);

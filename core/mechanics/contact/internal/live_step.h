@@ -151,9 +151,10 @@ class LiveStep {
   void look_at_rows(const Eigen::VectorXd& u_mm);
   void add_friction_rows(const ContactConstraint& place, const Eigen::VectorXd& u_mm, const Eigen::Vector3d& forward);
   Eigen::VectorXd alone(const Unbalanced& balance) const;
-  Eigen::VectorXd direction(const SplineLevels::WithRows& levels, const Eigen::VectorXd& r_mN, int gradients,
-                            bool settling);
-  void add_rows_times(const SplineLevels::WithRows& levels, const Eigen::VectorXd& p, Eigen::VectorXd& product) const;
+  enum class Presses { then, now };  // once the step is made, as the levels expect, or before it
+  Eigen::VectorXd direction(const SplineLevels::WithRows& levels, const Eigen::VectorXd& r_mN, Presses when);
+  void add_rows_times(const std::vector<std::uint8_t>& presses, const Eigen::VectorXd& p,
+                      Eigen::VectorXd& product) const;
   [[nodiscard]] Error turned_inside_out() const;
   [[nodiscard]] bool swallows_a_tool() const;
   [[nodiscard]] Error swallowed() const;

@@ -114,12 +114,13 @@ Result<void> LiveStep::take_patch(std::size_t tool, const ToolLoad& patch) {
 
 // Those that come near join without a force; those that were left go.
 void LiveStep::find_places() {
-  constexpr double margin_mm = 0.5;
+  constexpr double margin_mm = 0.5, deepest_between_mm = 0.2;
   std::erase_if(places_, [&](const ContactConstraint& place) {
     const Gap gap = gap_of(place, state_.u_mm);
     return gap.mm > margin_mm && normal_force_mN(place, gap) == 0;
   });
-  for (const NearPoint& near : points_near(parts_.body, tools_, advance_mm_, state_.u_mm, margin_mm)) {
+  for (const NearPoint& near :
+       points_near(parts_.body, tools_, advance_mm_, state_.u_mm, margin_mm, deepest_between_mm)) {
     const bool known = std::any_of(places_.begin(), places_.end(), [&](const ContactConstraint& other) {
       return other.tool == near.tool && other.which_rod == near.rod && other.at == near.at;
     });
