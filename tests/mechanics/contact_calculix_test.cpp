@@ -70,7 +70,9 @@ void write_ball(std::ostream& out, int first_node, int first_cell) {
       << "*SURFACE, NAME=OUTSIDE, TYPE=ELEMENT\nEBALL, S2\n";
 }
 
-void write_input(const std::filesystem::path& file, const Body& body) {
+// By parts of the way, which may be as large as that. CalculiX turns its contact's normals from part to part: with
+// thirds in place of fiftieths a node of the coarse mesh lies 0.05 mm elsewhere, with tenths 0.014 mm.
+void write_input(const std::filesystem::path& file, const Body& body, double part) {
   std::ofstream out(file);
   test::write_body(
       out, body.layout,
@@ -94,7 +96,8 @@ void write_input(const std::filesystem::path& file, const Body& body) {
   }
   out << "*SURFACE INTERACTION, NAME=PRESS\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n2000.\n"
       << "*CONTACT PAIR, INTERACTION=PRESS, TYPE=SURFACE TO SURFACE\nTOP, OUTSIDE\n"
-      << "*STEP, NLGEOM, INC=1000\n*STATIC\n0.1, 1., 1e-5, 0.1\n*BOUNDARY\nBALL, 1, 2, 0\nBALL, 3, 3, " << -depth_mm
+      << "*STEP, NLGEOM, INC=1000\n*STATIC\n"
+      << part << ", 1., 1e-5, " << part << "\n*BOUNDARY\nBALL, 1, 2, 0\nBALL, 3, 3, " << -depth_mm
       << "\n*NODE PRINT, NSET=NALL, FREQUENCY=999\nU\n*NODE PRINT, NSET=BALL, TOTALS=ONLY, FREQUENCY=999\nRF\n"
       << "*END STEP\n";
 }
@@ -131,17 +134,20 @@ TEST(ContactAgainstCalculix, ABallInABlockPressesAsThereOnTheSameMeshAndOnAFiner
   for (const int fineness : {1, 2}) {
     const Body theirs = block(fineness);
     const TemporaryFolder folder;
-    write_input(folder.path() / "body.inp", theirs);
+    write_input(folder.path() / "body.inp", theirs, fineness == 1 ? 0.1 : 0.25);
     ASSERT_EQ(test::run_calculix(folder.path()), 0) << read_text_file(folder.path() / "ccx.log").value_or("");
     const auto there_mm = test::read_displacements(folder.path() / "body.dat", theirs.layout.nodes());
     const double force_mN = force_of_ball_mN(folder.path() / "body.dat");
-    double largest_mm = 0, mean_square = 0, largest_u_mm = 0;
+    double largest_mm = 0, mean_square = 0, largest_u_mm = 0, from_axis_mm = 0;
     int seen = 0;
     for (int n = 0; n < body.layout.nodes(); ++n) {
       for (int m = 0; m < theirs.layout.nodes(); ++m) {
         if ((theirs.layout.positions_mm[m] - body.layout.positions_mm[n]).norm() > 1e-6) continue;
         const double off = (u_mm.segment<3>(3 * n) - there_mm[m]).norm();
-        largest_mm = std::max(largest_mm, off);
+        if (off > largest_mm) {
+          largest_mm = off;
+          from_axis_mm = (body.layout.positions_mm[n] - touches_at_mm).head<2>().norm();
+        }
         largest_u_mm = std::max(largest_u_mm, there_mm[m].norm());
         mean_square += off * off;
         ++seen;
@@ -149,9 +155,12 @@ TEST(ContactAgainstCalculix, ABallInABlockPressesAsThereOnTheSameMeshAndOnAFiner
     }
     const std::string on = fineness == 1 ? "same_mesh_" : "finer_mesh_";
     RecordProperty(on + "largest_off_mm", std::to_string(largest_mm));
+    RecordProperty(on + "largest_off_from_axis_mm", std::to_string(from_axis_mm));
     RecordProperty(on + "mean_square_off_mm", std::to_string(std::sqrt(mean_square / seen)));
     RecordProperty(on + "force_is", std::to_string(ours.tools[0].force_mN.z() / force_mN));
     EXPECT_LT(std::sqrt(mean_square / seen), (fineness == 1 ? 0.01 : 0.05) * largest_u_mm);
+    // The worst is a corner that the faces about it lift off the ball, where few points of either contact press.
+    EXPECT_LT(largest_mm, (fineness == 1 ? 0.03 : 0.15) * largest_u_mm) << "at " << from_axis_mm;
   }
 }
 

@@ -160,6 +160,7 @@ Result<bool> AugmentedLagrangian::equilibrate_at_advances(const std::vector<Cont
     const double scale_mN = problem.scale_mN +
                             free_values(body_->resolved.fixed, mechanics::force_mN(contact, u_mm_)).norm() +
                             k_mN_mm_ * hair_mm;
+    const VectorXd before_mN = force_mN();
     auto found = problem.unknowns.minimum_of(problem.alone.with(contact), scale_mN, problem.minimum.x_mm,
                                              problem.options, problem.progress);
     if (!found) return failure(std::move(found.error()));
@@ -171,14 +172,12 @@ Result<bool> AugmentedLagrangian::equilibrate_at_advances(const std::vector<Cont
     report_.movement_mm = (surface_mm(moved_mm) - surface_mm(u_mm_)).cwiseAbs().maxCoeff();
     u_mm_ = moved_mm;
     if (!found->converged) return false;
-    double all_mN = 0, changed_mN = 0, farthest_off_mm = 0;
+    double all_mN = 0, farthest_off_mm = 0;
     for (ContactConstraint& constraint : constraints_) {
       const double force_mN = normal_force_mN(constraint, gap_of(constraint, u_mm_));
-      changed_mN += std::abs(force_mN - constraint.multiplier_mN);
       all_mN += force_mN;
       constraint.multiplier_mN = force_mN;
       const FrictionForce friction = friction_force_of(constraint, u_mm_);
-      changed_mN += (friction.force_mN - constraint.friction_mN).norm();
       constraint.friction_mN = friction.force_mN;
       constraint.slips = friction.slips;
       if (force_mN == 0)
@@ -186,17 +185,17 @@ Result<bool> AugmentedLagrangian::equilibrate_at_advances(const std::vector<Cont
     }
     for (PrescribedPatch& patch : patches_) {
       const Vector3d force_mN = patch.pull_mN(k_mN_mm_, u_mm_);
-      changed_mN += (force_mN - patch.multiplier_mN).norm();
       all_mN += force_mN.norm();
       patch.multiplier_mN = force_mN;
       farthest_off_mm = std::max(farthest_off_mm, patch.off_mm(u_mm_).norm());
     }
     for (CutContact& cut_contact : walls_.cut_contacts()) {
       const double force_mN = normal_force_mN(cut_contact, k_mN_mm_, u_mm_);
-      changed_mN += std::abs(force_mN - cut_contact.multiplier_mN);
       all_mN += force_mN;
       cut_contact.multiplier_mN = force_mN;
     }
+    // On the nodes: points that are more than the values they see share a force in many ways, and go on to.
+    const double changed_mN = (force_mN() - before_mN).reshaped(3, before_mN.size() / 3).colwise().norm().sum();
     report_.overlap_mm = report_.penetration_mm = walls_.find(u_mm_, CutSelfContact::Search::more);
     for (const NearPoint& place : points_near(*body_, tools, advance_mm_, u_mm_, 0.0, deepest_between_mm)) {
       report_.penetration_mm = std::max(report_.penetration_mm, -place.gap_mm);
