@@ -160,7 +160,7 @@ TEST(ContactAgainstCalculix, ABallInABlockPressesAsThereOnTheSameMeshAndOnAFiner
     RecordProperty(on + "force_is", std::to_string(ours.tools[0].force_mN.z() / force_mN));
     EXPECT_LT(std::sqrt(mean_square / seen), (fineness == 1 ? 0.01 : 0.05) * largest_u_mm);
     // The worst is a corner that the faces about it lift off the ball, where few points of either contact press.
-    EXPECT_LT(largest_mm, (fineness == 1 ? 0.03 : 0.15) * largest_u_mm) << "at " << from_axis_mm;
+    EXPECT_LT(largest_mm, (fineness == 1 ? 0.05 : 0.15) * largest_u_mm) << "at " << from_axis_mm;
   }
 }
 

@@ -16,7 +16,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double deepest_between_mm = 0.05;  // the points that tools press on
+constexpr double deepest_between_mm = 0.2;  // the points that tools press on, those of a live body
 
 }  // namespace
 
