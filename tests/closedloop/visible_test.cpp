@@ -28,11 +28,9 @@ const SmallestVisible& of(const std::vector<SmallestVisible>& all, const std::st
 // The effect is planted by what the tests' own formulas make of it.
 int seen(const test::Answer& answer, int repetitions) {
   int count = 0;
-  DiagnosisOptions options;
-  options.probabilities = false;
   for (int seed = 0; seed < repetitions; ++seed) {
     const auto model = material_model(test::compression_tests(answer, noise_kPa, 100 + unsigned(seed))).value();
-    count += diagnose(*model, options).value().verdict == Verdict::nothing_missing ? 0 : 1;
+    count += diagnose(*model).value().verdict == Verdict::nothing_missing ? 0 : 1;
   }
   return count;
 }

@@ -17,7 +17,7 @@
 #include "closedloop/inference/internal/log_sum.h"
 #include "closedloop/inference/internal/stop_when_cancelled.h"
 #include "closedloop/inference/laplace.h"
-#include "closedloop/inference/smooth_baseline.h"
+#include "closedloop/inference/smooth_features.h"
 
 namespace glisson::closedloop {
 namespace {
@@ -25,7 +25,8 @@ namespace {
 // Rows of one direction, which has a process of its own; lengths are shared. In units of the noise as stated.
 struct RestBlock {
   Eigen::VectorXd residual;
-  Eigen::MatrixXd noise;                         // covariance, with what the prediction itself may be off by
+  Eigen::MatrixXd noise;                         // covariance
+  Eigen::MatrixXd mesh;                          // ... of what the prediction itself may be off by; 0 x 0 for nothing
   std::vector<Eigen::MatrixXd> square_distance;  // a feature: between any two rows, the feature scaled to unit spread
   std::size_t time = 0;                          // which feature is time; as many as there are where none is
 };
@@ -36,92 +37,107 @@ Grouping grouped(const Observations& observations, std::size_t maximum);
 // `kept`: the share of each error that the next sample of its series repeats.
 std::vector<RestBlock> blocks_of(const Observations& observations, const SystematicUncertainty& systematic,
                                  const Eigen::VectorXd& residual, const Grouping& groups, double kept);
-double evidence_of_noise(const std::vector<RestBlock>& blocks, const PosteriorOptions& options,
+// White or repeating itself, as the blocks have it; of any size, or as it is stated.
+double evidence_of_noise(const std::vector<RestBlock>& blocks, bool any_size, const PosteriorOptions& options,
                          const Progress& progress);
 double evidence_of_smooth(const std::vector<RestBlock>& blocks, const PosteriorOptions& options,
                           const Progress& progress);
-// Root mean square of what is left, in units of the noise of its rows.
+// Root mean square of what is left, in units of what is to be expected of its rows.
 double size_of(const std::vector<RestBlock>& blocks);
+bool has_mesh_error(const std::vector<RestBlock>& blocks) { return blocks.front().mesh.size() > 0; }
 
-// -ln of the probability of the residuals and of x: the noise's logarithm, and with a smooth function each block's
-// amplitude's and each feature's length's.
+// -ln of the probability of the residuals and of x, which are logarithms: the noise's scale, that of the prediction's
+// own error where there is one, and with a smooth function each block's amplitude and each feature's length.
 class MinusLogPosterior : public ceres::FirstOrderFunction {
  public:
-  MinusLogPosterior(const std::vector<RestBlock>& blocks, bool smooth, const PosteriorOptions& options)
+  MinusLogPosterior(const std::vector<RestBlock>& blocks, bool smooth, bool any_size, const PosteriorOptions& options)
       : blocks_(blocks),
         smooth_(smooth),
+        any_size_(any_size),
         options_(options),
-        lengths_(smooth ? blocks.front().square_distance.size() : 0) {}
+        amplitudes_(1 + (has_mesh_error(blocks) ? 1 : 0)),
+        lengths_(amplitudes_ + blocks.size()),
+        parameters_(smooth ? lengths_ + blocks.front().square_distance.size() : amplitudes_) {}
 
-  [[nodiscard]] int NumParameters() const override {
-    return 1 + (smooth_ ? static_cast<int>(blocks_.size() + lengths_) : 0);
-  }
+  [[nodiscard]] int NumParameters() const override { return static_cast<int>(parameters_); }
 
   bool Evaluate(const double* x, double* value, double* gradient) const override {
-    const double scale = std::exp(2 * x[0]);
     if (gradient != nullptr) std::fill(gradient, gradient + NumParameters(), 0.0);
-    // With something else the noise may be of any size.
-    if (smooth_) {
-      const double off = x[0] / options_.unknown_noise_scale;
-      *value = std::log(std::numbers::pi * options_.unknown_noise_scale * (1 + off * off));
-      if (gradient != nullptr) gradient[0] = 2 * off / (1 + off * off) / options_.unknown_noise_scale;
-    } else {
-      *value = -log_density_of_noise_scale(x[0], options_);
-      if (gradient != nullptr) gradient[0] = x[0] / (options_.noise_scale * options_.noise_scale);
-    }
-    const auto normal = [&](std::size_t i, double middle, double spread) {
-      const double off = (x[i] - std::log(middle)) / spread;
-      *value += 0.5 * off * off + std::log(spread) + 0.5 * std::log(2 * std::numbers::pi);
-      if (gradient != nullptr) gradient[i] = off / spread;
-    };
-    if (smooth_) {
-      for (std::size_t b = 0; b < blocks_.size(); ++b)
-        normal(1 + b, options_.smooth_amplitude, options_.smooth_amplitude_spread);
-      for (std::size_t f = 0; f < lengths_; ++f)
-        normal(first_length() + f, options_.smooth_length, options_.smooth_length_spread);
-    }
-    for (std::size_t b = 0; b < blocks_.size(); ++b) {
-      const RestBlock& block = blocks_[b];
-      const Eigen::Index n = block.residual.size();
-      const Eigen::MatrixXd noise = scale * block.noise;
-      Eigen::MatrixXd smooth;
-      if (smooth_) {
-        Eigen::MatrixXd exponent = Eigen::MatrixXd::Constant(n, n, 2 * x[1 + b]);
-        for (std::size_t f = 0; f < lengths_; ++f)
-          exponent -= 0.5 * std::exp(-2 * x[first_length() + f]) * block.square_distance[f];
-        smooth = exponent.array().exp();
-      }
-      const Eigen::LLT<Eigen::MatrixXd> factor(smooth_ ? Eigen::MatrixXd(noise + smooth) : noise);
-      if (factor.info() != Eigen::Success) return false;
-      const Eigen::VectorXd weights = factor.solve(block.residual);
-      *value += 0.5 * block.residual.dot(weights) + factor.matrixLLT().diagonal().array().log().sum();
-      if (gradient == nullptr) continue;
-      // d/dx = 1/2 tr((K^-1 - w w^T) dK/dx)
-      const Eigen::MatrixXd inner = factor.solve(Eigen::MatrixXd::Identity(n, n)) - weights * weights.transpose();
-      gradient[0] += inner.cwiseProduct(noise).sum();
-      if (!smooth_) continue;
-      const Eigen::MatrixXd along = inner.cwiseProduct(smooth);
-      gradient[1 + b] += along.sum();
-      for (std::size_t f = 0; f < lengths_; ++f)
-        gradient[first_length() + f] +=
-            0.5 * std::exp(-2 * x[first_length() + f]) * along.cwiseProduct(block.square_distance[f]).sum();
-    }
+    *value = 0;
+    add_priors(x, *value, gradient);
+    for (std::size_t b = 0; b < blocks_.size(); ++b)
+      if (!add_block(b, x, *value, gradient)) return false;
     return std::isfinite(*value);
   }
 
  private:
-  [[nodiscard]] std::size_t first_length() const { return 1 + blocks_.size(); }
+  void add_priors(const double* x, double& value, double* gradient) const {
+    if (any_size_) {
+      const double spread = options_.unknown_noise_scale, off = x[0] / spread;
+      const double below = std::min(0.0, x[0] / options_.noise_scale);
+      // Above the stated noise a half of Cauchy's density, below it the little that is left of the other.
+      const double mass = 0.5 + options_.noise_scale / (spread * std::sqrt(2 * std::numbers::pi));
+      value += std::log(mass * std::numbers::pi * spread * (1 + off * off)) + 0.5 * below * below;
+      if (gradient != nullptr) gradient[0] = 2 * off / (1 + off * off) / spread + below / options_.noise_scale;
+    } else {
+      const LogDensity density = log_density_of_noise_scale(x[0], options_);
+      value -= density.value;
+      if (gradient != nullptr) gradient[0] = -density.slope;
+    }
+    const auto normal = [&](std::size_t i, double middle, double spread) {
+      const double off = (x[i] - std::log(middle)) / spread;
+      value += 0.5 * off * off + std::log(spread) + 0.5 * std::log(2 * std::numbers::pi);
+      if (gradient != nullptr) gradient[i] = off / spread;
+    };
+    if (amplitudes_ > 1) normal(1, 1, options_.mesh_error_scale);
+    if (!smooth_) return;
+    for (std::size_t i = amplitudes_; i < lengths_; ++i)
+      normal(i, options_.smooth_amplitude, options_.smooth_amplitude_spread);
+    for (std::size_t i = lengths_; i < parameters_; ++i)
+      normal(i, options_.smooth_length, options_.smooth_length_spread);
+  }
+
+  // False where its covariance has no factor.
+  bool add_block(std::size_t b, const double* x, double& value, double* gradient) const {
+    const RestBlock& block = blocks_[b];
+    const Eigen::Index n = block.residual.size();
+    Eigen::MatrixXd covariance = std::exp(2 * x[0]) * block.noise;
+    if (amplitudes_ > 1) covariance += std::exp(2 * x[1]) * block.mesh;
+    Eigen::MatrixXd smooth;
+    if (smooth_) {
+      Eigen::MatrixXd exponent = Eigen::MatrixXd::Constant(n, n, 2 * x[amplitudes_ + b]);
+      for (std::size_t i = lengths_; i < parameters_; ++i)
+        exponent -= 0.5 * std::exp(-2 * x[i]) * block.square_distance[i - lengths_];
+      smooth = exponent.array().exp();
+      covariance += smooth;
+    }
+    const Eigen::LLT<Eigen::MatrixXd> factor(covariance);
+    if (factor.info() != Eigen::Success) return false;
+    const Eigen::VectorXd weights = factor.solve(block.residual);
+    value += 0.5 * block.residual.dot(weights) + factor.matrixLLT().diagonal().array().log().sum();
+    if (gradient == nullptr) return true;
+    // d/dx = 1/2 tr((K^-1 - w w^T) dK/dx)
+    const Eigen::MatrixXd inner = factor.solve(Eigen::MatrixXd::Identity(n, n)) - weights * weights.transpose();
+    gradient[0] += std::exp(2 * x[0]) * inner.cwiseProduct(block.noise).sum();
+    if (amplitudes_ > 1) gradient[1] += std::exp(2 * x[1]) * inner.cwiseProduct(block.mesh).sum();
+    if (!smooth_) return true;
+    const Eigen::MatrixXd along = inner.cwiseProduct(smooth);
+    gradient[amplitudes_ + b] += along.sum();
+    for (std::size_t i = lengths_; i < parameters_; ++i)
+      gradient[i] += 0.5 * std::exp(-2 * x[i]) * along.cwiseProduct(block.square_distance[i - lengths_]).sum();
+    return true;
+  }
 
   const std::vector<RestBlock>& blocks_;
-  bool smooth_;
+  bool smooth_, any_size_;
   const PosteriorOptions& options_;
-  std::size_t lengths_;
+  std::size_t amplitudes_, lengths_, parameters_;  // where they begin, and how many there are
 };
 
 // At the maximum of the posterior from x, by Laplace's method; -infinity where there is none.
-double log_evidence_from(std::vector<double> x, const std::vector<RestBlock>& blocks, bool smooth,
+double log_evidence_from(std::vector<double> x, const std::vector<RestBlock>& blocks, bool smooth, bool any_size,
                          const PosteriorOptions& options, const Progress& progress) {
-  const ceres::GradientProblem problem(new MinusLogPosterior(blocks, smooth, options));
+  const ceres::GradientProblem problem(new MinusLogPosterior(blocks, smooth, any_size, options));
   StopWhenCancelled stop(progress);
   ceres::GradientProblemSolver::Options solver;
   solver.max_num_iterations = 40;
@@ -130,7 +146,8 @@ double log_evidence_from(std::vector<double> x, const std::vector<RestBlock>& bl
   solver.callbacks.push_back(&stop);
   ceres::GradientProblemSolver::Summary summary;
   ceres::Solve(solver, problem, x.data(), &summary);
-  if (!std::isfinite(summary.final_cost)) return -std::numeric_limits<double>::infinity();
+  if (!summary.IsSolutionUsable() || !std::isfinite(summary.final_cost))
+    return -std::numeric_limits<double>::infinity();  // already its beginning has no factor
   const auto count = static_cast<Eigen::Index>(x.size());
   Eigen::MatrixXd curvature(count, count);
   for (Eigen::Index i = 0; i < count; ++i) {
@@ -160,32 +177,38 @@ SmoothEvidence smooth_evidence(const Observations& observations, const Systemati
   const Grouping groups = grouped(observations, options.smooth_rows);
   const std::vector<RestBlock> white = blocks_of(observations, systematic, residual, groups, 0);
   SmoothEvidence evidence;
-  evidence.smooth = evidence_of_smooth(white, options, progress);
-  evidence.noise = evidence_of_noise(white, options, progress);
+  std::vector<double> as_stated{evidence_of_noise(white, false, options, progress)};
+  std::vector<double> of_any_size{evidence_of_noise(white, true, options, progress)};
   if (observations.has_places()) {
     std::size_t taken = 0;
     for (const auto& group : groups) taken += group.size();
     evidence.share_of_rows = double(taken) / double(observations.rows());
-    return evidence;
-  }
-  // Or noise that repeats itself, as instruments' may.
-  std::vector<double> logs{std::log(1 - options.noise_repeats) + evidence.noise};
-  for (const double kept : options.noise_kept) {
+  } else {
+    // Or noise that repeats itself, as instruments' may.
+    as_stated.front() += std::log(1 - options.noise_repeats);
+    of_any_size.front() += std::log(1 - options.noise_repeats);
     const double log_share = std::log(options.noise_repeats / double(options.noise_kept.size()));
-    logs.push_back(log_share +
-                   evidence_of_noise(blocks_of(observations, systematic, residual, groups, kept), options, progress));
+    for (const double kept : options.noise_kept) {
+      const std::vector<RestBlock> blocks = blocks_of(observations, systematic, residual, groups, kept);
+      as_stated.push_back(log_share + evidence_of_noise(blocks, false, options, progress));
+      of_any_size.push_back(log_share + evidence_of_noise(blocks, true, options, progress));
+    }
   }
-  evidence.noise = log_sum(logs);
+  evidence.noise = log_sum(as_stated);
+  evidence.smooth = log_sum({std::log(1 - options.noise_alone) + evidence_of_smooth(white, options, progress),
+                             std::log(options.noise_alone) + log_sum(of_any_size)});
   return evidence;
 }
 
 namespace {
 
-double evidence_of_noise(const std::vector<RestBlock>& blocks, const PosteriorOptions& options,
+double evidence_of_noise(const std::vector<RestBlock>& blocks, bool any_size, const PosteriorOptions& options,
                          const Progress& progress) {
-  const double too_large = std::log(std::max(0.03, size_of(blocks)));
-  return std::max(log_evidence_from({0.0}, blocks, false, options, progress),
-                  log_evidence_from({too_large}, blocks, false, options, progress));
+  std::vector<double> as_stated(has_mesh_error(blocks) ? 2 : 1, 0.0);
+  std::vector<double> too_large = as_stated;
+  too_large.front() = std::log(std::max(0.03, size_of(blocks)));
+  return std::max(log_evidence_from(std::move(as_stated), blocks, false, any_size, options, progress),
+                  log_evidence_from(std::move(too_large), blocks, false, any_size, options, progress));
 }
 
 // The evidence has several maxima: the search begins from long lengths, from short ones, from ripples in time, and from
@@ -200,13 +223,14 @@ double evidence_of_smooth(const std::vector<RestBlock>& blocks, const PosteriorO
   for (const Beginning& start : {Beginning{2.0, 2.0, 1 / size, 1.0}, Beginning{0.7, 0.7, 1 / size, 1.0},
                                  Beginning{3.0, 0.1, 1 / size, 0.7}, Beginning{2.0, 2.0, 1.0, 0.3}}) {
     std::vector<double> x{std::log(start.noise * size)};
+    if (has_mesh_error(blocks)) x.push_back(0);
     for (const RestBlock& block : blocks) {
       const double mean_square = block.residual.squaredNorm() / static_cast<double>(block.residual.size());
       x.push_back(0.5 * std::log(std::max(0.1, mean_square)) + std::log(start.amplitude));
     }
     for (std::size_t f = 0; f < blocks.front().square_distance.size(); ++f)
       x.push_back(std::log(f == blocks.front().time ? start.in_time : start.length));
-    best = std::max(best, log_evidence_from(std::move(x), blocks, true, options, progress));
+    best = std::max(best, log_evidence_from(std::move(x), blocks, true, true, options, progress));
   }
   return best;
 }
@@ -214,7 +238,9 @@ double evidence_of_smooth(const std::vector<RestBlock>& blocks, const PosteriorO
 double size_of(const std::vector<RestBlock>& blocks) {
   double square = 0, count = 0;
   for (const RestBlock& block : blocks) {
-    square += block.residual.cwiseAbs2().cwiseQuotient(block.noise.diagonal()).sum();
+    Eigen::VectorXd expected = block.noise.diagonal();
+    if (block.mesh.size() > 0) expected += block.mesh.diagonal();
+    square += block.residual.cwiseAbs2().cwiseQuotient(expected).sum();
     count += static_cast<double>(block.residual.size());
   }
   return std::sqrt(square / count);
@@ -316,9 +342,10 @@ std::vector<RestBlock> blocks_of(const Observations& observations, const Systema
     const auto n = static_cast<Eigen::Index>(own.size());
     block.noise = covariance_of_means(observations, groups, own, kept);
     block.time = time;
+    if (systematic.directions.cols() > 0 || systematic.shared.size() > 0) block.mesh = Eigen::MatrixXd::Zero(n, n);
     if (systematic.directions.cols() > 0) {
       const Eigen::MatrixXd off = averaged(inverse_noise.asDiagonal() * systematic.directions, own);
-      block.noise += off * off.transpose();
+      block.mesh += off * off.transpose();
     }
     if (systematic.shared.size() > 0) {
       const Eigen::VectorXd shared = averaged(inverse_noise.cwiseProduct(systematic.shared), own);
@@ -327,7 +354,7 @@ std::vector<RestBlock> blocks_of(const Observations& observations, const Systema
       };
       for (Eigen::Index i = 0; i < n; ++i)
         for (Eigen::Index j = 0; j < n; ++j)
-          if (group_of(i) == group_of(j)) block.noise(i, j) += shared[i] * shared[j];
+          if (group_of(i) == group_of(j)) block.mesh(i, j) += shared[i] * shared[j];
     }
     const Eigen::MatrixXd at = averaged(features, own);
     for (Eigen::Index f = 0; f < at.cols(); ++f) {

@@ -25,12 +25,10 @@ def reliability(results):
     all_of_them = [(e["probability"], is_truth(e, r)) for r in cases for e in r["posterior"]
                    if e["probability"] >= WORTH_COUNTING]
     of_truth = [next((e["probability"] for e in r["posterior"] if is_truth(e, r)), 0.0) for r in cases]
-    ways = sum(r["agrees"] for r in cases)
     return ["", f"probabilities, {len(cases)} cases: expected calibration error of the likeliest explanation"
                 f" {error(leading):.3f}, of all that were given 1 % and more {error(all_of_them):.3f};"
                 f" the likeliest is right in {sum(right for _, right in leading)} of {len(cases)};"
-                f" mean of -ln (probability of the truth) {sum(-math.log(max(p, 1e-3)) for p in of_truth) / len(cases):.2f};"
-                f" agrees with the verdict in {ways}",
+                f" mean of -ln (probability of the truth) {sum(-math.log(max(p, 1e-3)) for p in of_truth) / len(cases):.2f}",
             "", "| sort | cases | expected calibration error of the likeliest | were it calibrated: median, 95th percentile |"
             " likeliest is right |", "|---|---|---|---|---|", *sorts(cases, leading),
             "", "| probability given | likeliest: right | mean given | all: right | mean given |", "|---|---|---|---|---|",
