@@ -15,7 +15,7 @@ namespace {
 using Eigen::Vector3d;
 
 // Tuned on generated patients 1 to 10 (docs/territories.md).
-constexpr std::uint64_t walks = 6;
+constexpr std::uint64_t walks = 32;                  // many short ones: one that is stuck stays so however long it is
 constexpr double of_distance = 2, farthest_mm = 30;  // a square millimetre of the mean squared distance, and its limit
 constexpr double as_likely = 20;                     // energies this much higher count 1 / e for the confidence
 
@@ -141,6 +141,7 @@ ToldApart tell_apart(const VesselGraph& graph, const VesselEntries& expected, co
   const auto best = static_cast<std::size_t>(std::min_element(costs.begin(), costs.end()) - costs.begin());
   ToldApart told{systems_of(graph, junctions, forests[best]), std::vector<double>(graph.branches.size(), 1),
                  entries_of(junctions, forests[best], entries)};
+  const std::vector<double> sure = sure_of(junctions, entries, known, forests[best]);
   for (std::size_t p = 0; p < junctions.pieces.size(); ++p) {
     double agreed = 0, all = 0;
     for (std::size_t n = 0; n < walks; ++n) {
@@ -148,8 +149,7 @@ ToldApart tell_apart(const VesselGraph& graph, const VesselEntries& expected, co
       all += weight;
       if (forests[n].system[p] == forests[best].system[p]) agreed += weight;
     }
-    told.confidence[static_cast<std::size_t>(junctions.pieces[p].branch)] =
-        std::max(0.5, agreed / all * forests[best].sure[p]);
+    told.confidence[static_cast<std::size_t>(junctions.pieces[p].branch)] = std::max(0.5, agreed / all * sure[p]);
   }
   return told;
 }
