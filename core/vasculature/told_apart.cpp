@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 
 #include "base/parallel.h"
 #include "vasculature/internal/forest.h"
+#include "vasculature/internal/nearest_line.h"
 
 namespace glisson::vasculature {
 
@@ -49,15 +49,9 @@ double squared_distance_mm2(const VesselGraph& graph, const Junctions& junctions
 KnownPieces known_by(const VesselGraph& graph, const Junctions& junctions, const Clicks& clicks) {
   std::map<int, System> known;
   for (const Click& click : clicks) {
-    double nearest_mm = std::numeric_limits<double>::infinity();
-    int nearest = 0;
-    for (std::size_t p = 0; p < junctions.pieces.size(); ++p) {
-      const double away_mm = from_wall_mm(branch_of(graph, junctions, p).points, click.position_mm);
-      if (away_mm >= nearest_mm) continue;
-      nearest_mm = away_mm;
-      nearest = static_cast<int>(p);
-    }
-    known.insert_or_assign(nearest, system_of(click.vessel));
+    const auto line_of = [&](std::size_t p) { return &branch_of(graph, junctions, p).points; };
+    const int piece = nearest_line(junctions.pieces.size(), click.position_mm, line_of).number;
+    if (piece >= 0) known.insert_or_assign(piece, system_of(click.vessel));
   }
   return {known.begin(), known.end()};
 }
