@@ -7039,6 +7039,14 @@
         <source>{0} lies {1} mm from the usual course of the border of {2}: tell the border that is meant, or put the place on it.</source>
         <translation>{0} liegt {1} mm vom üblichen Verlauf der Grenze von {2}: Nennen Sie die Grenze, die gemeint ist, oder setzen Sie die Stelle auf sie.</translation>
     </message>
+    <message>
+        <source>portal-vein and hepatic-vein hold the same vessels: {0} % of the smaller one.</source>
+        <translation>portal-vein und hepatic-vein enthalten dieselben Gefäße: {0} % der kleineren Struktur.</translation>
+    </message>
+    <message>
+        <source>Unite them in one structure, vessels: its systems are told apart.</source>
+        <translation>Vereinigen Sie sie in einer Struktur, vessels: Deren Systeme werden unterschieden.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

@@ -7039,6 +7039,14 @@
         <source>{0} lies {1} mm from the usual course of the border of {2}: tell the border that is meant, or put the place on it.</source>
         <translation>{0} está a {1} mm del recorrido habitual del límite de {2}: diga el límite que se quiere decir, o ponga el lugar en él.</translation>
     </message>
+    <message>
+        <source>portal-vein and hepatic-vein hold the same vessels: {0} % of the smaller one.</source>
+        <translation>portal-vein y hepatic-vein contienen los mismos vasos: {0} % de la menor.</translation>
+    </message>
+    <message>
+        <source>Unite them in one structure, vessels: its systems are told apart.</source>
+        <translation>Únalas en una estructura, vessels: sus sistemas se distinguen.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

@@ -7039,6 +7039,14 @@
         <source>{0} lies {1} mm from the usual course of the border of {2}: tell the border that is meant, or put the place on it.</source>
         <translation>{0} est à {1} mm du trajet habituel de la limite de {2} : indiquez la limite voulue, ou placez l’endroit sur elle.</translation>
     </message>
+    <message>
+        <source>portal-vein and hepatic-vein hold the same vessels: {0} % of the smaller one.</source>
+        <translation>portal-vein et hepatic-vein contiennent les mêmes vaisseaux : {0} % de la plus petite.</translation>
+    </message>
+    <message>
+        <source>Unite them in one structure, vessels: its systems are told apart.</source>
+        <translation>Réunissez-les en une structure, vessels : ses systèmes sont distingués.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

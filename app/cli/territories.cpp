@@ -57,8 +57,9 @@ Outcome describe(const casefile::FoundTerritories& found, const planning::Planne
                         stiffness.at(s).mean_kPa ? fmt::format(", {:.1f} kPa", *stiffness.at(s).mean_kPa) : "");
   }
   const bool by_shape = found.couinaud.from == vasculature::SegmentsFrom::shape;
-  text += fmt::format("By the liver's shape {}{}.\n", by_shape ? "alone" : "and its vessels",
-                      borders > 0 ? fmt::format(", and {} places on borders set by hand", borders) : "");
+  text += fmt::format(
+      "By the liver's shape {}{}.\n", by_shape ? "alone" : "and its vessels",
+      borders > 0 ? fmt::format(", and {} place{} on borders set by hand", borders, borders > 1 ? "s" : "") : "");
   return {{{"from", by_shape ? "prior" : "tree"},
            {"territories", std::move(territories)},
            {"segments", std::move(segments)},

@@ -78,16 +78,36 @@ Result<Mask> vessel_mask(const Case& patient, const std::string& name, const Mas
   return mask;
 }
 
+// Fails with vessels-overlap: what was grown as one system holds most of the other too.
+Result<void> hold_apart(const std::array<Mask, 2>& systems, const std::filesystem::path& folder) {
+  std::array<double, 3> voxels{};  // of each, and of both
+  for (std::size_t i = 0; i < systems[0].values.size(); ++i) {
+    const bool a = systems[0].values[i] != 0, b = systems[1].values[i] != 0;
+    voxels[0] += a ? 1 : 0, voxels[1] += b ? 1 : 0, voxels[2] += a && b ? 1 : 0;
+  }
+  const double share = voxels[2] / std::max(1.0, std::min(voxels[0], voxels[1]));
+  if (share < 0.5) return {};
+  return failure(Error{"vessels-overlap",
+                       GLISSON_TEXT("portal-vein and hepatic-vein hold the same vessels: {0} % of the smaller one."),
+                       {fmt::format("{:.0f}", 100 * share)},
+                       GLISSON_TEXT("Unite them in one structure, vessels: its systems are told apart."),
+                       folder});
+}
+
 // Portal and hepatic veins where each has a structure of its own.
 Result<VesselTrees> known_trees(const Case& patient, const Mask& liver, const vasculature::Told& told,
                                 const Progress& progress) {
-  std::array<vasculature::VesselGraph, 2> graphs;
+  std::array<Mask, 2> masks;
   for (const System system : {System::portal_vein, System::hepatic_vein}) {
-    const auto n = static_cast<std::size_t>(system);
-    const auto mask = vessel_mask(patient, vasculature::system_name(system), liver);
-    if (!mask) return failure(mask.error());
+    auto mask = vessel_mask(patient, vasculature::system_name(system), liver);
+    if (!mask) return failure(std::move(mask.error()));
+    masks.at(static_cast<std::size_t>(system)) = std::move(*mask);
+  }
+  if (auto apart = hold_apart(masks, patient.folder()); !apart) return failure(std::move(apart.error()));
+  std::array<vasculature::VesselGraph, 2> graphs;
+  for (std::size_t n = 0; n < 2; ++n) {
     auto graph = vasculature::center_lines(
-        *mask, {}, progress.part(0.4 * static_cast<double>(n), 0.4 + 0.4 * static_cast<double>(n)));
+        masks.at(n), {}, progress.part(0.4 * static_cast<double>(n), 0.4 + 0.4 * static_cast<double>(n)));
     if (!graph) return failure(std::move(graph.error()));
     graphs.at(n) = std::move(*graph);
   }

@@ -27,7 +27,7 @@ inline constexpr const char* couinaud_id = "territories/couinaud";
 
 // From labels/liver and one structure of both systems; without its name from portal-vein and hepatic-vein, or where
 // these are not there from "vessels". Trees that were made so before, of what the case still holds, are read. Fails
-// with vessels-missing, labels-grids-differ and as the room vasculature says.
+// with vessels-missing, labels-grids-differ, vessels-overlap and as the room vasculature says.
 Result<vasculature::VesselTrees> find_vessels(Case& patient, const std::optional<std::string>& structure,
                                               const vasculature::Told& told = {}, const Progress& progress = {});
 

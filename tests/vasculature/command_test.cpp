@@ -111,6 +111,10 @@ TEST_F(GeneratedCase, GoesFromVesselsToTreesToSegments) {
   EXPECT_EQ(prior.at("segments").size(), 8u);
 
   answer({"segment", patient(), "--structure", "portal-vein", "--labels", label("portal-vein")});
+  answer({"segment", patient(), "--structure", "hepatic-vein", "--labels", label("portal-vein")});
+  const Finished same = glisson_cli({"vessels", patient(), "--json", "--quiet"});
+  EXPECT_EQ(same.exit_code, 1);
+  EXPECT_EQ(same.json().at("error").at("code"), "vessels-overlap");
   answer({"segment", patient(), "--structure", "hepatic-vein", "--labels", label("hepatic-vein")});
   answer({"segment", patient(), "--structure", "vessels", "--unite", "portal-vein"});
   answer({"segment", patient(), "--structure", "vessels", "--unite", "hepatic-vein"});
