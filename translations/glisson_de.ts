@@ -7011,6 +7011,34 @@
         <source>Probability of {0}, or of what these data cannot tell from it: {1}.</source>
         <translation>Wahrscheinlichkeit von {0} oder von dem, was diese Daten nicht davon unterscheiden: {1}.</translation>
     </message>
+    <message>
+        <source>portal-vein and hepatic-vein hold the same vessels: {0} % of the smaller one.</source>
+        <translation>portal-vein und hepatic-vein enthalten dieselben Gefäße: {0} % der kleineren Struktur.</translation>
+    </message>
+    <message>
+        <source>Unite them in one structure, vessels: its systems are told apart.</source>
+        <translation>Vereinigen Sie sie in einer Struktur, vessels: Deren Systeme werden unterschieden.</translation>
+    </message>
+    <message>
+        <source>{0} places on borders are told: tell {1} at most.</source>
+        <translation>{0} Stellen auf Grenzen sind genannt: Nennen Sie höchstens {1}.</translation>
+    </message>
+    <message>
+        <source>{0} does not lie in the liver, where the border of {1} was told: put the place inside.</source>
+        <translation>{0} liegt nicht in der Leber, wo die Grenze von {1} genannt ist: Setzen Sie die Stelle hinein.</translation>
+    </message>
+    <message>
+        <source>{0} lies {1} mm from the usual course of the border of {2}: tell the border that is meant, or put the place on it.</source>
+        <translation>{0} liegt {1} mm vom üblichen Verlauf der Grenze von {2}: Nennen Sie die Grenze, die gemeint ist, oder setzen Sie die Stelle auf sie.</translation>
+    </message>
+    <message>
+        <source>The border of {0} cannot pass {1} as well as the other borders where they were told: take one of the places back.</source>
+        <translation>Die Grenze von {0} kann nicht durch {1} gehen und die anderen Grenzen durch ihre Stellen: Nehmen Sie eine der Stellen zurück.</translation>
+    </message>
+    <message>
+        <source>--border wants BORDER=X,Y,Z with one of {0}, not &quot;{1}&quot;.</source>
+        <translation>--border verlangt BORDER=X,Y,Z mit einem von {0}, nicht „{1}“.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>
@@ -7195,6 +7223,33 @@
     <message>
         <source>Registers every frame by the algorithms above and judges them by SIRGn: up to a second or so a frame</source>
         <translation>Registriert jedes Bild mit den Algorithmen oben und beurteilt sie mit SIRGn: bis etwa eine Sekunde je Bild</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::BorderByHand</name>
+    <message>
+        <source>Runs through the crosshair</source>
+        <translation>Verläuft durch das Fadenkreuz</translation>
+    </message>
+    <message>
+        <source>The border of these two segments is to pass the crosshair. Segments are found again by it, and are less in doubt</source>
+        <translation>Die Grenze dieser beiden Segmente soll durch das Fadenkreuz gehen. Segmente werden danach neu bestimmt und sind weniger fraglich</translation>
+    </message>
+    <message>
+        <source>First stands the border that runs nearest to the crosshair</source>
+        <translation>Zuerst steht die Grenze, die dem Fadenkreuz am nächsten verläuft</translation>
+    </message>
+    <message>
+        <source>Border %1 (%2 mm away)</source>
+        <translation>Grenze %1 (%2 mm entfernt)</translation>
+    </message>
+    <message>
+        <source>Forget the last place (%1)</source>
+        <translation>Letzte Stelle vergessen (%1)</translation>
+    </message>
+    <message>
+        <source>Places on borders that were set by hand: %1. Segments are found again without the last</source>
+        <translation>Von Hand gesetzte Stellen auf Grenzen: %1. Segmente werden ohne die letzte neu bestimmt</translation>
     </message>
 </context>
 <context>
@@ -9870,6 +9925,10 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Griffe am Fad
     <message>
         <source>Growth since an earlier study</source>
         <translation>Wachstum seit einer früheren Untersuchung</translation>
+    </message>
+    <message>
+        <source>By the liver&apos;s shape and borders set by hand: it has no vessel trees.</source>
+        <translation>Nach der Form der Leber und von Hand gesetzten Grenzen: Sie hat keine Gefäßbäume.</translation>
     </message>
 </context>
 <context>

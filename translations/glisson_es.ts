@@ -7011,6 +7011,34 @@
         <source>Probability of {0}, or of what these data cannot tell from it: {1}.</source>
         <translation>Probabilidad de {0}, o de lo que estos datos no distinguen de ello: {1}.</translation>
     </message>
+    <message>
+        <source>portal-vein and hepatic-vein hold the same vessels: {0} % of the smaller one.</source>
+        <translation>portal-vein y hepatic-vein contienen los mismos vasos: {0} % de la menor.</translation>
+    </message>
+    <message>
+        <source>Unite them in one structure, vessels: its systems are told apart.</source>
+        <translation>Únalas en una estructura, vessels: sus sistemas se distinguen.</translation>
+    </message>
+    <message>
+        <source>{0} places on borders are told: tell {1} at most.</source>
+        <translation>Se dicen {0} lugares en límites: diga {1} como mucho.</translation>
+    </message>
+    <message>
+        <source>{0} does not lie in the liver, where the border of {1} was told: put the place inside.</source>
+        <translation>{0} no está en el hígado, donde se dijo el límite de {1}: ponga el lugar dentro.</translation>
+    </message>
+    <message>
+        <source>{0} lies {1} mm from the usual course of the border of {2}: tell the border that is meant, or put the place on it.</source>
+        <translation>{0} está a {1} mm del recorrido habitual del límite de {2}: diga el límite que se quiere decir, o ponga el lugar en él.</translation>
+    </message>
+    <message>
+        <source>The border of {0} cannot pass {1} as well as the other borders where they were told: take one of the places back.</source>
+        <translation>El límite de {0} no puede pasar por {1} y los demás límites por sus lugares: retire uno de los lugares.</translation>
+    </message>
+    <message>
+        <source>--border wants BORDER=X,Y,Z with one of {0}, not &quot;{1}&quot;.</source>
+        <translation>--border pide BORDER=X,Y,Z con uno de {0}, no «{1}».</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>
@@ -7195,6 +7223,33 @@
     <message>
         <source>Registers every frame by the algorithms above and judges them by SIRGn: up to a second or so a frame</source>
         <translation>Registra cada fotograma con los algoritmos de arriba y los juzga con SIRGn: hasta un segundo por fotograma, más o menos</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::BorderByHand</name>
+    <message>
+        <source>Runs through the crosshair</source>
+        <translation>Pasa por la cruz</translation>
+    </message>
+    <message>
+        <source>The border of these two segments is to pass the crosshair. Segments are found again by it, and are less in doubt</source>
+        <translation>El límite de estos dos segmentos ha de pasar por la cruz. Los segmentos se hallan de nuevo según él y están menos en duda</translation>
+    </message>
+    <message>
+        <source>First stands the border that runs nearest to the crosshair</source>
+        <translation>Primero está el límite que pasa más cerca de la cruz</translation>
+    </message>
+    <message>
+        <source>Border %1 (%2 mm away)</source>
+        <translation>Límite %1 (a %2 mm)</translation>
+    </message>
+    <message>
+        <source>Forget the last place (%1)</source>
+        <translation>Olvidar el último lugar (%1)</translation>
+    </message>
+    <message>
+        <source>Places on borders that were set by hand: %1. Segments are found again without the last</source>
+        <translation>Lugares en límites puestos a mano: %1. Los segmentos se hallan de nuevo sin el último</translation>
     </message>
 </context>
 <context>
@@ -9872,6 +9927,10 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar. Ctrl+arrastrar: girar. Tiradores 
     <message>
         <source>Growth since an earlier study</source>
         <translation>Crecimiento desde un estudio anterior</translation>
+    </message>
+    <message>
+        <source>By the liver&apos;s shape and borders set by hand: it has no vessel trees.</source>
+        <translation>Según la forma del hígado y límites puestos a mano: no tiene árboles vasculares.</translation>
     </message>
 </context>
 <context>

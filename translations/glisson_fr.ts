@@ -7011,6 +7011,34 @@
         <source>Probability of {0}, or of what these data cannot tell from it: {1}.</source>
         <translation>Probabilité de {0}, ou de ce que ces données n&apos;en distinguent pas : {1}.</translation>
     </message>
+    <message>
+        <source>portal-vein and hepatic-vein hold the same vessels: {0} % of the smaller one.</source>
+        <translation>portal-vein et hepatic-vein contiennent les mêmes vaisseaux : {0} % de la plus petite.</translation>
+    </message>
+    <message>
+        <source>Unite them in one structure, vessels: its systems are told apart.</source>
+        <translation>Réunissez-les en une structure, vessels : ses systèmes sont distingués.</translation>
+    </message>
+    <message>
+        <source>{0} places on borders are told: tell {1} at most.</source>
+        <translation>{0} endroits sur des limites sont indiqués : indiquez-en {1} au plus.</translation>
+    </message>
+    <message>
+        <source>{0} does not lie in the liver, where the border of {1} was told: put the place inside.</source>
+        <translation>{0} n’est pas dans le foie, où la limite de {1} est indiquée : placez l’endroit dedans.</translation>
+    </message>
+    <message>
+        <source>{0} lies {1} mm from the usual course of the border of {2}: tell the border that is meant, or put the place on it.</source>
+        <translation>{0} est à {1} mm du trajet habituel de la limite de {2} : indiquez la limite voulue, ou placez l’endroit sur elle.</translation>
+    </message>
+    <message>
+        <source>The border of {0} cannot pass {1} as well as the other borders where they were told: take one of the places back.</source>
+        <translation>La limite de {0} ne peut passer par {1} et les autres limites par leurs endroits : retirez un des endroits.</translation>
+    </message>
+    <message>
+        <source>--border wants BORDER=X,Y,Z with one of {0}, not &quot;{1}&quot;.</source>
+        <translation>--border demande BORDER=X,Y,Z avec l’un de {0}, non « {1} ».</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>
@@ -7195,6 +7223,33 @@
     <message>
         <source>Registers every frame by the algorithms above and judges them by SIRGn: up to a second or so a frame</source>
         <translation>Recale chaque image par les algorithmes ci-dessus et les juge par SIRGn&#xa0;: jusqu’à une seconde environ par image</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::BorderByHand</name>
+    <message>
+        <source>Runs through the crosshair</source>
+        <translation>Passe par le réticule</translation>
+    </message>
+    <message>
+        <source>The border of these two segments is to pass the crosshair. Segments are found again by it, and are less in doubt</source>
+        <translation>La limite de ces deux segments doit passer par le réticule. Les segments sont retrouvés d’après elle et sont moins incertains</translation>
+    </message>
+    <message>
+        <source>First stands the border that runs nearest to the crosshair</source>
+        <translation>En premier figure la limite qui passe le plus près du réticule</translation>
+    </message>
+    <message>
+        <source>Border %1 (%2 mm away)</source>
+        <translation>Limite %1 (à %2 mm)</translation>
+    </message>
+    <message>
+        <source>Forget the last place (%1)</source>
+        <translation>Oublier le dernier endroit (%1)</translation>
+    </message>
+    <message>
+        <source>Places on borders that were set by hand: %1. Segments are found again without the last</source>
+        <translation>Endroits sur des limites placés à la main : %1. Les segments sont retrouvés sans le dernier</translation>
     </message>
 </context>
 <context>
@@ -9872,6 +9927,10 @@ Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: déplacer. Ctrl+glisser&#xa0;: tour
     <message>
         <source>Growth since an earlier study</source>
         <translation>Croissance depuis un examen antérieur</translation>
+    </message>
+    <message>
+        <source>By the liver&apos;s shape and borders set by hand: it has no vessel trees.</source>
+        <translation>D’après la forme du foie et des limites placées à la main : il n’a pas d’arbres vasculaires.</translation>
     </message>
 </context>
 <context>
