@@ -55,7 +55,7 @@ TEST(SmallestVisible, IsFoundInNineOfTenAndHalfOfItSeldomAndTwiceAlways) {
       return test::relaxing(test::straight_line(trial), trial.time_s, times * amplitude, time_s);
     };
   };
-  constexpr int repetitions = 6;  // each weighs all explanations
+  constexpr int repetitions = 6;                          // each weighs all explanations
   EXPECT_GE(seen(stiffer(1), repetitions), 4) << factor;  // 5.4 expected
   EXPECT_LE(seen(stiffer(0.5), repetitions), 4) << factor;
   EXPECT_EQ(seen(stiffer(2), repetitions), repetitions) << factor;
