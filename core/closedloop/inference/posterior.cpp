@@ -149,9 +149,7 @@ Sentence posterior_sentence(const Explanation& explanation, const NameOfExplanat
   const Posterior& all = explanation.posterior;
   const auto called = [&](const WeighedExplanation& weighed) { return name ? name(weighed) : name_of(weighed); };
   const WeighedExplanation& leading = all.front();
-  WeighedExplanation named;
-  for (const FoundEffect& effect : explanation.effects) named.kinds.push_back(effect.kind);
-  std::sort(named.kinds.begin(), named.kinds.end());
+  const WeighedExplanation named{kinds_of(explanation.settings)};
   if (explanation.verdict == Verdict::explained && named.kinds != leading.kinds)
     return {GLISSON_TEXT("Probability of {0}, or of what these data cannot tell from it: {1}."),
             {called(named), in_percent(explanation.of_effects)}};
