@@ -5264,10 +5264,6 @@
         <translation>Das Residuum ist nicht ganz zufällig, aber nicht größer als das, was ein feineres Netz an der Vorhersage ändern würde.</translation>
     </message>
     <message>
-        <source>What was found brings the residual to the noise, but is no clearly better evidence (BIC {0}) than a smooth function of what was done, which names no cause.</source>
-        <translation>Das Gefundene bringt das Residuum bis auf das Rauschen, ist aber nicht deutlich besser belegt (BIC {0}) als eine glatte Funktion der Versuchsbedingungen, die keine Ursache nennt.</translation>
-    </message>
-    <message>
         <source>{0} was left out: {1}</source>
         <translation>{0} wurde weggelassen: {1}</translation>
     </message>
@@ -5820,14 +5816,6 @@
         <translation>Wahrscheinlichkeit, dass etwas wirkt, das nicht im Katalog steht: {1}.</translation>
     </message>
     <message>
-        <source>What was found suffices, but weighing all explanations, {0} is likelier ({1}): take the name as one of several that these data allow.</source>
-        <translation>Das Gefundene genügt, aber beim Abwägen aller Erklärungen ist {0} wahrscheinlicher ({1}): der Name ist einer von mehreren, die diese Daten zulassen.</translation>
-    </message>
-    <message>
-        <source>Among all explanations {0} weighs most ({1}), but it does not pass as a cause: it leaves too much, or a function without a cause does about as well. Do not build on it.</source>
-        <translation>Unter allen Erklärungen wiegt {0} am meisten ({1}), gilt aber nicht als Ursache: es lässt zu viel übrig, oder eine Funktion ohne Ursache leistet etwa dasselbe. Bauen Sie nicht darauf.</translation>
-    </message>
-    <message>
         <source>The whole specimen is stiffer or softer than declared, everywhere by the same factor.</source>
         <translation>Die ganze Probe ist steifer oder weicher als angegeben, überall um denselben Faktor.</translation>
     </message>
@@ -5870,22 +5858,6 @@
     <message>
         <source>× noise</source>
         <translation>× Rauschen</translation>
-    </message>
-    <message>
-        <source>Nothing is missing: what the declared model leaves is noise, and nothing was added to it.</source>
-        <translation>Nichts fehlt: was das angegebene Modell übrig lässt, ist Rauschen, und es wurde ihm nichts hinzugefügt.</translation>
-    </message>
-    <message>
-        <source>Explained: with the effects below, what is left is as small as the noise of the measurement.</source>
-        <translation>Erklärt: mit den Effekten unten ist das Übrige so klein wie das Rauschen der Messung.</translation>
-    </message>
-    <message>
-        <source>Unexplained: known effects can be bent until what is left is noise, but a smooth function of what was done, which has no cause, accounts for it about as well. What is named below is not a cause that these data establish.</source>
-        <translation>Nicht erklärt: bekannte Effekte lassen sich so biegen, dass nur Rauschen bleibt, aber eine glatte Funktion dessen, was getan wurde, die keine Ursache hat, leistet etwa dasselbe. Was unten genannt wird, ist keine Ursache, die diese Daten belegen.</translation>
-    </message>
-    <message>
-        <source>Unexplained: no combination of known effects brings the error near the noise. What is named below removes a part of it and is not a cause that these data establish.</source>
-        <translation>Nicht erklärt: keine Verbindung bekannter Effekte bringt den Fehler in die Nähe des Rauschens. Was unten genannt wird, nimmt einen Teil davon weg und ist keine Ursache, die diese Daten belegen.</translation>
     </message>
     <message>
         <source>What the declared model lacks, by the measurements</source>
@@ -7016,16 +6988,64 @@
         <translation>Bei ({0}, {1}, {2}) mm mit {3} N drücken und die Kraft {4} s lang halten.</translation>
     </message>
     <message>
-        <source>What is left is no larger than noise and the prediction&apos;s own error, and yet weighing all explanations finds a weak sign of {0} ({1}): only further trials could tell.</source>
-        <translation>Was übrig ist, ist nicht größer als Rauschen und der eigene Fehler der Vorhersage, und doch findet das Abwägen aller Erklärungen ein schwaches Zeichen für {0} ({1}): nur weitere Versuche könnten es zeigen.</translation>
-    </message>
-    <message>
         <source>No vessel lies within {0} mm of {1}, where one was told: put the place on the vessel.</source>
         <translation>Im Umkreis von {0} mm um {1} liegt kein Gefäß, wo eines angegeben wurde: Setzen Sie die Stelle auf das Gefäß.</translation>
     </message>
     <message>
         <source>--click wants VESSEL=X,Y,Z with one of {0}, not &quot;{1}&quot;.</source>
         <translation>--click verlangt GEFÄSS=X,Y,Z mit einem von {0}, nicht „{1}“.</translation>
+    </message>
+    <message>
+        <source>The residual is larger than the stated noise, but has no shape that speaks of an effect: the noise may be stated too small, or some rows are outliers.</source>
+        <translation>Das Residuum ist größer als das angegebene Rauschen, hat aber keine Form, die für einen Effekt spricht: Das Rauschen ist vielleicht zu klein angegeben, oder einige Werte sind Ausreißer.</translation>
+    </message>
+    <message>
+        <source>Nothing is probable enough to be named. Probability of {0}: {1}; next comes: {2}, {3}.</source>
+        <translation>Nichts ist wahrscheinlich genug, um genannt zu werden. Wahrscheinlichkeit von {0}: {1}; danach kommt: {2}, {3}.</translation>
+    </message>
+    <message>
+        <source>Nothing is missing: what the declared model leaves shows no effect, and nothing was added to it.</source>
+        <translation>Es fehlt nichts: Was das angegebene Modell übrig lässt, zeigt keinen Effekt, und nichts wurde hinzugefügt.</translation>
+    </message>
+    <message>
+        <source>Explained: the effects below are probable enough to be named.</source>
+        <translation>Erklärt: Die Effekte unten sind wahrscheinlich genug, um genannt zu werden.</translation>
+    </message>
+    <message>
+        <source>Unexplained: something acts that the declared model lacks, and no combination of known effects is probable enough to be named. What is named below removes a part of the error and is not a cause that these data establish.</source>
+        <translation>Unerklärt: Es wirkt etwas, das dem angegebenen Modell fehlt, und keine Verbindung bekannter Effekte ist wahrscheinlich genug, um genannt zu werden. Was unten steht, nimmt einen Teil des Fehlers weg und ist keine Ursache, die diese Daten belegen.</translation>
+    </message>
+    <message>
+        <source>Probability of {0}, or of what these data cannot tell from it: {1}.</source>
+        <translation>Wahrscheinlichkeit von {0} oder von dem, was diese Daten nicht davon unterscheiden: {1}.</translation>
+    </message>
+    <message>
+        <source>portal-vein and hepatic-vein hold the same vessels: {0} % of the smaller one.</source>
+        <translation>portal-vein und hepatic-vein enthalten dieselben Gefäße: {0} % der kleineren Struktur.</translation>
+    </message>
+    <message>
+        <source>Unite them in one structure, vessels: its systems are told apart.</source>
+        <translation>Vereinigen Sie sie in einer Struktur, vessels: Deren Systeme werden unterschieden.</translation>
+    </message>
+    <message>
+        <source>{0} places on borders are told: tell {1} at most.</source>
+        <translation>{0} Stellen auf Grenzen sind genannt: Nennen Sie höchstens {1}.</translation>
+    </message>
+    <message>
+        <source>{0} does not lie in the liver, where the border of {1} was told: put the place inside.</source>
+        <translation>{0} liegt nicht in der Leber, wo die Grenze von {1} genannt ist: Setzen Sie die Stelle hinein.</translation>
+    </message>
+    <message>
+        <source>{0} lies {1} mm from the usual course of the border of {2}: tell the border that is meant, or put the place on it.</source>
+        <translation>{0} liegt {1} mm vom üblichen Verlauf der Grenze von {2}: Nennen Sie die Grenze, die gemeint ist, oder setzen Sie die Stelle auf sie.</translation>
+    </message>
+    <message>
+        <source>The border of {0} cannot pass {1} as well as the other borders where they were told: take one of the places back.</source>
+        <translation>Die Grenze von {0} kann nicht durch {1} gehen und die anderen Grenzen durch ihre Stellen: Nehmen Sie eine der Stellen zurück.</translation>
+    </message>
+    <message>
+        <source>--border wants BORDER=X,Y,Z with one of {0}, not &quot;{1}&quot;.</source>
+        <translation>--border verlangt BORDER=X,Y,Z mit einem von {0}, nicht „{1}“.</translation>
     </message>
 </context>
 <context>
@@ -7211,6 +7231,33 @@
     <message>
         <source>Registers every frame by the algorithms above and judges them by SIRGn: up to a second or so a frame</source>
         <translation>Registriert jedes Bild mit den Algorithmen oben und beurteilt sie mit SIRGn: bis etwa eine Sekunde je Bild</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::BorderByHand</name>
+    <message>
+        <source>Runs through the crosshair</source>
+        <translation>Verläuft durch das Fadenkreuz</translation>
+    </message>
+    <message>
+        <source>The border of these two segments is to pass the crosshair. Segments are found again by it, and are less in doubt</source>
+        <translation>Die Grenze dieser beiden Segmente soll durch das Fadenkreuz gehen. Segmente werden danach neu bestimmt und sind weniger fraglich</translation>
+    </message>
+    <message>
+        <source>First stands the border that runs nearest to the crosshair</source>
+        <translation>Zuerst steht die Grenze, die dem Fadenkreuz am nächsten verläuft</translation>
+    </message>
+    <message>
+        <source>Border %1 (%2 mm away)</source>
+        <translation>Grenze %1 (%2 mm entfernt)</translation>
+    </message>
+    <message>
+        <source>Forget the last place (%1)</source>
+        <translation>Letzte Stelle vergessen (%1)</translation>
+    </message>
+    <message>
+        <source>Places on borders that were set by hand: %1. Segments are found again without the last</source>
+        <translation>Von Hand gesetzte Stellen auf Grenzen: %1. Segmente werden ohne die letzte neu bestimmt</translation>
     </message>
 </context>
 <context>
@@ -7799,10 +7846,6 @@
         <translation>Gemessen minus vorhergesagt, wo dieser Versuch am weitesten abwich. Pfeile %1-fach verlängert; Farben bis %2 mm, zwischen Markern interpoliert.</translation>
     </message>
     <message>
-        <source>Nothing is missing: what the declared model leaves, %1, is noise.</source>
-        <translation>Nichts fehlt: Was das angegebene Modell übrig lässt, %1, ist Rauschen.</translation>
-    </message>
-    <message>
         <source>No test finds anything in it that noise would not do.</source>
         <translation>Kein Test findet darin etwas, das Rauschen nicht täte.</translation>
     </message>
@@ -7851,18 +7894,6 @@
         <translation>Einzelheiten</translation>
     </message>
     <message>
-        <source>%1: no effect that Glisson knows explains the error.</source>
-        <translation>%1: Kein Effekt, den Glisson kennt, erklärt den Fehler.</translation>
-    </message>
-    <message>
-        <source>%1: %2. This takes away %3 % of the error; what is left is noise.</source>
-        <translation>%1: %2. Das nimmt %3 % des Fehlers weg; was bleibt, ist Rauschen.</translation>
-    </message>
-    <message>
-        <source>%1: %2. This takes away %3 % of the error. More than noise is left: it is a part of the answer, and no proof of a cause.</source>
-        <translation>%1: %2. Das nimmt %3 % des Fehlers weg. Mehr als Rauschen bleibt: Es ist ein Teil der Antwort und kein Beweis einer Ursache.</translation>
-    </message>
-    <message>
         <source>The error falls from %1 to %2.</source>
         <translation>Der Fehler fällt von %1 auf %2.</translation>
     </message>
@@ -7881,6 +7912,22 @@
     <message>
         <source>Of experiments of this sort no further trial is proposed.</source>
         <translation>Für Experimente dieser Art wird kein weiterer Versuch vorgeschlagen.</translation>
+    </message>
+    <message>
+        <source>Nothing is missing: what the declared model leaves, %1, shows no effect.</source>
+        <translation>Es fehlt nichts: Was das angegebene Modell übrig lässt, %1, zeigt keinen Effekt.</translation>
+    </message>
+    <message>
+        <source>%1: something acts, but no effect that Glisson knows is probable enough to be named.</source>
+        <translation>%1: Es wirkt etwas, aber kein Effekt, den Glisson kennt, ist wahrscheinlich genug, um genannt zu werden.</translation>
+    </message>
+    <message>
+        <source>%1: %2. This takes away %3 % of the error.</source>
+        <translation>%1: %2. Das nimmt %3 % des Fehlers weg.</translation>
+    </message>
+    <message>
+        <source>%1: %2 takes away %3 % of the error, but is not probable enough to be called the cause.</source>
+        <translation>%1: %2 nimmt %3 % des Fehlers weg, ist aber nicht wahrscheinlich genug, um Ursache zu heißen.</translation>
     </message>
 </context>
 <context>
@@ -9886,6 +9933,10 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Griffe am Fad
     <message>
         <source>Growth since an earlier study</source>
         <translation>Wachstum seit einer früheren Untersuchung</translation>
+    </message>
+    <message>
+        <source>By the liver&apos;s shape and borders set by hand: it has no vessel trees.</source>
+        <translation>Nach der Form der Leber und von Hand gesetzten Grenzen: Sie hat keine Gefäßbäume.</translation>
     </message>
 </context>
 <context>

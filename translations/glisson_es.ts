@@ -5264,10 +5264,6 @@
         <translation>El residuo no es del todo aleatorio, pero no es mayor que lo que una malla más fina cambiaría en la predicción.</translation>
     </message>
     <message>
-        <source>What was found brings the residual to the noise, but is no clearly better evidence (BIC {0}) than a smooth function of what was done, which names no cause.</source>
-        <translation>Lo hallado lleva el residuo hasta el ruido, pero no es una evidencia claramente mejor (BIC {0}) que una función suave de lo que se hizo, que no nombra ninguna causa.</translation>
-    </message>
-    <message>
         <source>{0} was left out: {1}</source>
         <translation>Se dejó fuera: {0}. Motivo: {1}</translation>
     </message>
@@ -5820,14 +5816,6 @@
         <translation>Probabilidad de que actúe algo que no está en el catálogo: {1}.</translation>
     </message>
     <message>
-        <source>What was found suffices, but weighing all explanations, {0} is likelier ({1}): take the name as one of several that these data allow.</source>
-        <translation>Lo encontrado basta, pero al sopesar todas las explicaciones {0} es más probable ({1}): tome el nombre como uno de varios que estos datos admiten.</translation>
-    </message>
-    <message>
-        <source>Among all explanations {0} weighs most ({1}), but it does not pass as a cause: it leaves too much, or a function without a cause does about as well. Do not build on it.</source>
-        <translation>Entre todas las explicaciones, {0} es la que más pesa ({1}), pero no vale como causa: deja demasiado, o una función sin causa logra casi lo mismo. No se base en ella.</translation>
-    </message>
-    <message>
         <source>The whole specimen is stiffer or softer than declared, everywhere by the same factor.</source>
         <translation>Toda la muestra es más rígida o más blanda de lo declarado, en todas partes por el mismo factor.</translation>
     </message>
@@ -5870,22 +5858,6 @@
     <message>
         <source>× noise</source>
         <translation>× ruido</translation>
-    </message>
-    <message>
-        <source>Nothing is missing: what the declared model leaves is noise, and nothing was added to it.</source>
-        <translation>No falta nada: lo que deja el modelo declarado es ruido, y no se le añadió nada.</translation>
-    </message>
-    <message>
-        <source>Explained: with the effects below, what is left is as small as the noise of the measurement.</source>
-        <translation>Explicado: con los efectos de abajo, lo que queda es tan pequeño como el ruido de la medición.</translation>
-    </message>
-    <message>
-        <source>Unexplained: known effects can be bent until what is left is noise, but a smooth function of what was done, which has no cause, accounts for it about as well. What is named below is not a cause that these data establish.</source>
-        <translation>Sin explicación: los efectos conocidos pueden forzarse hasta que solo quede ruido, pero una función suave de lo que se hizo, que no tiene causa, lo logra casi igual. Lo que se nombra abajo no es una causa que estos datos demuestren.</translation>
-    </message>
-    <message>
-        <source>Unexplained: no combination of known effects brings the error near the noise. What is named below removes a part of it and is not a cause that these data establish.</source>
-        <translation>Sin explicación: ninguna combinación de efectos conocidos acerca el error al ruido. Lo que se nombra abajo elimina una parte y no es una causa que estos datos demuestren.</translation>
     </message>
     <message>
         <source>What the declared model lacks, by the measurements</source>
@@ -7016,16 +6988,64 @@
         <translation>Presionar en ({0}, {1}, {2}) mm con {3} N y mantener la fuerza durante {4} s.</translation>
     </message>
     <message>
-        <source>What is left is no larger than noise and the prediction&apos;s own error, and yet weighing all explanations finds a weak sign of {0} ({1}): only further trials could tell.</source>
-        <translation>Lo que queda no es mayor que el ruido y el propio error de la predicción y, sin embargo, al sopesar todas las explicaciones aparece un indicio débil de {0} ({1}): solo más ensayos podrían aclararlo.</translation>
-    </message>
-    <message>
         <source>No vessel lies within {0} mm of {1}, where one was told: put the place on the vessel.</source>
         <translation>A menos de {0} mm de {1}, donde se indicó un vaso, no hay ninguno: ponga el lugar sobre el vaso.</translation>
     </message>
     <message>
         <source>--click wants VESSEL=X,Y,Z with one of {0}, not &quot;{1}&quot;.</source>
         <translation>--click pide VASO=X,Y,Z con uno de {0}, no «{1}».</translation>
+    </message>
+    <message>
+        <source>The residual is larger than the stated noise, but has no shape that speaks of an effect: the noise may be stated too small, or some rows are outliers.</source>
+        <translation>El residuo es mayor que el ruido declarado, pero no tiene una forma que indique un efecto: quizá el ruido declarado es demasiado pequeño o algunos valores son atípicos.</translation>
+    </message>
+    <message>
+        <source>Nothing is probable enough to be named. Probability of {0}: {1}; next comes: {2}, {3}.</source>
+        <translation>Nada es lo bastante probable para nombrarlo. Probabilidad de {0}: {1}; después viene: {2}, {3}.</translation>
+    </message>
+    <message>
+        <source>Nothing is missing: what the declared model leaves shows no effect, and nothing was added to it.</source>
+        <translation>No falta nada: lo que deja el modelo declarado no muestra ningún efecto y no se le añadió nada.</translation>
+    </message>
+    <message>
+        <source>Explained: the effects below are probable enough to be named.</source>
+        <translation>Explicado: los efectos de abajo son lo bastante probables para nombrarlos.</translation>
+    </message>
+    <message>
+        <source>Unexplained: something acts that the declared model lacks, and no combination of known effects is probable enough to be named. What is named below removes a part of the error and is not a cause that these data establish.</source>
+        <translation>Sin explicar: actúa algo que falta en el modelo declarado, y ninguna combinación de efectos conocidos es lo bastante probable para nombrarla. Lo que figura abajo quita una parte del error y no es una causa que estos datos demuestren.</translation>
+    </message>
+    <message>
+        <source>Probability of {0}, or of what these data cannot tell from it: {1}.</source>
+        <translation>Probabilidad de {0}, o de lo que estos datos no distinguen de ello: {1}.</translation>
+    </message>
+    <message>
+        <source>portal-vein and hepatic-vein hold the same vessels: {0} % of the smaller one.</source>
+        <translation>portal-vein y hepatic-vein contienen los mismos vasos: {0} % de la menor.</translation>
+    </message>
+    <message>
+        <source>Unite them in one structure, vessels: its systems are told apart.</source>
+        <translation>Únalas en una estructura, vessels: sus sistemas se distinguen.</translation>
+    </message>
+    <message>
+        <source>{0} places on borders are told: tell {1} at most.</source>
+        <translation>Se dicen {0} lugares en límites: diga {1} como mucho.</translation>
+    </message>
+    <message>
+        <source>{0} does not lie in the liver, where the border of {1} was told: put the place inside.</source>
+        <translation>{0} no está en el hígado, donde se dijo el límite de {1}: ponga el lugar dentro.</translation>
+    </message>
+    <message>
+        <source>{0} lies {1} mm from the usual course of the border of {2}: tell the border that is meant, or put the place on it.</source>
+        <translation>{0} está a {1} mm del recorrido habitual del límite de {2}: diga el límite que se quiere decir, o ponga el lugar en él.</translation>
+    </message>
+    <message>
+        <source>The border of {0} cannot pass {1} as well as the other borders where they were told: take one of the places back.</source>
+        <translation>El límite de {0} no puede pasar por {1} y los demás límites por sus lugares: retire uno de los lugares.</translation>
+    </message>
+    <message>
+        <source>--border wants BORDER=X,Y,Z with one of {0}, not &quot;{1}&quot;.</source>
+        <translation>--border pide BORDER=X,Y,Z con uno de {0}, no «{1}».</translation>
     </message>
 </context>
 <context>
@@ -7211,6 +7231,33 @@
     <message>
         <source>Registers every frame by the algorithms above and judges them by SIRGn: up to a second or so a frame</source>
         <translation>Registra cada fotograma con los algoritmos de arriba y los juzga con SIRGn: hasta un segundo por fotograma, más o menos</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::BorderByHand</name>
+    <message>
+        <source>Runs through the crosshair</source>
+        <translation>Pasa por la cruz</translation>
+    </message>
+    <message>
+        <source>The border of these two segments is to pass the crosshair. Segments are found again by it, and are less in doubt</source>
+        <translation>El límite de estos dos segmentos ha de pasar por la cruz. Los segmentos se hallan de nuevo según él y están menos en duda</translation>
+    </message>
+    <message>
+        <source>First stands the border that runs nearest to the crosshair</source>
+        <translation>Primero está el límite que pasa más cerca de la cruz</translation>
+    </message>
+    <message>
+        <source>Border %1 (%2 mm away)</source>
+        <translation>Límite %1 (a %2 mm)</translation>
+    </message>
+    <message>
+        <source>Forget the last place (%1)</source>
+        <translation>Olvidar el último lugar (%1)</translation>
+    </message>
+    <message>
+        <source>Places on borders that were set by hand: %1. Segments are found again without the last</source>
+        <translation>Lugares en límites puestos a mano: %1. Los segmentos se hallan de nuevo sin el último</translation>
     </message>
 </context>
 <context>
@@ -7799,10 +7846,6 @@
         <translation>Medido menos predicho, donde este ensayo más se apartó. Flechas alargadas %1 veces; colores hasta %2 mm, interpolados entre marcadores.</translation>
     </message>
     <message>
-        <source>Nothing is missing: what the declared model leaves, %1, is noise.</source>
-        <translation>No falta nada: lo que deja el modelo declarado, %1, es ruido.</translation>
-    </message>
-    <message>
         <source>No test finds anything in it that noise would not do.</source>
         <translation>Ninguna prueba encuentra en ello nada que el ruido no haría.</translation>
     </message>
@@ -7851,18 +7894,6 @@
         <translation>Detalles</translation>
     </message>
     <message>
-        <source>%1: no effect that Glisson knows explains the error.</source>
-        <translation>%1: ningún efecto que Glisson conozca explica el error.</translation>
-    </message>
-    <message>
-        <source>%1: %2. This takes away %3 % of the error; what is left is noise.</source>
-        <translation>%1: %2. Esto quita el %3 % del error; lo que queda es ruido.</translation>
-    </message>
-    <message>
-        <source>%1: %2. This takes away %3 % of the error. More than noise is left: it is a part of the answer, and no proof of a cause.</source>
-        <translation>%1: %2. Esto quita el %3 % del error. Queda más que ruido: es una parte de la respuesta, y no prueba de una causa.</translation>
-    </message>
-    <message>
         <source>The error falls from %1 to %2.</source>
         <translation>El error baja de %1 a %2.</translation>
     </message>
@@ -7881,6 +7912,22 @@
     <message>
         <source>Of experiments of this sort no further trial is proposed.</source>
         <translation>Para experimentos de este tipo no se propone ningún otro ensayo.</translation>
+    </message>
+    <message>
+        <source>Nothing is missing: what the declared model leaves, %1, shows no effect.</source>
+        <translation>No falta nada: lo que deja el modelo declarado, %1, no muestra ningún efecto.</translation>
+    </message>
+    <message>
+        <source>%1: something acts, but no effect that Glisson knows is probable enough to be named.</source>
+        <translation>%1: actúa algo, pero ningún efecto que Glisson conoce es lo bastante probable para nombrarlo.</translation>
+    </message>
+    <message>
+        <source>%1: %2. This takes away %3 % of the error.</source>
+        <translation>%1: %2. Esto quita el %3 % del error.</translation>
+    </message>
+    <message>
+        <source>%1: %2 takes away %3 % of the error, but is not probable enough to be called the cause.</source>
+        <translation>%1: %2 quita el %3 % del error, pero no es lo bastante probable para llamarlo la causa.</translation>
     </message>
 </context>
 <context>
@@ -9888,6 +9935,10 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar. Ctrl+arrastrar: girar. Tiradores 
     <message>
         <source>Growth since an earlier study</source>
         <translation>Crecimiento desde un estudio anterior</translation>
+    </message>
+    <message>
+        <source>By the liver&apos;s shape and borders set by hand: it has no vessel trees.</source>
+        <translation>Según la forma del hígado y límites puestos a mano: no tiene árboles vasculares.</translation>
     </message>
 </context>
 <context>

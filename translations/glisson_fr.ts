@@ -5264,10 +5264,6 @@
         <translation>Le résidu n’est pas tout à fait aléatoire, mais pas plus grand que ce qu’un maillage plus fin changerait à la prédiction.</translation>
     </message>
     <message>
-        <source>What was found brings the residual to the noise, but is no clearly better evidence (BIC {0}) than a smooth function of what was done, which names no cause.</source>
-        <translation>Ce qui a été trouvé ramène le résidu au bruit, mais n’est pas nettement mieux étayé (BIC {0}) qu’une fonction lisse de ce qui a été fait, qui ne nomme aucune cause.</translation>
-    </message>
-    <message>
         <source>{0} was left out: {1}</source>
         <translation>{0} a été écarté : {1}</translation>
     </message>
@@ -5820,14 +5816,6 @@
         <translation>Probabilité qu&apos;agisse quelque chose qui n&apos;est pas au catalogue : {1}.</translation>
     </message>
     <message>
-        <source>What was found suffices, but weighing all explanations, {0} is likelier ({1}): take the name as one of several that these data allow.</source>
-        <translation>Ce qui a été trouvé suffit, mais en pesant toutes les explications, {0} est plus probable ({1}) : prenez ce nom comme l&apos;un de ceux que ces données permettent.</translation>
-    </message>
-    <message>
-        <source>Among all explanations {0} weighs most ({1}), but it does not pass as a cause: it leaves too much, or a function without a cause does about as well. Do not build on it.</source>
-        <translation>Parmi toutes les explications, {0} pèse le plus ({1}), mais ne vaut pas comme cause : il reste trop, ou une fonction sans cause fait à peu près aussi bien. Ne vous y fiez pas.</translation>
-    </message>
-    <message>
         <source>The whole specimen is stiffer or softer than declared, everywhere by the same factor.</source>
         <translation>L&apos;échantillon entier est plus raide ou plus souple que déclaré, partout du même facteur.</translation>
     </message>
@@ -5870,22 +5858,6 @@
     <message>
         <source>× noise</source>
         <translation>× bruit</translation>
-    </message>
-    <message>
-        <source>Nothing is missing: what the declared model leaves is noise, and nothing was added to it.</source>
-        <translation>Rien ne manque : ce que laisse le modèle déclaré est du bruit, et rien n&apos;y a été ajouté.</translation>
-    </message>
-    <message>
-        <source>Explained: with the effects below, what is left is as small as the noise of the measurement.</source>
-        <translation>Expliqué : avec les effets ci-dessous, ce qui reste est aussi petit que le bruit de la mesure.</translation>
-    </message>
-    <message>
-        <source>Unexplained: known effects can be bent until what is left is noise, but a smooth function of what was done, which has no cause, accounts for it about as well. What is named below is not a cause that these data establish.</source>
-        <translation>Inexpliqué : on peut plier des effets connus jusqu&apos;à ne laisser que du bruit, mais une fonction lisse de ce qui a été fait, qui n&apos;a pas de cause, en rend compte à peu près aussi bien. Ce qui est nommé ci-dessous n&apos;est pas une cause que ces données établissent.</translation>
-    </message>
-    <message>
-        <source>Unexplained: no combination of known effects brings the error near the noise. What is named below removes a part of it and is not a cause that these data establish.</source>
-        <translation>Inexpliqué : aucune combinaison d&apos;effets connus n&apos;amène l&apos;erreur près du bruit. Ce qui est nommé ci-dessous en retire une partie et n&apos;est pas une cause que ces données établissent.</translation>
     </message>
     <message>
         <source>What the declared model lacks, by the measurements</source>
@@ -7016,16 +6988,64 @@
         <translation>Appuyer en ({0}, {1}, {2}) mm avec {3} N et maintenir la force pendant {4} s.</translation>
     </message>
     <message>
-        <source>What is left is no larger than noise and the prediction&apos;s own error, and yet weighing all explanations finds a weak sign of {0} ({1}): only further trials could tell.</source>
-        <translation>Ce qui reste n’est pas plus grand que le bruit et l’erreur propre de la prédiction, et pourtant la pesée de toutes les explications trouve un faible signe de {0} ({1}) : seuls d’autres essais pourraient le dire.</translation>
-    </message>
-    <message>
         <source>No vessel lies within {0} mm of {1}, where one was told: put the place on the vessel.</source>
         <translation>Aucun vaisseau ne se trouve à moins de {0} mm de {1}, là où un vaisseau a été indiqué : placez l’endroit sur le vaisseau.</translation>
     </message>
     <message>
         <source>--click wants VESSEL=X,Y,Z with one of {0}, not &quot;{1}&quot;.</source>
         <translation>--click veut VAISSEAU=X,Y,Z avec l’un de {0}, pas « {1} ».</translation>
+    </message>
+    <message>
+        <source>The residual is larger than the stated noise, but has no shape that speaks of an effect: the noise may be stated too small, or some rows are outliers.</source>
+        <translation>Le résidu dépasse le bruit déclaré, mais n&apos;a pas de forme qui indique un effet : le bruit est peut-être déclaré trop petit, ou quelques valeurs sont aberrantes.</translation>
+    </message>
+    <message>
+        <source>Nothing is probable enough to be named. Probability of {0}: {1}; next comes: {2}, {3}.</source>
+        <translation>Rien n&apos;est assez probable pour être nommé. Probabilité de {0} : {1} ; ensuite vient : {2}, {3}.</translation>
+    </message>
+    <message>
+        <source>Nothing is missing: what the declared model leaves shows no effect, and nothing was added to it.</source>
+        <translation>Rien ne manque : ce que laisse le modèle déclaré ne montre aucun effet, et rien n&apos;y a été ajouté.</translation>
+    </message>
+    <message>
+        <source>Explained: the effects below are probable enough to be named.</source>
+        <translation>Expliqué : les effets ci-dessous sont assez probables pour être nommés.</translation>
+    </message>
+    <message>
+        <source>Unexplained: something acts that the declared model lacks, and no combination of known effects is probable enough to be named. What is named below removes a part of the error and is not a cause that these data establish.</source>
+        <translation>Inexpliqué : quelque chose agit qui manque au modèle déclaré, et aucune combinaison d&apos;effets connus n&apos;est assez probable pour être nommée. Ce qui figure ci-dessous enlève une partie de l&apos;erreur et n&apos;est pas une cause que ces données établissent.</translation>
+    </message>
+    <message>
+        <source>Probability of {0}, or of what these data cannot tell from it: {1}.</source>
+        <translation>Probabilité de {0}, ou de ce que ces données n&apos;en distinguent pas : {1}.</translation>
+    </message>
+    <message>
+        <source>portal-vein and hepatic-vein hold the same vessels: {0} % of the smaller one.</source>
+        <translation>portal-vein et hepatic-vein contiennent les mêmes vaisseaux : {0} % de la plus petite.</translation>
+    </message>
+    <message>
+        <source>Unite them in one structure, vessels: its systems are told apart.</source>
+        <translation>Réunissez-les en une structure, vessels : ses systèmes sont distingués.</translation>
+    </message>
+    <message>
+        <source>{0} places on borders are told: tell {1} at most.</source>
+        <translation>{0} endroits sur des limites sont indiqués : indiquez-en {1} au plus.</translation>
+    </message>
+    <message>
+        <source>{0} does not lie in the liver, where the border of {1} was told: put the place inside.</source>
+        <translation>{0} n’est pas dans le foie, où la limite de {1} est indiquée : placez l’endroit dedans.</translation>
+    </message>
+    <message>
+        <source>{0} lies {1} mm from the usual course of the border of {2}: tell the border that is meant, or put the place on it.</source>
+        <translation>{0} est à {1} mm du trajet habituel de la limite de {2} : indiquez la limite voulue, ou placez l’endroit sur elle.</translation>
+    </message>
+    <message>
+        <source>The border of {0} cannot pass {1} as well as the other borders where they were told: take one of the places back.</source>
+        <translation>La limite de {0} ne peut passer par {1} et les autres limites par leurs endroits : retirez un des endroits.</translation>
+    </message>
+    <message>
+        <source>--border wants BORDER=X,Y,Z with one of {0}, not &quot;{1}&quot;.</source>
+        <translation>--border demande BORDER=X,Y,Z avec l’un de {0}, non « {1} ».</translation>
     </message>
 </context>
 <context>
@@ -7211,6 +7231,33 @@
     <message>
         <source>Registers every frame by the algorithms above and judges them by SIRGn: up to a second or so a frame</source>
         <translation>Recale chaque image par les algorithmes ci-dessus et les juge par SIRGn&#xa0;: jusqu’à une seconde environ par image</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::BorderByHand</name>
+    <message>
+        <source>Runs through the crosshair</source>
+        <translation>Passe par le réticule</translation>
+    </message>
+    <message>
+        <source>The border of these two segments is to pass the crosshair. Segments are found again by it, and are less in doubt</source>
+        <translation>La limite de ces deux segments doit passer par le réticule. Les segments sont retrouvés d’après elle et sont moins incertains</translation>
+    </message>
+    <message>
+        <source>First stands the border that runs nearest to the crosshair</source>
+        <translation>En premier figure la limite qui passe le plus près du réticule</translation>
+    </message>
+    <message>
+        <source>Border %1 (%2 mm away)</source>
+        <translation>Limite %1 (à %2 mm)</translation>
+    </message>
+    <message>
+        <source>Forget the last place (%1)</source>
+        <translation>Oublier le dernier endroit (%1)</translation>
+    </message>
+    <message>
+        <source>Places on borders that were set by hand: %1. Segments are found again without the last</source>
+        <translation>Endroits sur des limites placés à la main : %1. Les segments sont retrouvés sans le dernier</translation>
     </message>
 </context>
 <context>
@@ -7799,10 +7846,6 @@
         <translation>Mesuré moins prédit, là où cet essai s’écarte le plus. Flèches allongées %1 fois&#xa0;; couleurs jusqu’à %2 mm, interpolées entre les marqueurs.</translation>
     </message>
     <message>
-        <source>Nothing is missing: what the declared model leaves, %1, is noise.</source>
-        <translation>Rien ne manque&#xa0;: ce que laisse le modèle déclaré, %1, est du bruit.</translation>
-    </message>
-    <message>
         <source>No test finds anything in it that noise would not do.</source>
         <translation>Aucun test n’y trouve rien que le bruit ne ferait pas.</translation>
     </message>
@@ -7851,18 +7894,6 @@
         <translation>Détails</translation>
     </message>
     <message>
-        <source>%1: no effect that Glisson knows explains the error.</source>
-        <translation>%1 : aucun effet que Glisson connaît n&apos;explique l&apos;erreur.</translation>
-    </message>
-    <message>
-        <source>%1: %2. This takes away %3 % of the error; what is left is noise.</source>
-        <translation>%1 : %2. Cela enlève %3 % de l&apos;erreur ; ce qui reste est du bruit.</translation>
-    </message>
-    <message>
-        <source>%1: %2. This takes away %3 % of the error. More than noise is left: it is a part of the answer, and no proof of a cause.</source>
-        <translation>%1 : %2. Cela enlève %3 % de l&apos;erreur. Il reste plus que du bruit : c&apos;est une partie de la réponse, et non la preuve d&apos;une cause.</translation>
-    </message>
-    <message>
         <source>The error falls from %1 to %2.</source>
         <translation>L&apos;erreur tombe de %1 à %2.</translation>
     </message>
@@ -7881,6 +7912,22 @@
     <message>
         <source>Of experiments of this sort no further trial is proposed.</source>
         <translation>Pour les expériences de ce genre, aucun autre essai n&apos;est proposé.</translation>
+    </message>
+    <message>
+        <source>Nothing is missing: what the declared model leaves, %1, shows no effect.</source>
+        <translation>Rien ne manque : ce que laisse le modèle déclaré, %1, ne montre aucun effet.</translation>
+    </message>
+    <message>
+        <source>%1: something acts, but no effect that Glisson knows is probable enough to be named.</source>
+        <translation>%1 : quelque chose agit, mais aucun effet que Glisson connaît n&apos;est assez probable pour être nommé.</translation>
+    </message>
+    <message>
+        <source>%1: %2. This takes away %3 % of the error.</source>
+        <translation>%1 : %2. Cela enlève %3 % de l&apos;erreur.</translation>
+    </message>
+    <message>
+        <source>%1: %2 takes away %3 % of the error, but is not probable enough to be called the cause.</source>
+        <translation>%1 : %2 enlève %3 % de l&apos;erreur, mais n&apos;est pas assez probable pour être appelé la cause.</translation>
     </message>
 </context>
 <context>
@@ -9888,6 +9935,10 @@ Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: déplacer. Ctrl+glisser&#xa0;: tour
     <message>
         <source>Growth since an earlier study</source>
         <translation>Croissance depuis un examen antérieur</translation>
+    </message>
+    <message>
+        <source>By the liver&apos;s shape and borders set by hand: it has no vessel trees.</source>
+        <translation>D’après la forme du foie et des limites placées à la main : il n’a pas d’arbres vasculaires.</translation>
     </message>
 </context>
 <context>

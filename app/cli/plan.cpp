@@ -114,7 +114,7 @@ Result<Outcome> list(const casefile::Case& patient) {
 Result<casefile::OpenedPlanner> open(casefile::Case& patient, const Progress& progress) {
   if (patient.find("vessels/trees") != nullptr &&
       casefile::kept_territories(patient, casefile::SegmentsBy::trees) != casefile::Kept::current) {
-    const auto found = casefile::find_territories(patient, casefile::SegmentsBy::trees, progress.part(0, 0.6));
+    const auto found = casefile::find_territories(patient, casefile::SegmentsBy::trees, {}, progress.part(0, 0.6));
     if (!found) return failure(found.error());
   }
   return casefile::open_planner(patient, progress.part(0.6, 1));

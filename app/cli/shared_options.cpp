@@ -1,5 +1,7 @@
 #include "shared_options.h"
 
+#include <fmt/ranges.h>
+
 #include "base/text.h"
 
 namespace glisson::cli {
@@ -39,6 +41,36 @@ Json direction_json(const Eigen::Matrix3d& direction) {
     for (int column = 0; column < 3; ++column) json.push_back(direction(row, column));
   }
   return json;
+}
+
+namespace {
+
+std::string names_of_borders() {
+  std::vector<std::string> names;
+  for (const auto& segments : vasculature::all_borders()) names.push_back(vasculature::border_name(segments));
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+}  // namespace
+
+void add_border_option(CLI::App& command, std::vector<std::string>& borders) {
+  command
+      .add_option("--border", borders,
+                  "BORDER=X,Y,Z in mm (LPS): through this place runs the border of two segments; " + names_of_borders())
+      ->allow_extra_args(false);
+}
+
+Result<vasculature::BorderPlaces> parse_borders(const std::vector<std::string>& texts) {
+  vasculature::BorderPlaces borders;
+  for (const std::string& text : texts) {
+    const auto place = vasculature::border_of_text(text);
+    if (!place) {
+      return failure("border-invalid", GLISSON_TEXT("--border wants BORDER=X,Y,Z with one of {0}, not \"{1}\"."),
+                     {names_of_borders(), text});
+    }
+    borders.push_back(*place);
+  }
+  return borders;
 }
 
 void add_opencl(CLI::App& command, std::optional<std::string>& device) {

@@ -10,6 +10,7 @@
 #include "base/json.h"
 #include "base/result.h"
 #include "imaging/image.h"
+#include "vasculature/borders.h"
 
 namespace glisson::cli {
 
@@ -24,6 +25,10 @@ struct PictureSize {
 Result<PictureSize> parse_size(const std::string& text);
 
 Json direction_json(const Eigen::Matrix3d& direction);  // nine numbers, row after row
+
+// --border BORDER=X,Y,Z: where a hand sets the border of two segments.
+void add_border_option(CLI::App& command, std::vector<std::string>& borders);
+Result<vasculature::BorderPlaces> parse_borders(const std::vector<std::string>& texts);
 
 // --opencl [NAME]: on a GPU, where a command can use one.
 void add_opencl(CLI::App& command, std::optional<std::string>& device);

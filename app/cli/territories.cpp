@@ -1,10 +1,12 @@
-// glisson-cli territories CASE [--from tree|prior] [--couinaud]: which tissue belongs to which branch.
+// glisson-cli territories CASE [--from tree|prior] [--couinaud] [--border V-VIII=X,Y,Z ...]: which tissue belongs to
+// which branch.
 
 #include <fmt/format.h>
 
 #include "casefile/plans.h"
 #include "casefile/vascular.h"
 #include "command.h"
+#include "shared_options.h"
 
 namespace glisson::cli {
 namespace {
@@ -13,6 +15,7 @@ struct TerritoriesCommand {
   std::string case_folder;
   std::string from = "tree";
   bool couinaud = false;
+  std::vector<std::string> borders;
 };
 
 // Young's modulus, where the case has a map of it.
@@ -23,7 +26,7 @@ void add_stiffness(Json& json, const planning::Tissue& tissue) {
 }
 
 Outcome describe(const casefile::FoundTerritories& found, const planning::Planner& planner, const std::string& file,
-                 bool couinaud_only) {
+                 std::size_t borders, bool couinaud_only) {
   Json territories = Json::array(), segments = Json::array();
   std::string text;
   const auto stiffness = planner.segments();
@@ -54,7 +57,9 @@ Outcome describe(const casefile::FoundTerritories& found, const planning::Planne
                         stiffness.at(s).mean_kPa ? fmt::format(", {:.1f} kPa", *stiffness.at(s).mean_kPa) : "");
   }
   const bool by_shape = found.couinaud.from == vasculature::SegmentsFrom::shape;
-  text += by_shape ? "By the liver's shape alone.\n" : "By the liver's shape and its vessels.\n";
+  text += fmt::format(
+      "By the liver's shape {}{}.\n", by_shape ? "alone" : "and its vessels",
+      borders > 0 ? fmt::format(", and {} place{} on borders set by hand", borders, borders > 1 ? "s" : "") : "");
   return {{{"from", by_shape ? "prior" : "tree"},
            {"territories", std::move(territories)},
            {"segments", std::move(segments)},
@@ -63,14 +68,17 @@ Outcome describe(const casefile::FoundTerritories& found, const planning::Planne
 }
 
 Result<Outcome> run(const TerritoriesCommand& options, const Progress& progress) {
+  const auto borders = parse_borders(options.borders);
+  if (!borders) return failure(borders.error());
   auto patient = casefile::Case::open(options.case_folder);
   if (!patient) return failure(patient.error());
   const auto by = options.from == "prior" ? casefile::SegmentsBy::shape : casefile::SegmentsBy::trees;
-  const auto found = casefile::find_territories(*patient, by, progress.part(0, 0.8));
+  const auto found = casefile::find_territories(*patient, by, *borders, progress.part(0, 0.8));
   if (!found) return failure(found.error());
   const auto opened = casefile::open_planner(*patient, *found, progress.part(0.8, 1));
   if (!opened) return failure(opened.error());
-  return describe(*found, opened->planner, patient->file_of("territories/couinaud")->string(), options.couinaud);
+  return describe(*found, opened->planner, patient->file_of("territories/couinaud")->string(),
+                  borders->size() + found->trees.borders.size(), options.couinaud);
 }
 
 }  // namespace
@@ -85,8 +93,13 @@ void add_territories(CLI::App& app, Action& chosen) {
       ->capture_default_str()
       ->check(CLI::IsMember({"tree", "prior"}));
   command->add_flag("--couinaud", options->couinaud, "The eight segments alone, no territories of branches");
-  command->callback(
-      [&chosen, options] { chosen = [options](const Progress& progress) { return run(*options, progress); }; });
+  add_border_option(*command, options->borders);
+  command->callback([&chosen, options] {
+    if (options->from == "tree" && !options->borders.empty()) {
+      throw CLI::ValidationError("--border", "goes with --from prior; by trees, tell vessels of it");
+    }
+    chosen = [options](const Progress& progress) { return run(*options, progress); };
+  });
 }
 
 }  // namespace glisson::cli

@@ -1,5 +1,5 @@
-// glisson-cli vessels CASE [--structure NAME] [--seed X,Y,Z ...] [--click VESSEL=X,Y,Z ...]: the vessel trees of a
-// case.
+// glisson-cli vessels CASE [--structure NAME] [--seed X,Y,Z ...] [--click VESSEL=X,Y,Z ...] [--border V-VIII=X,Y,Z
+// ...]: the vessel trees of a case.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -20,7 +20,7 @@ using vasculature::Vessel;
 struct VesselsCommand {
   std::string case_folder;
   std::optional<std::string> structure;
-  std::vector<std::string> seeds, clicks;
+  std::vector<std::string> seeds, clicks, borders;
 };
 
 Outcome describe(const vasculature::VesselTrees& trees, const std::string& file) {
@@ -92,9 +92,11 @@ Result<Outcome> run(const VesselsCommand& options, const Progress& progress) {
     if (!click) return failure(click.error());
     clicks.push_back(*click);
   }
+  auto borders = parse_borders(options.borders);
+  if (!borders) return failure(std::move(borders.error()));
   auto patient = casefile::Case::open(options.case_folder);
   if (!patient) return failure(patient.error());
-  const auto trees = casefile::find_vessels(*patient, options.structure, clicks, progress);
+  const auto trees = casefile::find_vessels(*patient, options.structure, {clicks, *borders}, progress);
   if (!trees) return failure(trees.error());
   return describe(*trees, patient->file_of(casefile::trees_id)->string());
 }
@@ -117,6 +119,7 @@ void add_vessels(CLI::App& app, Action& chosen) {
       ->add_option("--click", options->clicks,
                    "VESSEL=X,Y,Z in mm (LPS): what the vessel there is; " + names_of_vessels())
       ->allow_extra_args(false);
+  add_border_option(*command, options->borders);
   command->callback([&chosen, options] {
     if (options->seeds.size() > 2) throw CLI::ValidationError("--seed", "one for each system, the portal vein's first");
     chosen = [options](const Progress& progress) { return run(*options, progress); };

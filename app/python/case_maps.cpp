@@ -71,24 +71,29 @@ Raises glisson.Error: waves-none, choice-unknown.)")
       .def(
           "find_vessels",
           [](Case& self, const std::optional<std::string>& structure, const std::optional<Numbers>& portal_mm,
-             const std::optional<Numbers>& hepatic_mm, const NamedPlaces& clicks, const py::object& progress) {
-            const vasculature::Clicks told_by = clicks_from(portal_mm, hepatic_mm, clicks);
+             const std::optional<Numbers>& hepatic_mm, const NamedPlaces& clicks, const NamedPlaces& borders,
+             const py::object& progress) {
+            const vasculature::Told told_by{clicks_from(portal_mm, hepatic_mm, clicks), borders_from(borders)};
             return std::make_shared<vasculature::VesselTrees>(long_call(
                 progress, [&](const Progress& told) { return find_vessels(self, structure, told_by, told); }));
           },
           py::kw_only(), py::arg("structure") = py::none(), py::arg("portal_mm") = py::none(),
-          py::arg("hepatic_mm") = py::none(), py::arg("clicks") = NamedPlaces(), py::arg("progress") = py::none(),
+          py::arg("hepatic_mm") = py::none(), py::arg("clicks") = NamedPlaces(), py::arg("borders") = NamedPlaces(),
+          py::arg("progress") = py::none(),
           (std::string(
                "The VesselTrees of the case, saved in it: of the structures portal-vein and hepatic-vein, or of "
                "one that holds both. portal_mm, hepatic_mm: a place (LPS, mm) on each main stem, where the "
-               "first guess is wrong. clicks: (vessel, place) each, as for vessel_trees().") +
+               "first guess is wrong. clicks: (vessel, place) each, borders: (border, place) each, as for "
+               "vessel_trees().") +
            stage_note + "\nRaises glisson.Error: vessels-missing, labels-grids-differ.")
               .c_str())
       .def(
           "find_territories",
-          [](Case& self, const std::string& by, const py::object& progress) {
+          [](Case& self, const std::string& by, const NamedPlaces& borders, const py::object& progress) {
             const auto from = chosen<SegmentsBy>("by", by, {{"tree", SegmentsBy::trees}, {"prior", SegmentsBy::shape}});
-            auto found = long_call(progress, [&](const Progress& told) { return find_territories(self, from, told); });
+            const vasculature::BorderPlaces by_hand = borders_from(borders);
+            auto found =
+                long_call(progress, [&](const Progress& told) { return find_territories(self, from, by_hand, told); });
             py::dict dict = segment_dict(std::move(found.couinaud));
             for (const auto system : {vasculature::System::portal_vein, vasculature::System::hepatic_vein}) {
               auto& territory = found.territory.at(static_cast<std::size_t>(system));
@@ -97,10 +102,11 @@ Raises glisson.Error: waves-none, choice-unknown.)")
             }
             return dict;
           },
-          py::kw_only(), py::arg("by") = "tree", py::arg("progress") = py::none(),
+          py::kw_only(), py::arg("by") = "tree", py::arg("borders") = NamedPlaces(), py::arg("progress") = py::none(),
           (std::string("Which tissue belongs to which branch, and Couinaud's segments, saved in the case: what "
                        "couinaud_segments answers, with \"portal-vein\" and \"hepatic-vein\" (LabelMaps of the number "
-                       "of the branch + 1, or None). by: \"tree\", or \"prior\" for the liver's shape alone.") +
+                       "of the branch + 1, or None). by: \"tree\", or \"prior\" for the liver's shape alone. borders: "
+                       "(border, place) each, for \"prior\"; trees have theirs from find_vessels.") +
            stage_note + "\nRaises glisson.Error: vessels-missing, choice-unknown.")
               .c_str());
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Clicks on vessels as Python gives them: (vessel, place) each.
+// Clicks on vessels, and borders that a hand set, as Python gives them: (vessel or border, place) each.
 
 #include <optional>
 #include <string>
@@ -27,6 +27,25 @@ inline vasculature::Clicks clicks_from(const std::optional<Numbers>& portal_mm,
     clicks.push_back({chosen<Vessel>("clicks", name, choices), vector_from(place, "clicks")});
   }
   return clicks;
+}
+
+inline std::string words_for_borders() {
+  std::string words;
+  for (const auto& pair : vasculature::all_borders()) {
+    words += (words.empty() ? "There are " : ", ") + vasculature::border_name(pair);
+  }
+  return words + ".";
+}
+
+// Failure: "choice-unknown".
+inline vasculature::BorderPlaces borders_from(const NamedPlaces& named) {
+  vasculature::BorderPlaces borders;
+  for (const auto& [name, place] : named) {
+    const auto segments = vasculature::border_named(name);
+    if (!segments) raise("choice-unknown", "{0} cannot be \"{1}\".", {"borders", name}, words_for_borders());
+    borders.push_back({*segments, vector_from(place, "borders")});
+  }
+  return borders;
 }
 
 }  // namespace glisson::python

@@ -76,8 +76,9 @@ and radii_mm (n,), outwards.)")
   module.def(
       "vessel_trees",
       [](const Mask& vessels, const Mask& liver, const std::optional<Numbers>& portal_mm,
-         const std::optional<Numbers>& hepatic_mm, const NamedPlaces& clicks, const py::object& progress) {
-        const Clicks told_by = clicks_from(portal_mm, hepatic_mm, clicks);
+         const std::optional<Numbers>& hepatic_mm, const NamedPlaces& clicks, const NamedPlaces& borders,
+         const py::object& progress) {
+        const Told told_by{clicks_from(portal_mm, hepatic_mm, clicks), borders_from(borders)};
         auto found = long_call(progress, [&](const Progress& told) {
           return center_lines(vessels, {}, told.part(0, 0.5)).and_then([&](const VesselGraph& graph) {
             return explain_vessels(graph, liver, told_by, told.part(0.5, 1));
@@ -86,14 +87,16 @@ and radii_mm (n,), outwards.)")
         return std::make_shared<VesselTrees>(std::move(found.trees));
       },
       py::arg("vessels"), py::arg("liver"), py::kw_only(), py::arg("portal_mm") = py::none(),
-      py::arg("hepatic_mm") = py::none(), py::arg("clicks") = NamedPlaces(), py::arg("progress") = py::none(),
+      py::arg("hepatic_mm") = py::none(), py::arg("clicks") = NamedPlaces(), py::arg("borders") = NamedPlaces(),
+      py::arg("progress") = py::none(),
       R"(VesselTrees of a Mask that holds portal and hepatic veins together: centre lines, the two told apart by the liver's shape,
 branches named. portal_mm, hepatic_mm: a place (LPS, mm) on each main stem, where the first guess is wrong.
 clicks: (vessel, place) each, what the vessel there is: "portal-vein", "hepatic-vein", "middle-hepatic-vein",
 "right-hepatic-vein", "umbilical-portion" or "left-hepatic-vein".
+borders: ("V-VIII", place) each, through which the border of those two segments runs.
 
 progress is told (fraction, stage); KeyboardInterrupt cancels.
-Raises glisson.Error: choice-unknown, click-beside, vessels-empty, vessels-one-blob, vessels-grid, vessels-outside, liver-empty.)");
+Raises glisson.Error: choice-unknown, click-beside, border-outside, borders-contradict, vessels-empty, vessels-one-blob, vessels-grid, vessels-outside, liver-empty.)");
   module.def(
       "read_trees",
       [](const std::filesystem::path& file) {
@@ -129,16 +132,21 @@ wall), volume_ml (of each branch by itself), volume_beyond_ml (with all that gro
 Raises glisson.Error: territories-no-branch, liver-empty, choice-unknown.)");
   module.def(
       "couinaud_segments",
-      [](const Mask& liver, const std::shared_ptr<VesselTrees>& trees, const py::object& progress) {
-        return segment_dict(
-            long_call(progress, [&](const Progress& told) { return couinaud_segments(liver, trees.get(), told); }));
+      [](const Mask& liver, const std::shared_ptr<VesselTrees>& trees, const NamedPlaces& borders,
+         const py::object& progress) {
+        const BorderPlaces by_hand = borders_from(borders);
+        return segment_dict(long_call(
+            progress, [&](const Progress& told) { return couinaud_segments(liver, trees.get(), by_hand, told); }));
       },
-      py::arg("liver"), py::arg("trees") = nullptr, py::kw_only(), py::arg("progress") = py::none(),
+      py::arg("liver"), py::arg("trees") = nullptr, py::kw_only(), py::arg("borders") = NamedPlaces(),
+      py::arg("progress") = py::none(),
       R"(Couinaud's eight segments of a liver, from its VesselTrees or, without, from its shape alone.
+borders: ("V-VIII", place in LPS, mm) each, through which the border of those two segments runs, besides those that the
+trees were told.
 
 A dict: segment (LabelMap: 1 to 8, 0 outside), doubt (uint8, [i, j, k]: percent), volume_ml and confidence (9 numbers: of
 all, then of segments 1 to 8), from ("tree" or "prior").
-Raises glisson.Error: liver-empty, vessels-outside, and what a liver's shape refuses.)");
+Raises glisson.Error: liver-empty, vessels-outside, border-outside, borders-contradict, choice-unknown, and what a liver's shape refuses.)");
 }
 
 }  // namespace

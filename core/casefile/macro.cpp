@@ -169,6 +169,20 @@ std::optional<Command> invert(const std::string&, const Provenance& made) {
   return command;
 }
 
+// Adds them to the command; for Python "borders=[...]", empty where there are none.
+std::string borders_told(const Options& options, Command& command) {
+  std::vector<std::string> in_list;
+  for (std::size_t n = 1;; ++n) {
+    const auto place = vasculature::border_of_text(option(options, fmt::format("border-{}_mm", n)));
+    if (!place) break;
+    const std::string text = vasculature::border_text(*place);
+    command.words.insert(command.words.end(), {"--border", text});
+    in_list.push_back(fmt::format("({}, [{}])", in_python(vasculature::border_name(place->segments)),
+                                  text.substr(text.find('=') + 1)));
+  }
+  return in_list.empty() ? std::string() : fmt::format("borders=[{}]", fmt::join(in_list, ", "));
+}
+
 std::optional<Command> vessels(const std::string&, const Provenance& made) {
   const std::string of = option(made.options, "of");
   if (of.empty()) return {};
@@ -196,6 +210,8 @@ std::optional<Command> vessels(const std::string&, const Provenance& made) {
     command.words.insert(command.words.end(), {"--click", vessel + "=" + place});
     clicks.push_back(fmt::format("({}, [{}])", in_python(vessel), place));
   }
+  const std::string borders = borders_told(made.options, command);
+  if (!borders.empty()) named.push_back(borders);
   if (!clicks.empty()) named.push_back(fmt::format("clicks=[{}]", fmt::join(clicks, ", ")));
   command.python = fmt::format("patient.find_vessels({})", fmt::join(named, ", "));
   return command;
@@ -204,8 +220,11 @@ std::optional<Command> vessels(const std::string&, const Provenance& made) {
 std::optional<Command> territories(const std::string&, const Provenance& made) {
   const std::string from = option(made.options, "from");
   if (from != "tree" && from != "prior") return {};
-  return Command{{"territories", the_case, "--from", from},
-                 fmt::format("patient.find_territories(by={})", in_python(from))};
+  Command command{{"territories", the_case, "--from", from}, {}};
+  const std::string borders = borders_told(made.options, command);
+  command.python =
+      fmt::format("patient.find_territories(by={}{}{})", in_python(from), borders.empty() ? "" : ", ", borders);
+  return command;
 }
 
 std::optional<Command> mesh(const std::string&, const Provenance& made) {

@@ -31,10 +31,33 @@ bool is_current(const Case& patient, const std::string& id) {
          patient.freshness(id) == Freshness::current;
 }
 
-Provenance provenance_of(SegmentsBy by) {
-  Provenance made{"territories", {{"from", by == SegmentsBy::trees ? "tree" : "prior"}}, {"labels/liver"}, {}, {}};
+constexpr const char* from_key = "from";
+
+void add_borders(const vasculature::BorderPlaces& borders, Provenance& made) {
+  for (std::size_t n = 0; n < borders.size(); ++n) {
+    made.options[fmt::format("border-{}_mm", n + 1)] = vasculature::border_text(borders[n]);
+  }
+}
+
+Provenance provenance_of(SegmentsBy by, const vasculature::BorderPlaces& borders) {
+  Provenance made{"territories", {{from_key, by == SegmentsBy::trees ? "tree" : "prior"}}, {"labels/liver"}, {}, {}};
   if (by == SegmentsBy::trees) made.from.emplace_back(trees_id);
+  add_borders(borders, made);
   return made;
+}
+
+// Those that segments by the shape alone were told.
+vasculature::BorderPlaces borders_kept(const Case& patient) {
+  vasculature::BorderPlaces borders;
+  const Entry* entry = patient.find(couinaud_id);
+  if (entry == nullptr) return borders;
+  const auto& options = entry->made.options;
+  for (std::size_t n = 1;; ++n) {
+    const auto told = options.find(fmt::format("border-{}_mm", n));
+    const auto place = told != options.end() ? vasculature::border_of_text(told->second) : std::nullopt;
+    if (!place) return borders;
+    borders.push_back(*place);
+  }
 }
 
 Result<Mask> structure_mask(const Case& patient, const std::string& name) {
@@ -55,20 +78,40 @@ Result<Mask> vessel_mask(const Case& patient, const std::string& name, const Mas
   return mask;
 }
 
+// Fails with vessels-overlap: what was grown as one system holds most of the other too.
+Result<void> hold_apart(const std::array<Mask, 2>& systems, const std::filesystem::path& folder) {
+  std::array<double, 3> voxels{};  // of each, and of both
+  for (std::size_t i = 0; i < systems[0].values.size(); ++i) {
+    const bool a = systems[0].values[i] != 0, b = systems[1].values[i] != 0;
+    voxels[0] += a ? 1 : 0, voxels[1] += b ? 1 : 0, voxels[2] += a && b ? 1 : 0;
+  }
+  const double share = voxels[2] / std::max(1.0, std::min(voxels[0], voxels[1]));
+  if (share < 0.5) return {};
+  return failure(Error{"vessels-overlap",
+                       GLISSON_TEXT("portal-vein and hepatic-vein hold the same vessels: {0} % of the smaller one."),
+                       {fmt::format("{:.0f}", 100 * share)},
+                       GLISSON_TEXT("Unite them in one structure, vessels: its systems are told apart."),
+                       folder});
+}
+
 // Portal and hepatic veins where each has a structure of its own.
-Result<VesselTrees> known_trees(const Case& patient, const Mask& liver, const vasculature::Clicks& clicks,
+Result<VesselTrees> known_trees(const Case& patient, const Mask& liver, const vasculature::Told& told,
                                 const Progress& progress) {
-  std::array<vasculature::VesselGraph, 2> graphs;
+  std::array<Mask, 2> masks;
   for (const System system : {System::portal_vein, System::hepatic_vein}) {
-    const auto n = static_cast<std::size_t>(system);
-    const auto mask = vessel_mask(patient, vasculature::system_name(system), liver);
-    if (!mask) return failure(mask.error());
+    auto mask = vessel_mask(patient, vasculature::system_name(system), liver);
+    if (!mask) return failure(std::move(mask.error()));
+    masks.at(static_cast<std::size_t>(system)) = std::move(*mask);
+  }
+  if (auto apart = hold_apart(masks, patient.folder()); !apart) return failure(std::move(apart.error()));
+  std::array<vasculature::VesselGraph, 2> graphs;
+  for (std::size_t n = 0; n < 2; ++n) {
     auto graph = vasculature::center_lines(
-        *mask, {}, progress.part(0.4 * static_cast<double>(n), 0.4 + 0.4 * static_cast<double>(n)));
+        masks.at(n), {}, progress.part(0.4 * static_cast<double>(n), 0.4 + 0.4 * static_cast<double>(n)));
     if (!graph) return failure(std::move(graph.error()));
     graphs.at(n) = std::move(*graph);
   }
-  for (const vasculature::Click& click : clicks) {
+  for (const vasculature::Click& click : told.clicks) {
     const auto& graph = graphs.at(static_cast<std::size_t>(vasculature::system_of(click.vessel)));
     if (auto on_vessel = vasculature::lie_on_vessels(graph, {click}); !on_vessel) {
       return failure(std::move(on_vessel.error()));
@@ -76,11 +119,12 @@ Result<VesselTrees> known_trees(const Case& patient, const Mask& liver, const va
   }
   const auto expected = vasculature::expected_entries(liver);
   if (!expected) return failure(expected.error());
-  vasculature::VesselEntries entries = vasculature::possible_entries(graphs[0], *expected, clicks, 1).front();
-  entries.hepatic_mm = vasculature::possible_entries(graphs[1], *expected, clicks, 1).front().hepatic_mm;
+  vasculature::VesselEntries entries = vasculature::possible_entries(graphs[0], *expected, told.clicks, 1).front();
+  entries.hepatic_mm = vasculature::possible_entries(graphs[1], *expected, told.clicks, 1).front().hepatic_mm;
   VesselTrees trees = vasculature::known_vessels(graphs[0], graphs[1], entries);
-  trees.clicks = clicks;
-  const auto segments = vasculature::couinaud_segments(liver, &trees, progress.part(0.8, 1));
+  trees.clicks = told.clicks;
+  trees.borders = told.borders;
+  const auto segments = vasculature::couinaud_segments(liver, &trees, {}, progress.part(0.8, 1));
   if (!segments) return failure(segments.error());
   vasculature::name_branches(trees, *segments);
   trees.border_doubts = segments->border_doubts;
@@ -112,8 +156,28 @@ std::vector<imaging::SegmentInfo> branch_infos(const VesselTrees& trees, System 
   return infos;
 }
 
+// With the trees that the case has, or by the shape alone with none.
+Result<FoundTerritories> with_trees(const Case& patient, SegmentsBy by) {
+  FoundTerritories found;
+  if (by == SegmentsBy::shape) return found;
+  if (patient.find(trees_id) == nullptr) {
+    return failure(Error{"vessels-missing",
+                         GLISSON_TEXT("The case has no vessel trees."),
+                         {},
+                         GLISSON_TEXT("Find them first (vessels), or take the liver's shape alone (--from prior)."),
+                         patient.folder()});
+  }
+  auto trees = patient.file_of(trees_id).and_then(vasculature::read_trees);
+  if (!trees) return failure(std::move(trees.error()));
+  found.trees = std::move(*trees);
+  return found;
+}
+
 // Volumes and confidence follow from the maps.
-Result<void> read_kept(const Case& patient, SegmentsBy by, FoundTerritories& found) {
+Result<FoundTerritories> kept_in(const Case& patient, SegmentsBy by) {
+  auto with = with_trees(patient, by);
+  if (!with) return with;
+  FoundTerritories& found = *with;
   vasculature::CouinaudSegments& couinaud = found.couinaud;
   couinaud.from = by == SegmentsBy::trees ? vasculature::SegmentsFrom::trees : vasculature::SegmentsFrom::shape;
   auto segments = patient.file_of(couinaud_id).and_then(imaging::read_labels_file);
@@ -129,7 +193,30 @@ Result<void> read_kept(const Case& patient, SegmentsBy by, FoundTerritories& fou
     if (!territory) return failure(std::move(territory.error()));
     found.territory.at(static_cast<std::size_t>(system)) = std::move(*territory);
   }
-  return {};
+  return with;
+}
+
+Result<FoundTerritories> made_of(const Case& patient, SegmentsBy by, const vasculature::BorderPlaces& borders,
+                                 const Progress& progress) {
+  auto with = with_trees(patient, by);
+  if (!with) return with;
+  FoundTerritories& found = *with;
+  const auto whole = structure_mask(patient, "liver");
+  if (!whole) return failure(whole.error());
+  const Mask liver = segmentation::cut_out(*whole, segmentation::part_around(*whole, 1));
+  for (const System system : {System::portal_vein, System::hepatic_vein}) {
+    const auto& branches = found.trees.branches;
+    if (std::none_of(branches.begin(), branches.end(), [&](const auto& b) { return b.system == system; })) continue;
+    const auto territories = vasculature::territories_of(found.trees, system, liver);
+    if (!territories) return failure(territories.error());
+    auto& map = found.territory.at(static_cast<std::size_t>(system)).emplace(imaging::LabelMap{liver.grid, {}});
+    for (const std::int32_t branch : territories->branch) map.values.push_back(static_cast<std::uint16_t>(branch + 1));
+  }
+  auto segments =
+      vasculature::couinaud_segments(liver, by == SegmentsBy::trees ? &found.trees : nullptr, borders, progress);
+  if (!segments) return failure(std::move(segments.error()));
+  found.couinaud = std::move(*segments);
+  return with;
 }
 
 }  // namespace
@@ -144,7 +231,7 @@ std::vector<imaging::SegmentInfo> couinaud_segment_infos() {
 }
 
 Result<VesselTrees> find_vessels(Case& patient, const std::optional<std::string>& structure,
-                                 const vasculature::Clicks& clicks, const Progress& progress) {
+                                 const vasculature::Told& told, const Progress& progress) {
   const bool apart =
       !structure && patient.find("labels/portal-vein") != nullptr && patient.find("labels/hepatic-vein") != nullptr;
   const std::string name = structure.value_or("vessels");
@@ -153,11 +240,13 @@ Result<VesselTrees> find_vessels(Case& patient, const std::optional<std::string>
   for (const auto& label : apart ? std::vector<std::string>{"portal-vein", "hepatic-vein"} : std::vector{name}) {
     made.from.push_back("labels/" + label);
   }
+  const vasculature::Clicks& clicks = told.clicks;
   for (std::size_t n = 0; n < clicks.size(); ++n) {
     const Eigen::Vector3d& place = clicks[n].position_mm;
     made.options[fmt::format("click-{}_mm", n + 1)] =
         fmt::format("{}={},{},{}", vasculature::vessel_name(clicks[n].vessel), place.x(), place.y(), place.z());
   }
+  add_borders(told.borders, made);
   const Entry* kept = patient.find(trees_id);
   if (kept != nullptr && kept->made.options == made.options && is_current(patient, trees_id)) {
     return patient.file_of(trees_id).and_then(vasculature::read_trees);
@@ -167,13 +256,13 @@ Result<VesselTrees> find_vessels(Case& patient, const std::optional<std::string>
   if (!liver) return failure(liver.error());
   Result<VesselTrees> trees = failure(no_vessels());
   if (apart) {
-    trees = known_trees(patient, *liver, clicks, progress);
+    trees = known_trees(patient, *liver, told, progress);
   } else {
     const auto mask = vessel_mask(patient, name, *liver);
     if (!mask) return failure(mask.error());
     const auto graph = vasculature::center_lines(*mask, {}, progress.part(0, 0.5));
     if (!graph) return failure(graph.error());
-    auto anatomy = vasculature::explain_vessels(*graph, *liver, clicks, progress.part(0.5, 1));
+    auto anatomy = vasculature::explain_vessels(*graph, *liver, told, progress.part(0.5, 1));
     if (!anatomy) return failure(std::move(anatomy.error()));
     trees = std::move(anatomy->trees);
   }
@@ -184,14 +273,16 @@ Result<VesselTrees> find_vessels(Case& patient, const std::optional<std::string>
   return trees;
 }
 
-Result<FoundTerritories> find_territories(Case& patient, SegmentsBy by, const Progress& progress) {
-  const Kept kept = kept_territories(patient, by);
-  auto found = territories_in(patient, by, progress);
-  if (!found || kept == Kept::current) return found;
+Result<FoundTerritories> find_territories(Case& patient, SegmentsBy by, const vasculature::BorderPlaces& borders,
+                                          const Progress& progress) {
+  const bool kept = kept_territories(patient, by) == Kept::current &&
+                    patient.find(couinaud_id)->made.options == provenance_of(by, borders).options;
+  auto found = kept ? kept_in(patient, by) : made_of(patient, by, borders, progress);
+  if (!found || kept) return found;
   auto saved = patient.together([&]() -> Result<void> {
     const auto add = [&](const std::string& id,
                          const std::function<Result<void>(const std::filesystem::path&)>& write) {
-      return patient.add(id, ".nrrd", provenance_of(by), write);
+      return patient.add(id, ".nrrd", provenance_of(by, borders), write);
     };
     const vasculature::CouinaudSegments& couinaud = found->couinaud;
     auto added = add(couinaud_id, [&](const std::filesystem::path& file) {
@@ -223,7 +314,8 @@ Result<FoundTerritories> find_territories(Case& patient, SegmentsBy by, const Pr
 Kept kept_territories(const Case& patient, SegmentsBy by) {
   const Entry* entry = patient.find(couinaud_id);
   if (entry == nullptr || patient.find(doubt_id) == nullptr) return Kept::no;
-  if (entry->made.options != provenance_of(by).options) return Kept::no;
+  const auto from = entry->made.options.find(from_key);
+  if (from == entry->made.options.end() || from->second != provenance_of(by, {}).options.at(from_key)) return Kept::no;
   std::vector<std::string> needed{couinaud_id, doubt_id};
   for (const System system : {System::portal_vein, System::hepatic_vein}) {
     if (by == SegmentsBy::trees && patient.find(territory_id(system)) != nullptr) {
@@ -236,38 +328,15 @@ Kept kept_territories(const Case& patient, SegmentsBy by) {
 }
 
 Result<FoundTerritories> territories_in(const Case& patient, SegmentsBy by, const Progress& progress) {
-  FoundTerritories found;
-  if (by == SegmentsBy::trees) {
-    if (patient.find(trees_id) == nullptr) {
-      return failure(Error{"vessels-missing",
-                           GLISSON_TEXT("The case has no vessel trees."),
-                           {},
-                           GLISSON_TEXT("Find them first (vessels), or take the liver's shape alone (--from prior)."),
-                           patient.folder()});
-    }
-    auto trees = patient.file_of(trees_id).and_then(vasculature::read_trees);
-    if (!trees) return failure(std::move(trees.error()));
-    found.trees = std::move(*trees);
-  }
-  if (kept_territories(patient, by) == Kept::current) {
-    if (auto read = read_kept(patient, by, found); !read) return failure(std::move(read.error()));
-    return found;
-  }
-  const auto whole = structure_mask(patient, "liver");
-  if (!whole) return failure(whole.error());
-  const Mask liver = segmentation::cut_out(*whole, segmentation::part_around(*whole, 1));
-  for (const System system : {System::portal_vein, System::hepatic_vein}) {
-    const auto& branches = found.trees.branches;
-    if (std::none_of(branches.begin(), branches.end(), [&](const auto& b) { return b.system == system; })) continue;
-    const auto territories = vasculature::territories_of(found.trees, system, liver);
-    if (!territories) return failure(territories.error());
-    auto& map = found.territory.at(static_cast<std::size_t>(system)).emplace(imaging::LabelMap{liver.grid, {}});
-    for (const std::int32_t branch : territories->branch) map.values.push_back(static_cast<std::uint16_t>(branch + 1));
-  }
-  auto segments = vasculature::couinaud_segments(liver, by == SegmentsBy::trees ? &found.trees : nullptr, progress);
-  if (!segments) return failure(std::move(segments.error()));
-  found.couinaud = std::move(*segments);
-  return found;
+  if (kept_territories(patient, by) == Kept::current) return kept_in(patient, by);
+  const bool by_shape = by == SegmentsBy::shape && kept_territories(patient, by) != Kept::no;
+  return made_of(patient, by, by_shape ? borders_kept(patient) : vasculature::BorderPlaces(), progress);
+}
+
+vasculature::Told told_in(const Case& patient) {
+  if (patient.find(trees_id) == nullptr) return {{}, borders_kept(patient)};
+  const auto trees = patient.file_of(trees_id).and_then(vasculature::read_trees);
+  return trees ? vasculature::Told{trees->clicks, trees->borders} : vasculature::Told();
 }
 
 }  // namespace glisson::casefile

@@ -27,9 +27,9 @@ inline constexpr const char* couinaud_id = "territories/couinaud";
 
 // From labels/liver and one structure of both systems; without its name from portal-vein and hepatic-vein, or where
 // these are not there from "vessels". Trees that were made so before, of what the case still holds, are read. Fails
-// with vessels-missing, labels-grids-differ and as the room vasculature says.
+// with vessels-missing, labels-grids-differ, vessels-overlap and as the room vasculature says.
 Result<vasculature::VesselTrees> find_vessels(Case& patient, const std::optional<std::string>& structure,
-                                              const vasculature::Clicks& clicks = {}, const Progress& progress = {});
+                                              const vasculature::Told& told = {}, const Progress& progress = {});
 
 enum class SegmentsBy { trees, shape };
 struct FoundTerritories {
@@ -38,11 +38,16 @@ struct FoundTerritories {
   // By system (vasculature::System): branch + 1 of each voxel; nothing where it has no branch.
   std::array<std::optional<imaging::LabelMap>, 2> territory;
 };
-// By trees: those that find_vessels saved. Fails with vessels-missing and as the room vasculature says.
-Result<FoundTerritories> find_territories(Case& patient, SegmentsBy by, const Progress& progress = {});
+// By trees: those that find_vessels saved, with the borders that these were told; borders are for the shape alone.
+// Fails with vessels-missing and as the room vasculature says.
+Result<FoundTerritories> find_territories(Case& patient, SegmentsBy by, const vasculature::BorderPlaces& borders = {},
+                                          const Progress& progress = {});
 
 // The same without keeping them: by the trees where the case has any; what is kept is read.
 Result<FoundTerritories> territories_in(const Case& patient, SegmentsBy by, const Progress& progress = {});
+
+// What vessels and segments were told when they were last found.
+[[nodiscard]] vasculature::Told told_in(const Case& patient);
 
 // Whether the case keeps them, and whether what they were made from has changed since.
 enum class Kept { no, changed, current };

@@ -82,7 +82,6 @@ Json report_json(const Explanation& explanation, const Observations& observation
     json["hidden_targets"] = {{"before", figures(explanation.hidden_targets->before)},
                               {"after", figures(explanation.hidden_targets->after)}};
   }
-  if (explanation.evidence_over_smooth) json["evidence_over_smooth_bic"] = *explanation.evidence_over_smooth;
   json["effects"] = Json::array();
   for (const FoundEffect& effect : explanation.effects) {
     json["effects"].push_back(json_of(effect, named));
@@ -119,7 +118,7 @@ Json report_json(const Explanation& explanation, const Observations& observation
   }
   if (!explanation.posterior.empty()) {
     json["posterior"] = {{"explanations", json_of(explanation.posterior)},
-                         {"agrees_with_verdict", agrees(explanation)},
+                         {"of_effects", explanation.of_effects},
                          {"sentence", posterior_sentence(explanation).message()}};
   }
   if (!history.empty()) json["history"] = json_of(history);

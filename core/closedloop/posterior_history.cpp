@@ -28,10 +28,12 @@ PosteriorHistory history_after(const std::filesystem::path& earlier_report, cons
 
 Json json_of(const Posterior& posterior) {
   Json json = Json::array();
-  for (const WeighedExplanation& one : posterior)
+  for (const WeighedExplanation& one : posterior) {
     json.push_back({{"name", name_of(one)},
                     {"kinds", one.something_else ? Json(nullptr) : Json(one.kinds)},
                     {"probability", one.probability}});
+    if (one.beside > 0) json.back()["beside"] = one.beside;
+  }
   return json;
 }
 

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <random>
 
 #include "base/parallel.h"
+#include "vasculature/internal/nearest_line.h"
 #include "vasculature/internal/segment_evidence.h"
 
 namespace glisson::vasculature {
@@ -26,6 +26,7 @@ Answer most_probable(const Evidence& evidence);  // from several starts
 VesselEntries entries_of(const Evidence& evidence, const PlaneParameters& planes);
 std::vector<PlaneParameters> others_as_likely(const Evidence& evidence, const PlaneParameters& best);
 
+BentPlanes bent(const Evidence& evidence, const PlaneParameters& planes);
 CouinaudSegments segments_of(const Mask& liver, const Evidence& evidence, const PlaneParameters& best);
 void label(const Mask& liver, const Evidence& evidence, const PlaneParameters& best,
            const std::vector<PlaneParameters>& others, CouinaudSegments& segments);
@@ -34,9 +35,12 @@ std::vector<BorderDoubt> border_doubts(const Evidence& evidence, const PlanePara
 
 }  // namespace
 
-Result<CouinaudSegments> couinaud_segments(const Mask& liver, const VesselTrees* trees, const Progress& progress) {
+Result<CouinaudSegments> couinaud_segments(const Mask& liver, const VesselTrees* trees, const BorderPlaces& borders,
+                                           const Progress& progress) {
   progress.report(0, GLISSON_TEXT("looking at the liver"));
-  auto evidence = evidence_of(liver);
+  BorderPlaces all = trees != nullptr ? trees->borders : BorderPlaces();
+  all.insert(all.end(), borders.begin(), borders.end());
+  auto evidence = evidence_of(liver, all);
   if (!evidence) return failure(evidence.error());
   if (trees != nullptr && !trees->branches.empty()) {
     if (auto added = add_vessels(liver, *trees, *evidence); !added) return failure(std::move(added.error()));
@@ -44,6 +48,8 @@ Result<CouinaudSegments> couinaud_segments(const Mask& liver, const VesselTrees*
   progress.report(0.2, GLISSON_TEXT("finding the segments"));
   const PlaneParameters best = most_probable(*evidence).planes;
   if (progress.cancelled()) return cancelled();
+  if (auto pass = evidence->hand.pass(SegmentPlanes(evidence->liver, best), liver.grid); !pass)
+    return failure(std::move(pass.error()));
   CouinaudSegments segments = segments_of(liver, *evidence, best);
   progress.report(1, GLISSON_TEXT("done"));
   return segments;
@@ -52,11 +58,8 @@ Result<CouinaudSegments> couinaud_segments(const Mask& liver, const VesselTrees*
 Result<void> lie_on_vessels(const VesselGraph& graph, const Clicks& clicks) {
   constexpr double most_mm = 10;
   for (const Click& click : clicks) {
-    double nearest_mm = std::numeric_limits<double>::infinity();
-    for (const GraphBranch& branch : graph.branches) {
-      nearest_mm = std::min(nearest_mm, from_wall_mm(branch.points, click.position_mm));
-    }
-    if (nearest_mm <= most_mm) continue;
+    const auto line_of = [&](std::size_t b) { return &graph.branches[b].points; };
+    if (nearest_line(graph.branches.size(), click.position_mm, line_of).from_wall_mm <= most_mm) continue;
     const Vector3d& p = click.position_mm;
     return failure(
         "click-beside",
@@ -66,19 +69,23 @@ Result<void> lie_on_vessels(const VesselGraph& graph, const Clicks& clicks) {
   return {};
 }
 
-Result<LiverAnatomy> explain_vessels(const VesselGraph& graph, const Mask& liver, const Clicks& clicks,
+Result<LiverAnatomy> explain_vessels(const VesselGraph& graph, const Mask& liver, const Told& told,
                                      const Progress& progress) {
   progress.report(0, GLISSON_TEXT("looking at the liver"));
-  if (auto on_vessels = lie_on_vessels(graph, clicks); !on_vessels) return failure(std::move(on_vessels.error()));
-  auto evidence = evidence_of(liver);
+  if (auto on_vessels = lie_on_vessels(graph, told.clicks); !on_vessels) return failure(std::move(on_vessels.error()));
+  auto evidence = evidence_of(liver, told.borders);
   if (!evidence) return failure(evidence.error());
   progress.report(0.2, GLISSON_TEXT("finding the segments"));
   const PlaneParameters by_shape = most_probable(*evidence).planes;
   LiverAnatomy anatomy;
-  anatomy.trees = classify_vessels(graph, entries_of(*evidence, by_shape), evidence->places_mm, clicks);
+  anatomy.trees = classify_vessels(graph, entries_of(*evidence, by_shape), evidence->places_mm, told.clicks);
+  anatomy.trees.borders = told.borders;
   if (progress.cancelled()) return cancelled();
   if (auto added = add_vessels(liver, anatomy.trees, *evidence); !added) return failure(std::move(added.error()));
-  anatomy.segments = segments_of(liver, *evidence, descended(*evidence, by_shape).planes);
+  const PlaneParameters best = descended(*evidence, by_shape).planes;
+  const auto pass = evidence->hand.pass(SegmentPlanes(evidence->liver, best), liver.grid);
+  if (!pass) return failure(pass.error());
+  anatomy.segments = segments_of(liver, *evidence, best);
   name_branches(anatomy.trees, anatomy.segments);
   anatomy.trees.border_doubts = anatomy.segments.border_doubts;
   progress.report(1, GLISSON_TEXT("done"));
@@ -86,6 +93,10 @@ Result<LiverAnatomy> explain_vessels(const VesselGraph& graph, const Mask& liver
 }
 
 namespace {
+
+BentPlanes bent(const Evidence& evidence, const PlaneParameters& planes) {
+  return {SegmentPlanes(evidence.liver, planes), evidence.hand};
+}
 
 CouinaudSegments segments_of(const Mask& liver, const Evidence& evidence, const PlaneParameters& best) {
   CouinaudSegments segments;
@@ -105,9 +116,9 @@ std::vector<BorderDoubt> border_doubts(const Evidence& evidence, const PlanePara
                                      {Vessel::right_hepatic_vein, 0},
                                      {Vessel::left_hepatic_vein, 0}};
   const double place_ml = evidence.liver.volume_ml / static_cast<double>(evidence.places_mm.size());
-  const SegmentPlanes planes(evidence.liver, best);
+  const BentPlanes planes = bent(evidence, best);
   for (const PlaneParameters& other : others) {
-    const SegmentPlanes other_planes(evidence.liver, other);
+    const BentPlanes other_planes = bent(evidence, other);
     for (const Vector3d& place : evidence.places_mm) {
       const auto a = static_cast<std::size_t>(planes.at(place)), b = static_cast<std::size_t>(other_planes.at(place));
       if (a == 1 || b == 1 || a == b) continue;
@@ -195,9 +206,9 @@ void label(const Mask& liver, const Evidence& evidence, const PlaneParameters& b
   const Grid& grid = liver.grid;
   segments.segment = {grid, std::vector<std::uint16_t>(liver.values.size(), 0)};
   segments.doubt.assign(liver.values.size(), 0);
-  const SegmentPlanes planes(evidence.liver, best);
-  std::vector<SegmentPlanes> other_planes;
-  for (const PlaneParameters& other : others) other_planes.emplace_back(evidence.liver, other);
+  const BentPlanes planes = bent(evidence, best);
+  std::vector<BentPlanes> other_planes;
+  for (const PlaneParameters& other : others) other_planes.push_back(bent(evidence, other));
   // The doubt changes slowly: asked for once every few millimetres.
   std::array<int, 3> step{};
   for (int a = 0; a < 3; ++a) {
@@ -217,7 +228,7 @@ void label(const Mask& liver, const Evidence& evidence, const PlaneParameters& b
                 if (liver.at(i, j, k) == 0) continue;
                 if (!asked) {
                   const Vector3d p = grid.position_mm(i, j, k);
-                  for (const SegmentPlanes& other : other_planes) ++votes[static_cast<std::size_t>(other.at(p))];
+                  for (const BentPlanes& other : other_planes) ++votes[static_cast<std::size_t>(other.at(p))];
                   asked = true;
                 }
                 const int segment = planes.at(grid.position_mm(i, j, k));
@@ -272,7 +283,7 @@ void measure(CouinaudSegments& segments) {
 }
 
 Result<VesselEntries> expected_entries(const Mask& liver) {
-  const auto evidence = evidence_of(liver);
+  const auto evidence = evidence_of(liver, {});
   if (!evidence) return failure(evidence.error());
   return entries_of(*evidence, most_probable(*evidence).planes);
 }

@@ -33,10 +33,12 @@ struct CouinaudSegments {
   std::vector<BorderDoubt> border_doubts;  // the largest first; not kept with the maps
 };
 
-// Without trees (null, or none with branches) the liver's shape decides. Fails as liver_frame does, with
-// vessels-outside (most of the trees' length lies outside of the liver) and cancelled.
+// Without trees (null, or none with branches) the liver's shape decides, with the borders that a hand set: these
+// besides those of the trees. Each passes its place to half a voxel. Fails as liver_frame and lie_in_liver do, with
+// vessels-outside (most of the trees' length lies outside of the liver), border-far (that border runs there in no
+// liver), borders-contradict (borders cannot pass all of their places) and cancelled.
 Result<CouinaudSegments> couinaud_segments(const imaging::Mask& liver, const VesselTrees* trees = nullptr,
-                                           const Progress& progress = {});
+                                           const BorderPlaces& borders = {}, const Progress& progress = {});
 
 // Sets volumes and confidence from the voxels.
 void measure(CouinaudSegments& segments);
@@ -52,7 +54,7 @@ struct LiverAnatomy {
   VesselTrees trees;
   CouinaudSegments segments;
 };
-Result<LiverAnatomy> explain_vessels(const VesselGraph& graph, const imaging::Mask& liver, const Clicks& clicks = {},
+Result<LiverAnatomy> explain_vessels(const VesselGraph& graph, const imaging::Mask& liver, const Told& told = {},
                                      const Progress& progress = {});
 
 // Gives each branch a stable name, such as "portal/right/posterior/VI/2" or "hepatic/middle/3". It has system, side,

@@ -25,10 +25,10 @@ struct ForestCosts {
   double contact = 0.5, neck = 2, gap = 0.3, gap_per_mm = 0.05;
 };
 constexpr ForestCosts forest_costs;
-constexpr std::int64_t moves_a_piece = 1500, most_moves = 6'000'000;  // the latter for masks that are mostly noise
+constexpr std::int64_t moves_a_piece = 375, most_moves = 1'500'000;  // the latter for masks that are mostly noise
 constexpr double hot = 2, cold = 0.15;
 constexpr int other_forests = 50;
-constexpr std::int64_t moves_between = 6;  // a piece
+constexpr std::int64_t moves_between = 6, most_moves_between = 120'000;  // a piece, and of all
 constexpr double warm = 2.2;
 
 // Quadratic, and linear beyond `linear_from`: one odd place is no proof (Huber 1964, Ann Math Stat 35:73).
@@ -49,7 +49,8 @@ class ForestWalk {
  public:
   ForestWalk(const Junctions& junctions, const VesselEntries& entries, const KnownPieces& known, std::uint64_t seed);
   void cool();
-  void look_around(Forest& forest);  // sets how sure it is
+  void begin_with(const Forest& forest);
+  [[nodiscard]] std::vector<double> look_around();  // how many of the likely forests around agree, of each piece
   [[nodiscard]] Forest forest() const;
 
  private:
@@ -338,22 +339,31 @@ void ForestWalk::cool() {
   }
 }
 
-void ForestWalk::look_around(Forest& forest) {
-  forest.sure.assign(parent_.size(), 0);
+void ForestWalk::begin_with(const Forest& forest) {
+  near_ = forest.near_end;
+  for (int p = 0; p < static_cast<int>(parent_.size()); ++p) {
+    system_[at(p)] = forest.system[at(p)] == System::portal_vein ? 0 : 1;
+    hang(p, forest.parent[at(p)]);
+  }
+}
+
+std::vector<double> ForestWalk::look_around() {
+  const std::vector<System> begun = forest().system;
+  std::vector<double> sure(parent_.size(), 0);
   temperature_ = warm;
-  const std::int64_t between =
-      std::min(static_cast<std::int64_t>(parent_.size()) * moves_between, most_moves / other_forests);
+  const std::int64_t between = std::min(static_cast<std::int64_t>(parent_.size()) * moves_between, most_moves_between);
   for (int n = 0; n < other_forests; ++n) {
     for (std::int64_t m = 0; m < between; ++m) move();
     for (int p = 0; p < static_cast<int>(parent_.size()); ++p) {
       const System system = system_[at(top_of(p))] == 0 ? System::portal_vein : System::hepatic_vein;
-      if (system == forest.system[at(p)]) forest.sure[at(p)] += 1.0 / other_forests;
+      if (system == begun[at(p)]) sure[at(p)] += 1.0 / other_forests;
     }
   }
+  return sure;
 }
 
 Forest ForestWalk::forest() const {
-  Forest forest{parent_, near_, {}, {}, 0};
+  Forest forest{parent_, near_, {}, 0};
   for (int p = 0; p < static_cast<int>(parent_.size()); ++p) {
     forest.energy += of_piece(p);
     forest.system.push_back(system_[at(top_of(p))] == 0 ? System::portal_vein : System::hepatic_vein);
@@ -368,9 +378,14 @@ Forest cooled_forest(const Junctions& junctions, const VesselEntries& entries, c
                      std::uint64_t seed) {
   ForestWalk walk(junctions, entries, known, seed);
   walk.cool();
-  Forest forest = walk.forest();
-  walk.look_around(forest);
-  return forest;
+  return walk.forest();
+}
+
+std::vector<double> sure_of(const Junctions& junctions, const VesselEntries& entries, const KnownPieces& known,
+                            const Forest& forest) {
+  ForestWalk walk(junctions, entries, known, 1);
+  walk.begin_with(forest);
+  return walk.look_around();
 }
 
 }  // namespace glisson::vasculature

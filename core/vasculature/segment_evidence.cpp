@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <optional>
 
+#include "vasculature/internal/nearest_line.h"
 #include "vasculature/internal/nearest_voxel.h"
 
 namespace glisson::vasculature {
@@ -46,6 +46,7 @@ enum Term : std::size_t {
   of_left_portal,
   of_portal,
   of_named,
+  of_hand,
   term_count
 };
 
@@ -63,6 +64,7 @@ std::array<double, term_count> terms(const Evidence& evidence, const PlaneParame
     const double off = std::log(share / shares[s]) / share_spread[s];
     sum[of_volumes] += 0.5 * off * off;
   }
+  sum[of_hand] = evidence.hand.energy(planes);
   if (evidence.vessels.empty()) return sum;
 
   const double scale = evidence.liver.scale();
@@ -78,32 +80,32 @@ std::array<double, term_count> terms(const Evidence& evidence, const PlaneParame
     return std::min(weights.maximum_off_border, 0.5 * off * off);
   };
   for (const BorderSample& sample : evidence.borders) {
-    sum[of_named] += sample.weight * on(planes.distances_mm(sample.position_mm)[sample.border]);
+    sum[of_named] += sample.weight * on(planes.levels_mm(sample.position_mm)[sample.border]);
   }
   for (const VesselSample& vessel : evidence.vessels) {
-    const std::array<double, 4> away = planes.distances_mm(vessel.position_mm);
-    double nearest = std::min({std::abs(away[SegmentPlanes::middle]), std::abs(away[SegmentPlanes::right]),
-                               std::abs(away[SegmentPlanes::umbilical])});
+    const SurfaceLevels away = planes.levels_mm(vessel.position_mm);
+    double nearest =
+        std::min({std::abs(away[middle_vein]), std::abs(away[right_vein]), std::abs(away[umbilical_fissure])});
     // II and III part left of the umbilical fissure alone.
-    if (away[SegmentPlanes::umbilical] < 0) nearest = std::min(nearest, std::abs(away[SegmentPlanes::left_vein]));
+    if (away[umbilical_fissure] < 0) nearest = std::min(nearest, std::abs(away[left_vein]));
     sum[of_hepatic] += vessel.hepatic_weight * on(nearest);
     if (vessel.left_portal) {  // its umbilical part runs in the fissure
-      sum[of_left_portal] += vessel.portal_weight * on(away[SegmentPlanes::umbilical]);
+      sum[of_left_portal] += vessel.portal_weight * on(away[umbilical_fissure]);
     } else {
-      const double near = std::min(std::abs(away[SegmentPlanes::middle]), std::abs(away[SegmentPlanes::right])) /
-                          (weights.off_border_mm * scale);
+      const double near =
+          std::min(std::abs(away[middle_vein]), std::abs(away[right_vein])) / (weights.off_border_mm * scale);
       sum[of_portal] += vessel.portal_weight * 2 * std::exp(-0.5 * near * near);
     }
   }
   return sum;
 }
 
-std::optional<SegmentPlanes::Surface> border_along(Vessel vessel) {
+std::optional<Surface> border_along(Vessel vessel) {
   switch (vessel) {
-    case Vessel::middle_hepatic_vein: return SegmentPlanes::middle;
-    case Vessel::right_hepatic_vein: return SegmentPlanes::right;
-    case Vessel::umbilical_portion: return SegmentPlanes::umbilical;
-    case Vessel::left_hepatic_vein: return SegmentPlanes::left_vein;
+    case Vessel::middle_hepatic_vein: return middle_vein;
+    case Vessel::right_hepatic_vein: return right_vein;
+    case Vessel::umbilical_portion: return umbilical_fissure;
+    case Vessel::left_hepatic_vein: return left_vein;
     default: return {};
   }
 }
@@ -112,31 +114,32 @@ std::optional<SegmentPlanes::Surface> border_along(Vessel vessel) {
 void add_named(const VesselTrees& trees, Evidence& evidence) {
   for (const Click& click : trees.clicks) {
     const auto border = border_along(click.vessel);
-    const TreeBranch* nearest = nullptr;
-    double nearest_mm = std::numeric_limits<double>::infinity();
-    for (const TreeBranch& branch : trees.branches) {
-      const double away_mm = from_wall_mm(branch.points, click.position_mm);
-      if (branch.system != system_of(click.vessel) || away_mm >= nearest_mm) continue;
-      nearest_mm = away_mm;
-      nearest = &branch;
-    }
-    if (!border || nearest == nullptr) continue;
+    const auto line_of = [&](std::size_t b) {
+      return trees.branches[b].system == system_of(click.vessel) ? &trees.branches[b].points : nullptr;
+    };
+    const int nearest = nearest_line(trees.branches.size(), click.position_mm, line_of).number;
+    if (!border || nearest < 0) continue;
+    const std::vector<CenterPoint>& points = trees.branches[static_cast<std::size_t>(nearest)].points;
     constexpr std::size_t stride = 2;
-    const std::size_t count = (nearest->points.size() + stride - 1) / stride;
-    for (std::size_t i = 0; i < nearest->points.size(); i += stride) {
-      evidence.borders.push_back({nearest->points[i].position_mm, *border, weights.named / static_cast<double>(count)});
+    const std::size_t count = (points.size() + stride - 1) / stride;
+    for (std::size_t i = 0; i < points.size(); i += stride) {
+      evidence.borders.push_back({points[i].position_mm, *border, weights.named / static_cast<double>(count)});
     }
   }
 }
 
 }  // namespace
 
-Result<Evidence> evidence_of(const Mask& liver) {
+Result<Evidence> evidence_of(const Mask& liver, const BorderPlaces& borders) {
   Evidence evidence;
   auto frame = liver_frame(liver);
   if (!frame) return failure(std::move(frame.error()));
   evidence.liver = *frame;
+  if (auto inside = lie_in_liver(liver, borders); !inside) return failure(std::move(inside.error()));
   const Grid& grid = liver.grid;
+  evidence.hand = HandBorders(borders, frame->scale(), std::max(2.0, 0.5 * grid.spacing_mm.norm()));
+  const auto may_pass = evidence.hand.may_pass(SegmentPlanes(*frame, mean_planes));
+  if (!may_pass) return failure(may_pass.error());
   const double step_mm = std::cbrt(frame->volume_ml * 1000 / 1500);
   std::array<int, 3> step{};
   for (int a = 0; a < 3; ++a) {

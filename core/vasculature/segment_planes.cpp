@@ -34,16 +34,25 @@ SegmentPlanes::Place SegmentPlanes::place(const Vector3d& patient_mm) const {
   place.azimuth_deg = std::atan2(-place.y, place.x) * degrees;
   if (place.azimuth_deg < -90) place.azimuth_deg += 360;
   place.away = std::hypot(place.x, place.y);
+  place.in_caudate = {(place.x - p_[caudate_x]) / p_[caudate_width], (place.y - p_[caudate_y]) / p_[caudate_depth],
+                      (z - p_[caudate_z]) / p_[caudate_height]};
   return place;
+}
+
+int segment_at(const SurfaceLevels& levels_mm) {
+  if (levels_mm[caudate_border] < 0) return 1;
+  if (levels_mm[middle_vein] > 0) {
+    if (levels_mm[right_vein] > 0) return levels_mm[posterior_level] > 0 ? 7 : 6;
+    return levels_mm[anterior_level] > 0 ? 8 : 5;
+  }
+  if (levels_mm[umbilical_fissure] > 0) return 4;
+  return levels_mm[left_vein] > 0 ? 2 : 3;
 }
 
 int SegmentPlanes::at(const Vector3d& patient_mm) const {
   const Place place = this->place(patient_mm);
-  const double z = place.from_base.z();
-  const Vector3d in_caudate((place.x - p_[caudate_x]) / p_[caudate_width],
-                            (place.y - p_[caudate_y]) / p_[caudate_depth], (z - p_[caudate_z]) / p_[caudate_height]);
-  if (in_caudate.squaredNorm() < 1) return 1;
-  const double up = z / 100;
+  if (place.in_caudate.squaredNorm() < 1) return 1;
+  const double z = place.from_base.z(), up = z / 100;
   if (place.azimuth_deg > p_[middle_deg] + p_[middle_tilt] * up) {
     if (place.azimuth_deg > p_[right_deg] + p_[right_tilt] * up) {
       return z > p_[posterior_height] + p_[posterior_slope] * place.away ? 7 : 6;
@@ -54,15 +63,25 @@ int SegmentPlanes::at(const Vector3d& patient_mm) const {
   return place.from_base.dot(left_normal_) > p_[left_offset] ? 2 : 3;
 }
 
-std::array<double, 4> SegmentPlanes::distances_mm(const Vector3d& patient_mm) const {
+SurfaceLevels SegmentPlanes::levels_mm(const Vector3d& patient_mm) const {
   const Place place = this->place(patient_mm);
-  const double up = place.from_base.z() / 100;
+  const double z = place.from_base.z(), up = z / 100;
   const auto from = [&](double azimuth) {
     const double angle = std::clamp((place.azimuth_deg - azimuth) / degrees, -1.5, 1.5);
     return scale_ * place.away * std::sin(angle);
   };
-  return {from(p_[middle_deg] + p_[middle_tilt] * up), from(p_[right_deg] + p_[right_tilt] * up),
-          from(p_[left_deg] + p_[left_tilt] * up), scale_ * (place.from_base.dot(left_normal_) - p_[left_offset])};
+  // Along the ray from the caudate's centre.
+  const double axes = place.in_caudate.norm();
+  const double from_center =
+      place.in_caudate.cwiseProduct(Vector3d(p_[caudate_width], p_[caudate_depth], p_[caudate_height])).norm();
+  const double from_caudate = axes > 1e-6 ? from_center * (1 - 1 / axes) : -p_[caudate_depth];
+  return {from(p_[middle_deg] + p_[middle_tilt] * up),
+          from(p_[right_deg] + p_[right_tilt] * up),
+          from(p_[left_deg] + p_[left_tilt] * up),
+          scale_ * (place.from_base.dot(left_normal_) - p_[left_offset]),
+          scale_ * (z - p_[anterior_height] - p_[anterior_slope] * place.away),
+          scale_ * (z - p_[posterior_height] - p_[posterior_slope] * place.away),
+          scale_ * from_caudate};
 }
 
 Vector3d SegmentPlanes::on_axis_mm(double height) const {

@@ -255,7 +255,7 @@ std::vector<VesselEntries> possible_entries(const VesselGraph& graph, const Vess
 VesselTrees classify_vessels(const VesselGraph& graph, const VesselEntries& entries,
                              const std::vector<Vector3d>& places_mm, const Clicks& clicks) {
   const ToldApart told = tell_apart(graph, entries, places_mm, clicks);
-  VesselTrees trees{told.entries.portal_mm, told.entries.hepatic_mm, {}, clicks, {}};
+  VesselTrees trees{told.entries.portal_mm, told.entries.hepatic_mm, {}, clicks, {}, {}};
   for (const System system : {System::portal_vein, System::hepatic_vein}) {
     VesselGraph own{graph.vertices_mm, {}};
     std::vector<double> confidence;
@@ -270,7 +270,7 @@ VesselTrees classify_vessels(const VesselGraph& graph, const VesselEntries& entr
 }
 
 VesselTrees known_vessels(const VesselGraph& portal, const VesselGraph& hepatic, const VesselEntries& entries) {
-  VesselTrees trees{entries.portal_mm, entries.hepatic_mm, {}, {}, {}};
+  VesselTrees trees{entries.portal_mm, entries.hepatic_mm, {}, {}, {}, {}};
   add_trees(portal, System::portal_vein, std::vector<double>(portal.branches.size(), 1.0), trees);
   add_trees(hepatic, System::hepatic_vein, std::vector<double>(hepatic.branches.size(), 1.0), trees);
   return trees;

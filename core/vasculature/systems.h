@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "vasculature/borders.h"
 #include "vasculature/vessel_graph.h"
 
 namespace glisson::vasculature {
@@ -41,6 +42,12 @@ struct Click {
 };
 using Clicks = std::vector<Click>;  // of two on one branch the later counts
 
+// All that somebody told of one liver.
+struct Told {
+  Clicks clicks;
+  BorderPlaces borders;
+};
+
 // One branch of a tree, its points from where it leaves its parent outwards.
 struct TreeBranch {
   System system = System::portal_vein;
@@ -63,6 +70,7 @@ struct VesselTrees {
   Eigen::Vector3d portal_entry_mm{0, 0, 0}, hepatic_entry_mm{0, 0, 0};
   std::vector<TreeBranch> branches;        // parents first
   Clicks clicks;                           // what they were told by
+  BorderPlaces borders;                    // where a hand set borders of segments
   std::vector<BorderDoubt> border_doubts;  // of segments by them, the largest first; of one class alone
 };
 

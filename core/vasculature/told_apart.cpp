@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 
 #include "base/parallel.h"
 #include "vasculature/internal/forest.h"
+#include "vasculature/internal/nearest_line.h"
 
 namespace glisson::vasculature {
 
@@ -15,7 +15,7 @@ namespace {
 using Eigen::Vector3d;
 
 // Tuned on generated patients 1 to 10 (docs/territories.md).
-constexpr std::uint64_t walks = 6;
+constexpr std::uint64_t walks = 32;                  // many short ones: one that is stuck stays so however long it is
 constexpr double of_distance = 2, farthest_mm = 30;  // a square millimetre of the mean squared distance, and its limit
 constexpr double as_likely = 20;                     // energies this much higher count 1 / e for the confidence
 
@@ -49,15 +49,9 @@ double squared_distance_mm2(const VesselGraph& graph, const Junctions& junctions
 KnownPieces known_by(const VesselGraph& graph, const Junctions& junctions, const Clicks& clicks) {
   std::map<int, System> known;
   for (const Click& click : clicks) {
-    double nearest_mm = std::numeric_limits<double>::infinity();
-    int nearest = 0;
-    for (std::size_t p = 0; p < junctions.pieces.size(); ++p) {
-      const double away_mm = from_wall_mm(branch_of(graph, junctions, p).points, click.position_mm);
-      if (away_mm >= nearest_mm) continue;
-      nearest_mm = away_mm;
-      nearest = static_cast<int>(p);
-    }
-    known.insert_or_assign(nearest, system_of(click.vessel));
+    const auto line_of = [&](std::size_t p) { return &branch_of(graph, junctions, p).points; };
+    const int piece = nearest_line(junctions.pieces.size(), click.position_mm, line_of).number;
+    if (piece >= 0) known.insert_or_assign(piece, system_of(click.vessel));
   }
   return {known.begin(), known.end()};
 }
@@ -141,6 +135,7 @@ ToldApart tell_apart(const VesselGraph& graph, const VesselEntries& expected, co
   const auto best = static_cast<std::size_t>(std::min_element(costs.begin(), costs.end()) - costs.begin());
   ToldApart told{systems_of(graph, junctions, forests[best]), std::vector<double>(graph.branches.size(), 1),
                  entries_of(junctions, forests[best], entries)};
+  const std::vector<double> sure = sure_of(junctions, entries, known, forests[best]);
   for (std::size_t p = 0; p < junctions.pieces.size(); ++p) {
     double agreed = 0, all = 0;
     for (std::size_t n = 0; n < walks; ++n) {
@@ -148,8 +143,7 @@ ToldApart tell_apart(const VesselGraph& graph, const VesselEntries& expected, co
       all += weight;
       if (forests[n].system[p] == forests[best].system[p]) agreed += weight;
     }
-    told.confidence[static_cast<std::size_t>(junctions.pieces[p].branch)] =
-        std::max(0.5, agreed / all * forests[best].sure[p]);
+    told.confidence[static_cast<std::size_t>(junctions.pieces[p].branch)] = std::max(0.5, agreed / all * sure[p]);
   }
   return told;
 }

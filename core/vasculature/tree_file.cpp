@@ -73,6 +73,19 @@ bool read_clicks(const Json* values, Clicks& clicks) {
   return true;
 }
 
+bool read_borders(const Json* values, BorderPlaces& borders) {
+  if (values == nullptr) return true;
+  if (!values->is_array()) return false;
+  for (const Json& value : *values) {
+    const auto name = string_in(value, "border");
+    const auto segments = name ? border_named(*name) : std::nullopt;
+    BorderPlace& place = borders.emplace_back();
+    if (!segments || !read_place(value_in(value, "position_mm"), place.position_mm)) return false;
+    place.segments = *segments;
+  }
+  return true;
+}
+
 bool read_border_doubts(const Json* values, std::vector<BorderDoubt>& doubts) {
   if (values == nullptr) return true;
   if (!values->is_array()) return false;
@@ -102,11 +115,16 @@ Json trees_json(const VesselTrees& trees) {
                 {"portal_entry_mm", json_of_place(trees.portal_entry_mm)},
                 {"hepatic_entry_mm", json_of_place(trees.hepatic_entry_mm)},
                 {"clicks", Json::array()},
+                {"borders", Json::array()},
                 {"border_doubts", border_doubts_json(trees)},
                 {"branches", Json::array()}};
   for (const Click& click : trees.clicks) {
     document["clicks"].push_back(
         {{"vessel", vessel_name(click.vessel)}, {"position_mm", json_of_place(click.position_mm)}});
+  }
+  for (const BorderPlace& place : trees.borders) {
+    document["borders"].push_back(
+        {{"border", border_name(place.segments)}, {"position_mm", json_of_place(place.position_mm)}});
   }
   for (std::size_t b = 0; b < trees.branches.size(); ++b) {
     const TreeBranch& branch = trees.branches[b];
@@ -151,6 +169,7 @@ Result<VesselTrees> read_trees(const std::filesystem::path& file) {
     return unreadable("hepatic_entry_mm");
   }
   if (!read_clicks(value_in(*document, "clicks"), trees.clicks)) return unreadable("clicks");
+  if (!read_borders(value_in(*document, "borders"), trees.borders)) return unreadable("borders");
   if (!read_border_doubts(value_in(*document, "border_doubts"), trees.border_doubts))
     return unreadable("border_doubts");
   const Json* branches = value_in(*document, "branches");

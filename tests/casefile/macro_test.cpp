@@ -138,7 +138,10 @@ TEST_F(MacroTest, WhatWasComputedIsComputedAgainWithTheSameOptions) {
   compute("vessels/trees", "vessels", {{"of", "vessels"}, {"portal-click_mm", "1,2,3"}});  // of an earlier version
   compute("vessels/trees", "vessels",
           {{"of", "vessels"}, {"click-10_mm", "portal-vein=4,5,6"}, {"click-9_mm", "hepatic-vein=4,5,6"}});
+  compute("vessels/trees", "vessels", {{"of", "vessels"}, {"border-1_mm", "V-VIII=1,2,3"}});
   compute("territories/couinaud", "territories", {{"from", "prior"}});
+  compute("territories/couinaud", "territories",
+          {{"from", "prior"}, {"border-1_mm", "V-VIII=1,2,3"}, {"border-2_mm", "I-VII=4,5,-6.5"}});
   compute("volumes/stiffness", "invert",
           {{"method", "lfe"}, {"long-waves", "curl"}, {"directions", "apart"}, {"asked-frequency_Hz", "62.5"}});
   EXPECT_THAT(words(),
@@ -148,7 +151,8 @@ TEST_F(MacroTest, WhatWasComputedIsComputedAgainWithTheSameOptions) {
                           "vessels {case} --structure vessels --click right-hepatic-vein=1,2,3",
                           "vessels {case} --structure vessels --click portal-vein=1,2,3",
                           "vessels {case} --structure vessels --click hepatic-vein=4,5,6 --click portal-vein=4,5,6",
-                          "territories {case} --from prior",
+                          "vessels {case} --structure vessels --border V-VIII=1,2,3", "territories {case} --from prior",
+                          "territories {case} --from prior --border V-VIII=1,2,3 --border I-VII=4,5,-6.5",
                           "invert {case} --method lfe --long-waves curl --directional --frequency-Hz 62.5"));
 }
 

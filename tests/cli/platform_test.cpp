@@ -194,9 +194,14 @@ TEST(PlatformMeasure, NamesItsMeterAndHowSureItIs) {
   const std::vector<std::string> arguments{
       "measure", "--out",           (folder.path() / "mine.json").string(), "--idle-s", "0.5", "--largest-MB",
       "1",       "--system-folder", (folder.path() / "sys").string()};
-  const Json measured = platform_answer(arguments);
   std::vector<std::string> by_battery{"platform", "--json"};
   by_battery.insert(by_battery.end(), arguments.begin(), arguments.end());
+  // A busy machine may keep the counter's thread waiting while the program measures.
+  Finished finished = glisson_cli(by_battery);
+  for (int i = 0; i < 10 && finished.out.find("meter-too-coarse") != std::string::npos; ++i)
+    finished = glisson_cli(by_battery);
+  EXPECT_EQ(finished.exit_code, 0) << finished.err << finished.out;
+  const Json measured = finished.exit_code == 0 ? finished.json() : Json::object();
   by_battery.insert(by_battery.end(), {"--meter", "battery"});
   const Finished refused = glisson_cli(by_battery);
   done = true;

@@ -87,14 +87,10 @@ TEST(Diagnosis, OneUndeclaredEffectIsNamedAndPredictsTrialsLeftOut) {
 
 TEST(Diagnosis, ParametersComeWithAnUncertaintyThatHoldsTheTruth) {
   int inside = 0;
-  DiagnosisOptions options;
-  options.probabilities = false;
   for (unsigned seed = 1; seed <= 20; ++seed) {
-    const Explanation e = explained(
-        test::compression_tests(
-            [](const auto& trial) { return test::relaxing(test::straight_line(trial), trial.time_s, 0.3, 12); }, 0.1,
-            seed),
-        options);
+    const Explanation e = explained(test::compression_tests(
+        [](const auto& trial) { return test::relaxing(test::straight_line(trial), trial.time_s, 0.3, 12); }, 0.1,
+        seed));
     ASSERT_EQ(e.effects.size(), 1u);
     ASSERT_EQ(e.effects[0].kind, "viscoelastic-creep");
     const FoundParameter& time_s = e.effects[0].parameters[1];

@@ -65,9 +65,7 @@ class Runaway : public ForwardModel {
 };
 
 TEST(LeftOut, NoErrorIsToldOfALawThatRunsAway) {
-  DiagnosisOptions options;
-  options.probabilities = false;
-  const Explanation found = diagnose(Runaway(), options).value();
+  const Explanation found = diagnose(Runaway()).value();
   ASSERT_EQ(found.effects.size(), 1u);
   EXPECT_EQ(found.effects[0].kind, "stiffness-scale");
   EXPECT_THAT(found.effects[0].alike, testing::IsEmpty());

@@ -13,7 +13,7 @@ from reliability import error, is_truth, reliability
 
 def case(probability, right, said):
     truth = ["creep"] if right else ["capsule"]
-    return {"truth": truth, "outside": False, "agrees": True,
+    return {"truth": truth, "outside": False, "size": 3, "verdict": "explained", "right": right,
             "posterior": [{"kinds": ["creep"], "probability": said}, {"kinds": ["capsule"], "probability": 1 - said}]}
 
 
@@ -30,6 +30,8 @@ def main():
     assert is_truth({"kinds": [], "probability": 1.0}, {"truth": [], "outside": False})
     print("\n".join(reliability(honest)))
     assert any(line.startswith("| 90 to 100 %") for line in reliability(honest))
+    right = sum(of_truth for _, of_truth in drawn)
+    assert f"| 2 noises and more | {right} | {len(drawn) - right} | 0 | 0 |" in reliability(honest)
     assert reliability([{"posterior": []}]) == []
 
 

@@ -28,11 +28,9 @@ const SmallestVisible& of(const std::vector<SmallestVisible>& all, const std::st
 // The effect is planted by what the tests' own formulas make of it.
 int seen(const test::Answer& answer, int repetitions) {
   int count = 0;
-  DiagnosisOptions options;
-  options.probabilities = false;
   for (int seed = 0; seed < repetitions; ++seed) {
     const auto model = material_model(test::compression_tests(answer, noise_kPa, 100 + unsigned(seed))).value();
-    count += diagnose(*model, options).value().verdict == Verdict::nothing_missing ? 0 : 1;
+    count += diagnose(*model).value().verdict == Verdict::nothing_missing ? 0 : 1;
   }
   return count;
 }
@@ -57,12 +55,12 @@ TEST(SmallestVisible, IsFoundInNineOfTenAndHalfOfItSeldomAndTwiceAlways) {
       return test::relaxing(test::straight_line(trial), trial.time_s, times * amplitude, time_s);
     };
   };
-  constexpr int repetitions = 12;
-  EXPECT_GE(seen(stiffer(1), repetitions), 9) << factor;  // 10.8 expected
-  EXPECT_LE(seen(stiffer(0.5), repetitions), 8) << factor;
+  constexpr int repetitions = 6;                          // each weighs all explanations
+  EXPECT_GE(seen(stiffer(1), repetitions), 4) << factor;  // 5.4 expected
+  EXPECT_LE(seen(stiffer(0.5), repetitions), 4) << factor;
   EXPECT_EQ(seen(stiffer(2), repetitions), repetitions) << factor;
-  EXPECT_GE(seen(creeping(1), repetitions), 9) << amplitude;
-  EXPECT_LE(seen(creeping(0.5), repetitions), 8) << amplitude;
+  EXPECT_GE(seen(creeping(1), repetitions), 4) << amplitude;
+  EXPECT_LE(seen(creeping(0.5), repetitions), 4) << amplitude;
   EXPECT_EQ(seen(creeping(2), repetitions), repetitions) << amplitude;
 }
 

@@ -50,6 +50,20 @@ class Planning(Case):
         counted = np.bincount(segment[inside], minlength=9)[1:] * ml
         np.testing.assert_allclose(self.segments["volume_ml"][1:], counted, rtol=1e-9)
 
+    def test_a_border_passes_where_a_hand_set_it(self):
+        segment = self.segments["segment"].array
+        above = np.argwhere((segment[:, :, :-1] == 5) & (segment[:, :, 1:] == 8))
+        i, j, k = above[len(above) // 2]
+        place = self.liver.position_mm(np.array([i, j, k + 0.5])) + np.array([0.0, 0.0, 5.0])
+        set_by_hand = glisson.couinaud_segments(self.liver, borders=[("V-VIII", place)])["segment"].array
+        index = np.floor(self.liver.index_of(place)).astype(int)
+        around = set_by_hand[tuple(slice(n, n + 2) for n in index)]
+        self.assertLessEqual({5, 8}, set(np.unique(around)))
+        for border, where, code in [("II-VII", place, "choice-unknown"), ("V-VIII", [0, 0, 9e3], "border-outside")]:
+            with self.assertRaises(glisson.Error) as refused:
+                glisson.couinaud_segments(self.liver, borders=[(border, where)])
+            self.assertEqual(refused.exception.code, code)
+
     def test_what_a_plan_takes_is_what_it_names(self):
         planner = glisson.Planner(self.liver, segments=self.segments["segment"])
         plan = planner.answer({"segments": [6, 7]})

@@ -34,6 +34,7 @@ closedloop::Explanation a_bed_that_gives_way() {
   e.predicted_after = two_markers().measured;
   e.effects.push_back({"support-compliance", "", "The bed gives way.", {}, -800, 0.1, 1.0, 0.9, {"preload"}});
   e.ranking.push_back({"capsule", "", {}, 1, {}, -3, {}, "the solve failed"});
+  e.settings = {{"support-compliance", {}, {}}};
   e.posterior = {{{"support-compliance"}, false, 0.72}, {{}, true, 0.28}};
   return e;
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
+#include <set>
 
 #include "base/files.h"
 #include "base/json.h"
@@ -62,6 +63,41 @@ class GeneratedCase : public testing::Test {
     EXPECT_NE(after.at("branches"), before.at("branches"));
   }
 
+  // A place 6 mm to the right of where the border of IV and VIII runs, of which vessels and territories are told.
+  static void tell_a_border() {
+    for (const auto& [border, place, code] :
+         {std::tuple{"II-VII", "1,2,3", "border-invalid"}, std::tuple{"V-VIII", "1,2", "border-invalid"},
+          std::tuple{"V-VIII", "999,0,0", "border-outside"}}) {
+      const Finished refused = glisson_cli({"territories", patient(), "--from", "prior", "--border",
+                                            fmt::format("{}={}", border, place), "--json", "--quiet"});
+      EXPECT_EQ(refused.exit_code, 1);
+      EXPECT_EQ(refused.json().at("error").at("code"), code);
+    }
+    const auto map = [](const Json& found) {
+      return imaging::read_labels_file(found.at("file").get<std::string>()).value();
+    };
+    const auto drawn = vasculature::drawn_borders(map(answer({"territories", patient(), "--from", "prior"})));
+    const auto& places_mm = drawn.at({4, 8});
+    const Eigen::Vector3d place_mm = places_mm[places_mm.size() / 2] - Eigen::Vector3d(6, 0, 0);
+    const std::string told = vasculature::border_text({{4, 8}, place_mm});
+    const auto passes = [&](const imaging::LabelMap& segments) {
+      const Eigen::Vector3d index = segments.grid.index_of(place_mm).array().floor();
+      std::set<int> around;
+      for (int corner = 0; corner < 8; ++corner) {
+        around.insert(segments.at(static_cast<int>(index.x()) + (corner & 1),
+                                  static_cast<int>(index.y()) + (corner >> 1 & 1),
+                                  static_cast<int>(index.z()) + (corner >> 2)));
+      }
+      return around.contains(4) && around.contains(8);
+    };
+    EXPECT_TRUE(passes(map(answer({"territories", patient(), "--from", "prior", "--border", told}))));
+    EXPECT_EQ(glisson_cli({"territories", patient(), "--border", told}).exit_code, 2) << "trees are told by vessels";
+    const Json trees = answer({"vessels", patient(), "--structure", "vessels", "--border", told});
+    EXPECT_EQ(read_json_file(trees.at("file").get<std::string>()).value().at("borders").size(), 1u);
+    EXPECT_TRUE(passes(map(answer({"territories", patient()}))));
+    EXPECT_FALSE(passes(map(answer({"territories", patient(), "--from", "prior"}))));
+  }
+
   static TemporaryFolder* folder_;
 };
 TemporaryFolder* GeneratedCase::folder_ = nullptr;
@@ -75,6 +111,10 @@ TEST_F(GeneratedCase, GoesFromVesselsToTreesToSegments) {
   EXPECT_EQ(prior.at("segments").size(), 8u);
 
   answer({"segment", patient(), "--structure", "portal-vein", "--labels", label("portal-vein")});
+  answer({"segment", patient(), "--structure", "hepatic-vein", "--labels", label("portal-vein")});
+  const Finished same = glisson_cli({"vessels", patient(), "--json", "--quiet"});
+  EXPECT_EQ(same.exit_code, 1);
+  EXPECT_EQ(same.json().at("error").at("code"), "vessels-overlap");
   answer({"segment", patient(), "--structure", "hepatic-vein", "--labels", label("hepatic-vein")});
   answer({"segment", patient(), "--structure", "vessels", "--unite", "portal-vein"});
   answer({"segment", patient(), "--structure", "vessels", "--unite", "hepatic-vein"});
@@ -82,6 +122,7 @@ TEST_F(GeneratedCase, GoesFromVesselsToTreesToSegments) {
   EXPECT_GT(together.at("branches").size(), 50u);
   EXPECT_EQ(together.at("border_doubts").size(), 4u);
   tell_by_click(together);
+  tell_a_border();
   const Json apart = answer({"vessels", patient()});
   EXPECT_GT(apart.at("branches").size(), 50u);
   for (const Json& branch : apart.at("branches")) EXPECT_EQ(branch.at("confidence"), 1.0);

@@ -117,15 +117,91 @@ TEST(Couinaud, ABorderFollowsTheVeinThatSomebodyNamed) {
   const auto after = couinaud_segments(known.liver, &trees).value();
   EXPECT_EQ(at(after, vein_mm + Vector3d(7, 0, 0)), 4);
   EXPECT_NE(at(after, vein_mm - Vector3d(10, 0, 0)), 4);
-  const auto doubt_ml = [](const CouinaudSegments& segments) {
+  const auto along_vein_ml = [](const CouinaudSegments& segments) {
     for (const BorderDoubt& doubt : segments.border_doubts) {
       if (doubt.vessel == Vessel::middle_hepatic_vein) return doubt.doubt_ml;
     }
     return -1.0;
   };
-  EXPECT_LT(doubt_ml(after), doubt_ml(before)) << "what was told is less in doubt";
+  EXPECT_LT(along_vein_ml(after), along_vein_ml(before)) << "what was told is less in doubt";
   EXPECT_TRUE(std::is_sorted(after.border_doubts.begin(), after.border_doubts.end(),
                              [](const auto& a, const auto& b) { return a.doubt_ml > b.doubt_ml; }));
+}
+
+// Whether both segments lie among the eight voxels around the place.
+bool passes(const imaging::LabelMap& segments, const BorderPlace& place) {
+  const Vector3d index = segments.grid.index_of(place.position_mm);
+  std::set<int> around;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vector3d at = index.array().floor().matrix() + Vector3d(corner & 1, corner >> 1 & 1, corner >> 2);
+    around.insert(segments.at(static_cast<int>(at.x()), static_cast<int>(at.y()), static_cast<int>(at.z())));
+  }
+  return around.count(place.segments[0]) != 0 && around.count(place.segments[1]) != 0;
+}
+
+double doubt_ml(const CouinaudSegments& segments) {
+  double sum = 0;
+  for (const BorderDoubt& doubt : segments.border_doubts) sum += doubt.doubt_ml;
+  return sum;
+}
+
+TEST(Couinaud, BordersPassWhereAHandSetThemAndTheRestFollows) {
+  const Known known = known_liver(25, 2);
+  const BorderPlaces drawn = glisson::test::middles_of_borders(known.segments);
+  ASSERT_GE(drawn.size(), 8u);
+  const auto before = couinaud_segments(known.liver).value();
+  int passed_before = 0;
+  for (const BorderPlace& place : drawn) passed_before += passes(before.segment, place) ? 1 : 0;
+  EXPECT_LT(passed_before, static_cast<int>(drawn.size()) / 2) << "most borders lie elsewhere by the shape alone";
+  for (const BorderPlace& place : drawn) {
+    const auto found = couinaud_segments(known.liver, nullptr, {place});
+    ASSERT_TRUE(found) << border_text(place) << ": " << found.error().message();
+    EXPECT_TRUE(passes(found->segment, place)) << border_text(place);
+  }
+  const auto found = couinaud_segments(known.liver, nullptr, drawn);
+  ASSERT_TRUE(found) << found.error().message();
+  for (const BorderPlace& place : drawn) EXPECT_TRUE(passes(found->segment, place)) << border_text(place);
+  EXPECT_LT(doubt_ml(*found), 0.7 * doubt_ml(before)) << "what was told is less in doubt";
+  const double dice_before = glisson::test::score_of(before.segment, known.segments).dice[0];
+  EXPECT_GT(glisson::test::score_of(found->segment, known.segments).dice[0], dice_before + 0.05);
+}
+
+TEST(Couinaud, BordersThatCannotPassThereAreRefusedWithASentence) {
+  const Known known = known_liver(25, 3);
+  const BorderPlaces drawn = glisson::test::middles_of_borders(known.segments);
+  const auto of = [&](const std::string& name) {
+    const auto found = std::find_if(drawn.begin(), drawn.end(),
+                                    [&](const BorderPlace& place) { return border_name(place.segments) == name; });
+    return found->position_mm;
+  };
+  const auto outside = couinaud_segments(known.liver, nullptr, {{{5, 8}, {0, 0, 4000}}});
+  ASSERT_FALSE(outside);
+  EXPECT_EQ(outside.error().code, "border-outside");
+  EXPECT_THAT(outside.error().message(), testing::HasSubstr("0.0,0.0,4000.0"));
+  const auto both = couinaud_segments(known.liver, nullptr, {{{5, 8}, of("V-VIII")}, {{2, 3}, of("V-VIII")}});
+  ASSERT_FALSE(both);
+  EXPECT_EQ(both.error().code, "borders-contradict");
+  EXPECT_THAT(both.error().message(), testing::HasSubstr("take one of the places back"));
+  const imaging::Grid& grid = known.liver.grid;
+  Vector3d right_most_mm = of("VI-VII");
+  for (int i = 0; i < grid.size[0]; ++i) {
+    for (int k = 0; k < grid.size[2]; ++k) {
+      const Vector3d index = grid.index_of(right_most_mm);
+      const Vector3d here = grid.position_mm(i, static_cast<int>(std::lround(index.y())), k);
+      if (known.liver.at(i, static_cast<int>(std::lround(index.y())), k) != 0 && here.x() < right_most_mm.x()) {
+        right_most_mm = here;
+      }
+    }
+  }
+  const auto far = couinaud_segments(known.liver, nullptr, {{{2, 3}, right_most_mm}});
+  ASSERT_FALSE(far);
+  EXPECT_EQ(far.error().code, "border-far");
+  EXPECT_EQ(couinaud_segments(known.liver, nullptr, BorderPlaces(201, drawn.front())).error().code, "borders-many");
+  EXPECT_EQ(border_named("VIII-V"), (SegmentPair{5, 8}));
+  for (const char* none : {"II-VII", "V-V", "IX-I", "V", ""}) EXPECT_FALSE(border_named(none)) << none;
+  EXPECT_FALSE(border_of_text("V-VIII=1,2"));
+  const BorderPlace place{{5, 8}, {1.5, -2, 0.1}};
+  EXPECT_EQ(border_of_text(border_text(place)), place);
 }
 
 TEST(Couinaud, AMirroredGridOfTheSameLiverGivesTheSameSegments) {

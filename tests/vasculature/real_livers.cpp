@@ -135,9 +135,27 @@ vasculature::LiverAnatomy explained_with_clicks(const RealLiver& liver, const va
     const auto click = click_by_truth(liver, graph, vessel);
     if (!click) continue;
     clicked.push_back(*click);
-    found = vasculature::explain_vessels(graph, liver.liver, clicked).value();
+    found = vasculature::explain_vessels(graph, liver.liver, {clicked, {}}).value();
   }
   return found;
+}
+
+vasculature::BorderPlaces middles_of_borders(const imaging::LabelMap& drawn) {
+  std::vector<std::pair<double, vasculature::BorderPlace>> found;
+  for (const auto& [pair, places_mm] : vasculature::drawn_borders(drawn)) {
+    if (places_mm.size() < 100) continue;
+    Vector3d mean = Vector3d::Zero();
+    double away_mm = 0;
+    for (const Vector3d& p : places_mm) mean += p / static_cast<double>(places_mm.size());
+    for (const Vector3d& p : places_mm) away_mm = std::max(away_mm, (p - mean).norm());
+    const auto nearer = [&](const Vector3d& a, const Vector3d& b) { return (a - mean).norm() < (b - mean).norm(); };
+    found.emplace_back(away_mm, vasculature::BorderPlace{
+                                    pair, *std::min_element(places_mm.begin(), places_mm.end(), nearer)});
+  }
+  std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  vasculature::BorderPlaces places;
+  for (const auto& [away_mm, place] : found) places.push_back(place);
+  return places;
 }
 
 SegmentScore score_of(const imaging::LabelMap& found, const imaging::LabelMap& truth) {

@@ -34,6 +34,9 @@ struct RealLiver {
 [[nodiscard]] vasculature::LiverAnatomy explained_with_clicks(const RealLiver& liver,
                                                               const vasculature::VesselGraph& graph, int clicks);
 
+// Where a hand would set borders: the middle of each that is drawn, the longest border first.
+[[nodiscard]] vasculature::BorderPlaces middles_of_borders(const imaging::LabelMap& drawn);
+
 struct SegmentScore {
   std::array<double, 9> dice{};          // by segment; 0: their mean
   std::array<double, 9> volume_error{};  // share of the true volume, absolute

@@ -49,6 +49,13 @@ TEST(RealLivers, VesselsOfOneClassBecomeTwoTrees) {
   EXPECT_EQ(found->segments.from, vasculature::SegmentsFrom::trees);
 }
 
+// One place on each of the four longest borders that are drawn.
+vasculature::BorderPlaces four_by_hand(const RealLiver& liver) {
+  vasculature::BorderPlaces places = middles_of_borders(liver.segments);
+  places.resize(std::min<std::size_t>(places.size(), 4));
+  return places;
+}
+
 struct Scores {
   std::vector<double> dice, volume_errors;
   void add(const imaging::LabelMap& found, const RealLiver& liver) {
@@ -74,11 +81,14 @@ TEST(RealLivers, Judged) {
   if (which == nullptr) GTEST_SKIP() << "set GLISSON_JUDGE=judging (or tuning): takes minutes";
   GLISSON_NEEDS_DATA("livers_couinaud");
   const Half half = std::string(which) == "tuning" ? Half::tuning : Half::judging;
-  Scores shape_alone, shape, trees, clicked, another;
+  Scores shape_alone, shape_by_hand, shape, trees, clicked, by_hand, another;
   for (const std::string& name : real_livers(Kind::without_vessels, half)) {
     const RealLiver liver = read_real_liver(name);
     shape_alone.add(vasculature::couinaud_segments(liver.liver).value().segment, liver);
+    const vasculature::BorderPlaces set = four_by_hand(liver);
+    shape_by_hand.add(vasculature::couinaud_segments(liver.liver, nullptr, set).value().segment, liver);
   }
+  shape_by_hand.print("four places by hand, livers without vessels");
   shape_alone.print("shape, livers without vessels");
   double slowest_s = 0;
   for (const std::string& name : real_livers(Kind::with_vessels, half)) {
@@ -89,11 +99,14 @@ TEST(RealLivers, Judged) {
     const auto graph = vasculature::center_lines(liver.vessels).value();
     trees.add(vasculature::explain_vessels(graph, liver.liver).value().segments.segment, liver);
     slowest_s = std::max(slowest_s, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    by_hand.add(vasculature::explain_vessels(graph, liver.liver, {{}, four_by_hand(liver)}).value().segments.segment,
+                liver);
     clicked.add(explained_with_clicks(liver, graph, 2).segments.segment, liver);
   }
   shape.print("shape, livers with vessels");
   trees.print("vessels, no click");
   clicked.print("vessels, two clicks");
+  by_hand.print("vessels, four places by hand");
   another.print("another labelling");
   fmt::print("slowest liver from mask to segments: {:.1f} s\n", slowest_s);
   EXPECT_GT(median(shape_alone.dice), 0.5);

@@ -26,6 +26,7 @@ VesselTrees two_branches() {
   right.joint = Joint::gap;
   trees.branches = {stem, right};
   trees.clicks = {{Vessel::right_hepatic_vein, {7, 8, 9.5}}};
+  trees.borders = {{{5, 8}, {1, 2.5, -3}}, {{1, 7}, {4, 5, 6}}};
   trees.border_doubts = {{Vessel::umbilical_portion, 41.5}, {Vessel::middle_hepatic_vein, 3}};
   return trees;
 }
@@ -53,6 +54,8 @@ TEST(TreeFile, WhatIsDamagedIsNamed) {
           "parent": -1, "generation": 1e300, "points": [[0,0,0,1],[1,0,0,1]]}]})"},
         std::pair{"clicks", R"({"format": "glisson-vessel-trees/1", "portal_entry_mm": [0,0,0],
           "hepatic_entry_mm": [0,0,0], "branches": [], "clicks": [{"vessel": "aorta", "position_mm": [0,0,0]}]})"},
+        std::pair{"borders", R"({"format": "glisson-vessel-trees/1", "portal_entry_mm": [0,0,0],
+          "hepatic_entry_mm": [0,0,0], "branches": [], "borders": [{"border": "II-VII", "position_mm": [0,0,0]}]})"},
         std::pair{"border_doubts", R"({"format": "glisson-vessel-trees/1", "portal_entry_mm": [0,0,0],
           "hepatic_entry_mm": [0,0,0], "branches": [], "border_doubts": [{"vessel": "hepatic-vein"}]})"}}) {
     std::ofstream(file) << text;

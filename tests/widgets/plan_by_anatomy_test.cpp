@@ -108,6 +108,44 @@ class PlanByAnatomyTest : public QObject {
     QVERIFY(window_->grab().save(glisson::test::kept_picture("plan-vessel-told.png")));
   }
 
+  // The border nearest to the crosshair is offered first; it passes where a hand sets it, is undone, and forgotten.
+  void finds_segments_again_by_a_border_that_a_hand_set() {
+    const auto borders = live().anatomy()->borders;
+    const auto& places_mm = borders.at({5, 8});
+    const Eigen::Vector3d place_mm = places_mm[places_mm.size() / 2];
+    const Eigen::Vector3d set_mm = place_mm + Eigen::Vector3d(0, 0, 7);
+    window_->views().set_crosshair(place_mm);
+    auto* offered = child<QComboBox>("border_at_crosshair");
+    QVERIFY(offered->isVisibleTo(panel_));
+    QCOMPARE(offered->count(), static_cast<int>(borders.size()));
+    QCOMPARE(offered->currentData().toString(), "V-VIII");
+    window_->views().set_crosshair(set_mm);
+    offered->setCurrentIndex(offered->findData("V-VIII"));
+    QVERIFY(!child<QPushButton>("drop_border")->isVisibleTo(panel_));
+    child<QPushButton>("tell_border")->click();
+    const auto told = [&](std::size_t count) {
+      return live().anatomy() && live().anatomy()->has_segments && live().anatomy()->told.borders.size() == count;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(told(1), patience_ms);
+    QCOMPARE(live().anatomy()->told.clicks.size(), std::size_t{1});
+    double nearest_mm = 100;
+    for (const Eigen::Vector3d& place : live().anatomy()->borders.at({5, 8})) {
+      nearest_mm = std::min(nearest_mm, (place - set_mm).norm());
+    }
+    QVERIFY2(nearest_mm < 3, qPrintable(QString::number(nearest_mm)));  // voxels, a part of the places of the border
+    child<QCheckBox>("show_segments")->click();
+    QTest::qWait(600);
+    QVERIFY(window_->grab().save(glisson::test::kept_picture("plan-border-by-hand.png")));
+    child<QCheckBox>("show_segments")->click();
+    press_key(*window_, Qt::Key_Z, Qt::ControlModifier);
+    QTRY_VERIFY_WITH_TIMEOUT(!window_->undo().busy() && told(0), patience_ms);
+    press_key(*window_, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    QTRY_VERIFY_WITH_TIMEOUT(!window_->undo().busy() && told(1), patience_ms);
+    QTRY_VERIFY(child<QPushButton>("drop_border")->isVisibleTo(panel_));
+    child<QPushButton>("drop_border")->click();
+    QTRY_VERIFY_WITH_TIMEOUT(told(0), patience_ms);
+  }
+
   // While it is dragged the answers follow, and a branch that is cut is named.
   void tells_what_lives_as_a_plane_moves() {
     window_->views().set_crosshair(liver_.center_mm());

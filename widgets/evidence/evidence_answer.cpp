@@ -216,12 +216,11 @@ void EvidenceAnswer::update_text() {
   const double share = record.before.rms > 0 ? 100 * (1 - record.after.rms / record.before.rms) : 0;
   const QString percent = QString::number(share, 'f', 0);
   verdict_->setText(
-      nothing_missing ? tr("Nothing is missing: what the declared model leaves, %1, is noise.").arg(before)
-      : kinds.empty() ? tr("%1: no effect that Glisson knows explains the error.").arg(title)
-      : explained     ? tr("%1: %2. This takes away %3 % of the error; what is left is noise.")
-                        .arg(title, effect_labels(kinds), percent)
-                  : tr("%1: %2. This takes away %3 % of the error. More than noise is left: it is a part of the "
-                       "answer, and no proof of a cause.")
+      nothing_missing ? tr("Nothing is missing: what the declared model leaves, %1, shows no effect.").arg(before)
+      : kinds.empty()
+          ? tr("%1: something acts, but no effect that Glisson knows is probable enough to be named.").arg(title)
+      : explained ? tr("%1: %2. This takes away %3 % of the error.").arg(title, effect_labels(kinds), percent)
+                  : tr("%1: %2 takes away %3 % of the error, but is not probable enough to be called the cause.")
                         .arg(title, effect_labels(kinds), percent));
   verdict_->setToolTip(tr("The error falls from %1 to %2.").arg(before, after));
   const auto shape = [](const std::vector<std::string>& features) {

@@ -91,12 +91,20 @@ Result<std::shared_ptr<const OpenedAnatomy>> opened_anatomy(const std::filesyste
   }
   auto opened = casefile::open_planner(*patient, found);
   if (!opened) return failure(std::move(opened.error()));
-  auto anatomy = std::make_shared<OpenedAnatomy>(
-      OpenedAnatomy{std::move(opened->planner), std::move(opened->remarks), false, has_trees, {}, {}, {}});
+  auto anatomy = std::make_shared<OpenedAnatomy>(OpenedAnatomy{std::move(opened->planner),
+                                                               std::move(opened->remarks),
+                                                               false,
+                                                               has_trees,
+                                                               casefile::told_in(*patient),
+                                                               {},
+                                                               {},
+                                                               {},
+                                                               {}});
   anatomy->territories = named_territories(anatomy->planner);
   anatomy->territory_around = territories_around(anatomy->planner, anatomy->territories);
   const imaging::LabelMap& segments = found.couinaud.segment;
   anatomy->has_segments = !segments.values.empty();
+  anatomy->borders = vasculature::drawn_borders(segments);
   for (std::size_t s = 1; s <= 8 && anatomy->has_segments; ++s) {
     anatomy->segments[s] = surface_of(segments, [s](std::uint16_t value) { return value == s; });
   }

@@ -28,6 +28,8 @@ struct OpenedAnatomy {
   planning::Planner planner;
   std::vector<Sentence> remarks;
   bool has_segments = false, has_trees = false;
+  vasculature::Told told;                                            // by which vessels and segments were found
+  vasculature::DrawnBorders borders;                                 // of the segments
   std::array<std::shared_ptr<const geometry::Surface>, 9> segments;  // to be drawn; null where there is none
   std::vector<NamedTerritory> territories;                           // those with a name of their own, by name
   std::map<std::string, std::string> territory_around;               // by tumour: the smallest portal one that holds it

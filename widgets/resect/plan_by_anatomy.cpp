@@ -5,7 +5,6 @@
 #include <QVBoxLayout>
 
 #include "casefile/vascular.h"
-#include "vasculature/tree_file.h"
 #include "widgets/panels/parts.h"
 #include "widgets/panels/small_table.h"
 #include "widgets/session/load_patient.h"
@@ -14,14 +13,8 @@
 namespace glisson::widgets {
 namespace {
 
-// By what somebody told of vessels before.
-vasculature::Clicks clicks_kept(const casefile::Case& patient) {
-  const auto trees = patient.file_of(casefile::trees_id).and_then(vasculature::read_trees);
-  return trees ? trees->clicks : vasculature::Clicks();
-}
-
 // The vessels and segments of a case, kept in it.
-Result<void> find_anatomy(const std::filesystem::path& folder, const vasculature::Clicks& more,
+Result<void> find_anatomy(const std::filesystem::path& folder, const vasculature::Told& told,
                           const Progress& progress) {
   using casefile::SegmentsBy;
   auto patient = casefile::Case::open(folder);
@@ -30,14 +23,13 @@ Result<void> find_anatomy(const std::filesystem::path& folder, const vasculature
       patient->find("labels/vessels") != nullptr ||
       (patient->find("labels/portal-vein") != nullptr && patient->find("labels/hepatic-vein") != nullptr);
   if (has_vessels) {
-    vasculature::Clicks clicks = clicks_kept(*patient);
-    clicks.insert(clicks.end(), more.begin(), more.end());
-    const auto trees = casefile::find_vessels(*patient, {}, clicks, progress.part(0, 0.6));
+    const auto trees = casefile::find_vessels(*patient, {}, told, progress.part(0, 0.6));
     if (!trees) return failure(trees.error());
   }
   const bool by_trees = patient->find(casefile::trees_id) != nullptr;
-  const auto found =
-      casefile::find_territories(*patient, by_trees ? SegmentsBy::trees : SegmentsBy::shape, progress.part(0.6, 1));
+  const auto found = by_trees
+                         ? casefile::find_territories(*patient, SegmentsBy::trees, {}, progress.part(0.6, 1))
+                         : casefile::find_territories(*patient, SegmentsBy::shape, told.borders, progress.part(0.6, 1));
   return found ? Result<void>() : failure(found.error());
 }
 
@@ -110,6 +102,8 @@ QWidget* PlanByAnatomy::make_anatomy() {
   rows->addLayout(row);
   vessel_click_ = new VesselClick(anatomy_);
   rows->addWidget(vessel_click_);
+  border_by_hand_ = new BorderByHand(anatomy_);
+  rows->addWidget(border_by_hand_);
   column->addWidget(anatomy_);
 
   around_ = new QWidget(group);
@@ -125,10 +119,8 @@ QWidget* PlanByAnatomy::make_anatomy() {
   column->addWidget(around_);
   column->addWidget(make_territory_and_ablation());
 
-  connect(find_, &QPushButton::clicked, this, [this] { find_segments(); });
-  connect(vessel_click_, &VesselClick::told, this, [this](vasculature::Vessel vessel) {
-    find_segments({{vessel, context_.views.crosshair_mm()}});
-  });
+  connect(find_, &QPushButton::clicked, this, [this] { find_segments(told_before()); });
+  connect_what_is_told();
   connect(take_segments_, &QPushButton::clicked, this, &PlanByAnatomy::take_segments);
   connect(take_around_, &QPushButton::clicked, this, &PlanByAnatomy::take_around);
   connect(show_segments_, &QCheckBox::toggled, this, &PlanByAnatomy::drawing_changed);
@@ -150,6 +142,25 @@ QWidget* PlanByAnatomy::make_anatomy() {
     take_around_->setToolTip(tr("Removes the tumour with all tissue up to this margin"));
   });
   return group;
+}
+
+void PlanByAnatomy::connect_what_is_told() {
+  connect(vessel_click_, &VesselClick::told, this, [this](vasculature::Vessel vessel) {
+    vasculature::Told more = told_before();
+    more.clicks.push_back({vessel, context_.views.crosshair_mm()});
+    find_segments(more);
+  });
+  connect(border_by_hand_, &BorderByHand::told, this, [this](const vasculature::SegmentPair& border) {
+    vasculature::Told more = told_before();
+    more.borders.push_back({border, context_.views.crosshair_mm()});
+    find_segments(more);
+  });
+  connect(border_by_hand_, &BorderByHand::last_dropped, this, [this] {
+    vasculature::Told fewer = told_before();
+    if (!fewer.borders.empty()) fewer.borders.pop_back();
+    find_segments(fewer);
+  });
+  connect(&context_.views, &LinkedViews::crosshair_moved, border_by_hand_, &BorderByHand::crosshair_moved);
 }
 
 QWidget* PlanByAnatomy::make_answer() {
@@ -246,10 +257,14 @@ void PlanByAnatomy::cuts_changed() {
   Q_EMIT taken_changed();
 }
 
-void PlanByAnatomy::find_segments(const vasculature::Clicks& clicks) {
+vasculature::Told PlanByAnatomy::told_before() const {
+  return live_->anatomy() ? live_->anatomy()->told : vasculature::Told();
+}
+
+void PlanByAnatomy::find_segments(const vasculature::Told& told) {
   context_.change(tr("Finding vessels and segments"),
-                  [folder = folder_, clicks](const Progress& progress) -> Result<Patient> {
-                    auto found = find_anatomy(folder, clicks, progress.part(0, 0.8));
+                  [folder = folder_, told](const Progress& progress) -> Result<Patient> {
+                    auto found = find_anatomy(folder, told, progress.part(0, 0.8));
                     if (!found) return failure(std::move(found.error()));
                     return load_patient(folder, progress.part(0.8, 1));
                   });

@@ -16,6 +16,7 @@
 
 #include "widgets/panels/fold.h"
 #include "widgets/resect/ablation_controls.h"
+#include "widgets/resect/border_by_hand.h"
 #include "widgets/resect/growth_controls.h"
 #include "widgets/resect/live_plan.h"
 #include "widgets/resect/live_resection.h"
@@ -62,12 +63,14 @@ class PlanByAnatomy : public QWidget {
 
  private:
   QWidget* make_anatomy();
+  void connect_what_is_told();  // of vessels and borders at the crosshair
   QWidget* make_answer();
   QWidget* make_territory_and_ablation();
   QWidget* make_unrolled();
   void make_plans();
   QWidget* make_growth();
-  void find_segments(const vasculature::Clicks& clicks = {});  // besides those by which they were found before
+  void find_segments(const vasculature::Told& told);
+  [[nodiscard]] vasculature::Told told_before() const;  // by which they were found before
   void take_segments();
   void take_around();
   void take_territory();
@@ -110,6 +113,7 @@ class PlanByAnatomy : public QWidget {
   QCheckBox* show_segments_;
   QPushButton* take_segments_;
   VesselClick* vessel_click_;
+  BorderByHand* border_by_hand_;
   QWidget* around_;
   QComboBox* tumour_;
   NumberBox* margin_;

@@ -60,7 +60,11 @@ void PlanByAnatomy::show_anatomy() {
   const bool segments = anatomy && anatomy->has_segments;
   QStringList told;
   if (live_->opening()) told << tr("Looking at the liver's anatomy...");
-  if (segments && !anatomy->has_trees) told << tr("By the liver's shape alone: it has no vessel trees.");
+  if (segments && !anatomy->has_trees) {
+    told << (anatomy->told.borders.empty()
+                 ? tr("By the liver's shape alone: it has no vessel trees.")
+                 : tr("By the liver's shape and borders set by hand: it has no vessel trees."));
+  }
   if (anatomy) {
     for (const Sentence& remark : anatomy->remarks) told << translated(remark);
   }
@@ -72,6 +76,9 @@ void PlanByAnatomy::show_anatomy() {
   staging_->setVisible(anatomy && !anatomy->territories.empty());
   ablating_->setVisible(anatomy != nullptr);
   vessel_click_->offer(anatomy ? &anatomy->planner.trees() : nullptr);
+  border_by_hand_->crosshair_moved(context_.views.crosshair_mm());
+  border_by_hand_->offer(anatomy ? anatomy->borders : vasculature::DrawnBorders(),
+                         anatomy ? anatomy->told.borders : vasculature::BorderPlaces());
   if (!anatomy) return;
   const QString before = tumour_->currentData().toString();
   tumour_->clear();
@@ -239,6 +246,9 @@ void PlanByAnatomy::add_to(WorkspaceScene& scene) const {
       if (!anatomy->segments[s]) continue;
       scene.surfaces.push_back({"liver", anatomy->segments[s], colour_of_segment(s), 0.75, scene::Finish::solid, {}});
       scene.key.push_back({colour_of_segment(s), vasculature::segment_name(s)});
+    }
+    for (const vasculature::BorderPlace& place : anatomy->told.borders) {
+      scene.marks.push_back({vasculature::border_name(place.segments), place.position_mm, 2, {1, 1, 1}});
     }
     return;
   }

@@ -51,7 +51,8 @@ void ResectPanel::show_scene() {
       scene.cuts.push_back({std::make_shared<geometry::Surface>(live_->result()->plan.cut), cut_colour, 2.0});
     }
   }
-  scene.marks = handles_->marks_in_space();
+  const auto handles = handles_->marks_in_space();
+  scene.marks.insert(scene.marks.end(), handles.begin(), handles.end());
   scene.arrows = handles_->arrows_in_space();
   context_.patient_views.set_workspace_scene(std::move(scene));
 }

@@ -163,6 +163,7 @@ void LinkedViews::hang_scan() {
 
 void LinkedViews::set_crosshair(const Eigen::Vector3d& position_mm) {
   for (SliceView* slice : slices_) slice->set_crosshair(position_mm);
+  Q_EMIT crosshair_moved(position_mm);
 }
 
 void LinkedViews::redraw() {

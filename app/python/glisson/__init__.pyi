@@ -57,14 +57,14 @@ class Case:
 
         Raises glisson.Error: case-lacks-entry."""
 
-    def find_territories(self, *, by: str = ..., progress: Optional[Callable[[float, str], Any]] = ...) -> Dict[str, Any]:
-        """Which tissue belongs to which branch, and Couinaud's segments, saved in the case: what couinaud_segments answers, with "portal-vein" and "hepatic-vein" (LabelMaps of the number of the branch + 1, or None). by: "tree", or "prior" for the liver's shape alone.
+    def find_territories(self, *, by: str = ..., borders: Sequence[Tuple[str, numpy.typing.ArrayLike]] = ..., progress: Optional[Callable[[float, str], Any]] = ...) -> Dict[str, Any]:
+        """Which tissue belongs to which branch, and Couinaud's segments, saved in the case: what couinaud_segments answers, with "portal-vein" and "hepatic-vein" (LabelMaps of the number of the branch + 1, or None). by: "tree", or "prior" for the liver's shape alone. borders: (border, place) each, for "prior"; trees have theirs from find_vessels.
 
         progress(fraction, stage) is told how far it is; KeyboardInterrupt cancels.
         Raises glisson.Error: vessels-missing, choice-unknown."""
 
-    def find_vessels(self, *, structure: Optional[str] = ..., portal_mm: Optional[numpy.typing.ArrayLike] = ..., hepatic_mm: Optional[numpy.typing.ArrayLike] = ..., clicks: Sequence[Tuple[str, numpy.typing.ArrayLike]] = ..., progress: Optional[Callable[[float, str], Any]] = ...) -> VesselTrees:
-        """The VesselTrees of the case, saved in it: of the structures portal-vein and hepatic-vein, or of one that holds both. portal_mm, hepatic_mm: a place (LPS, mm) on each main stem, where the first guess is wrong. clicks: (vessel, place) each, as for vessel_trees().
+    def find_vessels(self, *, structure: Optional[str] = ..., portal_mm: Optional[numpy.typing.ArrayLike] = ..., hepatic_mm: Optional[numpy.typing.ArrayLike] = ..., clicks: Sequence[Tuple[str, numpy.typing.ArrayLike]] = ..., borders: Sequence[Tuple[str, numpy.typing.ArrayLike]] = ..., progress: Optional[Callable[[float, str], Any]] = ...) -> VesselTrees:
+        """The VesselTrees of the case, saved in it: of the structures portal-vein and hepatic-vein, or of one that holds both. portal_mm, hepatic_mm: a place (LPS, mm) on each main stem, where the first guess is wrong. clicks: (vessel, place) each, borders: (border, place) each, as for vessel_trees().
 
         progress(fraction, stage) is told how far it is; KeyboardInterrupt cancels.
         Raises glisson.Error: vessels-missing, labels-grids-differ."""
@@ -914,12 +914,14 @@ def compare_studies(before: Case, after: Case, *, plan: Optional[str] = ..., day
     Raises glisson.Error: growth-same-case, growth-not-one-patient, growth-order, growth-days, growth-days-differ,
     growth-segments-missing, growth-segments-stale, growth-standard-volume, growth-plan-in-one-study, plan-unknown."""
 
-def couinaud_segments(liver: Mask, trees: Optional[VesselTrees] = ..., *, progress: Optional[Callable[[float, str], Any]] = ...) -> Dict[str, Any]:
+def couinaud_segments(liver: Mask, trees: Optional[VesselTrees] = ..., *, borders: Sequence[Tuple[str, numpy.typing.ArrayLike]] = ..., progress: Optional[Callable[[float, str], Any]] = ...) -> Dict[str, Any]:
     """Couinaud's eight segments of a liver, from its VesselTrees or, without, from its shape alone.
+    borders: ("V-VIII", place in LPS, mm) each, through which the border of those two segments runs, besides those that the
+    trees were told.
 
     A dict: segment (LabelMap: 1 to 8, 0 outside), doubt (uint8, [i, j, k]: percent), volume_ml and confidence (9 numbers: of
     all, then of segments 1 to 8), from ("tree" or "prior").
-    Raises glisson.Error: liver-empty, vessels-outside, and what a liver's shape refuses."""
+    Raises glisson.Error: liver-empty, vessels-outside, border-outside, borders-contradict, choice-unknown, and what a liver's shape refuses."""
 
 def dice(a: Mask, b: Mask) -> float:
     """Dice's overlap of two masks: 1 the same, 0 apart.
@@ -1177,14 +1179,15 @@ def trwls(source_mm: numpy.typing.ArrayLike, target_mm: numpy.typing.ArrayLike, 
 def usual_supports() -> List[Any]:
     """The supports of a scenario that go with mark_attachments: the bare area held, the diaphragm on a foundation."""
 
-def vessel_trees(vessels: Mask, liver: Mask, *, portal_mm: Optional[numpy.typing.ArrayLike] = ..., hepatic_mm: Optional[numpy.typing.ArrayLike] = ..., clicks: Sequence[Tuple[str, numpy.typing.ArrayLike]] = ..., progress: Optional[Callable[[float, str], Any]] = ...) -> VesselTrees:
+def vessel_trees(vessels: Mask, liver: Mask, *, portal_mm: Optional[numpy.typing.ArrayLike] = ..., hepatic_mm: Optional[numpy.typing.ArrayLike] = ..., clicks: Sequence[Tuple[str, numpy.typing.ArrayLike]] = ..., borders: Sequence[Tuple[str, numpy.typing.ArrayLike]] = ..., progress: Optional[Callable[[float, str], Any]] = ...) -> VesselTrees:
     """VesselTrees of a Mask that holds portal and hepatic veins together: centre lines, the two told apart by the liver's shape,
     branches named. portal_mm, hepatic_mm: a place (LPS, mm) on each main stem, where the first guess is wrong.
     clicks: (vessel, place) each, what the vessel there is: "portal-vein", "hepatic-vein", "middle-hepatic-vein",
     "right-hepatic-vein", "umbilical-portion" or "left-hepatic-vein".
+    borders: ("V-VIII", place) each, through which the border of those two segments runs.
 
     progress is told (fraction, stage); KeyboardInterrupt cancels.
-    Raises glisson.Error: choice-unknown, click-beside, vessels-empty, vessels-one-blob, vessels-grid, vessels-outside, liver-empty."""
+    Raises glisson.Error: choice-unknown, click-beside, border-outside, borders-contradict, vessels-empty, vessels-one-blob, vessels-grid, vessels-outside, liver-empty."""
 
 def volume_ml(mask: Mask) -> float:
     """Of a mask's voxels, ml."""

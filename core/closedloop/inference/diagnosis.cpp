@@ -10,7 +10,6 @@
 #include "closedloop/inference/internal/search_swaps.h"
 #include "closedloop/inference/next_trial.h"
 #include "closedloop/inference/posterior.h"
-#include "closedloop/inference/smooth_baseline.h"
 #include "closedloop/inference/verdict.h"
 #include "closedloop/inference/visible.h"
 
@@ -33,15 +32,20 @@ class Diagnosis {
 
  private:
   Result<Choice> choose();
-  [[nodiscard]] Remainder remainder(const Choice& choice) const;
-  [[nodiscard]] const Candidate& worth_naming(const Choice& choice, Verdict verdict) const;
+  [[nodiscard]] Result<Posterior> weighed(const Choice& choice);
+  [[nodiscard]] Result<Swapped> likeliest_causes(const Choice& choice, const Posterior& posterior) const;
+  [[nodiscard]] bool is_near_noise(const Candidate& candidate, double excess) const;
+  [[nodiscard]] NamedCauses named_causes(const Swapped& causes) const;
+  [[nodiscard]] double probability_of_causes(const Swapped& causes, const Choice& choice,
+                                             const Posterior& posterior) const;
+  [[nodiscard]] const Candidate& worth_naming(const Candidate& causes, const Candidate& declared,
+                                              Verdict verdict) const;
   [[nodiscard]] double mesh_error_share(const Candidate& named) const;
   [[nodiscard]] Result<std::optional<HeldOut>> held_out(const Candidate& named, double mesh_error_share) const;
-  [[nodiscard]] Result<Posterior> weighed(const Choice& choice);
   [[nodiscard]] Weighing weighing() const {
     return {search_.model(), search_.systematic(), search_.whitening(), search_.correlation()};
   }
-  [[nodiscard]] std::vector<Sentence> notes_on_verdict(const Choice& choice, const Remainder& left) const;
+  [[nodiscard]] std::vector<Sentence> notes_on_nothing(const Candidate& declared) const;
 
   const DiagnosisOptions& options_;
   const Progress& progress_;
@@ -72,9 +76,13 @@ Result<Explanation> Diagnosis::run() {
   if (!choice) return failure(choice.error());
   progress_.report(0.95, GLISSON_TEXT("weighing the evidence"));
   const Candidate& declared = choice->declared;
-  const Remainder left = remainder(*choice);
-  const Verdict verdict = verdict_of(left, options_);
-  const Candidate& named = worth_naming(*choice, verdict);
+  auto probabilities = weighed(*choice);
+  if (!probabilities) return failure(std::move(probabilities.error()));
+  const auto causes = likeliest_causes(*choice, *probabilities);
+  if (!causes) return failure(causes.error());
+  const double of_causes = probability_of_causes(*causes, *choice, *probabilities);
+  const Verdict verdict = verdict_of(*probabilities, of_causes, options_.costs);
+  const Candidate& named = worth_naming(causes->chosen, declared, verdict);
 
   const auto smooth = verdict == Verdict::unexplained
                           ? fit_smooth_correction(all_, all_.measured - named.fit.predicted, progress_)
@@ -85,7 +93,7 @@ Result<Explanation> Diagnosis::run() {
   const ErrorFigures after = error_figures(all_, predicted);
   const auto left_out = held_out(named, share);
   if (!left_out) return failure(left_out.error());
-  auto found = found_effects(search_, declared, named, choice->found.in_place,
+  auto found = found_effects(search_, declared, named, causes->in_place,
                              *left_out ? std::optional((*left_out)->rms) : std::nullopt, after.rms);
   if (!found) return failure(std::move(found.error()));
   std::vector<RankedCandidate> alone = ranking(search_, declared, choice->singles);
@@ -96,7 +104,7 @@ Result<Explanation> Diagnosis::run() {
                                   "noise, which cannot be right: state it anew and ask again."),
                      {fmt::format("{:.2g}", *times)}});
   append(notes, notes_on_ranking(alone));
-  append(notes, notes_on_verdict(*choice, left));
+  if (verdict == Verdict::nothing_missing) append(notes, notes_on_nothing(declared));
   if (share != 0)
     notes.push_back(
         {GLISSON_TEXT("A finer mesh would change the prediction; {0} % of what it would change shows in the "
@@ -105,8 +113,6 @@ Result<Explanation> Diagnosis::run() {
   append(notes, std::move(found->notes));
   if (!search_.folds().any())
     notes.push_back({GLISSON_TEXT("There is only one trial, so nothing could be predicted that was not fitted."), {}});
-  auto probabilities = options_.probabilities ? weighed(*choice) : Posterior{};
-  if (!probabilities) return failure(std::move(probabilities.error()));
   std::vector<SmallestVisible> visible;
   if (verdict == Verdict::nothing_missing) {
     auto found_visible =
@@ -132,7 +138,6 @@ Result<Explanation> Diagnosis::run() {
       .effects = std::move(found->effects),
       .settings = named.fit.settings,
       .ranking = std::move(alone),
-      .evidence_over_smooth = left.evidence_over_smooth,
       .smooth_correction = smooth ? std::optional(smooth->smooth) : std::nullopt,
       .held_out_corrected =
           smooth ? std::optional(held_out_error(all_, named.left_out.predicted + smooth->held_out, options_.evidence))
@@ -140,6 +145,7 @@ Result<Explanation> Diagnosis::run() {
       .hidden_targets = {},  // whoever knows them judges by them (explain.cpp)
       .next = *std::move(next),
       .posterior = *std::move(probabilities),
+      .of_effects = named.fit.settings.empty() ? 0 : of_causes,
       .smallest_visible = std::move(visible),
       .notes = std::move(notes),
       .predicted_before = declared.fit.predicted,
@@ -161,28 +167,56 @@ Result<Choice> Diagnosis::choose() {
   return Choice{std::move(*declared), std::move(singles), std::move(*swapped)};
 }
 
-Remainder Diagnosis::remainder(const Choice& choice) const {
-  const Candidate& chosen = choice.found.chosen;
-  const auto rows = static_cast<double>(chosen.fit.white.size());
-  const double rms = std::max(std::sqrt(chosen.fit.chi2 / rows), rms_of_worst_quantity(all_, chosen.fit.white));
-  Remainder left{chosen.fit.settings.size(), search_.leaves_nothing(chosen), rms, {}};
-  // Several causes together, or one with much freedom, can be bent to what none of them did.
-  if (left.effects > 0 && reaches_noise(left, options_)) {
-    left.evidence_over_smooth =
-        evidence_over_smooth(all_, all_.measured - choice.declared.fit.predicted, all_.measured - chosen.fit.predicted,
-                             parameter_count(chosen.fit.settings), search_.correlation(), progress_) -
-        search_.cost_of_choice(chosen);
-  }
-  return left;
+// Those that the search chose, where these are they or cannot be told from them: of what the data cannot tell apart it
+// chose the plainest. Or where none is probable enough to be named. Else they are fitted to the end.
+Result<Swapped> Diagnosis::likeliest_causes(const Choice& choice, const Posterior& posterior) const {
+  const auto known =
+      std::find_if(posterior.begin(), posterior.end(), [](const auto& one) { return !one.fit.settings.empty(); });
+  double of_all = 0;
+  for (const WeighedExplanation& one : posterior) of_all += one.kinds.empty() ? one.beside : one.probability;
+  if (known == posterior.end() || verdict_of(posterior, of_all, options_.costs) != Verdict::explained)
+    return choice.found;
+  if (stand_for(named_causes(choice.found), kinds_of(known->fit.settings))) return choice.found;
+  auto fitted = search_.fitted(known->fit.settings);
+  if (!fitted) return failure(std::move(fitted.error()));
+  return with_alternatives(search_, *std::move(fitted), choice.singles);
 }
 
-// An explanation that does not reach the noise is named only where it predicts trials left out much better.
-const Candidate& Diagnosis::worth_naming(const Choice& choice, Verdict verdict) const {
-  const Candidate& chosen = choice.found.chosen;
-  const bool too_little =
-      verdict == Verdict::unexplained && search_.folds().any() &&
-      std::sqrt(chosen.left_out.chi2) > options_.worth_naming * std::sqrt(choice.declared.left_out.chi2);
-  return too_little ? choice.declared : chosen;
+// What predicts trials that were left out no better than the declared model does explains nothing, and what leaves more
+// than roughly stated noise explains not all.
+double Diagnosis::probability_of_causes(const Swapped& causes, const Choice& choice, const Posterior& posterior) const {
+  const Candidate& candidate = causes.chosen;
+  if (candidate.fit.settings.empty()) return 0;
+  if (search_.folds().any() && (!candidate.left_out.given || candidate.left_out.chi2 >= choice.declared.left_out.chi2))
+    return 0;
+  if (!is_near_noise(candidate, options_.maximum_noise_excess)) return 0;
+  const NamedCauses named = named_causes(causes);
+  double probability = probability_of(posterior, named);
+  if (!is_near_noise(candidate, options_.near_noise_excess / double(named.kinds.size()))) return probability;
+  for (const WeighedExplanation& one : posterior)
+    if (one.beside > 0 && stand_for(named, kinds_of(one.fit.settings))) probability += one.beside;
+  return probability;
+}
+
+// All of it, and each quantity by itself.
+bool Diagnosis::is_near_noise(const Candidate& candidate, double excess) const {
+  const double rms = std::sqrt(candidate.fit.chi2 / static_cast<double>(candidate.fit.white.size()));
+  return search_.leaves_nothing(candidate) ||
+         std::max(rms, rms_of_worst_quantity(all_, candidate.fit.white)) <= 1 + excess;
+}
+
+NamedCauses Diagnosis::named_causes(const Swapped& causes) const {
+  NamedCauses named{{}, alike_kinds(search_, causes.chosen, causes.in_place)};
+  for (const Setting& setting : causes.chosen.fit.settings) named.kinds.push_back(setting.kind);
+  return named;
+}
+
+// An explanation that is not probable enough is named only where it predicts trials left out much better.
+const Candidate& Diagnosis::worth_naming(const Candidate& causes, const Candidate& declared, Verdict verdict) const {
+  if (verdict == Verdict::nothing_missing) return declared;
+  const bool too_little = verdict == Verdict::unexplained && search_.folds().any() &&
+                          std::sqrt(causes.left_out.chi2) > options_.worth_naming * std::sqrt(declared.left_out.chi2);
+  return too_little ? declared : causes;
 }
 
 // The mesh's own error is no effect and is never named; but what of it the measurements show need not spoil what the
@@ -217,7 +251,8 @@ Result<Posterior> Diagnosis::weighed(const Choice& choice) {
   if (search_.model().predicts_quickly() && !choice.singles.empty()) search_.consider_pairs(choice.singles);
   std::vector<LocalFit> considered = search_.considered();
   const auto consider = [&](const Candidate& candidate) {
-    if (candidate.fitted()) considered.push_back(local_fit(candidate.fit, search_.whitening()));
+    if (candidate.fitted() && candidate.left_out.given)
+      considered.push_back(local_fit(candidate.fit, search_.whitening()));
   };
   consider(choice.found.chosen);
   for (const std::vector<Candidate>& others : choice.found.in_place)
@@ -230,22 +265,18 @@ Result<Posterior> Diagnosis::weighed(const Choice& choice) {
   return posterior(weighing(), std::move(considered), options_.posterior, progress_);
 }
 
-std::vector<Sentence> Diagnosis::notes_on_verdict(const Choice& choice, const Remainder& left) const {
-  const Candidate& chosen = choice.found.chosen;
-  if (left.effects == 0 && reaches_noise(left, options_) &&
-      !residual_diagnostics(all_, chosen.fit.white, chosen.fit.predicted).is_noise) {
-    // Rows that are not quite random may still be as small as the noise.
-    const bool small = reaches_noise({0, false, left.rms_in_noise, {}}, options_);
-    return {{small
-                 ? GLISSON_TEXT("The residual is not quite random, but no larger than the noise can be trusted to be.")
-                 : GLISSON_TEXT("The residual is not quite random, but no larger than what a finer mesh would change "
-                                "of the prediction."),
+// Rows that are not quite random may still be as small as the noise, or be no sign of an effect.
+std::vector<Sentence> Diagnosis::notes_on_nothing(const Candidate& declared) const {
+  if (residual_diagnostics(all_, declared.fit.white, declared.fit.predicted).is_noise) return {};
+  if (declared.fit.white.squaredNorm() <= noise_is_known_to * noise_is_known_to * double(all_.rows()))
+    return {{GLISSON_TEXT("The residual is not quite random, but no larger than the noise can be trusted to be."), {}}};
+  if (search_.leaves_nothing(declared))
+    return {{GLISSON_TEXT("The residual is not quite random, but no larger than what a finer mesh would change "
+                          "of the prediction."),
              {}}};
-  }
-  if (!left.evidence_over_smooth || verdict_of(left, options_) == Verdict::explained) return {};
-  return {{GLISSON_TEXT("What was found brings the residual to the noise, but is no clearly better evidence (BIC {0}) "
-                        "than a smooth function of what was done, which names no cause."),
-           {fmt::format("{:+.0f}", *left.evidence_over_smooth)}}};
+  return {{GLISSON_TEXT("The residual is larger than the stated noise, but has no shape that speaks of an effect: the "
+                        "noise may be stated too small, or some rows are outliers."),
+           {}}};
 }
 
 std::vector<Sentence> notes_on_ranking(const std::vector<RankedCandidate>& ranking) {

@@ -71,11 +71,18 @@ struct PosteriorOptions {
   // An effect's parameters are normal, within the bounds of the search. The mean is the middle of where a surgeon would
   // expect them (Parameter::prior_low and prior_high). Half of that range is this many standard deviations.
   double deviations_to_prior_end = 1;
-  // Standard deviation of the logarithm of the noise over the stated one: people know theirs to about a tenth.
+  // Standard deviation of the logarithm of the noise over the stated one: people know theirs to about a tenth. Some
+  // state it roughly, or forget that one value in a hundred is wild.
   double noise_scale = 0.1;
-  // Beside something else the noise may be of any size, for it may be what is wrong. With half of the probability it
-  // lies within this logarithm of the stated one; the tail is Cauchy's.
+  double rough_noise_scale = 0.3;
+  double roughly_stated = 0.3;  // probability
+  // ... of the logarithm of the mesh's error over the expected one, which one finer mesh shows roughly.
+  double mesh_error_scale = 0.4;
+  // Beside something else the noise may be any number of times as large, for it may be what is wrong. With half of the
+  // probability it lies within this logarithm of the stated one; the tail is Cauchy's. It is no smaller than one would
+  // state it: a shape that lies below the stated noise is no sign of anything.
   double unknown_noise_scale = 0.5;
+  double noise_alone = 0.2;  // of something else: noise of that size, and no shape
   // That errors repeat themselves from sample to sample, which nobody states; and how much of each the next one keeps.
   double noise_repeats = 0.2;
   std::array<double, 4> noise_kept{0.3, 0.5, 0.7, 0.9};
@@ -123,15 +130,26 @@ struct NextTrialOptions {
   int draws = 200;               // an explanation: the information is known to some hundredths of it
 };
 
+// What the mistakes of a verdict cost (verdict.h), in units of known causes that are left without a name. So causes are
+// named from a probability of about three quarters on, and something else is told where it is five times as probable
+// as nothing.
+struct VerdictCosts {
+  double unnamed = 1;       // unexplained, though known causes act
+  double overlooked = 2;    // nothing missing, though something acts
+  double wrong_name = 3;    // explained by what does not act: someone builds on it
+  double false_alarm = 10;  // unexplained, though nothing is missing: nobody listens to the next one
+};
+
 struct DiagnosisOptions {
   double entry_bic = 10;  // "very strong" evidence on Kass and Raftery's scale (1995), over a score of candidates
-  double alike_bic = 10;  // what less than that cannot tell apart, causes from a smooth function without cause too
+  double alike_bic = 10;  // what less than that cannot tell apart
   std::size_t maximum_effects = 3;
-  // With effects, a rest this much above the stated noise is still called explained: noise is seldom known better.
-  // Shared among them: the more effects, the closer they must come.
+  // What acts beside named causes does not matter where it is no larger than the noise: by so much may what is left
+  // exceed it. Shared among the effects: the more they are, the closer they must come.
   double near_noise_excess = 0.15;
-  double noise_uncertainty = 0.05;  // without effects: as the tests of a residual assume (residual.h)
-  double worth_naming = 0.8;        // of the error on trials left out: above it a partial explanation helps nobody
+  double maximum_noise_excess =
+      0.5;                    // above it causes do not explain what was measured: noise is not stated that badly
+  double worth_naming = 0.8;  // of the error on trials left out: above it a partial explanation helps nobody
 
   int trials_to_resample = 4;          // with fewer, resampling says nothing of the scatter between trials
   double undetermined = 0.5;           // of the prior width: a wider deviation is what was known before
@@ -139,9 +157,7 @@ struct DiagnosisOptions {
   double inseparable = 0.95;           // correlation of two parameters: a tenth of the variance is each one's own
   double clear_separation = 4;         // standard deviations by which a further trial should tell alternatives apart
 
-  // Without them no trial is proposed either; together they take most of the time where a prediction is quick.
-  bool probabilities = true;
-
+  VerdictCosts costs;
   SearchOptions search;
   EvidenceOptions evidence;
   PosteriorOptions posterior;

@@ -19,9 +19,9 @@
 namespace glisson::closedloop {
 
 enum class Verdict {
-  nothing_missing,  // what the declared model leaves is noise
-  explained,        // with the effects, what is left is noise, or as near to it as the stated noise can be trusted
-  unexplained       // no combination of known effects brings it there
+  nothing_missing,  // what the declared model leaves shows no effect
+  explained,        // the effects are probable enough to be named
+  unexplained       // something acts, and no set of known effects is
 };
 
 // Error on trials left out whole, each predicted by a model fitted to the others.
@@ -99,7 +99,9 @@ struct WeighedExplanation {
   std::vector<std::string> kinds;  // what acts together, in alphabetical order; none: nothing is missing
   bool something_else = false;     // nothing of the catalogue, or not that alone
   double probability = 0;
-  LocalFit fit = {};  // of its likeliest form; none of something else
+  LocalFit fit = {};  // of its likeliest form; of something else the likeliest known causes
+  // Of something else the part of its probability by which it acts beside these and not in their place.
+  double beside = 0;
 };
 
 // Over nothing, each kind, the sets of kinds that the search fitted, and something else; the likeliest first. The
@@ -133,14 +135,14 @@ struct Explanation {
   std::vector<FoundEffect> effects;      // by what they remove, the largest first
   Settings settings;                     // the same, for ForwardModel::predict
   std::vector<RankedCandidate> ranking;  // the best first
-  // Of what was found, over a smooth function of what was done that names no cause (smooth_baseline.h); absent where
-  // nothing would have been called explained.
-  std::optional<double> evidence_over_smooth;
   std::optional<SmoothCorrection> smooth_correction;
   std::optional<HeldOut> held_out_corrected;    // with it
   std::optional<HiddenTargets> hidden_targets;  // of guidance, where they were given
   NextTrials next;
   Posterior posterior;
+  // Probability that the effects act, each or what is alike to it, with nothing beside them that matters; 0 where none
+  // is named.
+  double of_effects = 0;
   std::vector<SmallestVisible> smallest_visible;  // with "nothing missing"
   // For a person: what is undetermined, what was left out and why. Arguments name kinds and parameters as they are.
   std::vector<Sentence> notes;

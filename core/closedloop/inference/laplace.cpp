@@ -80,9 +80,17 @@ ParameterPrior prior_of(const ForwardModel& model, const Settings& settings, con
   return prior;
 }
 
-double log_density_of_noise_scale(double log_scale, const PosteriorOptions& options) {
-  const double x = log_scale / options.noise_scale;
-  return -0.5 * x * x - std::log(options.noise_scale) - 0.5 * std::log(2 * std::numbers::pi);
+LogDensity log_density_of_noise_scale(double log_scale, const PosteriorOptions& options) {
+  const auto part = [&](double probability, double spread) {
+    const double x = log_scale / spread;
+    return std::log(probability) - 0.5 * x * x - std::log(spread) - 0.5 * std::log(2 * std::numbers::pi);
+  };
+  const auto precision = [](double spread) { return 1 / (spread * spread); };
+  const double well = part(1 - options.roughly_stated, options.noise_scale);
+  const double roughly = part(options.roughly_stated, options.rough_noise_scale);
+  const double both = log_sum({well, roughly});
+  return {both, -log_scale * (std::exp(well - both) * precision(options.noise_scale) +
+                              std::exp(roughly - both) * precision(options.rough_noise_scale))};
 }
 
 LogEvidence log_evidence(const ForwardModel& model, const LocalFit& fit, double correlation,
@@ -99,7 +107,7 @@ LogEvidence log_evidence(const ForwardModel& model, const LocalFit& fit, double 
   std::vector<double> of_scale(count);
   for (std::size_t i = 0; i < count; ++i) {
     const double log_scale = begin + static_cast<double>(i) * step;
-    of_scale[i] = log_density_of_noise_scale(log_scale, options) - worth * log_scale -
+    of_scale[i] = log_density_of_noise_scale(log_scale, options).value - worth * log_scale -
                   chi2 / 2 * std::exp(-2 * log_scale) + std::log(step);
   }
   const double highest = *std::max_element(of_scale.begin(), of_scale.end());

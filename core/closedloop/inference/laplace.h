@@ -40,8 +40,13 @@ struct ParameterPrior {
 [[nodiscard]] ParameterPrior prior_of(const ForwardModel& model, const Settings& settings,
                                       const PosteriorOptions& options);
 
-// Natural logarithm of the density that the noise is so many times as large as stated; over the factor's logarithm.
-[[nodiscard]] double log_density_of_noise_scale(double log_scale, const PosteriorOptions& options);
+// That the noise is so many times as large as stated, over the factor's logarithm: the density's natural logarithm, and
+// how that changes.
+struct LogDensity {
+  double value = 0;
+  double slope = 0;
+};
+[[nodiscard]] LogDensity log_density_of_noise_scale(double log_scale, const PosteriorOptions& options);
 
 // Natural logarithms. n rows count as n / correlation, where neighbours repeat each other. What all models of the same
 // rows share is left out: (2 pi)^(-m/2) and the stated noise.

@@ -25,7 +25,6 @@ struct Weighed {
   double log_prior = 0;
 };
 
-Kinds kinds_of(const Settings& settings);
 bool shows_all(const LocalFit& fit);
 std::vector<LocalFit> best_of_each_set(std::vector<LocalFit> considered);
 void refine(const Weighing& weighing, std::vector<Weighed>& all, const PosteriorOptions& options,
@@ -103,10 +102,11 @@ Result<Posterior> posterior(const Weighing& weighing, std::vector<LocalFit> cons
   double highest = weight(*leading);
   for (const double log : *something_else) highest = std::max(highest, log);
   std::map<Kinds, double> probabilities;
-  double other = 0, sum = 0;
+  double other = 0, beside = 0, sum = 0;
   for (const Weighed& one : all) probabilities[one.kinds] += std::exp(weight(one) - highest);
   for (const auto& [kinds, probability] : probabilities) sum += probability;
   for (const double log : *something_else) other += std::exp(log - highest);
+  if (!leading->kinds.empty()) beside = std::exp(something_else->back() - highest);
   other +=
       probabilities[leading->kinds] * odds_of_look_alike(leading->log.evidence - of_nothing, leading->kinds, options);
   sum += other;
@@ -118,32 +118,10 @@ Result<Posterior> posterior(const Weighing& weighing, std::vector<LocalFit> cons
       if (one.kinds == kinds && (likeliest == nullptr || weight(one) > weight(*likeliest))) likeliest = &one;
     result.push_back({kinds, false, probability / sum, likeliest->fit});
   }
-  if (other / sum >= options.worth_telling) result.push_back({{}, true, other / sum});
+  if (other / sum >= options.worth_telling) result.push_back({{}, true, other / sum, leading->fit, beside / sum});
   std::stable_sort(result.begin(), result.end(),
                    [](const auto& a, const auto& b) { return a.probability > b.probability; });
   return result;
-}
-
-bool agrees(const Explanation& explanation) {
-  if (explanation.posterior.empty()) return true;
-  const WeighedExplanation& leading = explanation.posterior.front();
-  switch (explanation.verdict) {
-    case Verdict::nothing_missing: return leading.kinds.empty() && !leading.something_else;
-    case Verdict::unexplained: return leading.something_else;
-    default: break;
-  }
-  if (leading.something_else || leading.kinds.size() != explanation.effects.size()) return false;
-  Kinds left = leading.kinds;
-  for (const FoundEffect& effect : explanation.effects) {
-    auto same = std::find(left.begin(), left.end(), effect.kind);
-    if (same == left.end())
-      same = std::find_if(left.begin(), left.end(), [&](const std::string& kind) {
-        return std::count(effect.alike.begin(), effect.alike.end(), kind) > 0;
-      });
-    if (same == left.end()) return false;
-    left.erase(same);
-  }
-  return true;
 }
 
 std::string name_of(const WeighedExplanation& weighed) {
@@ -171,51 +149,38 @@ Sentence posterior_sentence(const Explanation& explanation, const NameOfExplanat
   const Posterior& all = explanation.posterior;
   const auto called = [&](const WeighedExplanation& weighed) { return name ? name(weighed) : name_of(weighed); };
   const WeighedExplanation& leading = all.front();
-  const std::string much = in_percent(leading.probability);
-  if (agrees(explanation)) {
-    const bool more = all.size() > 1 && all[1].probability >= 0.01;
-    std::vector<std::string> figures{called(leading), much};
-    if (more) figures.insert(figures.end(), {called(all[1]), in_percent(all[1].probability)});
-    switch (explanation.verdict) {
-      case Verdict::nothing_missing:
-        return {more ? GLISSON_TEXT("Probability that nothing is missing: {1}; next comes: {2}, {3}.")
-                     : GLISSON_TEXT("Probability that nothing is missing: {1}."),
-                figures};
-      case Verdict::explained:
-        return {more ? GLISSON_TEXT("Probability of {0}: {1}; next comes: {2}, {3}.")
-                     : GLISSON_TEXT("Probability of {0}: {1}."),
-                figures};
-      default:
-        return {more ? GLISSON_TEXT("Probability that something acts which is not in the catalogue: {1}; next comes: "
-                                    "{2}, {3}.")
-                     : GLISSON_TEXT("Probability that something acts which is not in the catalogue: {1}."),
-                figures};
-    }
-  }
-  switch (explanation.verdict) {
-    case Verdict::nothing_missing:
-      return {GLISSON_TEXT("What is left is no larger than noise and the prediction's own error, and yet weighing all "
-                           "explanations finds a weak sign of {0} ({1}): only further trials could tell."),
-              {called(leading), much}};
-    case Verdict::explained:
-      return {GLISSON_TEXT("What was found suffices, but weighing all explanations, {0} is likelier ({1}): take the "
-                           "name as one of several that these data allow."),
-              {called(leading), much}};
-    default:
-      return {GLISSON_TEXT("Among all explanations {0} weighs most ({1}), but it does not pass as a cause: it leaves "
-                           "too much, or a function without a cause does about as well. Do not build on it."),
-              {called(leading), much}};
-  }
+  const WeighedExplanation named{kinds_of(explanation.settings)};
+  if (explanation.verdict == Verdict::explained && named.kinds != leading.kinds)
+    return {GLISSON_TEXT("Probability of {0}, or of what these data cannot tell from it: {1}."),
+            {called(named), in_percent(explanation.of_effects)}};
+  const bool more = all.size() > 1 && all[1].probability >= 0.01;
+  std::vector<std::string> figures{called(leading), in_percent(leading.probability)};
+  if (more) figures.insert(figures.end(), {called(all[1]), in_percent(all[1].probability)});
+  if (leading.something_else)
+    return {more ? GLISSON_TEXT("Probability that something acts which is not in the catalogue: {1}; next comes: "
+                                "{2}, {3}.")
+                 : GLISSON_TEXT("Probability that something acts which is not in the catalogue: {1}."),
+            figures};
+  if (leading.kinds.empty())
+    return {more ? GLISSON_TEXT("Probability that nothing is missing: {1}; next comes: {2}, {3}.")
+                 : GLISSON_TEXT("Probability that nothing is missing: {1}."),
+            figures};
+  if (explanation.verdict == Verdict::unexplained && more)
+    return {GLISSON_TEXT("Nothing is probable enough to be named. Probability of {0}: {1}; next comes: {2}, {3}."),
+            figures};
+  return {
+      more ? GLISSON_TEXT("Probability of {0}: {1}; next comes: {2}, {3}.") : GLISSON_TEXT("Probability of {0}: {1}."),
+      figures};
 }
 
-namespace {
-
-Kinds kinds_of(const Settings& settings) {
+std::vector<std::string> kinds_of(const Settings& settings) {
   Kinds kinds;
   for (const Setting& setting : settings) kinds.push_back(setting.kind);
   std::sort(kinds.begin(), kinds.end());
   return kinds;
 }
+
+namespace {
 
 // Each of its effects changes something that was measured; of one that does not the data say nothing, and it is not
 // weighed.

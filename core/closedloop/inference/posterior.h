@@ -1,6 +1,6 @@
 #pragma once
 // A probability for each explanation, by the evidence of each (laplace.h, smooth_rest.h) and what was believed before
-// anything was measured (PosteriorOptions). It stands beside the verdict, which has rules of its own.
+// anything was measured (PosteriorOptions). The verdict follows from it (verdict.h).
 
 #include <functional>
 #include <string>
@@ -32,14 +32,14 @@ struct Weighing {
 Result<Posterior> posterior(const Weighing& weighing, std::vector<LocalFit> considered, const PosteriorOptions& options,
                             const Progress& progress = {});
 
-// Whether the likeliest explanation is what the verdict says, or one that the data cannot tell from it.
-[[nodiscard]] bool agrees(const Explanation& explanation);
+// In alphabetical order, as a posterior has them.
+[[nodiscard]] std::vector<std::string> kinds_of(const Settings& settings);
 
 // "nothing is missing", "stiffness-scale and hysteresis", "something else".
 [[nodiscard]] std::string name_of(const WeighedExplanation& weighed);
 
-// For a person, what follows the verdict: how probable it is, or, where another is likelier, what to make of that.
-// Empty where nothing was weighed. `name` is how it calls an explanation, name_of unless another is given.
+// For a person, what follows the verdict: how probable the likeliest explanation is, and which comes next. Empty where
+// nothing was weighed. `name` is how it calls an explanation, name_of unless another is given.
 using NameOfExplanation = std::function<std::string(const WeighedExplanation&)>;
 [[nodiscard]] Sentence posterior_sentence(const Explanation& explanation, const NameOfExplanation& name = {});
 

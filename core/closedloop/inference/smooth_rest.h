@@ -1,8 +1,8 @@
 #pragma once
 // Is there a smooth function of what was done in a residual, whatever caused it? The evidence of a Gaussian process
-// (smooth_baseline.h) stands beside that of noise, by Laplace's method. Its amplitudes, its lengths and the noise's
-// size have proper priors; beside something else the noise may be of any size (PosteriorOptions). The answer is the
-// weight of "something else" in a posterior.
+// of what was done (smooth_features.h) stands beside that of noise, by Laplace's method. Its amplitudes, its lengths
+// and the noise's size have proper priors; beside something else the noise may be of any size (PosteriorOptions). The
+// answer is the weight of "something else" in a posterior.
 //
 // Rasmussen and Williams, Gaussian Processes for Machine Learning (2006), 5.2.
 

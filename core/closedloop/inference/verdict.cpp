@@ -1,18 +1,44 @@
 #include "closedloop/inference/verdict.h"
 
+#include <algorithm>
+#include <cstddef>
+
 namespace glisson::closedloop {
 
-bool reaches_noise(const Remainder& left, const DiagnosisOptions& options) {
-  const double excess =
-      left.effects == 0 ? options.noise_uncertainty : options.near_noise_excess / static_cast<double>(left.effects);
-  return left.leaves_nothing || left.rms_in_noise <= 1 + excess;
+bool stand_for(const NamedCauses& named, const std::vector<std::string>& kinds) {
+  if (kinds.size() != named.kinds.size()) return false;
+  std::vector<std::string> left = named.kinds;
+  for (std::size_t i = 0; i < kinds.size(); ++i) {
+    auto same = std::find(left.begin(), left.end(), kinds[i]);
+    if (same == left.end())
+      same = std::find_if(left.begin(), left.end(), [&](const std::string& kind) {
+        const auto at = std::find(named.kinds.begin(), named.kinds.end(), kind) - named.kinds.begin();
+        const auto& alike = named.alike[static_cast<std::size_t>(at)];
+        return std::find(alike.begin(), alike.end(), kinds[i]) != alike.end();
+      });
+    if (same == left.end()) return false;
+    left.erase(same);
+  }
+  return true;
 }
 
-Verdict verdict_of(const Remainder& left, const DiagnosisOptions& options) {
-  if (!reaches_noise(left, options)) return Verdict::unexplained;
-  if (left.effects == 0) return Verdict::nothing_missing;
-  const bool has_causes = left.evidence_over_smooth && *left.evidence_over_smooth >= options.alike_bic;
-  return has_causes ? Verdict::explained : Verdict::unexplained;
+double probability_of(const Posterior& posterior, const NamedCauses& named) {
+  double sum = 0;
+  for (const WeighedExplanation& one : posterior)
+    if (!one.something_else && stand_for(named, one.kinds)) sum += one.probability;
+  return sum;
+}
+
+Verdict verdict_of(const Posterior& posterior, double of_named, const VerdictCosts& costs) {
+  double nothing = 0, known = 0;
+  for (const WeighedExplanation& one : posterior) {
+    if (!one.something_else) (one.kinds.empty() ? nothing : known) += one.probability;
+  }
+  const double of_nothing_missing = costs.overlooked * (1 - nothing);
+  const double of_unexplained = costs.false_alarm * nothing + costs.unnamed * known;
+  const double of_explained = costs.wrong_name * (1 - of_named);
+  if (of_nothing_missing <= std::min(of_unexplained, of_explained)) return Verdict::nothing_missing;
+  return of_named > 0 && of_explained < of_unexplained ? Verdict::explained : Verdict::unexplained;
 }
 
 }  // namespace glisson::closedloop

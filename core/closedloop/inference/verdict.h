@@ -1,29 +1,30 @@
 #pragma once
-// The verdict on a model: a function of what is left of the error, and of nothing else.
+// The verdict: of the three answers the one that is expected to cost the minimum, by the probabilities of all
+// explanations and by what each mistake costs (VerdictCosts).
+//
+// Berger, Statistical Decision Theory and Bayesian Analysis (1985), 4.4.1 (posterior expected loss).
 
-#include <cstddef>
-#include <optional>
+#include <string>
+#include <vector>
 
 #include "closedloop/inference/diagnosis_options.h"
 #include "closedloop/inference/explanation.h"
 
 namespace glisson::closedloop {
 
-// What a set of effects leaves of the error.
-struct Remainder {
-  std::size_t effects = 0;      // in the set; none: the declared model
-  bool leaves_nothing = false;  // noise by its tests (residual.h), or no larger than the prediction's own error
-  double rms_in_noise = 0;      // of the whitened residual: 1 for noise as stated
-  // BIC by which the effects are better evidence than a smooth function that names no cause (smooth_baseline.h). It
-  // takes long, and is asked for only where there are effects that reach the noise.
-  std::optional<double> evidence_over_smooth;
+// A set of causes that an explanation may name, and for each the kinds that the data cannot tell from it.
+struct NamedCauses {
+  std::vector<std::string> kinds;
+  std::vector<std::vector<std::string>> alike;
 };
 
-// It is noise, or as near to the noise as the stated one can be trusted.
-[[nodiscard]] bool reaches_noise(const Remainder& left, const DiagnosisOptions& options);
+// Whether `kinds` are the named ones, where each may be one that is alike to it.
+[[nodiscard]] bool stand_for(const NamedCauses& named, const std::vector<std::string>& kinds);
 
-// Effects that reach the noise explain only where they are better evidence than a smooth function, by `alike_bic`;
-// without that evidence they explain nothing.
-[[nodiscard]] Verdict verdict_of(const Remainder& left, const DiagnosisOptions& options);
+// That these act, each or what is alike to it, and no others.
+[[nodiscard]] double probability_of(const Posterior& posterior, const NamedCauses& named);
+
+// `of_named`: probability that the causes act which would be named; 0 where there are none to name.
+[[nodiscard]] Verdict verdict_of(const Posterior& posterior, double of_named, const VerdictCosts& costs);
 
 }  // namespace glisson::closedloop

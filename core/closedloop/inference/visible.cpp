@@ -2,15 +2,12 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/non_central_chi_squared.hpp>
-#include <boost/math/distributions/normal.hpp>
 #include <cmath>
 #include <set>
 #include <utility>
 
 #include "base/parallel.h"
-#include "closedloop/experiment/residual.h"
 
 namespace glisson::closedloop {
 namespace {
@@ -37,9 +34,10 @@ class Visibility {
  private:
   // What the effect changes where its parameter is moved by `way`, and whether that would be found.
   struct Seen {
-    Eigen::VectorXd white;
-    double plain = 0;  // root mean square in noises
-    std::vector<NoiseTest> tests;
+    double square = 0;  // of the whitened change
+    double plain = 0;   // root mean square in noises
+    Eigen::Index rows = 0;
+    [[nodiscard]] bool acts() const { return square > 1e-12; }
   };
   [[nodiscard]] std::optional<Seen> seen(const Switch& which, double way) const;
   // ... if it were so many times as large.
@@ -53,7 +51,6 @@ class Visibility {
   Eigen::VectorXd declared_;
 };
 
-bool acts(const Eigen::VectorXd& white) { return white.norm() > 1e-6; }
 Eigen::VectorXd at_rest(const Effect& effect);
 double value_at(const Parameter& parameter, double way);
 double longest_way(const Parameter& parameter);
@@ -138,7 +135,7 @@ std::optional<SmallestVisible> Visibility::of(const Switch& which) const {
       way = (too_short + way) / 2;
       continue;
     }
-    acts_somewhere = acts_somewhere || acts(there->white);
+    acts_somewhere = acts_somewhere || there->acts();
     if (probability(*there, 1, which.effect->size()) >= options.power) {
       long_enough = way;
       visible.value = value_at(parameter, way);
@@ -146,7 +143,7 @@ std::optional<SmallestVisible> Visibility::of(const Switch& which) const {
       too_short = way;
       if (way == longest) break;
     }
-    const double guess = acts(there->white) ? way * times_to_be_found(*there, which.effect->size()) : 4 * way;
+    const double guess = there->acts() ? way * times_to_be_found(*there, which.effect->size()) : 4 * way;
     if (std::abs(guess / way - 1) < options.close_enough) {
       visible.value = value_at(parameter, guess);
       break;
@@ -165,44 +162,26 @@ std::optional<Visibility::Seen> Visibility::seen(const Switch& which, double way
   const auto predicted = model_.predict({{which.effect->kind, which.effect->form, values}});
   if (!predicted) return std::nullopt;
   const Eigen::VectorXd change = *predicted - declared_;
-  Seen seen{whitening_.whiten(change), 0, {}};
-  seen.plain = change.cwiseQuotient(model_.observations().noise).norm() / std::sqrt(static_cast<double>(change.size()));
-  if (acts(seen.white)) seen.tests = residual_diagnostics(model_.observations(), seen.white, declared_).tests;
-  return seen;
+  return Seen{whitening_.whiten(change).squaredNorm(),
+              change.cwiseQuotient(model_.observations().noise).norm() / std::sqrt(static_cast<double>(change.size())),
+              change.size()};
 }
 
-// Of the residual's tests the one that is likeliest to see it, which is a little less than all of them together;
-// chi-squared must fall by enough for BIC, and exceed the noise at all.
+// Chi-squared must fall by enough for BIC, which is about what it takes to be more probable than nothing. And what is
+// left must exceed the prediction's own error, where there is one.
 double Visibility::probability(const Seen& seen, double times, Eigen::Index parameters) const {
-  using boost::math::cdf, boost::math::complement, boost::math::quantile;
-  if (seen.tests.empty()) return 0;
-  const auto rows = static_cast<double>(seen.white.size());
-  const double square = times * times * seen.white.squaredNorm();
+  using boost::math::cdf, boost::math::complement;
+  if (!seen.acts()) return 0;
+  const auto rows = static_cast<double>(seen.rows), count = static_cast<double>(parameters);
   const auto beyond = [](double degrees, double noncentrality, double limit) {
     if (noncentrality > 20 * limit) return 1.0;
     return cdf(complement(boost::math::non_central_chi_squared(degrees, std::max(noncentrality, 1e-12)), limit));
   };
-  const auto count = static_cast<double>(parameters);
-  const double entry = beyond(count, square, options_.entry_bic + count * std::log(rows));
-  const double improbable = improbable_for_noise / static_cast<double>(seen.tests.size());
-  const auto limit = [&](double degrees) {
-    return noise_is_known_to * noise_is_known_to * quantile(complement(boost::math::chi_squared(degrees), improbable));
-  };
-  double found = beyond(rows, square, limit(rows));
-  for (const NoiseTest& test : seen.tests) {
-    if (test.degrees > 0)
-      found = std::max(found, beyond(test.degrees, times * times * test.statistic, limit(test.degrees)));
-    if (test.name != "neighbours") continue;
-    // A sum of products over the variance, to which the noise adds one.
-    const double own = seen.white.squaredNorm() / rows;
-    const double expected = test.statistic * std::max(1.0, own) * times * times / (1 + times * times * own);
-    found =
-        std::max(found, cdf(boost::math::normal(), expected - quantile(complement(boost::math::normal(), improbable))));
-  }
-  // A residual whose square is no larger than the noise's and the prediction's own error together is left alone.
+  const double entry = beyond(count, times * times * seen.square, options_.entry_bic + count * std::log(rows));
+  if (systematic_.indistinct == 0) return entry;
   const double excess = beyond(rows, rows * times * times * seen.plain * seen.plain,
                                rows * (1 + systematic_.indistinct * systematic_.indistinct));
-  return std::min({entry, found, excess});
+  return std::min(entry, excess);
 }
 
 // Fisher's information of one parameter is the square of the change over its way: as long as the change is in

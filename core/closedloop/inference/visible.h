@@ -14,9 +14,8 @@
 namespace glisson::closedloop {
 
 // One answer for each effect of the catalogue, and for each of its parameters that alone switches it on. Its other
-// parameters stand where they have no effect. The answer is the value from which the declared model would be found
-// lacking in VisibleOptions::power of all repetitions. Found lacking means, as in a diagnosis, that the residual is no
-// noise by its tests. The effect must also pay by BIC, and change more than the prediction's own error. Of several
+// parameters stand where they have no effect. The answer is the value from which the effect would
+// pay by BIC in VisibleOptions::power of all repetitions, and change more than the prediction's own error. Of several
 // forms of a kind the first that has such a parameter; laws without a number that makes them vanish are left out.
 // Values are looked for on the side on which a surgeon would expect more of them. Fails where the declared model cannot
 // be solved, and when cancelled.

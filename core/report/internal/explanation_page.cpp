@@ -22,19 +22,14 @@ std::string figure(double value) { return fmt::format("{:.3g}", value); }
 const char* answer(const Explanation& explanation) {
   switch (explanation.verdict) {
     case Verdict::nothing_missing:
-      return GLISSON_TEXT("Nothing is missing: what the declared model leaves is noise, and nothing was added to it.");
-    case Verdict::explained:
       return GLISSON_TEXT(
-          "Explained: with the effects below, what is left is as small as the noise of the measurement.");
+          "Nothing is missing: what the declared model leaves shows no effect, and nothing was added to it.");
+    case Verdict::explained: return GLISSON_TEXT("Explained: the effects below are probable enough to be named.");
     default:
-      if (explanation.evidence_over_smooth)
-        return GLISSON_TEXT(
-            "Unexplained: known effects can be bent until what is left is noise, but a smooth function of what was "
-            "done, which has no cause, accounts for it about as well. What is named below is not a cause that these "
-            "data establish.");
       return GLISSON_TEXT(
-          "Unexplained: no combination of known effects brings the error near the noise. What is named below removes "
-          "a part of it and is not a cause that these data establish.");
+          "Unexplained: something acts that the declared model lacks, and no combination of known effects is probable "
+          "enough to be named. What is named below removes a part of the error and is not a cause that these data "
+          "establish.");
   }
 }
 

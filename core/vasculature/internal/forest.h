@@ -18,7 +18,6 @@ struct Forest {
   std::vector<int> parent;     // of each piece; -1 where a tree begins
   std::vector<int> near_end;   // 0 or 1: the end at which the blood of a portal vein comes in
   std::vector<System> system;  // of each piece
-  std::vector<double> sure;    // of each piece: share of likely forests around this one that say the same system
   double energy = 0;           // minus the logarithm of its probability, but for a constant
 };
 
@@ -30,5 +29,9 @@ using KnownPieces = std::vector<std::pair<int, System>>;
 // gives the same.
 [[nodiscard]] Forest cooled_forest(const Junctions& junctions, const VesselEntries& entries, const KnownPieces& known,
                                    std::uint64_t seed);
+
+// Of each piece: the share of likely forests around this one that say the same system.
+[[nodiscard]] std::vector<double> sure_of(const Junctions& junctions, const VesselEntries& entries,
+                                          const KnownPieces& known, const Forest& forest);
 
 }  // namespace glisson::vasculature

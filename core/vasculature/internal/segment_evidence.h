@@ -6,7 +6,7 @@
 
 #include "base/result.h"
 #include "imaging/image.h"
-#include "vasculature/internal/segment_planes.h"
+#include "vasculature/internal/hand_borders.h"
 #include "vasculature/systems.h"
 
 namespace glisson::vasculature {
@@ -23,10 +23,10 @@ struct VesselSample {
   bool left_portal;  // thick, and to the left of where the portal vein divides
 };
 
-// A place where somebody says that a border runs, with what it counts.
+// A place of a vessel that somebody named, on the border where it runs, with what it counts.
 struct BorderSample {
   Eigen::Vector3d position_mm;
-  SegmentPlanes::Surface border;
+  Surface border;
   double weight;
 };
 
@@ -36,11 +36,12 @@ struct Evidence {
   std::vector<Eigen::Vector3d> places_mm;  // spread over the liver
   std::vector<VesselSample> vessels;
   std::vector<BorderSample> borders;
+  HandBorders hand;
   Eigen::Vector3d portal_mm{0, 0, 0}, hepatic_mm{0, 0, 0};
 };
 
-// Failures: those of liver_frame.
-Result<Evidence> evidence_of(const imaging::Mask& liver);
+// Failures: those of liver_frame, lie_in_liver and HandBorders::may_pass.
+Result<Evidence> evidence_of(const imaging::Mask& liver, const BorderPlaces& borders);
 
 // Failure: "vessels-outside" (less than half of them lie in the liver).
 Result<void> add_vessels(const imaging::Mask& liver, const VesselTrees& trees, Evidence& evidence);

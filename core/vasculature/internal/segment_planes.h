@@ -48,16 +48,31 @@ using PlaneParameters = std::array<double, parameter_count>;
 // outline of anybody.
 extern const PlaneParameters mean_planes, plane_spread;
 
+// What parts segments: the middle and the right vein, the umbilical fissure, II and III, V and VIII, VI and VII, and I
+// from the rest.
+enum Surface : std::size_t {
+  middle_vein,
+  right_vein,
+  umbilical_fissure,
+  left_vein,
+  anterior_level,
+  posterior_level,
+  caudate_border,
+  surface_count
+};
+
+// How far a place is from each surface, roughly in mm, signed: above 0 it lies to the right of the first three, in II,
+// VIII, VII, and outside of I.
+using SurfaceLevels = std::array<double, surface_count>;
+
+[[nodiscard]] int segment_at(const SurfaceLevels& levels_mm);  // 1 to 8
+
 class SegmentPlanes {
  public:
   SegmentPlanes(const LiverFrame& liver, const PlaneParameters& parameters);
 
-  [[nodiscard]] int at(const Eigen::Vector3d& patient_mm) const;  // 1 to 8
-
-  // How far from the surface of the middle or right vein, of the umbilical fissure, or of that of II and III. It is
-  // roughly in mm, signed.
-  enum Surface : std::size_t { middle, right, umbilical, left_vein };
-  [[nodiscard]] std::array<double, 4> distances_mm(const Eigen::Vector3d& patient_mm) const;
+  [[nodiscard]] int at(const Eigen::Vector3d& patient_mm) const;  // segment_at(levels_mm()), in less time
+  [[nodiscard]] SurfaceLevels levels_mm(const Eigen::Vector3d& patient_mm) const;
   // The vena cava's axis at a height above the base point, in mm at scale 1.
   [[nodiscard]] Eigen::Vector3d on_axis_mm(double height) const;
 
@@ -66,6 +81,7 @@ class SegmentPlanes {
     Eigen::Vector3d from_base;  // scaled
     double x, y;                // from the axis
     double azimuth_deg, away;
+    Eigen::Vector3d in_caudate;  // in units of its half axes
   };
   [[nodiscard]] Place place(const Eigen::Vector3d& patient_mm) const;
 

@@ -129,7 +129,6 @@ def judge(folder, said):
     for e in causes:
         alike[e["kind"]] = alike.get(e["kind"], set()) | set(e.get("alike", []))
     result["posterior"] = report.get("posterior", {}).get("explanations", [])
-    result["agrees"] = report.get("posterior", {}).get("agrees_with_verdict")
     result["exact"] = sorted(set(result["named"])) == sorted(truth["kinds"])
     result["right"] = matches(truth, result, alike)
     result["wrong_confident"] = result["verdict"] == "explained" and not result["right"]

@@ -8,6 +8,7 @@ import random
 
 BINS = 10
 WORTH_COUNTING = 0.01
+NEARLY_TWO = 1.8  # what was asked for comes out a little smaller or larger
 
 
 def is_truth(explanation, case):
@@ -25,16 +26,34 @@ def reliability(results):
     all_of_them = [(e["probability"], is_truth(e, r)) for r in cases for e in r["posterior"]
                    if e["probability"] >= WORTH_COUNTING]
     of_truth = [next((e["probability"] for e in r["posterior"] if is_truth(e, r)), 0.0) for r in cases]
-    ways = sum(r["agrees"] for r in cases)
     return ["", f"probabilities, {len(cases)} cases: expected calibration error of the likeliest explanation"
                 f" {error(leading):.3f}, of all that were given 1 % and more {error(all_of_them):.3f};"
                 f" the likeliest is right in {sum(right for _, right in leading)} of {len(cases)};"
-                f" mean of -ln (probability of the truth) {sum(-math.log(max(p, 1e-3)) for p in of_truth) / len(cases):.2f};"
-                f" agrees with the verdict in {ways}",
+                f" mean of -ln (probability of the truth) {sum(-math.log(max(p, 1e-3)) for p in of_truth) / len(cases):.2f}",
             "", "| sort | cases | expected calibration error of the likeliest | were it calibrated: median, 95th percentile |"
             " likeliest is right |", "|---|---|---|---|---|", *sorts(cases, leading),
             "", "| probability given | likeliest: right | mean given | all: right | mean given |", "|---|---|---|---|---|",
-            *rows(leading, all_of_them)]
+            *rows(leading, all_of_them),
+            "", "| undeclared | right name | wrong name | unexplained | nothing missing |", "|---|---|---|---|---|",
+            *verdicts(cases)]
+
+
+def verdicts(cases):
+    """What follows of them (judge.py), by what was put in; sizes in noises."""
+    of = {"nothing": [], "under 2 noises": [], "2 noises and more": [], "outside of the catalogue, under 2": [],
+          "outside of the catalogue, 2 and more": []}
+    for case in cases:
+        large = (case.get("size") or 0) >= NEARLY_TWO
+        name = ("2 noises and more" if large else "under 2 noises") if case["truth"] else "nothing"
+        if case["outside"]:
+            name = f"outside of the catalogue, {'2 and more' if large else 'under 2'}"
+        of[name].append(case)
+    for name, inside in of.items():
+        explained = [r for r in inside if r["verdict"] == "explained"]
+        counts = [sum(r["right"] for r in explained), sum(not r["right"] for r in explained)]
+        counts += [sum(r["verdict"] == verdict for r in inside) for verdict in ("unexplained", "nothing-missing")]
+        if inside:
+            yield f"| {name} | {' | '.join(str(count) for count in counts)} |"
 
 
 def sorts(cases, leading):

@@ -23,6 +23,7 @@ Result<FoundEffects> found_effects(const Search& search, const Candidate& declar
                                    const std::optional<double>& held_out_rms, double rms) {
   const Observations& all = search.model().observations();
   FoundParameters parameters = found_parameters(search, chosen);
+  std::vector<std::vector<std::string>> alike = alike_kinds(search, chosen, in_place);
   FoundEffects found{{}, std::move(parameters.notes)};
   for (std::size_t which = 0; which < chosen.fit.settings.size(); ++which) {
     const Setting& setting = chosen.fit.settings[which];
@@ -38,17 +39,26 @@ Result<FoundEffects> found_effects(const Search& search, const Candidate& declar
     if (search.folds().any() && smaller->left_out.given)
       effect.held_out_rms_without = error_figures(all, smaller->left_out.predicted).rms;
     effect.removed_rms = error_figures(all, smaller->fit.predicted).rms - rms;
-    for (const Candidate& other : in_place[which]) {
-      const bool known =
-          other.kind == setting.kind || std::count(effect.alike.begin(), effect.alike.end(), other.kind) > 0;
-      if (!known && other.left_out.given && search.bic_of(other) < search.bic_of(chosen) + search.options().alike_bic)
-        effect.alike.push_back(other.kind);
-    }
+    effect.alike = std::move(alike[which]);
     found.effects.push_back(std::move(effect));
   }
   std::stable_sort(found.effects.begin(), found.effects.end(),
                    [](const auto& a, const auto& b) { return a.removed_rms > b.removed_rms; });
   return found;
+}
+
+std::vector<std::vector<std::string>> alike_kinds(const Search& search, const Candidate& chosen,
+                                                  const std::vector<std::vector<Candidate>>& in_place) {
+  std::vector<std::vector<std::string>> alike(chosen.fit.settings.size());
+  const double limit = search.bic_of(chosen) + search.options().alike_bic;
+  for (std::size_t which = 0; which < alike.size(); ++which) {
+    for (const Candidate& other : in_place[which]) {
+      const bool known = other.kind == chosen.fit.settings[which].kind ||
+                         std::count(alike[which].begin(), alike[which].end(), other.kind) > 0;
+      if (!known && other.left_out.given && search.bic_of(other) < limit) alike[which].push_back(other.kind);
+    }
+  }
+  return alike;
 }
 
 std::vector<RankedCandidate> ranking(const Search& search, const Candidate& declared,

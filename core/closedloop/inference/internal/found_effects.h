@@ -22,6 +22,10 @@ Result<FoundEffects> found_effects(const Search& search, const Candidate& declar
                                    const std::vector<std::vector<Candidate>>& in_place,
                                    const std::optional<double>& held_out_rms, double rms);
 
+// Of each setting of `chosen` the other kinds that the data cannot tell from it.
+[[nodiscard]] std::vector<std::vector<std::string>> alike_kinds(const Search& search, const Candidate& chosen,
+                                                                const std::vector<std::vector<Candidate>>& in_place);
+
 // Of each kind its best form alone, against the declared model; the best first, what was left out last.
 [[nodiscard]] std::vector<RankedCandidate> ranking(const Search& search, const Candidate& declared,
                                                    const std::vector<Candidate>& singles);

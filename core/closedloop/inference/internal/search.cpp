@@ -357,7 +357,7 @@ Result<Candidate> Search::forward(Candidate current, std::vector<Candidate>* sin
 
 void Search::consider(const std::vector<Candidate>& candidates) {
   for (const Candidate& candidate : candidates)
-    if (candidate.fitted()) considered_.push_back(local_fit(candidate.fit, whitening_));
+    if (candidate.fitted() && candidate.left_out.given) considered_.push_back(local_fit(candidate.fit, whitening_));
 }
 
 Result<std::vector<LocalFit>> Search::each_alone() const {
@@ -386,9 +386,13 @@ Result<std::vector<LocalFit>> Search::each_alone() const {
 Result<Candidate> Search::without(const Candidate& chosen, std::size_t which) const {
   Settings settings = chosen.fit.settings;
   settings.erase(settings.begin() + static_cast<std::ptrdiff_t>(which));
-  auto fitted = fit(model_, settings, whitening_, {}, progress_);
-  if (!fitted) return failure(std::move(fitted.error()));
-  return evaluated(std::move(*fitted));
+  return fitted(settings);
+}
+
+Result<Candidate> Search::fitted(const Settings& settings) const {
+  auto found = fit(model_, settings, whitening_, {}, progress_);
+  if (!found) return failure(std::move(found.error()));
+  return evaluated(std::move(*found));
 }
 
 // Effects that do not pay any more, now that others are there, leave. Where what is left repeats itself from row to

@@ -46,6 +46,9 @@ class Search {
   // The best candidate of each other kind in place of setting `which` of `chosen`, and the other forms of its own.
   Result<std::vector<Candidate>> in_place_of(const Candidate& chosen, std::size_t which) const;
 
+  // Fitted to the end from these settings.
+  Result<Candidate> fitted(const Settings& settings) const;
+
   // `chosen` without setting `which`, fitted again.
   Result<Candidate> without(const Candidate& chosen, std::size_t which) const;
 

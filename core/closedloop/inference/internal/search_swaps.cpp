@@ -9,7 +9,6 @@ namespace {
 
 using Others = std::vector<Candidate>;
 
-Result<std::vector<Others>> all_in_place_of(const Search& search, const Candidate& chosen, const Others& singles);
 Result<Others> in_place_of(const Search& search, const Candidate& chosen, std::size_t which, const Others& singles);
 bool takes_the_place(const Search& search, const Candidate& other, const Candidate& chosen, std::size_t which);
 
@@ -42,26 +41,24 @@ Result<Swapped> with_swaps(const Search& search, const Candidate& declared, Cand
     if (!swapped) return Swapped{std::move(chosen), std::move(in_place)};
   }
   // Still swapping: the last choice stands, and its alternatives are found once more.
-  return all_in_place_of(search, chosen, singles).map([&](std::vector<Others> in_place) {
-    return Swapped{std::move(chosen), std::move(in_place)};
-  });
+  return with_alternatives(search, std::move(chosen), singles);
 }
 
-namespace {
-
-Result<std::vector<Others>> all_in_place_of(const Search& search, const Candidate& chosen, const Others& singles) {
+Result<Swapped> with_alternatives(const Search& search, Candidate chosen, const std::vector<Candidate>& singles) {
   std::vector<Others> in_place;
   for (std::size_t which = 0; which < chosen.fit.settings.size(); ++which) {
     auto others = in_place_of(search, chosen, which, singles);
     if (!others) return failure(std::move(others.error()));
     in_place.push_back(std::move(*others));
   }
-  return in_place;
+  return Swapped{std::move(chosen), std::move(in_place)};
 }
 
-// What could stand in the place of a single effect was fitted in the search's first step.
+namespace {
+
+// What could stand in the place of a single effect was fitted in the search's first step, where there was one.
 Result<Others> in_place_of(const Search& search, const Candidate& chosen, std::size_t which, const Others& singles) {
-  if (chosen.fit.settings.size() != 1) return search.in_place_of(chosen, which);
+  if (chosen.fit.settings.size() != 1 || singles.empty()) return search.in_place_of(chosen, which);
   Others others = singles;
   const Setting& own = chosen.fit.settings.front();
   std::erase_if(others, [&](const Candidate& other) {

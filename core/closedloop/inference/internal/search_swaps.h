@@ -17,4 +17,7 @@ struct Swapped {
 Result<Swapped> with_swaps(const Search& search, const Candidate& declared, Candidate chosen,
                            const std::vector<Candidate>& singles);
 
+// `chosen` as it stands, with what was fitted in the place of each of its settings.
+Result<Swapped> with_alternatives(const Search& search, Candidate chosen, const std::vector<Candidate>& singles);
+
 }  // namespace glisson::closedloop
