@@ -102,8 +102,9 @@ TEST_F(SoftBlock, AShallowPressIsThatOfLinearElasticityInEveryLaw) {
     const auto contact = pressed(
         block, law, 1, [&](double) { return std::vector<ContactTool>{ball(radius_mm, center_mm)}; }, 0, 0.01);
     expect_rest(contact);
-    // Linear elasticity's own error at a strain of some per cent; the same mesh.
-    EXPECT_NEAR(contact.tools[0].force_mN.z() / slow_mN, 1, law == MaterialLaw::linear ? 0.05 : 0.1);
+    // The same mesh and, in the linear law, the same answer but for what lies between points: 0.06 % here. Others differ
+    // by themselves at a strain of some per cent: the corotational law by 3 %.
+    EXPECT_NEAR(contact.tools[0].force_mN.z() / slow_mN, 1, law == MaterialLaw::linear ? 0.01 : 0.05);
     RecordProperty("law_" + std::to_string(int(law)), std::to_string(contact.tools[0].force_mN.z() / slow_mN));
   }
 }
