@@ -7047,6 +7047,14 @@
         <source>--border wants BORDER=X,Y,Z with one of {0}, not &quot;{1}&quot;.</source>
         <translation>--border verlangt BORDER=X,Y,Z mit einem von {0}, nicht „{1}“.</translation>
     </message>
+    <message>
+        <source>The tool {0} slides past the body, which gives way under {1} N.</source>
+        <translation>Das Werkzeug {0} gleitet am Körper vorbei, der unter {1} N nachgibt.</translation>
+    </message>
+    <message>
+        <source>Push with less, or where the body holds against it.</source>
+        <translation>Drücken Sie schwächer oder dort, wo der Körper standhält.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

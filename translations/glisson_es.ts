@@ -7047,6 +7047,14 @@
         <source>--border wants BORDER=X,Y,Z with one of {0}, not &quot;{1}&quot;.</source>
         <translation>--border pide BORDER=X,Y,Z con uno de {0}, no «{1}».</translation>
     </message>
+    <message>
+        <source>The tool {0} slides past the body, which gives way under {1} N.</source>
+        <translation>La herramienta {0} resbala y pasa de largo: el cuerpo cede ante {1} N.</translation>
+    </message>
+    <message>
+        <source>Push with less, or where the body holds against it.</source>
+        <translation>Empuje con menos fuerza o donde el cuerpo resista.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

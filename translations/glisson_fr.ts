@@ -7047,6 +7047,14 @@
         <source>--border wants BORDER=X,Y,Z with one of {0}, not &quot;{1}&quot;.</source>
         <translation>--border demande BORDER=X,Y,Z avec l’un de {0}, non « {1} ».</translation>
     </message>
+    <message>
+        <source>The tool {0} slides past the body, which gives way under {1} N.</source>
+        <translation>L’outil {0} glisse et passe à côté du corps, qui cède sous {1}&#xa0;N.</translation>
+    </message>
+    <message>
+        <source>Push with less, or where the body holds against it.</source>
+        <translation>Poussez moins fort, ou là où le corps résiste.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

@@ -17,7 +17,7 @@
 // turned inside out where the law's energy is finite there; no state has any. A step moves the multipliers m on once.
 // Settling begins without them and with a stiffer k, and moves them on only where a tool is at rest deeper than the
 // tolerance: they keep to the body, and a smooth tool slides from under them. A pushed tool's advance is one unknown
-// more. A force spread over a patch is a dead load, as in statics.
+// more; near nothing it slides on to the next place. A force spread over a patch is a dead load, as in statics.
 //
 // Friction is elastic and perfectly plastic with return mapping (Wriggers, Computational Contact Mechanics, 5.2). A
 // spring along the surface, softer than k, ties a place to an anchor that goes with the tool. The place slips where the
@@ -112,7 +112,7 @@ class LiveBody {
 
   // A first picture with the tools where they are now; between two none should move by more than some millimetres. The
   // same beginning and tools give the same bits. Failures: "tool-invalid", "tool-touches-nothing", "not-converged"
-  // (no step leads on without turning cells inside out, or a tool would lie deep in the body).
+  // (no step leads on without turning cells inside out, a tool would lie deep in the body, or slides past it).
   [[nodiscard]] Result<LiveState> step(const LiveState& from, const std::vector<ContactTool>& tools,
                                        const LiveOptions& options = {}) const;
   // Until it has come to rest; `settled` says whether it did. Failures: those of step, and "cancelled".

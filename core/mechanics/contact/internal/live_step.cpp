@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
+#include <Eigen/Geometry>
 
 namespace glisson::mechanics {
 namespace {
@@ -20,6 +21,16 @@ constexpr double where_cut = 3;
 // Beyond those that were asked for, where cells are inside out on the way.
 constexpr int rounds_to_turn_back = 8;
 
+// Along its longest side.
+double size_mm(const ToolShape& shape) {
+  Eigen::AlignedBox3d box;
+  for (const Rod& rod : shape) {
+    const Vector3d around = Vector3d::Constant(rod.radius_mm);
+    for (const Vector3d& end : {rod.from_mm, rod.to_mm}) box.extend(end - around).extend(end + around);
+  }
+  return box.sizes().maxCoeff();
+}
+
 }  // namespace
 
 Result<LiveState> LiveStep::run(const LiveState& from, Until until) {
@@ -32,7 +43,7 @@ Result<LiveState> LiveStep::run(const LiveState& from, Until until) {
   const bool known = from.resisting_mN.size() == n_ && from.advances == state_.advances;
   now_ = known ? under_loads(from.resisting_mN, from.report.inverted_cells) : unbalanced(state_.u_mm);
   for (int round = 0;; ++round) {
-    find_places();
+    if (auto found = find_places(); !found) return failure(std::move(found.error()));
     limit_friction();
     face_walls();
     const VectorXd r_mN = with_tools(now_, state_.u_mm);
@@ -92,6 +103,15 @@ Error LiveStep::swallowed() const {
                GLISSON_TEXT("A tool would lie {0} mm deep in the body."),
                {fmt::format("{:.1f}", deepest_mm())},
                GLISSON_TEXT("Move it there in smaller steps, or away from the body."),
+               {}};
+}
+
+Error LiveStep::slides_past(std::size_t tool) const {
+  const double push_mN = *std::get<TouchingTool>(tools_[tool].what).push_mN;
+  return Error{"not-converged",
+               GLISSON_TEXT("The tool {0} slides past the body, which gives way under {1} N."),
+               {tools_[tool].id, fmt::format("{:.2f}", push_mN / 1e3)},
+               GLISSON_TEXT("Push with less, or where the body holds against it."),
                {}};
 }
 
@@ -227,13 +247,25 @@ VectorXd LiveStep::direction(const SplineLevels::WithRows& levels, const VectorX
   return step;
 }
 
-// All of the step, or less of it where it would climb far beyond the lowest place on its way. A law whose energy is
-// finite inside out leads through there, and back: at a cell's one point, near a place that presses, a step held short
-// of it would be held short for ever. Where the energy is infinite, no step goes there.
+// Of a step, so much that no pushed tool goes further than it is large: it would pass what it meets on its way. Where
+// nothing near resists it there is no end to the step.
+double LiveStep::longest_part(const VectorXd& step) const {
+  double part = 1;
+  for (std::size_t t = 0; t < tools_.size(); ++t) {
+    if (further_of_[t] < 0) continue;
+    const double way_mm = std::abs(step[n_ + further_of_[t]]);
+    part = std::min(part, size_mm(std::get<TouchingTool>(tools_[t].what).shape) / std::max(way_mm, 1e-12));
+  }
+  return part;
+}
+
+// That part of the step, or less of it where it would climb far beyond the lowest place on its way. A law whose energy
+// is finite inside out leads through there, and back: at a cell's one point, near a place that presses, a step held
+// short of it would be held short for ever. Where the energy is infinite, no step goes there.
 void LiveStep::go(const VectorXd& step, const VectorXd& r_mN) {
   const VectorXd before_mm = advance_mm_;
   const double slope = r_mN.dot(step);
-  double length = 1;
+  double length = longest_part(step);
   for (int attempt = 0;; ++attempt) {
     VectorXd u_mm = state_.u_mm + length * step.head(n_);
     for (std::size_t t = 0; t < tools_.size(); ++t) {

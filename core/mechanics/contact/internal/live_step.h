@@ -136,7 +136,9 @@ class LiveStep {
   Result<void> take_touching(std::size_t tool, const TouchingTool& touching, const LiveState& from);
   void begin(const LiveState& from, Until until);
   Result<void> take_patch(std::size_t tool, const ToolLoad& patch);
-  void find_places();
+  Result<void> find_places();
+  void add_near_places();
+  Result<void> slide_on(std::size_t tool);
   void add_place(std::size_t tool, std::size_t rod, const ContactPoint& at);
   void place_rods();
   void limit_friction();
@@ -158,6 +160,8 @@ class LiveStep {
   [[nodiscard]] Error turned_inside_out() const;
   [[nodiscard]] bool swallows_a_tool() const;
   [[nodiscard]] Error swallowed() const;
+  [[nodiscard]] Error slides_past(std::size_t tool) const;
+  [[nodiscard]] double longest_part(const Eigen::VectorXd& step) const;
   void go(const Eigen::VectorXd& step, const Eigen::VectorXd& r_mN);
   [[nodiscard]] double estimate(const SplineLevels::WithRows& levels) const;
   void move_multipliers_on();

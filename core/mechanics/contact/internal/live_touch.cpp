@@ -15,6 +15,7 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 constexpr double jaws_are_stiffer = 20;
+constexpr double margin_mm = 0.5;  // that a place is near within
 
 std::vector<std::pair<int, Vector3d>> directions_at(const ContactConstraint& place, const Vector3d& direction) {
   std::vector<std::pair<int, Vector3d>> on;
@@ -113,12 +114,37 @@ Result<void> LiveStep::take_patch(std::size_t tool, const ToolLoad& patch) {
 }
 
 // Those that come near join without a force; those that were left go.
-void LiveStep::find_places() {
-  constexpr double margin_mm = 0.5, deepest_between_mm = 0.2;
+Result<void> LiveStep::find_places() {
   std::erase_if(places_, [&](const ContactConstraint& place) {
     const Gap gap = gap_of(place, state_.u_mm);
     return gap.mm > margin_mm && normal_force_mN(place, gap) == 0;
   });
+  add_near_places();
+  for (std::size_t t = 0; t < tools_.size(); ++t) {
+    if (further_of_[t] < 0) continue;
+    if (auto met = slide_on(t); !met) return met;
+  }
+  place_rods();
+  return {};
+}
+
+// A pushed tool that is near no place, until it is: what nothing resists would go any way. It first touches the surface
+// between the places, as on an edge, and then goes by steps that no place is passed in.
+Result<void> LiveStep::slide_on(std::size_t tool) {
+  TouchingTool pushed = std::get<TouchingTool>(tools_[tool].what);
+  const auto of_it = [&](const ContactConstraint& place) { return place.tool == tool; };
+  while (*pushed.push_mN > 0 && std::none_of(places_.begin(), places_.end(), of_it)) {
+    pushed.pose = pose_of(tool);
+    const auto way_mm = way_to_surface(parts_.surface, pushed, parts_.surface_of(state_.u_mm));
+    if (!way_mm) return failure(slides_past(tool));
+    advance_mm_[static_cast<Eigen::Index>(tool)] += std::max(*way_mm, margin_mm);
+    add_near_places();
+  }
+  return {};
+}
+
+void LiveStep::add_near_places() {
+  constexpr double deepest_between_mm = 0.2;
   for (const NearPoint& near :
        points_near(parts_.body, tools_, advance_mm_, state_.u_mm, margin_mm, deepest_between_mm)) {
     const bool known = std::any_of(places_.begin(), places_.end(), [&](const ContactConstraint& other) {
@@ -126,7 +152,6 @@ void LiveStep::find_places() {
     });
     if (!known) add_place(near.tool, near.rod, near.at);
   }
-  place_rods();
 }
 
 void LiveStep::add_place(std::size_t tool, std::size_t rod, const ContactPoint& at) {
