@@ -7039,6 +7039,38 @@
         <source>--border wants BORDER=X,Y,Z with one of {0}, not &quot;{1}&quot;.</source>
         <translation>--border verlangt BORDER=X,Y,Z mit einem von {0}, nicht „{1}“.</translation>
     </message>
+    <message>
+        <source>The outline to find vessels in holds nothing.</source>
+        <translation>Der Umriss, in dem Gefäße gesucht werden, enthält nichts.</translation>
+    </message>
+    <message>
+        <source>Finding vessels</source>
+        <translation>Gefäße werden gesucht</translation>
+    </message>
+    <message>
+        <source>Nothing in the outline stands out as a tube.</source>
+        <translation>Nichts im Umriss hebt sich als Röhre ab.</translation>
+    </message>
+    <message>
+        <source>Vessels need contrast: take another phase or sequence, grow them from seeds, or import their outline.</source>
+        <translation>Gefäße brauchen Kontrast: Nehmen Sie eine andere Phase oder Sequenz, lassen Sie sie aus Punkten wachsen oder importieren Sie ihren Umriss.</translation>
+    </message>
+    <message>
+        <source>Vessels are brighter than the tissue around by {0}: {1} ml, {2} % of the outline.</source>
+        <translation>Gefäße sind um {0} heller als das Gewebe ringsum: {1} ml, {2} % des Umrisses.</translation>
+    </message>
+    <message>
+        <source>Vessels are darker than the tissue around by {0}: {1} ml, {2} % of the outline.</source>
+        <translation>Gefäße sind um {0} dunkler als das Gewebe ringsum: {1} ml, {2} % des Umrisses.</translation>
+    </message>
+    <message>
+        <source>The seed at ({0}) mm lies more than {1} mm from every vessel found.</source>
+        <translation>Der Punkt bei ({0}) mm liegt mehr als {1} mm von jedem gefundenen Gefäß entfernt.</translation>
+    </message>
+    <message>
+        <source>Move the seed onto a vessel, or leave seeds out: then all vessels are kept.</source>
+        <translation>Setzen Sie den Punkt auf ein Gefäß, oder lassen Sie Punkte weg: Dann bleiben alle Gefäße.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>
@@ -11386,10 +11418,6 @@ sicher %</translation>
         <translation>Etwas umfahren und wegschneiden, was innen oder außen ist</translation>
     </message>
     <message>
-        <source>Click points into the tissue, then let the structure grow over what looks alike</source>
-        <translation>Setzen Sie Punkte ins Gewebe und lassen Sie die Struktur dann über Gleichartiges wachsen</translation>
-    </message>
-    <message>
         <source>%1 (key %2)</source>
         <translation>%1 (Taste %2)</translation>
     </message>
@@ -11550,10 +11578,6 @@ sicher %</translation>
         <translation>Wie weit die Schere vor und hinter dieser Schicht schneidet, in mm</translation>
     </message>
     <message>
-        <source>Click into the vessel where it stands out best. Points so far: %1</source>
-        <translation>In das Gefäß klicken, wo es sich am besten abhebt. Punkte bisher: %1</translation>
-    </message>
-    <message>
         <source>Click into the middle of it. Points so far: %1</source>
         <translation>In die Mitte davon klicken. Punkte bisher: %1</translation>
     </message>
@@ -11582,6 +11606,34 @@ sicher %</translation>
     <message>
         <source>Click on the piece that is to stay; all others go. Ctrl: takes off the part under the pointer</source>
         <translation>Klicken Sie auf das Stück, das bleiben soll; alle anderen verschwinden. Strg: nimmt den Teil unter dem Zeiger ab</translation>
+    </message>
+    <message>
+        <source>Outline the liver first.</source>
+        <translation>Umreißen Sie zuerst die Leber.</translation>
+    </message>
+    <message>
+        <source>Replaces the outline by all that is shaped like a vessel in the liver</source>
+        <translation>Ersetzt den Umriss durch alles, was in der Leber wie ein Gefäß geformt ist</translation>
+    </message>
+    <message>
+        <source>Replaces the outline by the vessels in the liver that hang on the points</source>
+        <translation>Ersetzt den Umriss durch die Gefäße der Leber, die an den Punkten hängen</translation>
+    </message>
+    <message>
+        <source>Click into the vessel where it stands out best, or let all vessels be found. Points so far: %1</source>
+        <translation>Klicken Sie in das Gefäß, wo es sich am besten abhebt, oder lassen Sie alle Gefäße finden. Punkte bisher: %1</translation>
+    </message>
+    <message>
+        <source>Finding vessels: %1</source>
+        <translation>Gefäße werden gesucht: %1</translation>
+    </message>
+    <message>
+        <source>Click points into the tissue, then let the structure grow over what looks alike; vessels are found without</source>
+        <translation>Klicken Sie Punkte in das Gewebe und lassen Sie die Struktur über Gleiches wachsen; Gefäße werden auch ohne gefunden</translation>
+    </message>
+    <message>
+        <source>Find</source>
+        <translation>Finden</translation>
     </message>
 </context>
 <context>

@@ -7039,6 +7039,38 @@
         <source>--border wants BORDER=X,Y,Z with one of {0}, not &quot;{1}&quot;.</source>
         <translation>--border pide BORDER=X,Y,Z con uno de {0}, no «{1}».</translation>
     </message>
+    <message>
+        <source>The outline to find vessels in holds nothing.</source>
+        <translation>El contorno en el que se buscan vasos no contiene nada.</translation>
+    </message>
+    <message>
+        <source>Finding vessels</source>
+        <translation>Buscando vasos</translation>
+    </message>
+    <message>
+        <source>Nothing in the outline stands out as a tube.</source>
+        <translation>Nada en el contorno destaca como un tubo.</translation>
+    </message>
+    <message>
+        <source>Vessels need contrast: take another phase or sequence, grow them from seeds, or import their outline.</source>
+        <translation>Los vasos necesitan contraste: tome otra fase o secuencia, hágalos crecer desde puntos o importe su contorno.</translation>
+    </message>
+    <message>
+        <source>Vessels are brighter than the tissue around by {0}: {1} ml, {2} % of the outline.</source>
+        <translation>Los vasos son {0} más claros que el tejido de alrededor: {1} ml, {2} % del contorno.</translation>
+    </message>
+    <message>
+        <source>Vessels are darker than the tissue around by {0}: {1} ml, {2} % of the outline.</source>
+        <translation>Los vasos son {0} más oscuros que el tejido de alrededor: {1} ml, {2} % del contorno.</translation>
+    </message>
+    <message>
+        <source>The seed at ({0}) mm lies more than {1} mm from every vessel found.</source>
+        <translation>El punto en ({0}) mm está a más de {1} mm de todo vaso encontrado.</translation>
+    </message>
+    <message>
+        <source>Move the seed onto a vessel, or leave seeds out: then all vessels are kept.</source>
+        <translation>Ponga el punto sobre un vaso, o prescinda de puntos: entonces quedan todos los vasos.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>
@@ -11389,10 +11421,6 @@ seguro %</translation>
         <translation>Rodee algo y corte lo que queda dentro o fuera</translation>
     </message>
     <message>
-        <source>Click points into the tissue, then let the structure grow over what looks alike</source>
-        <translation>Marque puntos en el tejido y deje que la estructura crezca sobre lo que se le parece</translation>
-    </message>
-    <message>
         <source>%1 (key %2)</source>
         <translation>%1 (tecla %2)</translation>
     </message>
@@ -11553,10 +11581,6 @@ seguro %</translation>
         <translation>Hasta dónde cortan las tijeras delante y detrás de este corte, en mm</translation>
     </message>
     <message>
-        <source>Click into the vessel where it stands out best. Points so far: %1</source>
-        <translation>Haga clic en el vaso donde mejor destaque. Puntos hasta ahora: %1</translation>
-    </message>
-    <message>
         <source>Click into the middle of it. Points so far: %1</source>
         <translation>Haga clic en el medio. Puntos hasta ahora: %1</translation>
     </message>
@@ -11585,6 +11609,34 @@ seguro %</translation>
     <message>
         <source>Click on the piece that is to stay; all others go. Ctrl: takes off the part under the pointer</source>
         <translation>Haga clic en el trozo que debe quedar; los demás desaparecen. Ctrl: quita la parte bajo el puntero</translation>
+    </message>
+    <message>
+        <source>Outline the liver first.</source>
+        <translation>Contornee primero el hígado.</translation>
+    </message>
+    <message>
+        <source>Replaces the outline by all that is shaped like a vessel in the liver</source>
+        <translation>Sustituye el contorno por todo lo que en el hígado tiene forma de vaso</translation>
+    </message>
+    <message>
+        <source>Replaces the outline by the vessels in the liver that hang on the points</source>
+        <translation>Sustituye el contorno por los vasos del hígado unidos a los puntos</translation>
+    </message>
+    <message>
+        <source>Click into the vessel where it stands out best, or let all vessels be found. Points so far: %1</source>
+        <translation>Haga clic en el vaso donde mejor destaca, o haga buscar todos los vasos. Puntos hasta ahora: %1</translation>
+    </message>
+    <message>
+        <source>Finding vessels: %1</source>
+        <translation>Buscando vasos: %1</translation>
+    </message>
+    <message>
+        <source>Click points into the tissue, then let the structure grow over what looks alike; vessels are found without</source>
+        <translation>Haga clic en puntos del tejido y deje crecer la estructura por lo parecido; los vasos se encuentran también sin ellos</translation>
+    </message>
+    <message>
+        <source>Find</source>
+        <translation>Buscar</translation>
     </message>
 </context>
 <context>

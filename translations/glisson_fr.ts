@@ -7039,6 +7039,38 @@
         <source>--border wants BORDER=X,Y,Z with one of {0}, not &quot;{1}&quot;.</source>
         <translation>--border demande BORDER=X,Y,Z avec l’un de {0}, non « {1} ».</translation>
     </message>
+    <message>
+        <source>The outline to find vessels in holds nothing.</source>
+        <translation>Le contour où chercher des vaisseaux ne contient rien.</translation>
+    </message>
+    <message>
+        <source>Finding vessels</source>
+        <translation>Recherche des vaisseaux</translation>
+    </message>
+    <message>
+        <source>Nothing in the outline stands out as a tube.</source>
+        <translation>Rien dans le contour ne se détache comme un tube.</translation>
+    </message>
+    <message>
+        <source>Vessels need contrast: take another phase or sequence, grow them from seeds, or import their outline.</source>
+        <translation>Les vaisseaux ont besoin de contraste : prenez une autre phase ou séquence, faites-les croître à partir de points ou importez leur contour.</translation>
+    </message>
+    <message>
+        <source>Vessels are brighter than the tissue around by {0}: {1} ml, {2} % of the outline.</source>
+        <translation>Les vaisseaux sont plus clairs de {0} que le tissu autour : {1} ml, {2} % du contour.</translation>
+    </message>
+    <message>
+        <source>Vessels are darker than the tissue around by {0}: {1} ml, {2} % of the outline.</source>
+        <translation>Les vaisseaux sont plus sombres de {0} que le tissu autour : {1} ml, {2} % du contour.</translation>
+    </message>
+    <message>
+        <source>The seed at ({0}) mm lies more than {1} mm from every vessel found.</source>
+        <translation>Le point à ({0}) mm est à plus de {1} mm de tout vaisseau trouvé.</translation>
+    </message>
+    <message>
+        <source>Move the seed onto a vessel, or leave seeds out: then all vessels are kept.</source>
+        <translation>Placez le point sur un vaisseau, ou n’en donnez pas : alors tous les vaisseaux restent.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>
@@ -11389,10 +11421,6 @@ sûr %</translation>
         <translation>Entourer quelque chose et enlever ce qui est à l’intérieur ou à l’extérieur</translation>
     </message>
     <message>
-        <source>Click points into the tissue, then let the structure grow over what looks alike</source>
-        <translation>Placez des points dans le tissu, puis laissez la structure s’étendre sur ce qui lui ressemble</translation>
-    </message>
-    <message>
         <source>%1 (key %2)</source>
         <translation>%1 (touche %2)</translation>
     </message>
@@ -11553,10 +11581,6 @@ sûr %</translation>
         <translation>Distance de coupe des ciseaux devant et derrière cette coupe, en mm</translation>
     </message>
     <message>
-        <source>Click into the vessel where it stands out best. Points so far: %1</source>
-        <translation>Cliquez dans le vaisseau là où il se détache le mieux. Points jusqu&apos;ici : %1</translation>
-    </message>
-    <message>
         <source>Click into the middle of it. Points so far: %1</source>
         <translation>Cliquez au milieu. Points jusqu&apos;ici : %1</translation>
     </message>
@@ -11585,6 +11609,34 @@ sûr %</translation>
     <message>
         <source>Click on the piece that is to stay; all others go. Ctrl: takes off the part under the pointer</source>
         <translation>Cliquez sur le morceau à garder ; les autres disparaissent. Ctrl : retire la partie sous le pointeur</translation>
+    </message>
+    <message>
+        <source>Outline the liver first.</source>
+        <translation>Délimitez d’abord le foie.</translation>
+    </message>
+    <message>
+        <source>Replaces the outline by all that is shaped like a vessel in the liver</source>
+        <translation>Remplace le contour par tout ce qui, dans le foie, a la forme d’un vaisseau</translation>
+    </message>
+    <message>
+        <source>Replaces the outline by the vessels in the liver that hang on the points</source>
+        <translation>Remplace le contour par les vaisseaux du foie reliés aux points</translation>
+    </message>
+    <message>
+        <source>Click into the vessel where it stands out best, or let all vessels be found. Points so far: %1</source>
+        <translation>Cliquez dans le vaisseau là où il se détache le mieux, ou faites trouver tous les vaisseaux. Points : %1</translation>
+    </message>
+    <message>
+        <source>Finding vessels: %1</source>
+        <translation>Recherche des vaisseaux : %1</translation>
+    </message>
+    <message>
+        <source>Click points into the tissue, then let the structure grow over what looks alike; vessels are found without</source>
+        <translation>Cliquez des points dans le tissu, puis laissez la structure croître sur ce qui lui ressemble ; les vaisseaux se trouvent aussi sans</translation>
+    </message>
+    <message>
+        <source>Find</source>
+        <translation>Trouver</translation>
     </message>
 </context>
 <context>

@@ -167,6 +167,12 @@ class Case:
 
         Raises glisson.Error: step-unknown, step-does-not-fit, step-content-gone, step-changes-nothing."""
 
+    def segment_vessels(self, name: str, seeds_mm: numpy.typing.ArrayLike = ..., *, within: str = ..., brightness: Optional[str] = ..., progress: Optional[Callable[[float, str], Any]] = ...) -> Dict[str, Any]:
+        """Finds the vessels of the anatomy inside of a structure by their shape and saves them. With points (n x 3, LPS, mm) only those that hang on one. brightness "bright" or "dark"; without it, what more of the tubes are.
+
+        progress(fraction, stage) is told how far it is; KeyboardInterrupt cancels.
+        Raises glisson.Error: choice-unknown, structure-unknown, vessels-no-organ, vessels-none, vessels-seed-off."""
+
     def session(self, *, material: str = ..., progress: Optional[Callable[[float, str], Any]] = ...) -> Session:
         """A Session of this patient as the window rehearses, so that its recordings replay to the bit.
 
@@ -1113,6 +1119,13 @@ def scan(path: str | os.PathLike[str], *, progress: Optional[Callable[[float, st
 
     progress(fraction, stage) is told how far it is.
     Raises glisson.Error: path-not-found, path-not-readable, dicomdir-damaged."""
+
+def segment_vessels(image: Volume, organ: Mask, seeds_mm: numpy.typing.ArrayLike = ..., *, brightness: Optional[str] = ..., progress: Optional[Callable[[float, str], Any]] = ...) -> Grown:
+    """The vessels of an organ by their shape, without a point; with points (n x 3, LPS, mm) those that hang on one.
+    brightness "bright" or "dark"; without it, what more of the tubes are.
+
+    Raises glisson.Error: choice-unknown, grids-differ, grow-bad-image, grow-seed-outside, vessels-no-organ, vessels-none,
+    vessels-seed-off."""
 
 def set_thread_count(threads: int) -> None:
     """How many threads loops use; 0 means as many as the machine has."""
