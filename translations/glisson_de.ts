@@ -7071,6 +7071,10 @@
         <source>Move the seed onto a vessel, or leave seeds out: then all vessels are kept.</source>
         <translation>Setzen Sie den Punkt auf ein Gefäß, oder lassen Sie Punkte weg: Dann bleiben alle Gefäße.</translation>
     </message>
+    <message>
+        <source>What {1} was made from has changed since, and {0} was made from that: make {1} anew, then {0}.</source>
+        <translation>Woraus {1} gemacht ist, hat sich seither geändert, und {0} ist daraus gemacht: Machen Sie {1} neu, dann {0}.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

@@ -7071,6 +7071,10 @@
         <source>Move the seed onto a vessel, or leave seeds out: then all vessels are kept.</source>
         <translation>Ponga el punto sobre un vaso, o prescinda de puntos: entonces quedan todos los vasos.</translation>
     </message>
+    <message>
+        <source>What {1} was made from has changed since, and {0} was made from that: make {1} anew, then {0}.</source>
+        <translation>Aquello de lo que se hizo {1} ha cambiado desde entonces, y {0} se hizo de ello: haga de nuevo {1} y después {0}.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

@@ -7071,6 +7071,10 @@
         <source>Move the seed onto a vessel, or leave seeds out: then all vessels are kept.</source>
         <translation>Placez le point sur un vaisseau, ou n’en donnez pas : alors tous les vaisseaux restent.</translation>
     </message>
+    <message>
+        <source>What {1} was made from has changed since, and {0} was made from that: make {1} anew, then {0}.</source>
+        <translation>Ce dont {1} a été fait a changé depuis, et {0} en a été fait : refaites {1}, puis {0}.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>
