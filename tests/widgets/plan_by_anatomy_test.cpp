@@ -157,6 +157,12 @@ class PlanByAnatomyTest : public QObject {
     const auto* branches = child<QTableWidget>("branches_cut");
     QVERIFY(branches->rowCount() > 0);
     QVERIFY(branches->item(0, PlanByAnatomy::branch_column)->text().contains(" vein"));
+    // Arteries below them, by their own length, each in its own colour.
+    const QTableWidgetItem* artery = branches->item(branches->rowCount() - 1, PlanByAnatomy::branch_column);
+    QVERIFY2(artery->text().startsWith("Hepatic artery"), qPrintable(artery->text()));
+    QVERIFY(branches->item(artery->row(), PlanByAnatomy::beyond_column)->text().endsWith("mm"));
+    QVERIFY(branches->item(0, PlanByAnatomy::beyond_column)->text().endsWith("ml"));
+    QVERIFY(!artery->icon().isNull());
     const double before_ml = answer.remnant_ml;
     auto* shift = child<QDoubleSpinBox>("cut_shift");
     shift->setValue(shift->value() + 12);

@@ -130,7 +130,9 @@ QWidget* PlanByAnatomy::make_anatomy() {
   keep_translated(group, [=, this] {
     title->setText(tr("Segments and tumours"));
     find_->setText(tr("Find segments"));
-    find_->setToolTip(tr("By the portal and hepatic veins where both are outlined, else by the liver's shape alone"));
+    find_->setToolTip(
+        tr("By the portal and hepatic veins where both are outlined, else by the liver's shape alone. Arteries "
+           "and bile ducts that are outlined get trees too"));
     segments_->setHorizontalHeaderLabels({tr("Segment"), tr("ml"), tr("Stays, ml"), tr("kPa")});
     segments_->horizontalHeaderItem(stiffness_column)
         ->setToolTip(tr("Mean stiffness (Young's modulus) of the tissue that was measured; faint under half of it"));
@@ -175,9 +177,11 @@ QWidget* PlanByAnatomy::make_answer() {
   column->addWidget(branches_);
   keep_translated(answer_, [this] {
     branches_title_->setText(tr("Branches cut"));
-    branches_->setHorizontalHeaderLabels({tr("Branch"), tr("mm"), tr("Beyond, ml"), tr("Left, ml")});
+    branches_->setHorizontalHeaderLabels({tr("Branch"), tr("mm"), tr("Beyond"), tr("Left")});
     branches_->horizontalHeaderItem(width_column)->setToolTip(tr("Diameter where it is cut"));
-    branches_->horizontalHeaderItem(beyond_column)->setToolTip(tr("All tissue that it feeds or drains beyond the cut"));
+    branches_->horizontalHeaderItem(beyond_column)
+        ->setToolTip(
+            tr("All tissue that it feeds or drains beyond the cut; of an artery or a bile duct its own length"));
     branches_->horizontalHeaderItem(left_column)->setToolTip(tr("What of that stays in the patient without it"));
   });
   return answer_;

@@ -87,6 +87,7 @@ class PlanByAnatomy : public QWidget {
   void cuts_changed();
   void show_anatomy();
   void show_answer();
+  void show_branches(const planning::PlanAnswer& answer);
   void show_unrolled();
   // Whether all is known of the cut as it is now set, so that it can be kept.
   [[nodiscard]] bool complete() const;
