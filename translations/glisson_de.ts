@@ -7256,10 +7256,6 @@
         <translation>Verläuft durch das Fadenkreuz</translation>
     </message>
     <message>
-        <source>The border of these two segments is to pass the crosshair. Segments are found again by it, and are less in doubt</source>
-        <translation>Die Grenze dieser beiden Segmente soll durch das Fadenkreuz gehen. Segmente werden danach neu bestimmt und sind weniger fraglich</translation>
-    </message>
-    <message>
         <source>First stands the border that runs nearest to the crosshair</source>
         <translation>Zuerst steht die Grenze, die dem Fadenkreuz am nächsten verläuft</translation>
     </message>
@@ -7274,6 +7270,10 @@
     <message>
         <source>Places on borders that were set by hand: %1. Segments are found again without the last</source>
         <translation>Von Hand gesetzte Stellen auf Grenzen: %1. Segmente werden ohne die letzte neu bestimmt</translation>
+    </message>
+    <message>
+        <source>The border of these two segments is to pass the crosshair. Segments are found again by it, and are less in doubt. Its mark is dragged in a slice or in 3D; Delete takes away the one that was clicked on</source>
+        <translation>Die Grenze dieser beiden Segmente soll durch das Fadenkreuz gehen. Segmente werden danach neu bestimmt und sind weniger fraglich. Ihre Marke lässt sich in einer Schicht oder in 3D ziehen; Entf nimmt die angeklickte weg</translation>
     </message>
 </context>
 <context>

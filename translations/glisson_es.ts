@@ -7256,10 +7256,6 @@
         <translation>Pasa por la cruz</translation>
     </message>
     <message>
-        <source>The border of these two segments is to pass the crosshair. Segments are found again by it, and are less in doubt</source>
-        <translation>El límite de estos dos segmentos ha de pasar por la cruz. Los segmentos se hallan de nuevo según él y están menos en duda</translation>
-    </message>
-    <message>
         <source>First stands the border that runs nearest to the crosshair</source>
         <translation>Primero está el límite que pasa más cerca de la cruz</translation>
     </message>
@@ -7274,6 +7270,10 @@
     <message>
         <source>Places on borders that were set by hand: %1. Segments are found again without the last</source>
         <translation>Lugares en límites puestos a mano: %1. Los segmentos se hallan de nuevo sin el último</translation>
+    </message>
+    <message>
+        <source>The border of these two segments is to pass the crosshair. Segments are found again by it, and are less in doubt. Its mark is dragged in a slice or in 3D; Delete takes away the one that was clicked on</source>
+        <translation>El límite de estos dos segmentos debe pasar por la cruz. Los segmentos se hallan de nuevo según él y hay menos en duda. Su marca se arrastra en un corte o en 3D; Supr quita la que se ha pulsado</translation>
     </message>
 </context>
 <context>

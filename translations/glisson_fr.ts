@@ -7256,10 +7256,6 @@
         <translation>Passe par le réticule</translation>
     </message>
     <message>
-        <source>The border of these two segments is to pass the crosshair. Segments are found again by it, and are less in doubt</source>
-        <translation>La limite de ces deux segments doit passer par le réticule. Les segments sont retrouvés d’après elle et sont moins incertains</translation>
-    </message>
-    <message>
         <source>First stands the border that runs nearest to the crosshair</source>
         <translation>En premier figure la limite qui passe le plus près du réticule</translation>
     </message>
@@ -7274,6 +7270,10 @@
     <message>
         <source>Places on borders that were set by hand: %1. Segments are found again without the last</source>
         <translation>Endroits sur des limites placés à la main : %1. Les segments sont retrouvés sans le dernier</translation>
+    </message>
+    <message>
+        <source>The border of these two segments is to pass the crosshair. Segments are found again by it, and are less in doubt. Its mark is dragged in a slice or in 3D; Delete takes away the one that was clicked on</source>
+        <translation>La limite de ces deux segments doit passer par le réticule. Les segments sont retrouvés d’après elle, et sont moins incertains. Son repère se déplace dans une coupe ou en 3D ; Suppr ôte celui sur lequel on a cliqué</translation>
     </message>
 </context>
 <context>

@@ -260,9 +260,6 @@ void PlanByAnatomy::add_to(WorkspaceScene& scene) const {
       scene.surfaces.push_back({"liver", anatomy->segments[s], colour_of_segment(s), 0.75, scene::Finish::solid, {}});
       scene.key.push_back({colour_of_segment(s), vasculature::segment_name(s)});
     }
-    for (const vasculature::BorderPlace& place : anatomy->told.borders) {
-      scene.marks.push_back({vasculature::border_name(place.segments), place.position_mm, 2, {1, 1, 1}});
-    }
     return;
   }
   const auto& result = live_->result();
