@@ -5044,20 +5044,8 @@
         <translation>Segment</translation>
     </message>
     <message>
-        <source>{0}: branches that are cut, with the tissue beyond the cut.</source>
-        <translation>{0}: Äste, die durchtrennt werden, mit dem Gewebe jenseits des Schnitts.</translation>
-    </message>
-    <message>
         <source>Branch</source>
         <translation>Ast</translation>
-    </message>
-    <message>
-        <source>Beyond it (ml)</source>
-        <translation>Dahinter (ml)</translation>
-    </message>
-    <message>
-        <source>Of that left (ml)</source>
-        <translation>Davon bleibt (ml)</translation>
     </message>
     <message>
         <source>Make the demo anew.</source>
@@ -7012,10 +7000,6 @@
         <translation>Wahrscheinlichkeit von {0} oder von dem, was diese Daten nicht davon unterscheiden: {1}.</translation>
     </message>
     <message>
-        <source>portal-vein and hepatic-vein hold the same vessels: {0} % of the smaller one.</source>
-        <translation>portal-vein und hepatic-vein enthalten dieselben Gefäße: {0} % der kleineren Struktur.</translation>
-    </message>
-    <message>
         <source>Unite them in one structure, vessels: its systems are told apart.</source>
         <translation>Vereinigen Sie sie in einer Struktur, vessels: Deren Systeme werden unterschieden.</translation>
     </message>
@@ -7074,6 +7058,46 @@
     <message>
         <source>What {1} was made from has changed since, and {0} was made from that: make {1} anew, then {0}.</source>
         <translation>Woraus {1} gemacht ist, hat sich seither geändert, und {0} ist daraus gemacht: Machen Sie {1} neu, dann {0}.</translation>
+    </message>
+    <message>
+        <source>The vessel trees were made before there was {0}: find the vessels again.</source>
+        <translation>Die Gefäßbäume wurden bestimmt, bevor es {0} gab: Bestimmen Sie die Gefäße neu.</translation>
+    </message>
+    <message>
+        <source>{1} and {2} hold the same vessels: {0} % of the smaller one.</source>
+        <translation>{1} und {2} enthalten dieselben Gefäße: {0} % des kleineren.</translation>
+    </message>
+    <message>
+        <source>Take the one out of the other: glisson-cli segment --subtract.</source>
+        <translation>Nehmen Sie das eine aus dem anderen heraus: glisson-cli segment --subtract.</translation>
+    </message>
+    <message>
+        <source>{0} holds a piece as wide as it is long, which is no vessel.</source>
+        <translation>{0} enthält ein Stück, das so breit wie lang ist und kein Gefäß.</translation>
+    </message>
+    <message>
+        <source>Outline vessels and ducts alone, the gall bladder by itself.</source>
+        <translation>Umreißen Sie Gefäße und Gänge allein, die Gallenblase für sich.</translation>
+    </message>
+    <message>
+        <source>{0} has no tissue of its own: arteries and bile ducts run with portal branches.</source>
+        <translation>{0} hat kein eigenes Gewebe: Arterien und Gallengänge laufen mit Ästen der Pfortader.</translation>
+    </message>
+    <message>
+        <source>Take the portal branch beside it.</source>
+        <translation>Nehmen Sie den Pfortaderast daneben.</translation>
+    </message>
+    <message>
+        <source>{0}: branches that are cut, with the tissue beyond the cut; of arteries and bile ducts their own length.</source>
+        <translation>{0}: durchtrennte Äste, mit dem Gewebe jenseits des Schnitts; von Arterien und Gallengängen ihre eigene Länge.</translation>
+    </message>
+    <message>
+        <source>Beyond it</source>
+        <translation>Dahinter</translation>
+    </message>
+    <message>
+        <source>Of that left</source>
+        <translation>Davon bleibt</translation>
     </message>
 </context>
 <context>
@@ -7268,10 +7292,6 @@
         <translation>Verläuft durch das Fadenkreuz</translation>
     </message>
     <message>
-        <source>The border of these two segments is to pass the crosshair. Segments are found again by it, and are less in doubt</source>
-        <translation>Die Grenze dieser beiden Segmente soll durch das Fadenkreuz gehen. Segmente werden danach neu bestimmt und sind weniger fraglich</translation>
-    </message>
-    <message>
         <source>First stands the border that runs nearest to the crosshair</source>
         <translation>Zuerst steht die Grenze, die dem Fadenkreuz am nächsten verläuft</translation>
     </message>
@@ -7286,6 +7306,10 @@
     <message>
         <source>Places on borders that were set by hand: %1. Segments are found again without the last</source>
         <translation>Von Hand gesetzte Stellen auf Grenzen: %1. Segmente werden ohne die letzte neu bestimmt</translation>
+    </message>
+    <message>
+        <source>The border of these two segments is to pass the crosshair. Segments are found again by it, and are less in doubt. Its mark is dragged in a slice or in 3D; Delete takes away the one that was clicked on</source>
+        <translation>Die Grenze dieser beiden Segmente soll durch das Fadenkreuz gehen. Segmente werden danach neu bestimmt und sind weniger fraglich. Ihre Marke lässt sich in einer Schicht oder in 3D ziehen; Entf nimmt die angeklickte weg</translation>
     </message>
 </context>
 <context>
@@ -9727,10 +9751,6 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Griffe am Fad
         <translation>Segmente bestimmen</translation>
     </message>
     <message>
-        <source>By the portal and hepatic veins where both are outlined, else by the liver&apos;s shape alone</source>
-        <translation>Nach Pfortader und Lebervenen, wo beide umrissen sind, sonst nach der Form der Leber allein</translation>
-    </message>
-    <message>
         <source>Segment</source>
         <translation>Segment</translation>
     </message>
@@ -9787,20 +9807,8 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Griffe am Fad
         <translation>mm</translation>
     </message>
     <message>
-        <source>Beyond, ml</source>
-        <translation>Dahinter, ml</translation>
-    </message>
-    <message>
-        <source>Left, ml</source>
-        <translation>Bleibt, ml</translation>
-    </message>
-    <message>
         <source>Diameter where it is cut</source>
         <translation>Durchmesser, wo er durchtrennt wird</translation>
-    </message>
-    <message>
-        <source>All tissue that it feeds or drains beyond the cut</source>
-        <translation>Alles Gewebe, das er jenseits des Schnitts versorgt oder drainiert</translation>
     </message>
     <message>
         <source>What of that stays in the patient without it</source>
@@ -9965,6 +9973,22 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Griffe am Fad
     <message>
         <source>By the liver&apos;s shape and borders set by hand: it has no vessel trees.</source>
         <translation>Nach der Form der Leber und von Hand gesetzten Grenzen: Sie hat keine Gefäßbäume.</translation>
+    </message>
+    <message>
+        <source>By the portal and hepatic veins where both are outlined, else by the liver&apos;s shape alone. Arteries and bile ducts that are outlined get trees too</source>
+        <translation>Nach Pfortader und Lebervenen, wo beide umrissen sind, sonst nach der Form der Leber allein. Umrissene Arterien und Gallengänge bekommen auch Bäume</translation>
+    </message>
+    <message>
+        <source>Beyond</source>
+        <translation>Dahinter</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Bleibt</translation>
+    </message>
+    <message>
+        <source>All tissue that it feeds or drains beyond the cut; of an artery or a bile duct its own length</source>
+        <translation>Alles Gewebe, das er jenseits des Schnitts versorgt oder entwässert; bei einer Arterie oder einem Gallengang die eigene Länge</translation>
     </message>
 </context>
 <context>
@@ -11263,8 +11287,8 @@ sicher %</translation>
         <translation>frei</translation>
     </message>
     <message>
-        <source>○ portal, □ hepatic vein cut</source>
-        <translation>○ Pfortader, □ Lebervene durchtrennt</translation>
+        <source>○ portal, □ hepatic vein cut; ◇ artery, △ bile duct</source>
+        <translation>○ Pfortader, □ Lebervene durchtrennt; ◇ Arterie, △ Gallengang</translation>
     </message>
 </context>
 <context>
@@ -14010,6 +14034,18 @@ Von Hand: mit der rechten Taste ziehen</translation>
     <message>
         <source>Left hepatic vein</source>
         <translation>Linke Lebervene</translation>
+    </message>
+    <message>
+        <source>Hepatic artery</source>
+        <translation>Leberarterie</translation>
+    </message>
+    <message>
+        <source>Bile duct</source>
+        <translation>Gallengang</translation>
+    </message>
+    <message>
+        <source>outside the liver</source>
+        <translation>außerhalb der Leber</translation>
     </message>
 </context>
 </TS>

@@ -5044,20 +5044,8 @@
         <translation>Segmento</translation>
     </message>
     <message>
-        <source>{0}: branches that are cut, with the tissue beyond the cut.</source>
-        <translation>{0}: ramas seccionadas, con el tejido más allá de la sección.</translation>
-    </message>
-    <message>
         <source>Branch</source>
         <translation>Rama</translation>
-    </message>
-    <message>
-        <source>Beyond it (ml)</source>
-        <translation>Más allá (ml)</translation>
-    </message>
-    <message>
-        <source>Of that left (ml)</source>
-        <translation>De ello queda (ml)</translation>
     </message>
     <message>
         <source>Make the demo anew.</source>
@@ -7012,10 +7000,6 @@
         <translation>Probabilidad de {0}, o de lo que estos datos no distinguen de ello: {1}.</translation>
     </message>
     <message>
-        <source>portal-vein and hepatic-vein hold the same vessels: {0} % of the smaller one.</source>
-        <translation>portal-vein y hepatic-vein contienen los mismos vasos: {0} % de la menor.</translation>
-    </message>
-    <message>
         <source>Unite them in one structure, vessels: its systems are told apart.</source>
         <translation>Únalas en una estructura, vessels: sus sistemas se distinguen.</translation>
     </message>
@@ -7074,6 +7058,46 @@
     <message>
         <source>What {1} was made from has changed since, and {0} was made from that: make {1} anew, then {0}.</source>
         <translation>Aquello de lo que se hizo {1} ha cambiado desde entonces, y {0} se hizo de ello: haga de nuevo {1} y después {0}.</translation>
+    </message>
+    <message>
+        <source>The vessel trees were made before there was {0}: find the vessels again.</source>
+        <translation>Los árboles de vasos se hicieron antes de que hubiera {0}: halle los vasos de nuevo.</translation>
+    </message>
+    <message>
+        <source>{1} and {2} hold the same vessels: {0} % of the smaller one.</source>
+        <translation>{1} y {2} contienen los mismos vasos: el {0} % del menor.</translation>
+    </message>
+    <message>
+        <source>Take the one out of the other: glisson-cli segment --subtract.</source>
+        <translation>Quite el uno del otro: glisson-cli segment --subtract.</translation>
+    </message>
+    <message>
+        <source>{0} holds a piece as wide as it is long, which is no vessel.</source>
+        <translation>{0} contiene un trozo tan ancho como largo, que no es un vaso.</translation>
+    </message>
+    <message>
+        <source>Outline vessels and ducts alone, the gall bladder by itself.</source>
+        <translation>Delimite solo vasos y conductos, y la vesícula biliar aparte.</translation>
+    </message>
+    <message>
+        <source>{0} has no tissue of its own: arteries and bile ducts run with portal branches.</source>
+        <translation>{0} no tiene tejido propio: las arterias y los conductos biliares van con las ramas portales.</translation>
+    </message>
+    <message>
+        <source>Take the portal branch beside it.</source>
+        <translation>Tome la rama portal de al lado.</translation>
+    </message>
+    <message>
+        <source>{0}: branches that are cut, with the tissue beyond the cut; of arteries and bile ducts their own length.</source>
+        <translation>{0}: ramas seccionadas, con el tejido más allá de la sección; de arterias y conductos biliares, su propia longitud.</translation>
+    </message>
+    <message>
+        <source>Beyond it</source>
+        <translation>Más allá</translation>
+    </message>
+    <message>
+        <source>Of that left</source>
+        <translation>De ello queda</translation>
     </message>
 </context>
 <context>
@@ -7268,10 +7292,6 @@
         <translation>Pasa por la cruz</translation>
     </message>
     <message>
-        <source>The border of these two segments is to pass the crosshair. Segments are found again by it, and are less in doubt</source>
-        <translation>El límite de estos dos segmentos ha de pasar por la cruz. Los segmentos se hallan de nuevo según él y están menos en duda</translation>
-    </message>
-    <message>
         <source>First stands the border that runs nearest to the crosshair</source>
         <translation>Primero está el límite que pasa más cerca de la cruz</translation>
     </message>
@@ -7286,6 +7306,10 @@
     <message>
         <source>Places on borders that were set by hand: %1. Segments are found again without the last</source>
         <translation>Lugares en límites puestos a mano: %1. Los segmentos se hallan de nuevo sin el último</translation>
+    </message>
+    <message>
+        <source>The border of these two segments is to pass the crosshair. Segments are found again by it, and are less in doubt. Its mark is dragged in a slice or in 3D; Delete takes away the one that was clicked on</source>
+        <translation>El límite de estos dos segmentos debe pasar por la cruz. Los segmentos se hallan de nuevo según él y hay menos en duda. Su marca se arrastra en un corte o en 3D; Supr quita la que se ha pulsado</translation>
     </message>
 </context>
 <context>
@@ -9729,10 +9753,6 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar. Ctrl+arrastrar: girar. Tiradores 
         <translation>Hallar los segmentos</translation>
     </message>
     <message>
-        <source>By the portal and hepatic veins where both are outlined, else by the liver&apos;s shape alone</source>
-        <translation>Según la vena porta y las venas hepáticas donde ambas están delimitadas, si no según la forma del hígado sola</translation>
-    </message>
-    <message>
         <source>Segment</source>
         <translation>Segmento</translation>
     </message>
@@ -9789,20 +9809,8 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar. Ctrl+arrastrar: girar. Tiradores 
         <translation>mm</translation>
     </message>
     <message>
-        <source>Beyond, ml</source>
-        <translation>Más allá, ml</translation>
-    </message>
-    <message>
-        <source>Left, ml</source>
-        <translation>Queda, ml</translation>
-    </message>
-    <message>
         <source>Diameter where it is cut</source>
         <translation>Diámetro donde se secciona</translation>
-    </message>
-    <message>
-        <source>All tissue that it feeds or drains beyond the cut</source>
-        <translation>Todo el tejido que irriga o drena más allá de la sección</translation>
     </message>
     <message>
         <source>What of that stays in the patient without it</source>
@@ -9967,6 +9975,22 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar. Ctrl+arrastrar: girar. Tiradores 
     <message>
         <source>By the liver&apos;s shape and borders set by hand: it has no vessel trees.</source>
         <translation>Según la forma del hígado y límites puestos a mano: no tiene árboles vasculares.</translation>
+    </message>
+    <message>
+        <source>By the portal and hepatic veins where both are outlined, else by the liver&apos;s shape alone. Arteries and bile ducts that are outlined get trees too</source>
+        <translation>Según la vena porta y las venas hepáticas donde ambas están delimitadas, si no según la forma del hígado sola. Las arterias y los conductos biliares delimitados reciben también árboles</translation>
+    </message>
+    <message>
+        <source>Beyond</source>
+        <translation>Más allá</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Queda</translation>
+    </message>
+    <message>
+        <source>All tissue that it feeds or drains beyond the cut; of an artery or a bile duct its own length</source>
+        <translation>Todo el tejido que irriga o drena más allá de la sección; de una arteria o un conducto biliar, su propia longitud</translation>
     </message>
 </context>
 <context>
@@ -11266,8 +11290,8 @@ seguro %</translation>
         <translation>libre</translation>
     </message>
     <message>
-        <source>○ portal, □ hepatic vein cut</source>
-        <translation>○ vena porta, □ vena hepática seccionada</translation>
+        <source>○ portal, □ hepatic vein cut; ◇ artery, △ bile duct</source>
+        <translation>○ vena porta, □ vena hepática seccionada; ◇ arteria, △ conducto biliar</translation>
     </message>
 </context>
 <context>
@@ -14013,6 +14037,18 @@ A mano: arrastre con el botón derecho</translation>
     <message>
         <source>Left hepatic vein</source>
         <translation>Vena hepática izquierda</translation>
+    </message>
+    <message>
+        <source>Hepatic artery</source>
+        <translation>Arteria hepática</translation>
+    </message>
+    <message>
+        <source>Bile duct</source>
+        <translation>Conducto biliar</translation>
+    </message>
+    <message>
+        <source>outside the liver</source>
+        <translation>fuera del hígado</translation>
     </message>
 </context>
 </TS>

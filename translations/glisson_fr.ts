@@ -5044,20 +5044,8 @@
         <translation>Segment</translation>
     </message>
     <message>
-        <source>{0}: branches that are cut, with the tissue beyond the cut.</source>
-        <translation>{0} : branches coupées, avec le tissu au-delà de la section.</translation>
-    </message>
-    <message>
         <source>Branch</source>
         <translation>Branche</translation>
-    </message>
-    <message>
-        <source>Beyond it (ml)</source>
-        <translation>Au-delà (ml)</translation>
-    </message>
-    <message>
-        <source>Of that left (ml)</source>
-        <translation>Dont reste (ml)</translation>
     </message>
     <message>
         <source>Make the demo anew.</source>
@@ -7012,10 +7000,6 @@
         <translation>Probabilité de {0}, ou de ce que ces données n&apos;en distinguent pas : {1}.</translation>
     </message>
     <message>
-        <source>portal-vein and hepatic-vein hold the same vessels: {0} % of the smaller one.</source>
-        <translation>portal-vein et hepatic-vein contiennent les mêmes vaisseaux : {0} % de la plus petite.</translation>
-    </message>
-    <message>
         <source>Unite them in one structure, vessels: its systems are told apart.</source>
         <translation>Réunissez-les en une structure, vessels : ses systèmes sont distingués.</translation>
     </message>
@@ -7074,6 +7058,46 @@
     <message>
         <source>What {1} was made from has changed since, and {0} was made from that: make {1} anew, then {0}.</source>
         <translation>Ce dont {1} a été fait a changé depuis, et {0} en a été fait : refaites {1}, puis {0}.</translation>
+    </message>
+    <message>
+        <source>The vessel trees were made before there was {0}: find the vessels again.</source>
+        <translation>Les arbres des vaisseaux ont été faits avant qu’il y ait {0} : retrouvez les vaisseaux.</translation>
+    </message>
+    <message>
+        <source>{1} and {2} hold the same vessels: {0} % of the smaller one.</source>
+        <translation>{1} et {2} contiennent les mêmes vaisseaux : {0} % du plus petit.</translation>
+    </message>
+    <message>
+        <source>Take the one out of the other: glisson-cli segment --subtract.</source>
+        <translation>Retirez l’un de l’autre : glisson-cli segment --subtract.</translation>
+    </message>
+    <message>
+        <source>{0} holds a piece as wide as it is long, which is no vessel.</source>
+        <translation>{0} contient un morceau aussi large que long, qui n’est pas un vaisseau.</translation>
+    </message>
+    <message>
+        <source>Outline vessels and ducts alone, the gall bladder by itself.</source>
+        <translation>Délimitez les vaisseaux et les conduits seuls, la vésicule biliaire à part.</translation>
+    </message>
+    <message>
+        <source>{0} has no tissue of its own: arteries and bile ducts run with portal branches.</source>
+        <translation>{0} n’a pas de tissu à soi : les artères et les voies biliaires suivent les branches portes.</translation>
+    </message>
+    <message>
+        <source>Take the portal branch beside it.</source>
+        <translation>Prenez la branche porte d’à côté.</translation>
+    </message>
+    <message>
+        <source>{0}: branches that are cut, with the tissue beyond the cut; of arteries and bile ducts their own length.</source>
+        <translation>{0} : branches coupées, avec le tissu au-delà de la section ; pour les artères et les voies biliaires, leur propre longueur.</translation>
+    </message>
+    <message>
+        <source>Beyond it</source>
+        <translation>Au-delà</translation>
+    </message>
+    <message>
+        <source>Of that left</source>
+        <translation>Dont reste</translation>
     </message>
 </context>
 <context>
@@ -7268,10 +7292,6 @@
         <translation>Passe par le réticule</translation>
     </message>
     <message>
-        <source>The border of these two segments is to pass the crosshair. Segments are found again by it, and are less in doubt</source>
-        <translation>La limite de ces deux segments doit passer par le réticule. Les segments sont retrouvés d’après elle et sont moins incertains</translation>
-    </message>
-    <message>
         <source>First stands the border that runs nearest to the crosshair</source>
         <translation>En premier figure la limite qui passe le plus près du réticule</translation>
     </message>
@@ -7286,6 +7306,10 @@
     <message>
         <source>Places on borders that were set by hand: %1. Segments are found again without the last</source>
         <translation>Endroits sur des limites placés à la main : %1. Les segments sont retrouvés sans le dernier</translation>
+    </message>
+    <message>
+        <source>The border of these two segments is to pass the crosshair. Segments are found again by it, and are less in doubt. Its mark is dragged in a slice or in 3D; Delete takes away the one that was clicked on</source>
+        <translation>La limite de ces deux segments doit passer par le réticule. Les segments sont retrouvés d’après elle, et sont moins incertains. Son repère se déplace dans une coupe ou en 3D ; Suppr ôte celui sur lequel on a cliqué</translation>
     </message>
 </context>
 <context>
@@ -9729,10 +9753,6 @@ Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: déplacer. Ctrl+glisser&#xa0;: tour
         <translation>Trouver les segments</translation>
     </message>
     <message>
-        <source>By the portal and hepatic veins where both are outlined, else by the liver&apos;s shape alone</source>
-        <translation>D’après la veine porte et les veines hépatiques là où les deux sont délimitées, sinon d’après la seule forme du foie</translation>
-    </message>
-    <message>
         <source>Segment</source>
         <translation>Segment</translation>
     </message>
@@ -9789,20 +9809,8 @@ Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: déplacer. Ctrl+glisser&#xa0;: tour
         <translation>mm</translation>
     </message>
     <message>
-        <source>Beyond, ml</source>
-        <translation>Au-delà, ml</translation>
-    </message>
-    <message>
-        <source>Left, ml</source>
-        <translation>Reste, ml</translation>
-    </message>
-    <message>
         <source>Diameter where it is cut</source>
         <translation>Diamètre là où elle est coupée</translation>
-    </message>
-    <message>
-        <source>All tissue that it feeds or drains beyond the cut</source>
-        <translation>Tout le tissu qu’elle irrigue ou draine au-delà de la section</translation>
     </message>
     <message>
         <source>What of that stays in the patient without it</source>
@@ -9967,6 +9975,22 @@ Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: déplacer. Ctrl+glisser&#xa0;: tour
     <message>
         <source>By the liver&apos;s shape and borders set by hand: it has no vessel trees.</source>
         <translation>D’après la forme du foie et des limites placées à la main : il n’a pas d’arbres vasculaires.</translation>
+    </message>
+    <message>
+        <source>By the portal and hepatic veins where both are outlined, else by the liver&apos;s shape alone. Arteries and bile ducts that are outlined get trees too</source>
+        <translation>D’après la veine porte et les veines hépatiques là où les deux sont délimitées, sinon d’après la seule forme du foie. Les artères et les voies biliaires délimitées reçoivent aussi des arbres</translation>
+    </message>
+    <message>
+        <source>Beyond</source>
+        <translation>Au-delà</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Reste</translation>
+    </message>
+    <message>
+        <source>All tissue that it feeds or drains beyond the cut; of an artery or a bile duct its own length</source>
+        <translation>Tout le tissu qu’elle irrigue ou draine au-delà de la section ; pour une artère ou une voie biliaire, sa propre longueur</translation>
     </message>
 </context>
 <context>
@@ -11266,8 +11290,8 @@ sûr %</translation>
         <translation>libre</translation>
     </message>
     <message>
-        <source>○ portal, □ hepatic vein cut</source>
-        <translation>○ veine porte, □ veine hépatique coupée</translation>
+        <source>○ portal, □ hepatic vein cut; ◇ artery, △ bile duct</source>
+        <translation>○ veine porte, □ veine hépatique coupée ; ◇ artère, △ voie biliaire</translation>
     </message>
 </context>
 <context>
@@ -14013,6 +14037,18 @@ By hand: drag with the right button</source>
     <message>
         <source>Left hepatic vein</source>
         <translation>Veine hépatique gauche</translation>
+    </message>
+    <message>
+        <source>Hepatic artery</source>
+        <translation>Artère hépatique</translation>
+    </message>
+    <message>
+        <source>Bile duct</source>
+        <translation>Voie biliaire</translation>
+    </message>
+    <message>
+        <source>outside the liver</source>
+        <translation>hors du foie</translation>
     </message>
 </context>
 </TS>
