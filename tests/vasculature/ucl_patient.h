@@ -14,7 +14,7 @@
 namespace glisson::test {
 
 struct UclPatient {
-  imaging::Mask liver;
+  imaging::Mask liver, portal_vein, hepatic_vein;
   vasculature::VesselTrees veins, all;  // by themselves, and with arteries and ducts
   vasculature::CouinaudSegments segments;
 };
@@ -38,8 +38,14 @@ inline UclPatient ucl_patient() {
   const auto lines = [&](const char* name) {
     return vasculature::center_lines(segmentation::rasterise(surface(name), grid)).value();
   };
-  UclPatient patient{segmentation::rasterise(liver, grid), {}, {}, {}};
-  const auto portal = lines("portal_vein"), hepatic = lines("hepatic_veins");
+  UclPatient patient{segmentation::rasterise(liver, grid),
+                     segmentation::rasterise(surface("portal_vein"), grid),
+                     segmentation::rasterise(surface("hepatic_veins"), grid),
+                     {},
+                     {},
+                     {}};
+  const auto portal = vasculature::center_lines(patient.portal_vein).value(),
+             hepatic = vasculature::center_lines(patient.hepatic_vein).value();
   const auto expected = vasculature::expected_entries(patient.liver).value();
   auto entries = vasculature::possible_entries(portal, expected, {}, 1).front();
   entries.hepatic_mm = vasculature::possible_entries(hepatic, expected, {}, 1).front().hepatic_mm;
