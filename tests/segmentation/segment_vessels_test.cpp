@@ -19,6 +19,7 @@
 #include "segmentation/internal/tubularity.h"
 #include "segmentation/resample.h"
 #include "segmentation/structures.h"
+#include "simulated_ct.h"
 #include "support/data.h"
 
 namespace glisson::segmentation {
@@ -135,18 +136,9 @@ class SegmentVesselsTrees : public testing::TestWithParam<std::pair<const char*,
 
 TEST_P(SegmentVesselsTrees, RealTreesAreFoundWithoutAClick) {
   GLISSON_NEEDS_DATA("livers_couinaud");
-  const fs::path folder = test::shared_data() / "livers_couinaud";
   const std::string name = GetParam().first;
-  const Mask vessels = mask_of_label(imaging::read_labels_file(folder / (name + "_vessels.nii.gz")).value(), 1);
-  const Mask liver = mask_of_label(imaging::read_labels_file(folder / (name + "_liver.nii.gz")).value(), 1);
-  Volume image{{vessels.grid, std::vector<float>(vessels.values.size())}, "HU"};
-  std::mt19937 random(7);
-  std::normal_distribution<float> noise(0, 18);
-  for (std::size_t n = 0; n < image.values.size(); ++n) {
-    image.values[n] = vessels.values[n] != 0 ? 175.0F : liver.values[n] != 0 ? 108.0F : 40.0F;
-  }
-  image.values = imaging::gaussian_blur(std::move(image.values), image.grid, 0.7);
-  for (float& value : image.values) value += noise(random);
+  const Mask vessels = drawn_mask(name, "vessels"), liver = drawn_mask(name, "liver");
+  const Volume image = simulated_ct(liver, vessels);
   const auto found = segment_vessels(image, united(liver, vessels));
   ASSERT_TRUE(found) << found.error().message();
   const double overlap = dice(found->mask, vessels).value();
