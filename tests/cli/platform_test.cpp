@@ -200,12 +200,14 @@ TEST(PlatformMeasure, NamesItsMeterAndHowSureItIs) {
   Finished finished = glisson_cli(by_battery);
   for (int i = 0; i < 10 && finished.out.find("meter-too-coarse") != std::string::npos; ++i)
     finished = glisson_cli(by_battery);
-  EXPECT_EQ(finished.exit_code, 0) << finished.err << finished.out;
-  const Json measured = finished.exit_code == 0 ? finished.json() : Json::object();
   by_battery.insert(by_battery.end(), {"--meter", "battery"});
   const Finished refused = glisson_cli(by_battery);
   done = true;
   counter.join();
+  if (finished.out.find("meter-too-coarse") != std::string::npos)
+    GTEST_SKIP() << "other programs keep the counter from counting: " << finished.out;
+  ASSERT_EQ(finished.exit_code, 0) << finished.err << finished.out;
+  const Json measured = finished.json();
   EXPECT_EQ(measured.at("meter"), "RAPL (packages: 1, no memory)");
   EXPECT_NEAR(measured.at("idle_W").get<double>(), 20, 1);
   // 20 W over the millisecond in which the counter is renewed, at two ends, over half a second.
