@@ -1,6 +1,5 @@
 #include "shared_options.h"
 
-
 #include "base/text.h"
 
 namespace glisson::cli {

@@ -151,8 +151,8 @@ std::optional<Command> segment(const std::string& id, const Provenance& made) {
       more += ", brightness=" + in_python(brightness);
     }
   }
-  command.python = fmt::format("patient.{}({}, [{}]{})", by_shape ? "segment_vessels" : "grow_structure", in_python(name),
-                               fmt::join(seeds, ", "), more);
+  command.python = fmt::format("patient.{}({}, [{}]{})", by_shape ? "segment_vessels" : "grow_structure",
+                               in_python(name), fmt::join(seeds, ", "), more);
   return command;
 }
 

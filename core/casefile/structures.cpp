@@ -78,17 +78,17 @@ Result<SavedStructure> grow_structure(Case& patient, const std::string& name,
 }
 
 Result<SavedStructure> segment_vessels(Case& patient, const std::string& name,
-                                    const std::vector<Eigen::Vector3d>& seeds_mm, const std::string& within,
-                                    std::optional<segmentation::VesselBrightness> brightness,
-                                    const Progress& progress) {
+                                       const std::vector<Eigen::Vector3d>& seeds_mm, const std::string& within,
+                                       std::optional<segmentation::VesselBrightness> brightness,
+                                       const Progress& progress) {
   const auto anatomy = patient.volume("volumes/anatomy");
   if (!anatomy) return failure(anatomy.error());
   const auto inside = mask_named(patient, within);
   if (!inside) return failure(inside.error());
   segmentation::SegmentVesselsOptions options;
   options.brightness = brightness;
-  auto found =
-      segmentation::segment_vessels(*anatomy, segmentation::resample(*inside, anatomy->grid), seeds_mm, options, progress);
+  auto found = segmentation::segment_vessels(*anatomy, segmentation::resample(*inside, anatomy->grid), seeds_mm,
+                                             options, progress);
   if (!found) return failure(found.error());
   Provenance made = made_from_seeds("tubes", seeds_mm);
   made.options["within"] = within;

@@ -35,10 +35,10 @@ Result<SavedStructure> grow_structure(Case& patient, const std::string& name,
 // seeds (patient LPS, mm), of those that hang on them. Without a brightness what more of the tubes are counts. Fails
 // with "structure-unknown" where there is no structure `within`, and as segment_vessels() does.
 Result<SavedStructure> segment_vessels(Case& patient, const std::string& name,
-                                    const std::vector<Eigen::Vector3d>& seeds_mm = {},
-                                    const std::string& within = "liver",
-                                    std::optional<segmentation::VesselBrightness> brightness = std::nullopt,
-                                    const Progress& progress = {});
+                                       const std::vector<Eigen::Vector3d>& seeds_mm = {},
+                                       const std::string& within = "liver",
+                                       std::optional<segmentation::VesselBrightness> brightness = std::nullopt,
+                                       const Progress& progress = {});
 
 // Makes a structure of the voxels of volumes/anatomy whose grey value lies in the range, of those inside of `within`
 // alone where it is given. Fails with "structure-unknown", and with "range-empty" where there is no such voxel.

@@ -16,8 +16,8 @@
 namespace glisson::segmentation {
 
 struct Tubularity {
-  std::vector<float> contrast;  // of each voxel the c above by its best scale, in the image's unit; 0: no tube. Of a
-                                // radius under two voxels about a fifth less: differences of voxels are no derivatives
+  std::vector<float> contrast;   // of each voxel the c above by its best scale, in the image's unit; 0: no tube. Of a
+                                 // radius under two voxels about a fifth less: differences of voxels are no derivatives
   std::vector<float> radius_mm;  // r of that scale
   std::vector<float> to_noise;   // the largest of c over what noise gives at its scale
 };
