@@ -59,10 +59,8 @@ Result<SegmentedVessels> segment_vessels(const imaging::Volume& image, const Mas
                                          const std::vector<Vector3d>& seeds_mm, const SegmentVesselsOptions& options,
                                          const Progress& progress) {
   GLISSON_ASSERT(imaging::same_grid(organ.grid, image.grid));
-  const Vector3d middle_mm = image.grid.position_mm(0, 0, 0);
-  if (auto checked = check_seeds(image, seeds_mm.empty() ? std::vector{middle_mm} : seeds_mm); !checked) {
-    return failure(checked.error());
-  }
+  const auto checked = seeds_mm.empty() ? check_image(image) : check_seeds(image, seeds_mm);
+  if (!checked) return failure(checked.error());
   if (voxel_count(organ) == 0) {
     return failure("vessels-no-organ", GLISSON_TEXT("The outline to find vessels in holds nothing."));
   }
@@ -145,19 +143,6 @@ std::vector<double> radii_between(double narrowest_mm, double widest_mm) {
   return radii_mm;
 }
 
-// What hangs on a sure voxel through likely ones.
-Mask hysteresis(const Mask& likely, const std::vector<bool>& is_sure) {
-  const imaging::ConnectedVoxels pieces = imaging::connected_voxels(likely, imaging::Neighbours::all);
-  std::vector<bool> kept(pieces.sizes.size(), false);
-  for (std::size_t n = 0; n < likely.values.size(); ++n) {
-    if (is_sure[n]) kept[pieces.piece[n]] = true;
-  }
-  kept[0] = false;
-  Mask mask{likely.grid, std::vector<std::uint8_t>(likely.values.size(), 0)};
-  for (std::size_t n = 0; n < likely.values.size(); ++n) mask.values[n] = kept[pieces.piece[n]] ? 1 : 0;
-  return mask;
-}
-
 Tubes tubes_of(const Organ& organ, int sign, const SegmentVesselsOptions& options, const Progress& progress) {
   Tubes tubes;
   tubes.sign = sign;
@@ -169,22 +154,19 @@ Tubes tubes_of(const Organ& organ, int sign, const SegmentVesselsOptions& option
   for (std::size_t n = 0; n < contrast.size(); ++n) {
     if (static_cast<double>(to_noise[n]) > options.sure_to_noise) of_sure.push_back(contrast[n]);
   }
-  if (of_sure.empty()) {
-    tubes.axes = {organ.mask.grid, std::vector<std::uint8_t>(contrast.size(), 0)};
-    return tubes;
-  }
+  if (of_sure.empty()) return tubes;
   const auto clear = of_sure.begin() + static_cast<std::ptrdiff_t>(9 * of_sure.size() / 10);
   std::nth_element(of_sure.begin(), clear, of_sure.end());
   tubes.contrast = static_cast<double>(*clear);
   const double smallest = options.share_of_contrast * tubes.contrast;
   Mask likely{organ.mask.grid, std::vector<std::uint8_t>(contrast.size(), 0)};
-  std::vector<bool> is_sure(contrast.size(), false);
+  std::vector<std::size_t> sure;
   for (std::size_t n = 0; n < contrast.size(); ++n) {
     if (static_cast<double>(contrast[n]) < smallest) continue;
     likely.values[n] = static_cast<double>(to_noise[n]) > options.likely_to_noise ? 1 : 0;
-    is_sure[n] = static_cast<double>(to_noise[n]) > options.sure_to_noise;
+    if (static_cast<double>(to_noise[n]) > options.sure_to_noise) sure.push_back(n);
   }
-  tubes.axes = hysteresis(likely, is_sure);
+  tubes.axes = joined_to(sure, likely);
   for (std::size_t n = 0; n < contrast.size(); ++n) {
     if (tubes.axes.values[n] != 0) tubes.evidence += std::pow(static_cast<double>(contrast[n]), 2);
   }
@@ -212,6 +194,11 @@ std::vector<float> mean_near(const imaging::Image<float>& image, const std::vect
     means[n] = all[n] > 1e-4F * largest ? means[n] / all[n] : std::numeric_limits<float>::quiet_NaN();
   }
   return means;
+}
+
+Eigen::Vector3i index_of(std::size_t voxel, const Grid& grid) {
+  const auto row = static_cast<std::size_t>(grid.size[0]), slice = row * static_cast<std::size_t>(grid.size[1]);
+  return {static_cast<int>(voxel % row), static_cast<int>(voxel % slice / row), static_cast<int>(voxel / slice)};
 }
 
 // From each axis voxel outwards as far as its own radius, over voxels beyond half-way from tissue to vessel.
@@ -246,10 +233,6 @@ Mask widened(const Organ& organ, const Tubes& tubes) {
       }
     }
   }
-  const auto place = [&](std::size_t n) {
-    const auto row = static_cast<std::size_t>(grid.size[0]), slice = row * static_cast<std::size_t>(grid.size[1]);
-    return Eigen::Vector3i(static_cast<int>(n % row), static_cast<int>(n % slice / row), static_cast<int>(n / slice));
-  };
   for (std::size_t next = 0; next < front.size(); ++next) {
     const Front at = front[next];
     const double reach = reach_of_radius * static_cast<double>(tubes.shape.radius_mm[at.axis]) / grid.spacing_mm.x();
@@ -258,7 +241,7 @@ Mask widened(const Organ& organ, const Tubes& tubes) {
       const Eigen::Vector3i to(at.i + step[0], at.j + step[1], at.k + step[2]);
       if (!grid.contains(to.x(), to.y(), to.z())) continue;
       const std::size_t n = grid.offset(to.x(), to.y(), to.z());
-      if (mask.values[n] != 0 || !belongs(n) || (to - place(at.axis)).cast<double>().norm() > reach) continue;
+      if (mask.values[n] != 0 || !belongs(n) || (to - index_of(at.axis, grid)).cast<double>().norm() > reach) continue;
       mask.values[n] = 1;
       front.push_back({to.x(), to.y(), to.z(), at.axis});
     }
@@ -307,22 +290,17 @@ Sentence note_of(const SegmentedVessels& found, double organ_ml) {
 
 Result<Mask> hanging_on(const Mask& vessels, const std::vector<Vector3d>& seeds_mm) {
   constexpr double reach_mm = 5;
-  const imaging::ConnectedVoxels pieces = imaging::connected_voxels(vessels, imaging::Neighbours::all);
-  std::vector<bool> kept(pieces.sizes.size(), false);
+  std::vector<std::size_t> nearest;  // to each seed
   for (const Vector3d& seed_mm : seeds_mm) {
     double nearest_mm = std::numeric_limits<double>::infinity();
-    std::uint32_t piece = 0;
+    std::size_t voxel = 0;
     for (const std::size_t n : voxels_around(seed_mm, reach_mm, vessels.grid)) {
       if (vessels.values[n] == 0) continue;
-      const auto row = static_cast<std::size_t>(vessels.grid.size[0]),
-                 slice = row * static_cast<std::size_t>(vessels.grid.size[1]);
-      const double away_mm = (vessels.grid.position_mm(static_cast<int>(n % row), static_cast<int>(n % slice / row),
-                                                       static_cast<int>(n / slice)) -
-                              seed_mm)
-                                 .norm();
-      if (away_mm < nearest_mm) nearest_mm = away_mm, piece = pieces.piece[n];
+      const Vector3d center_mm = vessels.grid.position_mm(index_of(n, vessels.grid).cast<double>());
+      const double away_mm = (center_mm - seed_mm).norm();
+      if (away_mm < nearest_mm) nearest_mm = away_mm, voxel = n;
     }
-    if (piece == 0) {
+    if (!std::isfinite(nearest_mm)) {
       return failure(Error{"vessels-seed-off",
                            GLISSON_TEXT("The seed at ({0}) mm lies more than {1} mm from every vessel found."),
                            {fmt::format("{:.1f}, {:.1f}, {:.1f}", seed_mm.x(), seed_mm.y(), seed_mm.z()),
@@ -330,11 +308,9 @@ Result<Mask> hanging_on(const Mask& vessels, const std::vector<Vector3d>& seeds_
                            GLISSON_TEXT("Move the seed onto a vessel, or leave seeds out: then all vessels are kept."),
                            {}});
     }
-    kept[piece] = true;
+    nearest.push_back(voxel);
   }
-  Mask mask{vessels.grid, std::vector<std::uint8_t>(vessels.values.size(), 0)};
-  for (std::size_t n = 0; n < mask.values.size(); ++n) mask.values[n] = kept[pieces.piece[n]] ? 1 : 0;
-  return mask;
+  return joined_to(nearest, vessels);
 }
 
 }  // namespace

@@ -142,9 +142,9 @@ std::vector<LooseEnd> loose_ends(const VesselGraph& graph) {
 
 // Two ends of vessels as wide as each other that point at each other: one vessel, whatever else joins the two. The
 // nearest pairs first.
-std::vector<NewJoint> between_facing_ends(const VesselGraph& graph, double maximum_gap_mm) {
+std::vector<NewJoint> between_facing_ends(const VesselGraph& graph, const std::vector<LooseEnd>& ends,
+                                          double maximum_gap_mm) {
   constexpr double cosine_of_facing = 0.87, alike_radii = 0.6;
-  const std::vector<LooseEnd> ends = loose_ends(graph);
   std::vector<std::pair<double, NewJoint>> found;
   for (std::size_t a = 0; a < ends.size(); ++a) {
     for (std::size_t b = a + 1; b < ends.size(); ++b) {
@@ -176,7 +176,8 @@ void add_bridges(VesselGraph& graph, double maximum_gap_mm) {
     int from, to;  // vertices of the two pieces
   };
   std::vector<Bridge> bridges;
-  for (const LooseEnd& end : loose_ends(graph)) {
+  const std::vector<LooseEnd> ends = loose_ends(graph);
+  for (const LooseEnd& end : ends) {
     const int own = graph.branches[static_cast<std::size_t>(end.branch)].from;
     std::map<int, Bridge> best;  // by piece
     for (std::size_t b = 0; b < graph.branches.size(); ++b) {
@@ -209,7 +210,7 @@ void add_bridges(VesselGraph& graph, double maximum_gap_mm) {
   for (const Bridge& bridge : bridges) {
     if (pieces.unite(bridge.from, bridge.to)) chosen.push_back(bridge.joint);
   }
-  for (const NewJoint& joint : between_facing_ends(graph, maximum_gap_mm)) {
+  for (const NewJoint& joint : between_facing_ends(graph, ends, maximum_gap_mm)) {
     const auto has_an_end_of_it = [&](const NewJoint& other) {
       const auto at = [&](int branch, int point) {
         return (other.branch_a == branch && other.point_a == point) ||
