@@ -196,11 +196,6 @@ std::vector<float> mean_near(const imaging::Image<float>& image, const std::vect
   return means;
 }
 
-Eigen::Vector3i index_of(std::size_t voxel, const Grid& grid) {
-  const auto row = static_cast<std::size_t>(grid.size[0]), slice = row * static_cast<std::size_t>(grid.size[1]);
-  return {static_cast<int>(voxel % row), static_cast<int>(voxel % slice / row), static_cast<int>(voxel / slice)};
-}
-
 // From each axis voxel outwards as far as its own radius, over voxels beyond half-way from tissue to vessel.
 Mask widened(const Organ& organ, const Tubes& tubes) {
   constexpr double smoothing_mm = 0.6, along_mm = 2, around_mm = 8, reach_of_radius = 1.3;
@@ -292,15 +287,8 @@ Result<Mask> hanging_on(const Mask& vessels, const std::vector<Vector3d>& seeds_
   constexpr double reach_mm = 5;
   std::vector<std::size_t> nearest;  // to each seed
   for (const Vector3d& seed_mm : seeds_mm) {
-    double nearest_mm = std::numeric_limits<double>::infinity();
-    std::size_t voxel = 0;
-    for (const std::size_t n : voxels_around(seed_mm, reach_mm, vessels.grid)) {
-      if (vessels.values[n] == 0) continue;
-      const Vector3d center_mm = vessels.grid.position_mm(index_of(n, vessels.grid).cast<double>());
-      const double away_mm = (center_mm - seed_mm).norm();
-      if (away_mm < nearest_mm) nearest_mm = away_mm, voxel = n;
-    }
-    if (!std::isfinite(nearest_mm)) {
+    const auto voxel = nearest_voxel(seed_mm, reach_mm, vessels);
+    if (!voxel) {
       return failure(Error{"vessels-seed-off",
                            GLISSON_TEXT("The seed at ({0}) mm lies more than {1} mm from every vessel found."),
                            {fmt::format("{:.1f}, {:.1f}, {:.1f}", seed_mm.x(), seed_mm.y(), seed_mm.z()),
@@ -308,7 +296,7 @@ Result<Mask> hanging_on(const Mask& vessels, const std::vector<Vector3d>& seeds_
                            GLISSON_TEXT("Move the seed onto a vessel, or leave seeds out: then all vessels are kept."),
                            {}});
     }
-    nearest.push_back(voxel);
+    nearest.push_back(*voxel);
   }
   return joined_to(nearest, vessels);
 }

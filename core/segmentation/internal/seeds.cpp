@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "base/sentence.h"
-#include "imaging/filters.h"
 
 namespace glisson::segmentation {
 
@@ -65,8 +65,26 @@ std::vector<std::size_t> voxels_around(const Vector3d& center_mm, double radius_
   return voxels;
 }
 
-imaging::Mask joined_to(const std::vector<std::size_t>& voxels, const imaging::Mask& mask) {
-  const imaging::ConnectedVoxels connected = imaging::connected_voxels(mask, imaging::Neighbours::all);
+Eigen::Vector3i index_of(std::size_t voxel, const Grid& grid) {
+  const auto row = static_cast<std::size_t>(grid.size[0]), layer = row * static_cast<std::size_t>(grid.size[1]);
+  return {static_cast<int>(voxel % row), static_cast<int>(voxel % layer / row), static_cast<int>(voxel / layer)};
+}
+
+std::optional<std::size_t> nearest_voxel(const Vector3d& place_mm, double radius_mm, const imaging::Mask& mask) {
+  std::optional<std::size_t> nearest;
+  double nearest_mm = INFINITY;
+  for (const std::size_t voxel : voxels_around(place_mm, radius_mm, mask.grid)) {
+    if (mask.values[voxel] == 0) continue;
+    const Eigen::Vector3i index = index_of(voxel, mask.grid);
+    const double away_mm = (mask.grid.position_mm(index.x(), index.y(), index.z()) - place_mm).norm();
+    if (away_mm < nearest_mm) nearest_mm = away_mm, nearest = voxel;
+  }
+  return nearest;
+}
+
+imaging::Mask joined_to(const std::vector<std::size_t>& voxels, const imaging::Mask& mask,
+                        imaging::Neighbours neighbours) {
+  const imaging::ConnectedVoxels connected = imaging::connected_voxels(mask, neighbours);
   std::vector<bool> kept(connected.sizes.size(), false);
   for (const std::size_t voxel : voxels) kept[connected.piece[voxel]] = true;
   kept[0] = false;
