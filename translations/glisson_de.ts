@@ -5044,20 +5044,8 @@
         <translation>Segment</translation>
     </message>
     <message>
-        <source>{0}: branches that are cut, with the tissue beyond the cut.</source>
-        <translation>{0}: Äste, die durchtrennt werden, mit dem Gewebe jenseits des Schnitts.</translation>
-    </message>
-    <message>
         <source>Branch</source>
         <translation>Ast</translation>
-    </message>
-    <message>
-        <source>Beyond it (ml)</source>
-        <translation>Dahinter (ml)</translation>
-    </message>
-    <message>
-        <source>Of that left (ml)</source>
-        <translation>Davon bleibt (ml)</translation>
     </message>
     <message>
         <source>Make the demo anew.</source>
@@ -7020,10 +7008,6 @@
         <translation>Wahrscheinlichkeit von {0} oder von dem, was diese Daten nicht davon unterscheiden: {1}.</translation>
     </message>
     <message>
-        <source>portal-vein and hepatic-vein hold the same vessels: {0} % of the smaller one.</source>
-        <translation>portal-vein und hepatic-vein enthalten dieselben Gefäße: {0} % der kleineren Struktur.</translation>
-    </message>
-    <message>
         <source>Unite them in one structure, vessels: its systems are told apart.</source>
         <translation>Vereinigen Sie sie in einer Struktur, vessels: Deren Systeme werden unterschieden.</translation>
     </message>
@@ -7054,6 +7038,82 @@
     <message>
         <source>Push with less, or where the body holds against it.</source>
         <translation>Drücken Sie schwächer oder dort, wo der Körper standhält.</translation>
+    </message>
+    <message>
+        <source>The vessel trees were made before there was {0}: find the vessels again.</source>
+        <translation>Die Gefäßbäume wurden bestimmt, bevor es {0} gab: Bestimmen Sie die Gefäße neu.</translation>
+    </message>
+    <message>
+        <source>What {1} was made from has changed since, and {0} was made from that: make {1} anew, then {0}.</source>
+        <translation>Woraus {1} gemacht ist, hat sich seither geändert, und {0} ist daraus gemacht: Machen Sie {1} neu, dann {0}.</translation>
+    </message>
+    <message>
+        <source>{1} and {2} hold the same vessels: {0} % of the smaller one.</source>
+        <translation>{1} und {2} enthalten dieselben Gefäße: {0} % des kleineren.</translation>
+    </message>
+    <message>
+        <source>Take the one out of the other: glisson-cli segment --subtract.</source>
+        <translation>Nehmen Sie das eine aus dem anderen heraus: glisson-cli segment --subtract.</translation>
+    </message>
+    <message>
+        <source>{0} holds a piece as wide as it is long, which is no vessel.</source>
+        <translation>{0} enthält ein Stück, das so breit wie lang ist und kein Gefäß.</translation>
+    </message>
+    <message>
+        <source>Outline vessels and ducts alone, the gall bladder by itself.</source>
+        <translation>Umreißen Sie Gefäße und Gänge allein, die Gallenblase für sich.</translation>
+    </message>
+    <message>
+        <source>{0} has no tissue of its own: arteries and bile ducts run with portal branches.</source>
+        <translation>{0} hat kein eigenes Gewebe: Arterien und Gallengänge laufen mit Ästen der Pfortader.</translation>
+    </message>
+    <message>
+        <source>Take the portal branch beside it.</source>
+        <translation>Nehmen Sie den Pfortaderast daneben.</translation>
+    </message>
+    <message>
+        <source>{0}: branches that are cut, with the tissue beyond the cut; of arteries and bile ducts their own length.</source>
+        <translation>{0}: durchtrennte Äste, mit dem Gewebe jenseits des Schnitts; von Arterien und Gallengängen ihre eigene Länge.</translation>
+    </message>
+    <message>
+        <source>Beyond it</source>
+        <translation>Dahinter</translation>
+    </message>
+    <message>
+        <source>Of that left</source>
+        <translation>Davon bleibt</translation>
+    </message>
+    <message>
+        <source>Finding vessels</source>
+        <translation>Gefäße werden gesucht</translation>
+    </message>
+    <message>
+        <source>The outline to find vessels in holds nothing.</source>
+        <translation>Der Umriss, in dem Gefäße gesucht werden, enthält nichts.</translation>
+    </message>
+    <message>
+        <source>Nothing in the outline stands out as a tube.</source>
+        <translation>Nichts im Umriss hebt sich als Röhre ab.</translation>
+    </message>
+    <message>
+        <source>Vessels need contrast: take another phase or sequence, grow them from seeds, or import their outline.</source>
+        <translation>Gefäße brauchen Kontrast: Nehmen Sie eine andere Phase oder Sequenz, lassen Sie sie aus Punkten wachsen oder importieren Sie ihren Umriss.</translation>
+    </message>
+    <message>
+        <source>Vessels are brighter than the tissue around by {0}: {1} ml, {2} % of the outline.</source>
+        <translation>Gefäße sind um {0} heller als das Gewebe ringsum: {1} ml, {2} % des Umrisses.</translation>
+    </message>
+    <message>
+        <source>Vessels are darker than the tissue around by {0}: {1} ml, {2} % of the outline.</source>
+        <translation>Gefäße sind um {0} dunkler als das Gewebe ringsum: {1} ml, {2} % des Umrisses.</translation>
+    </message>
+    <message>
+        <source>The seed at ({0}) mm lies more than {1} mm from every vessel found.</source>
+        <translation>Der Punkt bei ({0}) mm liegt mehr als {1} mm von jedem gefundenen Gefäß entfernt.</translation>
+    </message>
+    <message>
+        <source>Move the seed onto a vessel, or leave seeds out: then all vessels are kept.</source>
+        <translation>Setzen Sie den Punkt auf ein Gefäß, oder lassen Sie Punkte weg: Dann bleiben alle Gefäße.</translation>
     </message>
 </context>
 <context>
@@ -7248,10 +7308,6 @@
         <translation>Verläuft durch das Fadenkreuz</translation>
     </message>
     <message>
-        <source>The border of these two segments is to pass the crosshair. Segments are found again by it, and are less in doubt</source>
-        <translation>Die Grenze dieser beiden Segmente soll durch das Fadenkreuz gehen. Segmente werden danach neu bestimmt und sind weniger fraglich</translation>
-    </message>
-    <message>
         <source>First stands the border that runs nearest to the crosshair</source>
         <translation>Zuerst steht die Grenze, die dem Fadenkreuz am nächsten verläuft</translation>
     </message>
@@ -7266,6 +7322,10 @@
     <message>
         <source>Places on borders that were set by hand: %1. Segments are found again without the last</source>
         <translation>Von Hand gesetzte Stellen auf Grenzen: %1. Segmente werden ohne die letzte neu bestimmt</translation>
+    </message>
+    <message>
+        <source>The border of these two segments is to pass the crosshair. Segments are found again by it, and are less in doubt. Its mark is dragged in a slice or in 3D; Delete takes away the one that was clicked on</source>
+        <translation>Die Grenze dieser beiden Segmente soll durch das Fadenkreuz gehen. Segmente werden danach neu bestimmt und sind weniger fraglich. Ihre Marke lässt sich in einer Schicht oder in 3D ziehen; Entf nimmt die angeklickte weg</translation>
     </message>
 </context>
 <context>
@@ -9707,10 +9767,6 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Griffe am Fad
         <translation>Segmente bestimmen</translation>
     </message>
     <message>
-        <source>By the portal and hepatic veins where both are outlined, else by the liver&apos;s shape alone</source>
-        <translation>Nach Pfortader und Lebervenen, wo beide umrissen sind, sonst nach der Form der Leber allein</translation>
-    </message>
-    <message>
         <source>Segment</source>
         <translation>Segment</translation>
     </message>
@@ -9767,20 +9823,8 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Griffe am Fad
         <translation>mm</translation>
     </message>
     <message>
-        <source>Beyond, ml</source>
-        <translation>Dahinter, ml</translation>
-    </message>
-    <message>
-        <source>Left, ml</source>
-        <translation>Bleibt, ml</translation>
-    </message>
-    <message>
         <source>Diameter where it is cut</source>
         <translation>Durchmesser, wo er durchtrennt wird</translation>
-    </message>
-    <message>
-        <source>All tissue that it feeds or drains beyond the cut</source>
-        <translation>Alles Gewebe, das er jenseits des Schnitts versorgt oder drainiert</translation>
     </message>
     <message>
         <source>What of that stays in the patient without it</source>
@@ -9945,6 +9989,22 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Griffe am Fad
     <message>
         <source>By the liver&apos;s shape and borders set by hand: it has no vessel trees.</source>
         <translation>Nach der Form der Leber und von Hand gesetzten Grenzen: Sie hat keine Gefäßbäume.</translation>
+    </message>
+    <message>
+        <source>By the portal and hepatic veins where both are outlined, else by the liver&apos;s shape alone. Arteries and bile ducts that are outlined get trees too</source>
+        <translation>Nach Pfortader und Lebervenen, wo beide umrissen sind, sonst nach der Form der Leber allein. Umrissene Arterien und Gallengänge bekommen auch Bäume</translation>
+    </message>
+    <message>
+        <source>Beyond</source>
+        <translation>Dahinter</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Bleibt</translation>
+    </message>
+    <message>
+        <source>All tissue that it feeds or drains beyond the cut; of an artery or a bile duct its own length</source>
+        <translation>Alles Gewebe, das er jenseits des Schnitts versorgt oder entwässert; bei einer Arterie oder einem Gallengang die eigene Länge</translation>
     </message>
 </context>
 <context>
@@ -11243,8 +11303,8 @@ sicher %</translation>
         <translation>frei</translation>
     </message>
     <message>
-        <source>○ portal, □ hepatic vein cut</source>
-        <translation>○ Pfortader, □ Lebervene durchtrennt</translation>
+        <source>○ portal, □ hepatic vein cut; ◇ artery, △ bile duct</source>
+        <translation>○ Pfortader, □ Lebervene durchtrennt; ◇ Arterie, △ Gallengang</translation>
     </message>
 </context>
 <context>
@@ -11400,10 +11460,6 @@ sicher %</translation>
     <message>
         <source>Draw around something, and cut away what is inside or outside</source>
         <translation>Etwas umfahren und wegschneiden, was innen oder außen ist</translation>
-    </message>
-    <message>
-        <source>Click points into the tissue, then let the structure grow over what looks alike</source>
-        <translation>Setzen Sie Punkte ins Gewebe und lassen Sie die Struktur dann über Gleichartiges wachsen</translation>
     </message>
     <message>
         <source>%1 (key %2)</source>
@@ -11566,10 +11622,6 @@ sicher %</translation>
         <translation>Wie weit die Schere vor und hinter dieser Schicht schneidet, in mm</translation>
     </message>
     <message>
-        <source>Click into the vessel where it stands out best. Points so far: %1</source>
-        <translation>In das Gefäß klicken, wo es sich am besten abhebt. Punkte bisher: %1</translation>
-    </message>
-    <message>
         <source>Click into the middle of it. Points so far: %1</source>
         <translation>In die Mitte davon klicken. Punkte bisher: %1</translation>
     </message>
@@ -11598,6 +11650,34 @@ sicher %</translation>
     <message>
         <source>Click on the piece that is to stay; all others go. Ctrl: takes off the part under the pointer</source>
         <translation>Klicken Sie auf das Stück, das bleiben soll; alle anderen verschwinden. Strg: nimmt den Teil unter dem Zeiger ab</translation>
+    </message>
+    <message>
+        <source>Outline the liver first.</source>
+        <translation>Umreißen Sie zuerst die Leber.</translation>
+    </message>
+    <message>
+        <source>Replaces the outline by all that is shaped like a vessel in the liver</source>
+        <translation>Ersetzt den Umriss durch alles, was in der Leber wie ein Gefäß geformt ist</translation>
+    </message>
+    <message>
+        <source>Replaces the outline by the vessels in the liver that hang on the points</source>
+        <translation>Ersetzt den Umriss durch die Gefäße der Leber, die an den Punkten hängen</translation>
+    </message>
+    <message>
+        <source>Click into the vessel where it stands out best, or let all vessels be found. Points so far: %1</source>
+        <translation>Klicken Sie in das Gefäß, wo es sich am besten abhebt, oder lassen Sie alle Gefäße finden. Punkte bisher: %1</translation>
+    </message>
+    <message>
+        <source>Finding vessels: %1</source>
+        <translation>Gefäße werden gesucht: %1</translation>
+    </message>
+    <message>
+        <source>Click points into the tissue, then let the structure grow over what looks alike; vessels are found without</source>
+        <translation>Klicken Sie Punkte in das Gewebe und lassen Sie die Struktur über Gleiches wachsen; Gefäße werden auch ohne gefunden</translation>
+    </message>
+    <message>
+        <source>Find</source>
+        <translation>Finden</translation>
     </message>
 </context>
 <context>
@@ -13970,6 +14050,18 @@ Von Hand: mit der rechten Taste ziehen</translation>
     <message>
         <source>Left hepatic vein</source>
         <translation>Linke Lebervene</translation>
+    </message>
+    <message>
+        <source>Hepatic artery</source>
+        <translation>Leberarterie</translation>
+    </message>
+    <message>
+        <source>Bile duct</source>
+        <translation>Gallengang</translation>
+    </message>
+    <message>
+        <source>outside the liver</source>
+        <translation>außerhalb der Leber</translation>
     </message>
 </context>
 </TS>

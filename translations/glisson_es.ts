@@ -5044,20 +5044,8 @@
         <translation>Segmento</translation>
     </message>
     <message>
-        <source>{0}: branches that are cut, with the tissue beyond the cut.</source>
-        <translation>{0}: ramas seccionadas, con el tejido más allá de la sección.</translation>
-    </message>
-    <message>
         <source>Branch</source>
         <translation>Rama</translation>
-    </message>
-    <message>
-        <source>Beyond it (ml)</source>
-        <translation>Más allá (ml)</translation>
-    </message>
-    <message>
-        <source>Of that left (ml)</source>
-        <translation>De ello queda (ml)</translation>
     </message>
     <message>
         <source>Make the demo anew.</source>
@@ -7020,10 +7008,6 @@
         <translation>Probabilidad de {0}, o de lo que estos datos no distinguen de ello: {1}.</translation>
     </message>
     <message>
-        <source>portal-vein and hepatic-vein hold the same vessels: {0} % of the smaller one.</source>
-        <translation>portal-vein y hepatic-vein contienen los mismos vasos: {0} % de la menor.</translation>
-    </message>
-    <message>
         <source>Unite them in one structure, vessels: its systems are told apart.</source>
         <translation>Únalas en una estructura, vessels: sus sistemas se distinguen.</translation>
     </message>
@@ -7054,6 +7038,82 @@
     <message>
         <source>Push with less, or where the body holds against it.</source>
         <translation>Empuje con menos fuerza o donde el cuerpo resista.</translation>
+    </message>
+    <message>
+        <source>The vessel trees were made before there was {0}: find the vessels again.</source>
+        <translation>Los árboles de vasos se hicieron antes de que hubiera {0}: halle los vasos de nuevo.</translation>
+    </message>
+    <message>
+        <source>What {1} was made from has changed since, and {0} was made from that: make {1} anew, then {0}.</source>
+        <translation>Aquello de lo que se hizo {1} ha cambiado desde entonces, y {0} se hizo de ello: haga de nuevo {1} y después {0}.</translation>
+    </message>
+    <message>
+        <source>{1} and {2} hold the same vessels: {0} % of the smaller one.</source>
+        <translation>{1} y {2} contienen los mismos vasos: el {0} % del menor.</translation>
+    </message>
+    <message>
+        <source>Take the one out of the other: glisson-cli segment --subtract.</source>
+        <translation>Quite el uno del otro: glisson-cli segment --subtract.</translation>
+    </message>
+    <message>
+        <source>{0} holds a piece as wide as it is long, which is no vessel.</source>
+        <translation>{0} contiene un trozo tan ancho como largo, que no es un vaso.</translation>
+    </message>
+    <message>
+        <source>Outline vessels and ducts alone, the gall bladder by itself.</source>
+        <translation>Delimite solo vasos y conductos, y la vesícula biliar aparte.</translation>
+    </message>
+    <message>
+        <source>{0} has no tissue of its own: arteries and bile ducts run with portal branches.</source>
+        <translation>{0} no tiene tejido propio: las arterias y los conductos biliares van con las ramas portales.</translation>
+    </message>
+    <message>
+        <source>Take the portal branch beside it.</source>
+        <translation>Tome la rama portal de al lado.</translation>
+    </message>
+    <message>
+        <source>{0}: branches that are cut, with the tissue beyond the cut; of arteries and bile ducts their own length.</source>
+        <translation>{0}: ramas seccionadas, con el tejido más allá de la sección; de arterias y conductos biliares, su propia longitud.</translation>
+    </message>
+    <message>
+        <source>Beyond it</source>
+        <translation>Más allá</translation>
+    </message>
+    <message>
+        <source>Of that left</source>
+        <translation>De ello queda</translation>
+    </message>
+    <message>
+        <source>Finding vessels</source>
+        <translation>Buscando vasos</translation>
+    </message>
+    <message>
+        <source>The outline to find vessels in holds nothing.</source>
+        <translation>El contorno en el que se buscan vasos no contiene nada.</translation>
+    </message>
+    <message>
+        <source>Nothing in the outline stands out as a tube.</source>
+        <translation>Nada en el contorno destaca como un tubo.</translation>
+    </message>
+    <message>
+        <source>Vessels need contrast: take another phase or sequence, grow them from seeds, or import their outline.</source>
+        <translation>Los vasos necesitan contraste: tome otra fase o secuencia, hágalos crecer desde puntos o importe su contorno.</translation>
+    </message>
+    <message>
+        <source>Vessels are brighter than the tissue around by {0}: {1} ml, {2} % of the outline.</source>
+        <translation>Los vasos son {0} más claros que el tejido de alrededor: {1} ml, {2} % del contorno.</translation>
+    </message>
+    <message>
+        <source>Vessels are darker than the tissue around by {0}: {1} ml, {2} % of the outline.</source>
+        <translation>Los vasos son {0} más oscuros que el tejido de alrededor: {1} ml, {2} % del contorno.</translation>
+    </message>
+    <message>
+        <source>The seed at ({0}) mm lies more than {1} mm from every vessel found.</source>
+        <translation>El punto en ({0}) mm está a más de {1} mm de todo vaso encontrado.</translation>
+    </message>
+    <message>
+        <source>Move the seed onto a vessel, or leave seeds out: then all vessels are kept.</source>
+        <translation>Ponga el punto sobre un vaso, o prescinda de puntos: entonces quedan todos los vasos.</translation>
     </message>
 </context>
 <context>
@@ -7248,10 +7308,6 @@
         <translation>Pasa por la cruz</translation>
     </message>
     <message>
-        <source>The border of these two segments is to pass the crosshair. Segments are found again by it, and are less in doubt</source>
-        <translation>El límite de estos dos segmentos ha de pasar por la cruz. Los segmentos se hallan de nuevo según él y están menos en duda</translation>
-    </message>
-    <message>
         <source>First stands the border that runs nearest to the crosshair</source>
         <translation>Primero está el límite que pasa más cerca de la cruz</translation>
     </message>
@@ -7266,6 +7322,10 @@
     <message>
         <source>Places on borders that were set by hand: %1. Segments are found again without the last</source>
         <translation>Lugares en límites puestos a mano: %1. Los segmentos se hallan de nuevo sin el último</translation>
+    </message>
+    <message>
+        <source>The border of these two segments is to pass the crosshair. Segments are found again by it, and are less in doubt. Its mark is dragged in a slice or in 3D; Delete takes away the one that was clicked on</source>
+        <translation>El límite de estos dos segmentos debe pasar por la cruz. Los segmentos se hallan de nuevo según él y hay menos en duda. Su marca se arrastra en un corte o en 3D; Supr quita la que se ha pulsado</translation>
     </message>
 </context>
 <context>
@@ -9709,10 +9769,6 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar. Ctrl+arrastrar: girar. Tiradores 
         <translation>Hallar los segmentos</translation>
     </message>
     <message>
-        <source>By the portal and hepatic veins where both are outlined, else by the liver&apos;s shape alone</source>
-        <translation>Según la vena porta y las venas hepáticas donde ambas están delimitadas, si no según la forma del hígado sola</translation>
-    </message>
-    <message>
         <source>Segment</source>
         <translation>Segmento</translation>
     </message>
@@ -9769,20 +9825,8 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar. Ctrl+arrastrar: girar. Tiradores 
         <translation>mm</translation>
     </message>
     <message>
-        <source>Beyond, ml</source>
-        <translation>Más allá, ml</translation>
-    </message>
-    <message>
-        <source>Left, ml</source>
-        <translation>Queda, ml</translation>
-    </message>
-    <message>
         <source>Diameter where it is cut</source>
         <translation>Diámetro donde se secciona</translation>
-    </message>
-    <message>
-        <source>All tissue that it feeds or drains beyond the cut</source>
-        <translation>Todo el tejido que irriga o drena más allá de la sección</translation>
     </message>
     <message>
         <source>What of that stays in the patient without it</source>
@@ -9947,6 +9991,22 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar. Ctrl+arrastrar: girar. Tiradores 
     <message>
         <source>By the liver&apos;s shape and borders set by hand: it has no vessel trees.</source>
         <translation>Según la forma del hígado y límites puestos a mano: no tiene árboles vasculares.</translation>
+    </message>
+    <message>
+        <source>By the portal and hepatic veins where both are outlined, else by the liver&apos;s shape alone. Arteries and bile ducts that are outlined get trees too</source>
+        <translation>Según la vena porta y las venas hepáticas donde ambas están delimitadas, si no según la forma del hígado sola. Las arterias y los conductos biliares delimitados reciben también árboles</translation>
+    </message>
+    <message>
+        <source>Beyond</source>
+        <translation>Más allá</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Queda</translation>
+    </message>
+    <message>
+        <source>All tissue that it feeds or drains beyond the cut; of an artery or a bile duct its own length</source>
+        <translation>Todo el tejido que irriga o drena más allá de la sección; de una arteria o un conducto biliar, su propia longitud</translation>
     </message>
 </context>
 <context>
@@ -11246,8 +11306,8 @@ seguro %</translation>
         <translation>libre</translation>
     </message>
     <message>
-        <source>○ portal, □ hepatic vein cut</source>
-        <translation>○ vena porta, □ vena hepática seccionada</translation>
+        <source>○ portal, □ hepatic vein cut; ◇ artery, △ bile duct</source>
+        <translation>○ vena porta, □ vena hepática seccionada; ◇ arteria, △ conducto biliar</translation>
     </message>
 </context>
 <context>
@@ -11403,10 +11463,6 @@ seguro %</translation>
     <message>
         <source>Draw around something, and cut away what is inside or outside</source>
         <translation>Rodee algo y corte lo que queda dentro o fuera</translation>
-    </message>
-    <message>
-        <source>Click points into the tissue, then let the structure grow over what looks alike</source>
-        <translation>Marque puntos en el tejido y deje que la estructura crezca sobre lo que se le parece</translation>
     </message>
     <message>
         <source>%1 (key %2)</source>
@@ -11569,10 +11625,6 @@ seguro %</translation>
         <translation>Hasta dónde cortan las tijeras delante y detrás de este corte, en mm</translation>
     </message>
     <message>
-        <source>Click into the vessel where it stands out best. Points so far: %1</source>
-        <translation>Haga clic en el vaso donde mejor destaque. Puntos hasta ahora: %1</translation>
-    </message>
-    <message>
         <source>Click into the middle of it. Points so far: %1</source>
         <translation>Haga clic en el medio. Puntos hasta ahora: %1</translation>
     </message>
@@ -11601,6 +11653,34 @@ seguro %</translation>
     <message>
         <source>Click on the piece that is to stay; all others go. Ctrl: takes off the part under the pointer</source>
         <translation>Haga clic en el trozo que debe quedar; los demás desaparecen. Ctrl: quita la parte bajo el puntero</translation>
+    </message>
+    <message>
+        <source>Outline the liver first.</source>
+        <translation>Contornee primero el hígado.</translation>
+    </message>
+    <message>
+        <source>Replaces the outline by all that is shaped like a vessel in the liver</source>
+        <translation>Sustituye el contorno por todo lo que en el hígado tiene forma de vaso</translation>
+    </message>
+    <message>
+        <source>Replaces the outline by the vessels in the liver that hang on the points</source>
+        <translation>Sustituye el contorno por los vasos del hígado unidos a los puntos</translation>
+    </message>
+    <message>
+        <source>Click into the vessel where it stands out best, or let all vessels be found. Points so far: %1</source>
+        <translation>Haga clic en el vaso donde mejor destaca, o haga buscar todos los vasos. Puntos hasta ahora: %1</translation>
+    </message>
+    <message>
+        <source>Finding vessels: %1</source>
+        <translation>Buscando vasos: %1</translation>
+    </message>
+    <message>
+        <source>Click points into the tissue, then let the structure grow over what looks alike; vessels are found without</source>
+        <translation>Haga clic en puntos del tejido y deje crecer la estructura por lo parecido; los vasos se encuentran también sin ellos</translation>
+    </message>
+    <message>
+        <source>Find</source>
+        <translation>Buscar</translation>
     </message>
 </context>
 <context>
@@ -13973,6 +14053,18 @@ A mano: arrastre con el botón derecho</translation>
     <message>
         <source>Left hepatic vein</source>
         <translation>Vena hepática izquierda</translation>
+    </message>
+    <message>
+        <source>Hepatic artery</source>
+        <translation>Arteria hepática</translation>
+    </message>
+    <message>
+        <source>Bile duct</source>
+        <translation>Conducto biliar</translation>
+    </message>
+    <message>
+        <source>outside the liver</source>
+        <translation>fuera del hígado</translation>
     </message>
 </context>
 </TS>

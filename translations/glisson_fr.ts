@@ -5044,20 +5044,8 @@
         <translation>Segment</translation>
     </message>
     <message>
-        <source>{0}: branches that are cut, with the tissue beyond the cut.</source>
-        <translation>{0} : branches coupées, avec le tissu au-delà de la section.</translation>
-    </message>
-    <message>
         <source>Branch</source>
         <translation>Branche</translation>
-    </message>
-    <message>
-        <source>Beyond it (ml)</source>
-        <translation>Au-delà (ml)</translation>
-    </message>
-    <message>
-        <source>Of that left (ml)</source>
-        <translation>Dont reste (ml)</translation>
     </message>
     <message>
         <source>Make the demo anew.</source>
@@ -7020,10 +7008,6 @@
         <translation>Probabilité de {0}, ou de ce que ces données n&apos;en distinguent pas : {1}.</translation>
     </message>
     <message>
-        <source>portal-vein and hepatic-vein hold the same vessels: {0} % of the smaller one.</source>
-        <translation>portal-vein et hepatic-vein contiennent les mêmes vaisseaux : {0} % de la plus petite.</translation>
-    </message>
-    <message>
         <source>Unite them in one structure, vessels: its systems are told apart.</source>
         <translation>Réunissez-les en une structure, vessels : ses systèmes sont distingués.</translation>
     </message>
@@ -7054,6 +7038,82 @@
     <message>
         <source>Push with less, or where the body holds against it.</source>
         <translation>Poussez moins fort, ou là où le corps résiste.</translation>
+    </message>
+    <message>
+        <source>The vessel trees were made before there was {0}: find the vessels again.</source>
+        <translation>Les arbres des vaisseaux ont été faits avant qu’il y ait {0} : retrouvez les vaisseaux.</translation>
+    </message>
+    <message>
+        <source>What {1} was made from has changed since, and {0} was made from that: make {1} anew, then {0}.</source>
+        <translation>Ce dont {1} a été fait a changé depuis, et {0} en a été fait : refaites {1}, puis {0}.</translation>
+    </message>
+    <message>
+        <source>{1} and {2} hold the same vessels: {0} % of the smaller one.</source>
+        <translation>{1} et {2} contiennent les mêmes vaisseaux : {0} % du plus petit.</translation>
+    </message>
+    <message>
+        <source>Take the one out of the other: glisson-cli segment --subtract.</source>
+        <translation>Retirez l’un de l’autre : glisson-cli segment --subtract.</translation>
+    </message>
+    <message>
+        <source>{0} holds a piece as wide as it is long, which is no vessel.</source>
+        <translation>{0} contient un morceau aussi large que long, qui n’est pas un vaisseau.</translation>
+    </message>
+    <message>
+        <source>Outline vessels and ducts alone, the gall bladder by itself.</source>
+        <translation>Délimitez les vaisseaux et les conduits seuls, la vésicule biliaire à part.</translation>
+    </message>
+    <message>
+        <source>{0} has no tissue of its own: arteries and bile ducts run with portal branches.</source>
+        <translation>{0} n’a pas de tissu à soi : les artères et les voies biliaires suivent les branches portes.</translation>
+    </message>
+    <message>
+        <source>Take the portal branch beside it.</source>
+        <translation>Prenez la branche porte d’à côté.</translation>
+    </message>
+    <message>
+        <source>{0}: branches that are cut, with the tissue beyond the cut; of arteries and bile ducts their own length.</source>
+        <translation>{0} : branches coupées, avec le tissu au-delà de la section ; pour les artères et les voies biliaires, leur propre longueur.</translation>
+    </message>
+    <message>
+        <source>Beyond it</source>
+        <translation>Au-delà</translation>
+    </message>
+    <message>
+        <source>Of that left</source>
+        <translation>Dont reste</translation>
+    </message>
+    <message>
+        <source>Finding vessels</source>
+        <translation>Recherche des vaisseaux</translation>
+    </message>
+    <message>
+        <source>The outline to find vessels in holds nothing.</source>
+        <translation>Le contour où chercher des vaisseaux ne contient rien.</translation>
+    </message>
+    <message>
+        <source>Nothing in the outline stands out as a tube.</source>
+        <translation>Rien dans le contour ne se détache comme un tube.</translation>
+    </message>
+    <message>
+        <source>Vessels need contrast: take another phase or sequence, grow them from seeds, or import their outline.</source>
+        <translation>Les vaisseaux ont besoin de contraste : prenez une autre phase ou séquence, faites-les croître à partir de points ou importez leur contour.</translation>
+    </message>
+    <message>
+        <source>Vessels are brighter than the tissue around by {0}: {1} ml, {2} % of the outline.</source>
+        <translation>Les vaisseaux sont plus clairs de {0} que le tissu autour : {1} ml, {2} % du contour.</translation>
+    </message>
+    <message>
+        <source>Vessels are darker than the tissue around by {0}: {1} ml, {2} % of the outline.</source>
+        <translation>Les vaisseaux sont plus sombres de {0} que le tissu autour : {1} ml, {2} % du contour.</translation>
+    </message>
+    <message>
+        <source>The seed at ({0}) mm lies more than {1} mm from every vessel found.</source>
+        <translation>Le point à ({0}) mm est à plus de {1} mm de tout vaisseau trouvé.</translation>
+    </message>
+    <message>
+        <source>Move the seed onto a vessel, or leave seeds out: then all vessels are kept.</source>
+        <translation>Placez le point sur un vaisseau, ou n’en donnez pas : alors tous les vaisseaux restent.</translation>
     </message>
 </context>
 <context>
@@ -7248,10 +7308,6 @@
         <translation>Passe par le réticule</translation>
     </message>
     <message>
-        <source>The border of these two segments is to pass the crosshair. Segments are found again by it, and are less in doubt</source>
-        <translation>La limite de ces deux segments doit passer par le réticule. Les segments sont retrouvés d’après elle et sont moins incertains</translation>
-    </message>
-    <message>
         <source>First stands the border that runs nearest to the crosshair</source>
         <translation>En premier figure la limite qui passe le plus près du réticule</translation>
     </message>
@@ -7266,6 +7322,10 @@
     <message>
         <source>Places on borders that were set by hand: %1. Segments are found again without the last</source>
         <translation>Endroits sur des limites placés à la main : %1. Les segments sont retrouvés sans le dernier</translation>
+    </message>
+    <message>
+        <source>The border of these two segments is to pass the crosshair. Segments are found again by it, and are less in doubt. Its mark is dragged in a slice or in 3D; Delete takes away the one that was clicked on</source>
+        <translation>La limite de ces deux segments doit passer par le réticule. Les segments sont retrouvés d’après elle, et sont moins incertains. Son repère se déplace dans une coupe ou en 3D ; Suppr ôte celui sur lequel on a cliqué</translation>
     </message>
 </context>
 <context>
@@ -9709,10 +9769,6 @@ Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: déplacer. Ctrl+glisser&#xa0;: tour
         <translation>Trouver les segments</translation>
     </message>
     <message>
-        <source>By the portal and hepatic veins where both are outlined, else by the liver&apos;s shape alone</source>
-        <translation>D’après la veine porte et les veines hépatiques là où les deux sont délimitées, sinon d’après la seule forme du foie</translation>
-    </message>
-    <message>
         <source>Segment</source>
         <translation>Segment</translation>
     </message>
@@ -9769,20 +9825,8 @@ Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: déplacer. Ctrl+glisser&#xa0;: tour
         <translation>mm</translation>
     </message>
     <message>
-        <source>Beyond, ml</source>
-        <translation>Au-delà, ml</translation>
-    </message>
-    <message>
-        <source>Left, ml</source>
-        <translation>Reste, ml</translation>
-    </message>
-    <message>
         <source>Diameter where it is cut</source>
         <translation>Diamètre là où elle est coupée</translation>
-    </message>
-    <message>
-        <source>All tissue that it feeds or drains beyond the cut</source>
-        <translation>Tout le tissu qu’elle irrigue ou draine au-delà de la section</translation>
     </message>
     <message>
         <source>What of that stays in the patient without it</source>
@@ -9947,6 +9991,22 @@ Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: déplacer. Ctrl+glisser&#xa0;: tour
     <message>
         <source>By the liver&apos;s shape and borders set by hand: it has no vessel trees.</source>
         <translation>D’après la forme du foie et des limites placées à la main : il n’a pas d’arbres vasculaires.</translation>
+    </message>
+    <message>
+        <source>By the portal and hepatic veins where both are outlined, else by the liver&apos;s shape alone. Arteries and bile ducts that are outlined get trees too</source>
+        <translation>D’après la veine porte et les veines hépatiques là où les deux sont délimitées, sinon d’après la seule forme du foie. Les artères et les voies biliaires délimitées reçoivent aussi des arbres</translation>
+    </message>
+    <message>
+        <source>Beyond</source>
+        <translation>Au-delà</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Reste</translation>
+    </message>
+    <message>
+        <source>All tissue that it feeds or drains beyond the cut; of an artery or a bile duct its own length</source>
+        <translation>Tout le tissu qu’elle irrigue ou draine au-delà de la section ; pour une artère ou une voie biliaire, sa propre longueur</translation>
     </message>
 </context>
 <context>
@@ -11246,8 +11306,8 @@ sûr %</translation>
         <translation>libre</translation>
     </message>
     <message>
-        <source>○ portal, □ hepatic vein cut</source>
-        <translation>○ veine porte, □ veine hépatique coupée</translation>
+        <source>○ portal, □ hepatic vein cut; ◇ artery, △ bile duct</source>
+        <translation>○ veine porte, □ veine hépatique coupée ; ◇ artère, △ voie biliaire</translation>
     </message>
 </context>
 <context>
@@ -11403,10 +11463,6 @@ sûr %</translation>
     <message>
         <source>Draw around something, and cut away what is inside or outside</source>
         <translation>Entourer quelque chose et enlever ce qui est à l’intérieur ou à l’extérieur</translation>
-    </message>
-    <message>
-        <source>Click points into the tissue, then let the structure grow over what looks alike</source>
-        <translation>Placez des points dans le tissu, puis laissez la structure s’étendre sur ce qui lui ressemble</translation>
     </message>
     <message>
         <source>%1 (key %2)</source>
@@ -11569,10 +11625,6 @@ sûr %</translation>
         <translation>Distance de coupe des ciseaux devant et derrière cette coupe, en mm</translation>
     </message>
     <message>
-        <source>Click into the vessel where it stands out best. Points so far: %1</source>
-        <translation>Cliquez dans le vaisseau là où il se détache le mieux. Points jusqu&apos;ici : %1</translation>
-    </message>
-    <message>
         <source>Click into the middle of it. Points so far: %1</source>
         <translation>Cliquez au milieu. Points jusqu&apos;ici : %1</translation>
     </message>
@@ -11601,6 +11653,34 @@ sûr %</translation>
     <message>
         <source>Click on the piece that is to stay; all others go. Ctrl: takes off the part under the pointer</source>
         <translation>Cliquez sur le morceau à garder ; les autres disparaissent. Ctrl : retire la partie sous le pointeur</translation>
+    </message>
+    <message>
+        <source>Outline the liver first.</source>
+        <translation>Délimitez d’abord le foie.</translation>
+    </message>
+    <message>
+        <source>Replaces the outline by all that is shaped like a vessel in the liver</source>
+        <translation>Remplace le contour par tout ce qui, dans le foie, a la forme d’un vaisseau</translation>
+    </message>
+    <message>
+        <source>Replaces the outline by the vessels in the liver that hang on the points</source>
+        <translation>Remplace le contour par les vaisseaux du foie reliés aux points</translation>
+    </message>
+    <message>
+        <source>Click into the vessel where it stands out best, or let all vessels be found. Points so far: %1</source>
+        <translation>Cliquez dans le vaisseau là où il se détache le mieux, ou faites trouver tous les vaisseaux. Points : %1</translation>
+    </message>
+    <message>
+        <source>Finding vessels: %1</source>
+        <translation>Recherche des vaisseaux : %1</translation>
+    </message>
+    <message>
+        <source>Click points into the tissue, then let the structure grow over what looks alike; vessels are found without</source>
+        <translation>Cliquez des points dans le tissu, puis laissez la structure croître sur ce qui lui ressemble ; les vaisseaux se trouvent aussi sans</translation>
+    </message>
+    <message>
+        <source>Find</source>
+        <translation>Trouver</translation>
     </message>
 </context>
 <context>
@@ -13973,6 +14053,18 @@ By hand: drag with the right button</source>
     <message>
         <source>Left hepatic vein</source>
         <translation>Veine hépatique gauche</translation>
+    </message>
+    <message>
+        <source>Hepatic artery</source>
+        <translation>Artère hépatique</translation>
+    </message>
+    <message>
+        <source>Bile duct</source>
+        <translation>Voie biliaire</translation>
+    </message>
+    <message>
+        <source>outside the liver</source>
+        <translation>hors du foie</translation>
     </message>
 </context>
 </TS>

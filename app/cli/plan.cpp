@@ -75,12 +75,12 @@ std::string in_words(const Json& plan) {
     text += fmt::format("  {} is {}\n", tumour.at("name").get<std::string>(),
                         tumour.at("side") == "left" ? "left in the patient" : "cut through");
   }
-  constexpr double worth_a_line_ml = 1;
   for (const Json& branch : plan.value("branches", Json::array())) {
-    if (branch.at("beyond_ml").get<double>() < worth_a_line_ml) break;
-    text += fmt::format("  cuts {:32} {:.1f} mm wide, {:.0f} ml hang on it, {:.0f} ml of them stay\n",
-                        branch.at("name").get<std::string>(), 2 * branch.at("radius_mm").get<double>(),
-                        branch.at("beyond_ml").get<double>(), branch.at("affected_ml").get<double>());
+    const auto told = planning::beyond_cut(branch);
+    if (!told) continue;
+    text += fmt::format("  cuts {:32} {:.1f} mm wide, {:.0f} {} hang on it, {:.0f} {} of them stay\n",
+                        branch.at("name").get<std::string>(), 2 * branch.at("radius_mm").get<double>(), told->beyond,
+                        told->unit, told->left, told->unit);
   }
   for (const Json& better : plan.value("beaten_by", Json::array())) {
     text += fmt::format("  {} is no worse in anything, and better\n", better.get<std::string>());

@@ -193,11 +193,12 @@ std::string in_words(const Living& living) {
   std::string text =
       fmt::format("Of the remnant {:.0f} ml stay perfused and drained; {:.0f} ml ischaemic, {:.0f} ml congested\n",
                   *living.answer.living_ml, *living.answer.ischaemic_ml, *living.answer.congested_ml);
-  constexpr double worth_a_line_ml = 1;
   for (const planning::CutBranch& cut : living.answer.branches) {
-    if (cut.affected_ml < worth_a_line_ml) continue;
-    text += fmt::format("  cuts {:32} {:.1f} mm wide, {:.0f} ml of the remnant hang on it\n",
-                        living.trees.branches[cut.branch].name, 2 * cut.radius_mm, cut.affected_ml);
+    const vasculature::TreeBranch& branch = living.trees.branches[cut.branch];
+    const auto told = planning::beyond_cut(cut, branch.system);
+    if (!told || (vasculature::is_vein(branch.system) && told->left < 1)) continue;
+    text += fmt::format("  cuts {:32} {:.1f} mm wide, {:.0f} {} in the remnant hang on it\n", branch.name,
+                        2 * cut.radius_mm, told->left, told->unit);
   }
   for (const Sentence& remark : living.remarks) text += "- " + remark.message() + "\n";
   return text;

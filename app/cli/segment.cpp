@@ -1,5 +1,5 @@
-// glisson-cli segment CASE --structure NAME (--seed X,Y,Z ... | --labels FILE | --range LOW,HIGH | --unite OTHER |
-// --intersect OTHER | --subtract OTHER): one labelled structure; or
+// glisson-cli segment CASE --structure NAME (--seed X,Y,Z ... | --tubes | --labels FILE | --range LOW,HIGH |
+// --unite OTHER | --intersect OTHER | --subtract OTHER): one labelled structure; or
 // glisson-cli segment CASE --with COMMAND: all that another program outlines.
 
 #include <fmt/format.h>
@@ -9,6 +9,7 @@
 #include "casefile/outlined_by_program.h"
 #include "casefile/structures.h"
 #include "command.h"
+#include "one_of.h"
 #include "shared_options.h"
 
 namespace glisson::cli {
@@ -21,6 +22,8 @@ struct SegmentCommand {
   std::optional<std::string> labels;
   std::optional<int> label_value;
   std::vector<double> range;
+  bool tubes = false;
+  std::optional<segmentation::VesselBrightness> brightness;  // of tubes
   std::optional<std::string> inside, unite, intersect, subtract;
   std::string with;
   std::vector<std::string> named;  // "1=liver"
@@ -45,6 +48,10 @@ Result<casefile::SavedStructure> change(casefile::Case& patient, const SegmentCo
     const auto position = parse_position(seed, "--seed");
     if (!position) return failure(position.error());
     seeds_mm.push_back(*position);
+  }
+  if (options.tubes) {
+    const std::string within = options.inside.value_or("liver");
+    return casefile::segment_vessels(patient, name, seeds_mm, within, options.brightness, progress);
   }
   return casefile::grow_structure(patient, name, seeds_mm, progress, options.inside);
 }
@@ -88,7 +95,8 @@ Result<Outcome> outline(const SegmentCommand& options, const Progress& progress)
 void add_segment(CLI::App& app, Action& chosen) {
   CLI::App* command = app.add_subcommand(
       "segment",
-      "Mark a structure: grown from seeds, from a label file, by grey values, by another structure or program");
+      "Mark a structure: grown from seeds, vessels by their shape, from a label file, by grey values, by another "
+      "structure or program");
   auto options = std::make_shared<SegmentCommand>();
   command->add_option("case", options->case_folder, "The case")->required();
   CLI::Option* structure = command->add_option("--structure", options->structure, "liver, tumour-1, portal-vein, ...");
@@ -98,6 +106,12 @@ void add_segment(CLI::App& app, Action& chosen) {
   std::vector<CLI::Option*> ways;
   ways.push_back(command->add_option("--seed", options->seeds, "X,Y,Z in mm (LPS) inside it; may be repeated")
                      ->allow_extra_args(false));
+  CLI::Option* tubes = command->add_flag("--tubes", options->tubes,
+                                         "Vessels by their shape, without a click; with --seed those that hang on it");
+  command->add_option("--brightness", options->brightness, "Of the tubes (default: what more of them are)")
+      ->transform(one_of(Words<segmentation::VesselBrightness>{{"bright", segmentation::VesselBrightness::bright},
+                                                               {"dark", segmentation::VesselBrightness::dark}}))
+      ->needs(tubes);
   CLI::Option* labels = command->add_option("--labels", options->labels, "Label file: NRRD, NIfTI, MHA or DICOM SEG");
   ways.push_back(labels);
   command->add_option("--label-value", options->label_value, "Which label of the file")->needs(labels);
@@ -107,7 +121,8 @@ void add_segment(CLI::App& app, Action& chosen) {
   ways.push_back(command->add_option("--unite", options->unite, "Adds what this other structure of the case holds"));
   ways.push_back(command->add_option("--intersect", options->intersect, "Keeps only what the other one holds too"));
   ways.push_back(command->add_option("--subtract", options->subtract, "Takes away what the other one holds"));
-  command->add_option("--inside", options->inside, "Seeds and grey values: only inside of this structure of the case");
+  command->add_option("--inside", options->inside,
+                      "Seeds, tubes and grey values: only inside of this structure of the case (tubes: liver)");
   CLI::Option* with =
       command
           ->add_option("--with", options->with,
@@ -124,15 +139,17 @@ void add_segment(CLI::App& app, Action& chosen) {
       });
   for (std::size_t k = 0; k < ways.size(); ++k) {
     for (std::size_t n = 0; n < k; ++n) ways[k]->excludes(ways[n]);
+    if (k > 0) tubes->excludes(ways[k]);
   }
-  command->callback([&chosen, options, ways, with, structure] {
+  command->callback([&chosen, options, ways, with, structure, tubes] {
     if (with->count() > 0) {
       chosen = [options](const Progress& progress) { return outline(*options, progress); };
       return;
     }
     if (structure->count() == 0) throw CLI::RequiredError("--structure");
-    if (std::none_of(ways.begin(), ways.end(), [](const CLI::Option* way) { return way->count() > 0; })) {
-      throw CLI::RequiredError("--seed, --labels, --range, --unite, --intersect, --subtract or --with");
+    if (tubes->count() == 0 &&
+        std::none_of(ways.begin(), ways.end(), [](const CLI::Option* way) { return way->count() > 0; })) {
+      throw CLI::RequiredError("--seed, --tubes, --labels, --range, --unite, --intersect, --subtract or --with");
     }
     if (options->range.size() == 2 && !(options->range[0] <= options->range[1])) {
       throw CLI::ValidationError("--range", "the lower value comes first");

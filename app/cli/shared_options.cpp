@@ -1,7 +1,5 @@
 #include "shared_options.h"
 
-#include <fmt/ranges.h>
-
 #include "base/text.h"
 
 namespace glisson::cli {
@@ -43,20 +41,11 @@ Json direction_json(const Eigen::Matrix3d& direction) {
   return json;
 }
 
-namespace {
-
-std::string names_of_borders() {
-  std::vector<std::string> names;
-  for (const auto& segments : vasculature::all_borders()) names.push_back(vasculature::border_name(segments));
-  return fmt::format("{}", fmt::join(names, ", "));
-}
-
-}  // namespace
-
 void add_border_option(CLI::App& command, std::vector<std::string>& borders) {
   command
       .add_option("--border", borders,
-                  "BORDER=X,Y,Z in mm (LPS): through this place runs the border of two segments; " + names_of_borders())
+                  "BORDER=X,Y,Z in mm (LPS): through this place runs the border of two segments; " +
+                      vasculature::names_of_borders())
       ->allow_extra_args(false);
 }
 
@@ -66,7 +55,7 @@ Result<vasculature::BorderPlaces> parse_borders(const std::vector<std::string>& 
     const auto place = vasculature::border_of_text(text);
     if (!place) {
       return failure("border-invalid", GLISSON_TEXT("--border wants BORDER=X,Y,Z with one of {0}, not \"{1}\"."),
-                     {names_of_borders(), text});
+                     {vasculature::names_of_borders(), text});
     }
     borders.push_back(*place);
   }

@@ -40,6 +40,7 @@ Outcome describe(const casefile::FoundTerritories& found, const planning::Planne
   if (!couinaud_only) {
     for (std::size_t b = 0; b < found.trees.branches.size(); ++b) {
       const vasculature::TreeBranch& branch = found.trees.branches[b];
+      if (!vasculature::is_vein(branch.system)) continue;
       territories.push_back({{"id", b},
                              {"branch", branch.name},
                              {"system", vasculature::system_name(branch.system)},

@@ -25,7 +25,7 @@ struct VesselsCommand {
 
 Outcome describe(const vasculature::VesselTrees& trees, const std::string& file) {
   Json branches = Json::array();
-  std::array<double, 2> length{}, sure{};
+  std::array<double, vasculature::all_systems.size()> length{}, sure{};
   for (std::size_t b = 0; b < trees.branches.size(); ++b) {
     const TreeBranch& branch = trees.branches[b];
     branches.push_back({{"id", b},
@@ -44,10 +44,11 @@ Outcome describe(const vasculature::VesselTrees& trees, const std::string& file)
                    {"border_doubts", vasculature::border_doubts_json(trees)},
                    {"file", file}},
                   {}};
-  for (const System system : {System::portal_vein, System::hepatic_vein}) {
+  for (const System system : vasculature::all_systems) {
     const auto n = static_cast<std::size_t>(system);
     const auto count = std::count_if(trees.branches.begin(), trees.branches.end(),
                                      [&](const TreeBranch& branch) { return branch.system == system; });
+    if (count == 0 && !vasculature::is_vein(system)) continue;
     outcome.text +=
         fmt::format("{}: {} branches, {:.0f} mm, {:.0f} % of it without doubt\n", vasculature::system_name(system),
                     count, length.at(n), length.at(n) > 0 ? 100 * sure.at(n) / length.at(n) : 0);
@@ -104,9 +105,10 @@ Result<Outcome> run(const VesselsCommand& options, const Progress& progress) {
 }  // namespace
 
 void add_vessels(CLI::App& app, Action& chosen) {
-  CLI::App* command = app.add_subcommand(
-      "vessels",
-      "Make trees of the case's vessels: centre lines, radii, branches; portal and hepatic veins told apart");
+  CLI::App* command = app.add_subcommand("vessels",
+                                         "Make trees of the case's vessels: centre lines, radii, branches; portal and "
+                                         "hepatic veins told apart, arteries and "
+                                         "bile ducts where they are outlined");
   auto options = std::make_shared<VesselsCommand>();
   command->add_option("case", options->case_folder, "The case")->required();
   command->add_option("--structure", options->structure,

@@ -57,6 +57,10 @@ py::dict views(const geometry::Fields& fields, py::handle owner) {
   return all;
 }
 
+std::vector<Eigen::Vector3d> points_or_none(const Numbers& array, const std::string& name) {
+  return array.size() == 0 ? std::vector<Eigen::Vector3d>() : points_from(array, name);
+}
+
 std::vector<Eigen::Vector3d> points_from(const Numbers& array, const std::string& name) {
   if (array.ndim() != 2 || array.shape(1) != 3) refuse_shape(name, "n x 3", array);
   std::vector<Eigen::Vector3d> points(static_cast<std::size_t>(array.shape(0)));

@@ -68,6 +68,8 @@ using Numbers = pybind11::array_t<double, pybind11::array::c_style | pybind11::a
 
 // n x 3, finite or not. Failure: "array-shape".
 std::vector<Eigen::Vector3d> points_from(const Numbers& array, const std::string& name);
+// The same, or none of an array that holds nothing, as [] does.
+std::vector<Eigen::Vector3d> points_or_none(const Numbers& array, const std::string& name);
 
 // n x N whole numbers. Failures: "array-shape", "array-not-whole" (of floats or beyond 32 bits).
 template <std::size_t N>

@@ -82,7 +82,8 @@ Raises glisson.Error: waves-none, choice-unknown.)")
           py::arg("progress") = py::none(),
           (std::string(
                "The VesselTrees of the case, saved in it: of the structures portal-vein and hepatic-vein, or of "
-               "one that holds both. portal_mm, hepatic_mm: a place (LPS, mm) on each main stem, where the "
+               "one that holds both; with trees of the arteries and bile ducts that it has outlined. portal_mm, "
+               "hepatic_mm: a place (LPS, mm) on each main stem, where the "
                "first guess is wrong. clicks: (vessel, place) each, borders: (border, place) each, as for "
                "vessel_trees().") +
            stage_note + "\nRaises glisson.Error: vessels-missing, labels-grids-differ.")
@@ -95,7 +96,7 @@ Raises glisson.Error: waves-none, choice-unknown.)")
             auto found =
                 long_call(progress, [&](const Progress& told) { return find_territories(self, from, by_hand, told); });
             py::dict dict = segment_dict(std::move(found.couinaud));
-            for (const auto system : {vasculature::System::portal_vein, vasculature::System::hepatic_vein}) {
+            for (const auto system : vasculature::vein_systems) {
               auto& territory = found.territory.at(static_cast<std::size_t>(system));
               dict[vasculature::system_name(system)] =
                   territory ? py::cast(std::make_shared<imaging::LabelMap>(*std::move(territory))) : py::none();

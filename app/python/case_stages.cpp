@@ -9,6 +9,7 @@
 #include "casefile/model.h"
 #include "casefile/outlined_by_program.h"
 #include "casefile/structures.h"
+#include "choices.h"
 #include "image_grid.h"
 #include "long_call.h"
 
@@ -77,6 +78,26 @@ void add_stages(py::class_<Case>& bound) {
           (std::string("Grows a structure from points inside it (n x 3, LPS, mm) on the anatomy and saves it. How "
                        "follows from the name: vessels and lesions by contrast, organs as the liver.") +
            stage_note)
+              .c_str())
+      .def(
+          "segment_vessels",
+          [](Case& self, const std::string& name, const Numbers& seeds_mm, const std::string& within,
+             const std::optional<std::string>& brightness, const py::object& progress) {
+            const auto seeds = points_or_none(seeds_mm, "seeds_mm");
+            const auto kind = brightness_chosen(brightness);
+            return dict_of(long_call(progress, [&](const Progress& told) {
+              return segment_vessels(self, name, seeds, within, kind, told);
+            }));
+          },
+          py::arg("name"), py::arg("seeds_mm") = py::list(), py::kw_only(), py::arg("within") = "liver",
+          py::arg("brightness") = py::none(), py::arg("progress") = py::none(),
+          (std::string(
+               "Finds the vessels of the anatomy inside of a structure by their shape and saves them. With "
+               "points (n x 3, LPS, mm) only those that hang on one. brightness \"bright\" or \"dark\"; without "
+               "it, what more of the tubes are.") +
+           stage_note +
+           "\nRaises glisson.Error: choice-unknown, structure-unknown, vessels-no-organ, vessels-none, "
+           "vessels-seed-off.")
               .c_str())
       .def(
           "outline_by_program",

@@ -29,20 +29,14 @@ inline vasculature::Clicks clicks_from(const std::optional<Numbers>& portal_mm,
   return clicks;
 }
 
-inline std::string words_for_borders() {
-  std::string words;
-  for (const auto& pair : vasculature::all_borders()) {
-    words += (words.empty() ? "There are " : ", ") + vasculature::border_name(pair);
-  }
-  return words + ".";
-}
-
 // Failure: "choice-unknown".
 inline vasculature::BorderPlaces borders_from(const NamedPlaces& named) {
   vasculature::BorderPlaces borders;
   for (const auto& [name, place] : named) {
     const auto segments = vasculature::border_named(name);
-    if (!segments) raise("choice-unknown", "{0} cannot be \"{1}\".", {"borders", name}, words_for_borders());
+    if (!segments)
+      raise("choice-unknown", "{0} cannot be \"{1}\".", {"borders", name},
+            "There are " + vasculature::names_of_borders() + ".");
     borders.push_back({*segments, vector_from(place, "borders")});
   }
   return borders;

@@ -2,12 +2,15 @@
 
 #include <pybind11/eigen.h>
 #include <pybind11/stl.h>
+#include <cmath>
 
+#include "choices.h"
 #include "image_grid.h"
 #include "long_call.h"
 #include "rooms.h"
 #include "segmentation/grow.h"
 #include "segmentation/grow_contrast.h"
+#include "segmentation/segment_vessels.h"
 #include "segmentation/structures.h"
 
 namespace py = pybind11;
@@ -38,6 +41,16 @@ Grown grown(GrowResult result) {
 Grown grown(ContrastGrowth result) {
   return {std::make_shared<Mask>(std::move(result.mask)), result.volume_ml, result.brightness, messages(result.doubts),
           false};
+}
+
+Grown grown(SegmentedVessels found, const Volume& image) {
+  double sum = 0, count = 0;
+  for (std::size_t voxel = 0; voxel < image.values.size(); ++voxel) {
+    if (found.mask.values[voxel] == 0 || !std::isfinite(image.values[voxel])) continue;
+    sum += static_cast<double>(image.values[voxel]);
+    ++count;
+  }
+  return {std::make_shared<Mask>(std::move(found.mask)), found.volume_ml, sum / count, messages(found.notes), false};
 }
 
 Grown grow_what_stands_out(const Volume& image, const Numbers& seeds_mm, const std::string& kind, const Mask* within,
@@ -81,6 +94,25 @@ inside of the mask `within` where it is given.
 
 Raises glisson.Error: kind-unknown, grids-differ, grow-no-seeds, grow-bad-image, grow-seed-outside,
 grow-seed-on-nothing, grow-no-contrast, grow-only-thick.)");
+  module.def(
+      "segment_vessels",
+      [](const Volume& image, const Mask& organ, const Numbers& seeds_mm, const std::optional<std::string>& brightness,
+         const py::object& progress) {
+        require_same_grid(image.grid, "The image", organ.grid, "organ");
+        const auto seeds = points_or_none(seeds_mm, "seeds_mm");
+        SegmentVesselsOptions options;
+        options.brightness = brightness_chosen(brightness);
+        SegmentedVessels found = long_call(
+            progress, [&](const Progress& told) { return segment_vessels(image, organ, seeds, options, told); });
+        return grown(std::move(found), image);
+      },
+      py::arg("image"), py::arg("organ"), py::arg("seeds_mm") = py::list(), py::kw_only(),
+      py::arg("brightness") = py::none(), py::arg("progress") = py::none(),
+      R"(The vessels of an organ by their shape, without a point; with points (n x 3, LPS, mm) those that hang on one.
+brightness "bright" or "dark"; without it, what more of the tubes are.
+
+Raises glisson.Error: choice-unknown, grids-differ, grow-bad-image, grow-seed-outside, vessels-no-organ, vessels-none,
+vessels-seed-off.)");
   module.def(
       "dice", [](const Mask& a, const Mask& b) { return short_call([&] { return dice(a, b); }); }, py::arg("a"),
       py::arg("b"), "Dice's overlap of two masks: 1 the same, 0 apart.\n\nRaises glisson.Error: masks-grids-differ.");

@@ -44,9 +44,9 @@ py::array on_grid(std::vector<T> values, const imaging::Grid& grid) {
 }
 
 void add_trees(py::module_& module) {
-  py::class_<VesselTrees, std::shared_ptr<VesselTrees>>(
-      module, "VesselTrees",
-      "Portal and hepatic veins, each as a tree; vessel_trees() and Case.find_vessels() make one.")
+  py::class_<VesselTrees, std::shared_ptr<VesselTrees>>(module, "VesselTrees",
+                                                        "Portal and hepatic veins, arteries and bile ducts, each as a "
+                                                        "tree; vessel_trees() and Case.find_vessels() make one.")
       .def_readonly("portal_entry_mm", &VesselTrees::portal_entry_mm, "(3,): where the portal vein divides, LPS, mm.")
       .def_readonly("hepatic_entry_mm", &VesselTrees::hepatic_entry_mm,
                     "(3,): where the hepatic veins meet the vena cava, LPS, mm.")
@@ -57,9 +57,9 @@ void add_trees(py::module_& module) {
             for (const TreeBranch& branch : self.branches) branches.append(dict_of(branch));
             return branches;
           },
-          R"(Parents first, a dict each: name ("portal/right/posterior/VI/2"), system ("portal-vein", "hepatic-vein"), parent (an
-earlier branch, or -1), generation, confidence of the system (0.5 to 1), length_mm, radius_mm (median), points_mm (n, 3)
-and radii_mm (n,), outwards.)")
+          R"(Parents first, a dict each: name ("portal/right/posterior/VI/2"), system ("portal-vein", "hepatic-vein", "artery",
+"biliary-tract"), parent (an earlier branch, or -1), generation, confidence of the system (0.5 to 1), length_mm,
+radius_mm (median), points_mm (n, 3) and radii_mm (n,), outwards.)")
       .def_property_readonly(
           "border_doubts",
           [](const VesselTrees& self) {
@@ -77,23 +77,33 @@ and radii_mm (n,), outwards.)")
       "vessel_trees",
       [](const Mask& vessels, const Mask& liver, const std::optional<Numbers>& portal_mm,
          const std::optional<Numbers>& hepatic_mm, const NamedPlaces& clicks, const NamedPlaces& borders,
-         const py::object& progress) {
+         const std::shared_ptr<Mask>& arteries, const std::shared_ptr<Mask>& bile_ducts, const py::object& progress) {
         const Told told_by{clicks_from(portal_mm, hepatic_mm, clicks), borders_from(borders)};
-        auto found = long_call(progress, [&](const Progress& told) {
-          return center_lines(vessels, {}, told.part(0, 0.5)).and_then([&](const VesselGraph& graph) {
-            return explain_vessels(graph, liver, told_by, told.part(0.5, 1));
+        auto found = long_call(progress, [&](const Progress& told) -> Result<LiverAnatomy> {
+          auto anatomy = center_lines(vessels, {}, told.part(0, 0.4)).and_then([&](const VesselGraph& graph) {
+            return explain_vessels(graph, liver, told_by, told.part(0.4, 0.8));
           });
+          for (const auto& [mask, system] :
+               {std::pair(&arteries, System::artery), std::pair(&bile_ducts, System::biliary_tract)}) {
+            if (!anatomy || !*mask) continue;
+            const auto graph = center_lines(**mask, {}, told.part(0.8, 1));
+            if (!graph) return failure(graph.error());
+            add_known_vessels(*graph, system, liver, anatomy->trees);
+          }
+          if (anatomy) name_branches(anatomy->trees, anatomy->segments);
+          return anatomy;
         });
         return std::make_shared<VesselTrees>(std::move(found.trees));
       },
       py::arg("vessels"), py::arg("liver"), py::kw_only(), py::arg("portal_mm") = py::none(),
       py::arg("hepatic_mm") = py::none(), py::arg("clicks") = NamedPlaces(), py::arg("borders") = NamedPlaces(),
-      py::arg("progress") = py::none(),
+      py::arg("arteries") = nullptr, py::arg("bile_ducts") = nullptr, py::arg("progress") = py::none(),
       R"(VesselTrees of a Mask that holds portal and hepatic veins together: centre lines, the two told apart by the liver's shape,
 branches named. portal_mm, hepatic_mm: a place (LPS, mm) on each main stem, where the first guess is wrong.
 clicks: (vessel, place) each, what the vessel there is: "portal-vein", "hepatic-vein", "middle-hepatic-vein",
 "right-hepatic-vein", "umbilical-portion" or "left-hepatic-vein".
 borders: ("V-VIII", place) each, through which the border of those two segments runs.
+arteries, bile_ducts: a Mask of each, which get trees of their own and change nothing of the veins.
 
 progress is told (fraction, stage); KeyboardInterrupt cancels.
 Raises glisson.Error: choice-unknown, click-beside, border-outside, borders-contradict, vessels-empty, vessels-one-blob, vessels-grid, vessels-outside, liver-empty.)");

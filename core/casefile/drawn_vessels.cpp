@@ -7,7 +7,7 @@
 namespace glisson::casefile {
 
 bool may_be_drawn_as_tubes(const std::string& structure) {
-  return is_vessel(structure) || structure.starts_with("vessel");
+  return is_vessel(structure) || structure.starts_with("vessel") || structure.starts_with("bil");
 }
 
 std::optional<geometry::Surface> drawn_vessel(const segmentation::Structure& structure,

@@ -9,7 +9,7 @@
 
 namespace glisson::casefile {
 
-// By its name: a vein, an artery, or vessels without a word of whose.
+// By its name: a vein, an artery, bile ducts, or vessels without a word of whose.
 [[nodiscard]] bool may_be_drawn_as_tubes(const std::string& structure);
 
 // `outline` is the structure's smooth one. Nothing where it is drawn as it is: no vessel by its name, nothing thin, or

@@ -146,16 +146,19 @@ std::string usual_structure_name(const std::string& name) {
   struct Usual {
     std::string_view theirs, ours;
   };
-  constexpr std::array<Usual, 22> words{{{"inferior-vena-cava", "vena-cava"},
+  constexpr std::array<Usual, 25> words{{{"inferior-vena-cava", "vena-cava"},
                                          {"ivc", "vena-cava"},
                                          {"postcava", "vena-cava"},
                                          {"portal-vein-and-splenic-vein", "portal-vein"},
                                          {"portal-veins", "portal-vein"},
                                          {"hepatic-veins", "hepatic-vein"},
                                          {"hepatic-artery", "artery"},
+                                         {"hepatic-arteries", "artery"},
+                                         {"arteries", "artery"},
                                          {"gall-bladder", "gallbladder"},
                                          {"bile-duct", "biliary-tract"},
                                          {"bile-ducts", "biliary-tract"},
+                                         {"biliary-tree", "biliary-tract"},
                                          {"right-kidney", "kidney-right"},
                                          {"left-kidney", "kidney-left"},
                                          {"right-adrenal-gland", "adrenal-gland-right"},

@@ -127,7 +127,9 @@ std::string position_in(const std::string& text) {
 
 // Nothing where how the entry was made does not say all that the command needs.
 std::optional<Command> segment(const std::string& id, const Provenance& made) {
-  if (option(made.options, "method") != "seeds" || made.options.count("edited") != 0) return {};
+  const std::string method = option(made.options, "method");
+  const bool by_shape = method == "tubes";
+  if ((method != "seeds" && !by_shape) || made.options.count("edited") != 0) return {};
   const std::string name = id.substr(std::string("labels/").size());
   Command command{{"segment", the_case, "--structure", name}, {}};
   std::vector<std::string> seeds;
@@ -137,11 +139,20 @@ std::optional<Command> segment(const std::string& id, const Provenance& made) {
     command.words.insert(command.words.end(), {"--seed", seed});
     seeds.push_back("[" + seed + "]");
   }
-  if (seeds.empty()) return {};
+  if (seeds.empty() && !by_shape) return {};
   const std::string within = option(made.options, "within");
   if (!within.empty()) command.words.insert(command.words.end(), {"--inside", within});
-  command.python = fmt::format("patient.grow_structure({}, [{}]{})", in_python(name), fmt::join(seeds, ", "),
-                               within.empty() ? "" : ", within=" + in_python(within));
+  std::string more = within.empty() ? "" : ", within=" + in_python(within);
+  const std::string brightness = option(made.options, "brightness");
+  if (by_shape) {
+    command.words.emplace_back("--tubes");
+    if (brightness == "bright" || brightness == "dark") {
+      command.words.insert(command.words.end(), {"--brightness", brightness});
+      more += ", brightness=" + in_python(brightness);
+    }
+  }
+  command.python = fmt::format("patient.{}({}, [{}]{})", by_shape ? "segment_vessels" : "grow_structure",
+                               in_python(name), fmt::join(seeds, ", "), more);
   return command;
 }
 
@@ -213,7 +224,7 @@ std::optional<Command> vessels(const std::string&, const Provenance& made) {
   const std::string borders = borders_told(made.options, command);
   if (!borders.empty()) named.push_back(borders);
   if (!clicks.empty()) named.push_back(fmt::format("clicks=[{}]", fmt::join(clicks, ", ")));
-  command.python = fmt::format("patient.find_vessels({})", fmt::join(named, ", "));
+  command.python = fmt::format("patient.segment_vessels({})", fmt::join(named, ", "));
   return command;
 }
 

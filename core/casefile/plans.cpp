@@ -1,9 +1,11 @@
 #include "casefile/plans.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <algorithm>
 
 #include "base/json.h"
+#include "casefile/internal/vessel_masks.h"
 #include "casefile/label_map.h"
 #include "casefile/model.h"
 #include "casefile/used_entries.h"
@@ -116,7 +118,12 @@ Result<OpenedPlanner> open_planner(const Case& patient, const FoundTerritories& 
   parts.hepatic = found.territory[1];
   auto planner = planning::Planner::open(parts, progress);
   if (!planner) return failure(std::move(planner.error()));
-  return OpenedPlanner{std::move(*planner), remarks_on(patient, {trees_id})};
+  std::vector<Sentence> remarks = remarks_on(patient, {trees_id});
+  if (const auto missing = missing_from_trees(patient); !missing.empty()) {
+    remarks.push_back({GLISSON_TEXT("The vessel trees were made before there was {0}: find the vessels again."),
+                       {fmt::format("{}", fmt::join(missing, ", "))}});
+  }
+  return OpenedPlanner{std::move(*planner), std::move(remarks)};
 }
 
 planning::Cut cut_of(const PlannedCut& cut) {

@@ -41,6 +41,7 @@ struct Grown {
 };
 Result<Grown> grow(const imaging::Volume& anatomy, const std::string& name,
                    const std::vector<Eigen::Vector3d>& seeds_mm, const imaging::Mask* within, const Progress& progress);
+Provenance made_from_seeds(const std::string& method, const std::vector<Eigen::Vector3d>& seeds_mm);
 
 }  // namespace
 
@@ -54,11 +55,7 @@ Result<SavedStructure> grow_structure(Case& patient, const std::string& name,
   auto grown = grow(*anatomy, name, seeds_mm, *inside ? &**inside : nullptr, progress);
   if (!grown) return failure(grown.error());
 
-  Provenance made{"segment", {{"method", "seeds"}}, {"volumes/anatomy"}, {}, {}};
-  for (std::size_t i = 0; i < seeds_mm.size(); ++i) {
-    const Eigen::Vector3d& seed = seeds_mm[i];
-    made.options[fmt::format("seed-{}_mm", i + 1)] = fmt::format("{},{},{}", seed.x(), seed.y(), seed.z());
-  }
+  Provenance made = made_from_seeds("seeds", seeds_mm);
   if (within) {
     made.options["within"] = *within;
     made.from.push_back("labels/" + *within);
@@ -77,6 +74,31 @@ Result<SavedStructure> grow_structure(Case& patient, const std::string& name,
   made.notes = notes;
   auto saved = save_structure(patient, segmentation::make_structure(name, std::move(grown->mask)), std::move(made));
   if (saved) saved->notes = std::move(notes);
+  return saved;
+}
+
+Result<SavedStructure> segment_vessels(Case& patient, const std::string& name,
+                                       const std::vector<Eigen::Vector3d>& seeds_mm, const std::string& within,
+                                       std::optional<segmentation::VesselBrightness> brightness,
+                                       const Progress& progress) {
+  const auto anatomy = patient.volume("volumes/anatomy");
+  if (!anatomy) return failure(anatomy.error());
+  const auto inside = mask_named(patient, within);
+  if (!inside) return failure(inside.error());
+  segmentation::SegmentVesselsOptions options;
+  options.brightness = brightness;
+  auto found = segmentation::segment_vessels(*anatomy, segmentation::resample(*inside, anatomy->grid), seeds_mm,
+                                             options, progress);
+  if (!found) return failure(found.error());
+  Provenance made = made_from_seeds("tubes", seeds_mm);
+  made.options["within"] = within;
+  if (within != name) made.from.push_back("labels/" + within);
+  if (brightness) {
+    made.options["brightness"] = *brightness == segmentation::VesselBrightness::bright ? "bright" : "dark";
+  }
+  made.notes = found->notes;
+  auto saved = save_structure(patient, segmentation::make_structure(name, std::move(found->mask)), std::move(made));
+  if (saved) saved->notes = std::move(found->notes);
   return saved;
 }
 
@@ -197,6 +219,15 @@ Result<imaging::Mask> mask_named(const Case& patient, const std::string& name) {
   auto read = imaging::read_mask_file(patient.folder() / entry->file);
   if (!read) return failure(read.error());
   return std::move(read->mask);
+}
+
+Provenance made_from_seeds(const std::string& method, const std::vector<Eigen::Vector3d>& seeds_mm) {
+  Provenance made{"segment", {{"method", method}}, {"volumes/anatomy"}, {}, {}};
+  for (std::size_t i = 0; i < seeds_mm.size(); ++i) {
+    const Eigen::Vector3d& seed = seeds_mm[i];
+    made.options[fmt::format("seed-{}_mm", i + 1)] = fmt::format("{},{},{}", seed.x(), seed.y(), seed.z());
+  }
+  return made;
 }
 
 Result<std::optional<imaging::Mask>> mask_to_stay_in(const Case& patient, const std::optional<std::string>& name,

@@ -10,6 +10,7 @@
 #include "base/sentence.h"
 #include "casefile/case.h"
 #include "segmentation/brush.h"
+#include "segmentation/segment_vessels.h"
 #include "segmentation/structures.h"
 
 namespace glisson::casefile {
@@ -29,6 +30,15 @@ struct SavedStructure {
 Result<SavedStructure> grow_structure(Case& patient, const std::string& name,
                                       const std::vector<Eigen::Vector3d>& seeds_mm, const Progress& progress = {},
                                       const std::optional<std::string>& within = std::nullopt);
+
+// Makes a structure of the vessels inside of `within` on volumes/anatomy, told by their shape (segment_vessels.h); with
+// seeds (patient LPS, mm), of those that hang on them. Without a brightness what more of the tubes are counts. Fails
+// with "structure-unknown" where there is no structure `within`, and as segment_vessels() does.
+Result<SavedStructure> segment_vessels(Case& patient, const std::string& name,
+                                       const std::vector<Eigen::Vector3d>& seeds_mm = {},
+                                       const std::string& within = "liver",
+                                       std::optional<segmentation::VesselBrightness> brightness = std::nullopt,
+                                       const Progress& progress = {});
 
 // Makes a structure of the voxels of volumes/anatomy whose grey value lies in the range, of those inside of `within`
 // alone where it is given. Fails with "structure-unknown", and with "range-empty" where there is no such voxel.

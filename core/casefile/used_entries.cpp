@@ -35,6 +35,16 @@ bool mostly_inside(const geometry::TetMesh& mesh, const imaging::Mask& label) {
   return 2 * inside >= mesh.cells.size();
 }
 
+// Of what a stale entry was made from, on and on, the one whose own sources have changed.
+std::string first_stale(const Case& patient, const std::string& id) {
+  for (const auto& [source, content] : patient.find(id)->from_sha256) {
+    if (patient.find(source) != nullptr && patient.freshness(source) == Freshness::stale) {
+      return first_stale(patient, source);
+    }
+  }
+  return id;
+}
+
 }  // namespace
 
 std::vector<Sentence> remarks_on(const Case& patient, const std::vector<std::string>& ids) {
@@ -45,7 +55,13 @@ std::vector<Sentence> remarks_on(const Case& patient, const std::vector<std::str
     if (freshness == Freshness::changed_outside) {
       remarks.push_back({GLISSON_TEXT("Another program has changed {0} since it was saved."), {id}});
     } else if (freshness == Freshness::stale) {
-      remarks.push_back({GLISSON_TEXT("What {0} was made from has changed since: make it anew."), {id}});
+      const std::string first = first_stale(patient, id);
+      remarks.push_back(
+          first == id
+              ? Sentence{GLISSON_TEXT("What {0} was made from has changed since: make it anew."), {id}}
+              : Sentence{GLISSON_TEXT("What {1} was made from has changed since, and {0} was made from that: make {1} "
+                                      "anew, then {0}."),
+                         {id, first}});
     }
   }
   return remarks;

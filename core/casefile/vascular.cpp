@@ -1,6 +1,7 @@
 #include "casefile/vascular.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -8,6 +9,7 @@
 #include <numbers>
 
 #include "base/files.h"
+#include "casefile/internal/vessel_masks.h"
 #include "imaging/segments_file.h"
 #include "imaging/volume_file.h"
 #include "segmentation/grid_part.h"
@@ -60,54 +62,13 @@ vasculature::BorderPlaces borders_kept(const Case& patient) {
   }
 }
 
-Result<Mask> structure_mask(const Case& patient, const std::string& name) {
-  const auto file = patient.file_of("labels/" + name);
-  if (!file) return failure(file.error());
-  return imaging::read_mask_file(*file).map([](imaging::SegmentedMask read) { return std::move(read.mask); });
-}
-
-Result<Mask> vessel_mask(const Case& patient, const std::string& name, const Mask& liver) {
-  auto mask = structure_mask(patient, name);
-  if (mask && !imaging::same_grid(mask->grid, liver.grid)) {
-    return failure(Error{"labels-grids-differ",
-                         GLISSON_TEXT("{0} and the liver lie on different grids."),
-                         {name},
-                         GLISSON_TEXT("Import one of them again: a case carries what it imports to one grid."),
-                         patient.folder()});
-  }
-  return mask;
-}
-
-// Fails with vessels-overlap: what was grown as one system holds most of the other too.
-Result<void> hold_apart(const std::array<Mask, 2>& systems, const std::filesystem::path& folder) {
-  std::array<double, 3> voxels{};  // of each, and of both
-  for (std::size_t i = 0; i < systems[0].values.size(); ++i) {
-    const bool a = systems[0].values[i] != 0, b = systems[1].values[i] != 0;
-    voxels[0] += a ? 1 : 0, voxels[1] += b ? 1 : 0, voxels[2] += a && b ? 1 : 0;
-  }
-  const double share = voxels[2] / std::max(1.0, std::min(voxels[0], voxels[1]));
-  if (share < 0.5) return {};
-  return failure(Error{"vessels-overlap",
-                       GLISSON_TEXT("portal-vein and hepatic-vein hold the same vessels: {0} % of the smaller one."),
-                       {fmt::format("{:.0f}", 100 * share)},
-                       GLISSON_TEXT("Unite them in one structure, vessels: its systems are told apart."),
-                       folder});
-}
-
 // Portal and hepatic veins where each has a structure of its own.
-Result<VesselTrees> known_trees(const Case& patient, const Mask& liver, const vasculature::Told& told,
-                                const Progress& progress) {
-  std::array<Mask, 2> masks;
-  for (const System system : {System::portal_vein, System::hepatic_vein}) {
-    auto mask = vessel_mask(patient, vasculature::system_name(system), liver);
-    if (!mask) return failure(std::move(mask.error()));
-    masks.at(static_cast<std::size_t>(system)) = std::move(*mask);
-  }
-  if (auto apart = hold_apart(masks, patient.folder()); !apart) return failure(std::move(apart.error()));
+Result<vasculature::LiverAnatomy> known_anatomy(const std::vector<NamedMask>& veins, const Mask& liver,
+                                                const vasculature::Told& told, const Progress& progress) {
   std::array<vasculature::VesselGraph, 2> graphs;
   for (std::size_t n = 0; n < 2; ++n) {
     auto graph = vasculature::center_lines(
-        masks.at(n), {}, progress.part(0.4 * static_cast<double>(n), 0.4 + 0.4 * static_cast<double>(n)));
+        veins.at(n).mask, {}, progress.part(0.4 * static_cast<double>(n), 0.4 + 0.4 * static_cast<double>(n)));
     if (!graph) return failure(std::move(graph.error()));
     graphs.at(n) = std::move(*graph);
   }
@@ -124,11 +85,19 @@ Result<VesselTrees> known_trees(const Case& patient, const Mask& liver, const va
   VesselTrees trees = vasculature::known_vessels(graphs[0], graphs[1], entries);
   trees.clicks = told.clicks;
   trees.borders = told.borders;
-  const auto segments = vasculature::couinaud_segments(liver, &trees, {}, progress.part(0.8, 1));
-  if (!segments) return failure(segments.error());
-  vasculature::name_branches(trees, *segments);
+  auto segments = vasculature::couinaud_segments(liver, &trees, {}, progress.part(0.8, 1));
+  if (!segments) return failure(std::move(segments.error()));
   trees.border_doubts = segments->border_doubts;
-  return trees;
+  return vasculature::LiverAnatomy{std::move(trees), std::move(*segments)};
+}
+
+// Of portal and hepatic veins, or of one outline that holds both.
+Result<vasculature::LiverAnatomy> anatomy_of(const std::vector<NamedMask>& veins, const Mask& liver,
+                                             const vasculature::Told& told, const Progress& progress) {
+  if (veins.size() == 2) return known_anatomy(veins, liver, told, progress);
+  const auto graph = vasculature::center_lines(veins.front().mask, {}, progress.part(0, 0.5));
+  if (!graph) return failure(graph.error());
+  return vasculature::explain_vessels(*graph, liver, told, progress.part(0.5, 1));
 }
 
 Error no_vessels() {
@@ -187,7 +156,7 @@ Result<FoundTerritories> kept_in(const Case& patient, SegmentsBy by) {
   if (!doubt) return failure(doubt.error());
   couinaud.doubt.assign(doubt->values.begin(), doubt->values.end());
   vasculature::measure(couinaud);
-  for (const System system : {System::portal_vein, System::hepatic_vein}) {
+  for (const System system : vasculature::vein_systems) {
     if (by == SegmentsBy::shape || patient.find(territory_id(system)) == nullptr) continue;
     auto territory = patient.file_of(territory_id(system)).and_then(imaging::read_labels_file);
     if (!territory) return failure(std::move(territory.error()));
@@ -204,7 +173,7 @@ Result<FoundTerritories> made_of(const Case& patient, SegmentsBy by, const vascu
   const auto whole = structure_mask(patient, "liver");
   if (!whole) return failure(whole.error());
   const Mask liver = segmentation::cut_out(*whole, segmentation::part_around(*whole, 1));
-  for (const System system : {System::portal_vein, System::hepatic_vein}) {
+  for (const System system : vasculature::vein_systems) {
     const auto& branches = found.trees.branches;
     if (std::none_of(branches.begin(), branches.end(), [&](const auto& b) { return b.system == system; })) continue;
     const auto territories = vasculature::territories_of(found.trees, system, liver);
@@ -236,10 +205,17 @@ Result<VesselTrees> find_vessels(Case& patient, const std::optional<std::string>
       !structure && patient.find("labels/portal-vein") != nullptr && patient.find("labels/hepatic-vein") != nullptr;
   const std::string name = structure.value_or("vessels");
   if (!apart && patient.find("labels/" + name) == nullptr) return failure(no_vessels());
-  Provenance made{"vessels", {{"of", apart ? "portal-vein, hepatic-vein" : name}}, {"labels/liver"}, {}, {}};
-  for (const auto& label : apart ? std::vector<std::string>{"portal-vein", "hepatic-vein"} : std::vector{name}) {
-    made.from.push_back("labels/" + label);
+  const std::vector<std::string> veins =
+      apart ? std::vector<std::string>{"portal-vein", "hepatic-vein"} : std::vector{name};
+  Provenance made{"vessels", {{"of", fmt::format("{}", fmt::join(veins, ", "))}}, {"labels/liver"}, {}, {}};
+  for (const std::string& label : veins) made.from.push_back("labels/" + label);
+  std::vector<std::string> beside;
+  for (const System system : {System::artery, System::biliary_tract}) {
+    for (std::string& label : structures_beside_veins(patient, system)) beside.push_back(std::move(label));
   }
+  std::erase(beside, veins.front());
+  for (const std::string& label : beside) made.from.push_back("labels/" + label);
+  if (!beside.empty()) made.options["beside"] = fmt::format("{}", fmt::join(beside, ", "));
   const vasculature::Clicks& clicks = told.clicks;
   for (std::size_t n = 0; n < clicks.size(); ++n) {
     const Eigen::Vector3d& place = clicks[n].position_mm;
@@ -254,23 +230,26 @@ Result<VesselTrees> find_vessels(Case& patient, const std::optional<std::string>
 
   const auto liver = structure_mask(patient, "liver");
   if (!liver) return failure(liver.error());
-  Result<VesselTrees> trees = failure(no_vessels());
-  if (apart) {
-    trees = known_trees(patient, *liver, told, progress);
-  } else {
-    const auto mask = vessel_mask(patient, name, *liver);
-    if (!mask) return failure(mask.error());
-    const auto graph = vasculature::center_lines(*mask, {}, progress.part(0, 0.5));
-    if (!graph) return failure(graph.error());
-    auto anatomy = vasculature::explain_vessels(*graph, *liver, told, progress.part(0.5, 1));
-    if (!anatomy) return failure(std::move(anatomy.error()));
-    trees = std::move(anatomy->trees);
+  std::vector<NamedMask> masks;
+  for (const std::string& label : veins) {
+    auto mask = vessel_mask(patient, label, *liver);
+    if (!mask) return failure(std::move(mask.error()));
+    masks.push_back(std::move(*mask));
   }
-  if (!trees) return trees;
+  if (apart) {
+    if (auto held = hold_apart(masks[0], masks[1], patient.folder()); !held) return failure(std::move(held.error()));
+  }
+  auto anatomy = anatomy_of(masks, *liver, told, progress.part(0, beside.empty() ? 1 : 0.8));
+  if (!anatomy) return failure(std::move(anatomy.error()));
+  if (auto grown = add_arteries_and_ducts(patient, *liver, masks, *anatomy, progress.part(beside.empty() ? 1 : 0.8, 1));
+      !grown) {
+    return failure(std::move(grown.error()));
+  }
+  VesselTrees& trees = anatomy->trees;
   auto added = patient.add(trees_id, ".json", std::move(made),
-                           [&](const std::filesystem::path& file) { return vasculature::write_trees(file, *trees); });
+                           [&](const std::filesystem::path& file) { return vasculature::write_trees(file, trees); });
   if (!added) return failure(std::move(added.error()));
-  return trees;
+  return std::move(trees);
 }
 
 Result<FoundTerritories> find_territories(Case& patient, SegmentsBy by, const vasculature::BorderPlaces& borders,
@@ -294,7 +273,7 @@ Result<FoundTerritories> find_territories(Case& patient, SegmentsBy by, const va
       doubt.values.assign(couinaud.doubt.begin(), couinaud.doubt.end());
       return imaging::write_volume_file(file, doubt);
     });
-    for (const System system : {System::portal_vein, System::hepatic_vein}) {
+    for (const System system : vasculature::vein_systems) {
       const auto& territory = found->territory.at(static_cast<std::size_t>(system));
       if (!added || by == SegmentsBy::shape) break;
       if (!territory) {
@@ -317,7 +296,7 @@ Kept kept_territories(const Case& patient, SegmentsBy by) {
   const auto from = entry->made.options.find(from_key);
   if (from == entry->made.options.end() || from->second != provenance_of(by, {}).options.at(from_key)) return Kept::no;
   std::vector<std::string> needed{couinaud_id, doubt_id};
-  for (const System system : {System::portal_vein, System::hepatic_vein}) {
+  for (const System system : vasculature::vein_systems) {
     if (by == SegmentsBy::trees && patient.find(territory_id(system)) != nullptr) {
       needed.push_back(territory_id(system));
     }

@@ -26,8 +26,9 @@ inline constexpr const char* couinaud_id = "territories/couinaud";
 [[nodiscard]] std::vector<imaging::SegmentInfo> couinaud_segment_infos();
 
 // From labels/liver and one structure of both systems; without its name from portal-vein and hepatic-vein, or where
-// these are not there from "vessels". Trees that were made so before, of what the case still holds, are read. Fails
-// with vessels-missing, labels-grids-differ, vessels-overlap and as the room vasculature says.
+// these are not there from "vessels". Arteries and bile ducts that the case has outlined (artery, biliary-tract) get
+// trees besides. Trees that were made so before, of what the case still holds, are read. Fails with vessels-missing,
+// labels-grids-differ, vessels-overlap and as the room vasculature says.
 Result<vasculature::VesselTrees> find_vessels(Case& patient, const std::optional<std::string>& structure,
                                               const vasculature::Told& told = {}, const Progress& progress = {});
 
@@ -35,7 +36,7 @@ enum class SegmentsBy { trees, shape };
 struct FoundTerritories {
   vasculature::CouinaudSegments couinaud;
   vasculature::VesselTrees trees;  // empty by shape
-  // By system (vasculature::System): branch + 1 of each voxel; nothing where it has no branch.
+  // By system of veins (vasculature::vein_systems): branch + 1 of each voxel; nothing where it has no branch.
   std::array<std::optional<imaging::LabelMap>, 2> territory;
 };
 // By trees: those that find_vessels saved, with the borders that these were told; borders are for the shape alone.

@@ -22,7 +22,9 @@ std::size_t nearest_point(const TreeBranch& branch, const Vector3d& position_mm)
   return static_cast<std::size_t>(nearest - branch.points.begin());
 }
 
-std::int32_t voxel_at(const Vector3d& position_mm, const Organ& organ, const std::vector<std::int32_t>& numbers) {
+// Outside of the organ the nearest voxel along the axes, where so many of their six ways have tissue.
+std::int32_t voxel_at(const Vector3d& position_mm, int sides, const Organ& organ,
+                      const std::vector<std::int32_t>& numbers) {
   const Vector3d at = organ.grid.index_of(position_mm);
   const Eigen::Vector3i here = (at.array() + 0.5).floor().cast<int>();
   const auto number_of = [&](const Eigen::Vector3i& index) {
@@ -49,7 +51,7 @@ std::int32_t voxel_at(const Vector3d& position_mm, const Organ& organ, const std
       }
     }
   }
-  return ways >= 5 ? nearest : -1;
+  return ways >= sides ? nearest : -1;
 }
 
 }  // namespace
@@ -58,8 +60,9 @@ TreePoints points_of(const VesselTrees& trees, const Organ& organ, const std::ve
   TreePoints points;
   for (const TreeBranch& branch : trees.branches) {
     points.first.push_back(points.voxel.size());
+    const int sides = vasculature::is_vein(branch.system) ? 5 : 2;
     for (const CenterPoint& point : branch.points) {
-      points.voxel.push_back(voxel_at(point.position_mm, organ, numbers));
+      points.voxel.push_back(voxel_at(point.position_mm, sides, organ, numbers));
       points.radius_mm.push_back(point.radius_mm);
     }
     const bool grows = branch.parent >= 0 && !branch.points.empty();

@@ -182,9 +182,21 @@ Json answer_json(const PlanAnswer& answer, const vasculature::VesselTrees& trees
                                 {"radius_mm", cut.radius_mm},
                                 {"beyond_ml", cut.beyond_ml},
                                 {"affected_ml", cut.affected_ml},
+                                {"beyond_mm", cut.beyond_mm},
+                                {"left_mm", cut.left_mm},
                                 {"confidence", branch.confidence}});
   }
   return json;
+}
+
+std::optional<BeyondCut> beyond_cut(const Json& branch) {
+  CutBranch cut;
+  cut.beyond_ml = branch.at("beyond_ml").get<double>();
+  cut.affected_ml = branch.at("affected_ml").get<double>();
+  cut.beyond_mm = branch.value("beyond_mm", 0.0);  // absent from answers of earlier versions
+  cut.left_mm = branch.value("left_mm", 0.0);
+  const auto system = vasculature::system_named(branch.at("system").get<std::string>());
+  return beyond_cut(cut, system.value_or(vasculature::System::portal_vein));
 }
 
 }  // namespace glisson::planning

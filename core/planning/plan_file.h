@@ -18,4 +18,7 @@ Result<Plan> plan_from(const Json& document, const std::filesystem::path& file =
 // Field names as in the contract of the command `plan`; what is not known is left out.
 [[nodiscard]] Json answer_json(const PlanAnswer& answer, const vasculature::VesselTrees& trees);
 
+// The same as of a CutBranch, of one of the answer's `branches`.
+[[nodiscard]] std::optional<BeyondCut> beyond_cut(const Json& branch);
+
 }  // namespace glisson::planning

@@ -33,9 +33,10 @@ struct Planner::Liver {
     return {organ, nodes, segment, has_segments, trees, points, point, tumours};
   }
   // Which vessels are cut, and what hangs on them. A cut along the anatomy spares a vessel that only runs through: one
-  // of which less than half of what hangs on it goes.
+  // of which less than half of what hangs on it goes. On an artery or a bile duct hangs its own length.
   [[nodiscard]] CutOff cut_off_by(const Removal& removal) const;
   [[nodiscard]] PlanAnswer answer_to(const Removal& removal, const CutOff& off) const;
+  void add_lengths(const Removal& removal, const CutOff& off, std::vector<CutBranch>& cut) const;
   [[nodiscard]] std::vector<std::size_t> removed_on(const Removal& removal) const;  // voxels of each point
   [[nodiscard]] float youngs_at(std::size_t voxel) const { return trusted_kPa.empty() ? 0.0F : trusted_kPa[voxel]; }
 };
@@ -57,6 +58,13 @@ const char* side_name(Side side) {
     case Side::cut_through: return "cut-through";
   }
   return "";
+}
+
+std::optional<BeyondCut> beyond_cut(const CutBranch& cut, vasculature::System system) {
+  const bool vein = vasculature::is_vein(system);
+  const BeyondCut told =
+      vein ? BeyondCut{cut.beyond_ml, cut.affected_ml, "ml"} : BeyondCut{cut.beyond_mm, cut.left_mm, "mm"};
+  return told.beyond >= (vein ? 1 : 10) ? std::optional(told) : std::nullopt;
 }
 
 double PlanAnswer::remnant_percent() const {
@@ -185,8 +193,10 @@ PlanAnswer Planner::Liver::answer_to(const Removal& removal, const CutOff& off) 
         answer.branches[static_cast<std::size_t>(off.cause[p])].beyond_ml += tissue_at[p] * voxel_ml;
     }
   }
-  std::stable_sort(answer.branches.begin(), answer.branches.end(),
-                   [](const CutBranch& a, const CutBranch& b) { return a.beyond_ml > b.beyond_ml; });
+  add_lengths(removal, off, answer.branches);
+  std::stable_sort(answer.branches.begin(), answer.branches.end(), [](const CutBranch& a, const CutBranch& b) {
+    return std::pair(a.beyond_ml, a.beyond_mm) > std::pair(b.beyond_ml, b.beyond_mm);
+  });
 
   for (std::size_t t = 0; t < tumours.size(); ++t) {
     answer.tumours.push_back(margin_to_cut(t, removal, organ, tumours));
@@ -198,6 +208,22 @@ PlanAnswer Planner::Liver::answer_to(const Removal& removal, const CutOff& off) 
   return answer;
 }
 
+// Between two points beside each other that both hang on the cut; the farther one says whether it stays.
+void Planner::Liver::add_lengths(const Removal& removal, const CutOff& off, std::vector<CutBranch>& cut) const {
+  for (std::size_t b = 0; b < trees.branches.size(); ++b) {
+    const auto& branch_points = trees.branches[b].points;
+    for (std::size_t p = 1; p < branch_points.size(); ++p) {
+      const std::size_t number = points.first[b] + p;
+      const std::int32_t voxel = points.voxel[number], cause = off.cause[number - 1];
+      if (voxel < 0 || cause < 0) continue;
+      const double mm = (branch_points[p].position_mm - branch_points[p - 1].position_mm).norm();
+      CutBranch& at = cut[static_cast<std::size_t>(cause)];
+      at.beyond_mm += mm;
+      if (removal.removed[static_cast<std::size_t>(voxel)] == 0) at.left_mm += mm;
+    }
+  }
+}
+
 CutOff Planner::Liver::cut_off_by(const Removal& removal) const {
   std::vector<std::size_t> all, gone;  // what hangs on each point, and what of that goes
   if (removal.along_anatomy) {
@@ -205,8 +231,17 @@ CutOff Planner::Liver::cut_off_by(const Removal& removal) const {
     for (const auto& of_system : tissue) {
       for (std::size_t p = 0; p < of_system.size(); ++p) all[p] += of_system[p];
     }
+    gone = removed_on(removal);
+    for (std::size_t b = 0; b < trees.branches.size(); ++b) {
+      if (vasculature::is_vein(trees.branches[b].system)) continue;
+      for (std::size_t p = points.first[b]; p < points.first[b + 1]; ++p) {  // about one a millimetre
+        const std::int32_t voxel = points.voxel[p];
+        all[p] = voxel >= 0 ? 1 : 0;
+        gone[p] = voxel >= 0 && removal.removed[static_cast<std::size_t>(voxel)] != 0 ? 1 : 0;
+      }
+    }
     all = sum_beyond(trees, points, all);
-    gone = sum_beyond(trees, points, removed_on(removal));
+    gone = sum_beyond(trees, points, gone);
   }
   return cut_off(trees, points, [&](std::size_t number) {
     const std::int32_t voxel = points.voxel[number];

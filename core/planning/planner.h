@@ -31,9 +31,9 @@ struct NamedTumour {
 // What is known of a liver; images may lie on grids of their own, the nearest voxel counts.
 struct LiverParts {
   imaging::Mask liver;
-  std::vector<NamedTumour> tumours;           // what of them lies beside the liver's outline counts as liver
-  std::optional<imaging::LabelMap> segments;  // 1 to 8
-  vasculature::VesselTrees trees;
+  std::vector<NamedTumour> tumours;                  // what of them lies beside the liver's outline counts as liver
+  std::optional<imaging::LabelMap> segments;         // 1 to 8
+  vasculature::VesselTrees trees;                    // arteries and bile ducts among them are cut, and feed nothing
   std::optional<imaging::LabelMap> portal, hepatic;  // territories: branch of `trees` + 1, 0 where none
   std::optional<imaging::Volume> youngs_kPa;         // positive where it is to be trusted
 };
@@ -57,9 +57,18 @@ struct CutBranch {
   std::size_t branch = 0;  // of LiverParts::trees
   Eigen::Vector3d at_mm{0, 0, 0};
   double radius_mm = 0;
-  double beyond_ml = 0;    // all that hung on it
+  double beyond_ml = 0;    // all that hung on it; none on arteries and bile ducts
   double affected_ml = 0;  // of that, what stays in the patient
+  double beyond_mm = 0;    // of its centre line in the liver, with all that grows from it
+  double left_mm = 0;      // of that, what runs in what stays
 };
+// What lies beyond a cut as a person is told: ml of tissue, or mm of an artery's or a bile duct's own length.
+struct BeyondCut {
+  double beyond = 0, left = 0;  // all of it, and of that what stays in the patient
+  const char* unit = "ml";
+};
+// Nothing where it is less than 1 ml or 10 mm.
+[[nodiscard]] std::optional<BeyondCut> beyond_cut(const CutBranch& cut, vasculature::System system);
 
 enum class Side { removed, left, cut_through };
 [[nodiscard]] const char* side_name(Side side);  // "removed", "left", "cut-through"
@@ -81,7 +90,7 @@ struct PlanAnswer {
   Tissue left;                          // the remnant without tumours
   std::vector<SegmentAnswer> segments;  // those that the liver has
   std::vector<MarginAnswer> tumours;    // as given
-  std::vector<CutBranch> branches;      // the most beyond_ml first
+  std::vector<CutBranch> branches;      // the most beyond_ml first, then the most beyond_mm
   std::optional<double> margin_mm;      // the smallest of tumours that are not left
   bool margin_is_at_least = false;
 

@@ -178,6 +178,14 @@ Result<void> Taking::operator()(const TerritoryCut& cut) {
                                       "that begin so."),
                          {}});
   }
+  if (!vasculature::is_vein(*system)) {
+    return failure(
+        Error{"territory-empty",
+              GLISSON_TEXT("{0} has no tissue of its own: arteries and bile ducts run with portal branches."),
+              {cut.branch},
+              GLISSON_TEXT("Take the portal branch beside it."),
+              {}});
+  }
   std::vector<std::uint8_t> of_point(liver_.points.count() + 1, 0);
   for (std::size_t b = 0; b < taken.size(); ++b) {
     for (std::size_t p = liver_.points.first[b]; p < liver_.points.first[b + 1]; ++p) of_point[p] = taken[b] ? 1 : 0;

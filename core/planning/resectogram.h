@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "vasculature/systems.h"
+
 namespace glisson::planning {
 
 // Places step_mm apart along two axes across the surface's normal: u along a row, v from row to row. A sheet's bend is
@@ -22,6 +24,7 @@ struct Resectogram {
   struct Vessel {
     std::string name;
     double column = 0, row = 0, radius_mm = 0;
+    vasculature::System system = vasculature::System::portal_vein;
   };
   std::vector<Vessel> vessels;
 

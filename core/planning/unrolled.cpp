@@ -76,7 +76,7 @@ std::vector<Resectogram> unrolled(const std::vector<PreparedCut>& cuts, const Cu
       const vasculature::TreeBranch& branch = liver.trees.branches[cut.branch];
       const auto& point = branch.points[cut.point];
       const Vector2d at = (surfaces[s]->across_mm(point.position_mm) - reach.min()) / step_mm;
-      map.vessels.push_back({branch.name, at.x(), at.y(), point.radius_mm});
+      map.vessels.push_back({branch.name, at.x(), at.y(), point.radius_mm, branch.system});
     }
     maps.push_back(trimmed(map));
   }

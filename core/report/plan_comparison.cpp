@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/json.h"
+#include "planning/plan_file.h"
 #include "report/html.h"
 #include "vasculature/couinaud.h"
 
@@ -198,11 +199,13 @@ std::string svg_of(const planning::Resectogram& map) {
                          column - first, fill);
     }
   }
+  static constexpr std::array<const char*, vasculature::all_systems.size()> stroke = {"#1b4f9c", "#1b4f9c", "#b3262a",
+                                                                                      "#2d6b3f"};
   for (const planning::Resectogram::Vessel& vessel : map.vessels) {
     svg += fmt::format(
-        R"(<circle cx="{:.1f}" cy="{:.1f}" r="{:.1f}" fill="none" stroke="#1b4f9c" stroke-width="0.8"><title>{}</title></circle>)",
+        R"(<circle cx="{:.1f}" cy="{:.1f}" r="{:.1f}" fill="none" stroke="{}" stroke-width="0.8"><title>{}</title></circle>)",
         vessel.column + 0.5, map.rows - 0.5 - vessel.row, std::max(1.5, vessel.radius_mm / map.step_mm),
-        escaped(vessel.name));
+        stroke.at(static_cast<std::size_t>(vessel.system)), escaped(vessel.name));
   }
   svg += fmt::format(R"(<path d="M0 {0}h{1}" stroke="#333" stroke-width="1"/>)", map.rows + 2, 20 / map.step_mm);
   return svg + fmt::format(R"(<text x="{}" y="{}" font-size="4" fill="#333">20 mm</text></svg>)", 20 / map.step_mm + 2,
@@ -228,17 +231,19 @@ Table segments_left(const std::vector<Json>& plans, const Words& words) {
 }
 
 Table branches_cut(const Json& plan, const Words& words) {
-  constexpr double worth_a_line_ml = 1;
-  Table table{words.say(GLISSON_TEXT("{0}: branches that are cut, with the tissue beyond the cut."), {name_of(plan)}),
+  Table table{words.say(GLISSON_TEXT("{0}: branches that are cut, with the tissue beyond the cut; of arteries and bile "
+                                     "ducts their own length."),
+                        {name_of(plan)}),
               {words.say(GLISSON_TEXT("Branch")), words.say(GLISSON_TEXT("Diameter (mm)")),
-               words.say(GLISSON_TEXT("Beyond it (ml)")), words.say(GLISSON_TEXT("Of that left (ml)"))},
+               words.say(GLISSON_TEXT("Beyond it")), words.say(GLISSON_TEXT("Of that left"))},
               {}};
   for (const Json& branch : plan.value("branches", Json::array())) {
-    if (branch.at("beyond_ml").get<double>() < worth_a_line_ml) continue;
+    const auto told = planning::beyond_cut(branch);
+    if (!told) continue;
     table.rows.push_back({{branch.at("name").get<std::string>()},
                           {fmt::format("{:.1f}", 2 * branch.at("radius_mm").get<double>())},
-                          {figure(branch, "beyond_ml", 0)},
-                          {figure(branch, "affected_ml", 0)}});
+                          {fmt::format("{:.0f} {}", told->beyond, told->unit)},
+                          {fmt::format("{:.0f} {}", told->left, told->unit)}});
   }
   return table;
 }

@@ -213,33 +213,15 @@ GrowOptions at_tolerance(GrowOptions options, double times) {
 Region region_of(const Mask& tissue, const std::vector<Seed>& seeds, const GrowOptions& options) {
   Region region;
   region.core = with_margin(tissue, -options.neck_radius_mm);
-  const imaging::ConnectedVoxels connected = imaging::connected_voxels(region.core, imaging::Neighbours::faces);
-  std::vector<bool> kept(connected.sizes.size(), false);
+  std::vector<std::size_t> in_core;
   for (const Seed& seed : seeds) {
     // A seed near the liver's surface lies outside the core: the nearest part of the core around it is meant.
-    double nearest_mm = INFINITY;
-    std::uint32_t piece = 0;
-    for (const std::size_t voxel :
-         voxels_around(seed.position_mm, options.neck_radius_mm + options.sample_radius_mm, tissue.grid)) {
-      if (connected.piece[voxel] == 0) continue;
-      const auto nx = static_cast<std::size_t>(tissue.grid.size[0]), ny = static_cast<std::size_t>(tissue.grid.size[1]);
-      const double distance_mm =
-          (tissue.grid.position_mm(static_cast<int>(voxel % nx), static_cast<int>(voxel / nx % ny),
-                                   static_cast<int>(voxel / (nx * ny))) -
-           seed.position_mm)
-              .norm();
-      if (distance_mm < nearest_mm) {
-        nearest_mm = distance_mm;
-        piece = connected.piece[voxel];
-      }
-    }
-    region.holds_seed.push_back(piece != 0);
-    kept[piece] = piece != 0;
+    const double reach_mm = options.neck_radius_mm + options.sample_radius_mm;
+    const auto nearest = nearest_voxel(seed.position_mm, reach_mm, region.core);
+    region.holds_seed.push_back(nearest.has_value());
+    if (nearest) in_core.push_back(*nearest);
   }
-  kept[0] = false;
-  for (std::size_t voxel = 0; voxel < region.core.values.size(); ++voxel) {
-    region.core.values[voxel] = kept[connected.piece[voxel]] ? 1 : 0;
-  }
+  region.core = joined_to(in_core, region.core, imaging::Neighbours::faces);
   // Balls that fit, and half a voxel more for the rim that the grid rounds away.
   region.whole = with_margin(region.core, options.neck_radius_mm + 0.5 * tissue.grid.spacing_mm.maxCoeff());
   for (std::size_t voxel = 0; voxel < tissue.values.size(); ++voxel) {

@@ -35,7 +35,6 @@ std::optional<Appearance> learn_appearance(const imaging::Image<float>& image, c
                                            const ContrastOptions& options);
 
 std::vector<std::size_t> voxels_of_seeds(const Mask& allowed, const std::vector<Vector3d>& seeds_mm, double radius_mm);
-Mask joined_to(const std::vector<std::size_t>& seeds, const Mask& mask);
 Mask without_thick_parts(Mask mask, double widest_mm);
 Mask without_necks(const Mask& mask, const std::vector<std::size_t>& seeds, double share);
 bool touches_side(const Mask& mask);
@@ -227,18 +226,6 @@ std::vector<std::size_t> voxels_of_seeds(const Mask& allowed, const std::vector<
   }
   std::erase_if(all, [&](std::size_t voxel) { return allowed.values[voxel] == 0; });
   return all;
-}
-
-Mask joined_to(const std::vector<std::size_t>& seeds, const Mask& mask) {
-  const imaging::ConnectedVoxels connected = imaging::connected_voxels(mask, imaging::Neighbours::all);
-  std::vector<bool> kept(connected.sizes.size(), false);
-  for (const std::size_t seed : seeds) kept[connected.piece[seed]] = true;
-  kept[0] = false;
-  Mask joined{mask.grid, std::vector<std::uint8_t>(mask.values.size(), 0)};
-  for (std::size_t voxel = 0; voxel < joined.values.size(); ++voxel) {
-    joined.values[voxel] = kept[connected.piece[voxel]] ? 1 : 0;
-  }
-  return joined;
 }
 
 // Where a ball as thick as an organ fits, it goes, with a rim as wide as the ball: the organ, not the vessel at it.

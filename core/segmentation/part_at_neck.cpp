@@ -10,6 +10,7 @@
 #include "imaging/filters.h"
 #include "segmentation/edit.h"
 #include "segmentation/grid_part.h"
+#include "segmentation/internal/seeds.h"
 
 namespace glisson::segmentation {
 namespace {
@@ -30,14 +31,9 @@ struct Depths {
   Grid grid;
   std::vector<float> mm;  // 0 outside
 
-  [[nodiscard]] Eigen::Vector3i index_of(std::size_t voxel) const {
-    const auto row = static_cast<std::size_t>(grid.size[0]), layer = row * static_cast<std::size_t>(grid.size[1]);
-    return {static_cast<int>(voxel % row), static_cast<int>(voxel % layer / row), static_cast<int>(voxel / layer)};
-  }
-
   template <typename Visit>
   void for_each_neighbour(std::size_t voxel, const Visit& visit) const {
-    const Eigen::Vector3i at = index_of(voxel);
+    const Eigen::Vector3i at = index_of(voxel, grid);
     for (int axis = 0; axis < 3; ++axis) {
       for (const int step : {-1, 1}) {
         Eigen::Vector3i next = at;

@@ -8,6 +8,7 @@
 
 #include "imaging/filters.h"
 #include "segmentation/grid_part.h"
+#include "segmentation/internal/seeds.h"
 #include "segmentation/internal/signed_distance.h"
 #include "segmentation/internal/tissue_model.h"
 #include "segmentation/internal/working_grid.h"
@@ -41,10 +42,9 @@ std::vector<Eigen::Vector3d> densest_places(std::vector<float> alike, const imag
         densest = voxel;
       }
     }
-    const auto row = static_cast<std::size_t>(grid.size[0]), layer = row * static_cast<std::size_t>(grid.size[1]);
     const auto position_of = [&](std::size_t voxel) {
-      return grid.position_mm(static_cast<int>(voxel % row), static_cast<int>(voxel % layer / row),
-                              static_cast<int>(voxel / layer));
+      const Eigen::Vector3i index = index_of(voxel, grid);
+      return grid.position_mm(index.x(), index.y(), index.z());
     };
     const Eigen::Vector3d middle_mm = position_of(densest);
     double around = 0;

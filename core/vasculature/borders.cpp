@@ -1,6 +1,7 @@
 #include "vasculature/borders.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <algorithm>
 
 #include "base/text.h"
@@ -19,6 +20,12 @@ const std::vector<SegmentPair>& all_borders() {
 std::string border_name(const SegmentPair& segments) {
   return fmt::format("{}-{}", segment_name(static_cast<std::size_t>(segments[0])),
                      segment_name(static_cast<std::size_t>(segments[1])));
+}
+
+std::string names_of_borders() {
+  std::vector<std::string> names;
+  for (const SegmentPair& pair : all_borders()) names.push_back(border_name(pair));
+  return fmt::format("{}", fmt::join(names, ", "));
 }
 
 std::optional<SegmentPair> border_named(const std::string& name) {

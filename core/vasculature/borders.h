@@ -26,6 +26,7 @@ using BorderPlaces = std::vector<BorderPlace>;
 // The pairs that share a border: neighbours from right to left, above and below each other, and I with each other.
 [[nodiscard]] const std::vector<SegmentPair>& all_borders();
 [[nodiscard]] std::string border_name(const SegmentPair& segments);  // "V-VIII"
+[[nodiscard]] std::string names_of_borders();                        // of all: "I-II, I-III, ..."
 // Of "V-VIII" and "VIII-V"; nothing where those two share no border.
 [[nodiscard]] std::optional<SegmentPair> border_named(const std::string& name);
 

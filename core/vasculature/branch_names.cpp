@@ -3,15 +3,56 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <map>
+#include <numeric>
 
 #include "vasculature/couinaud.h"
+#include "vasculature/internal/nearest_line.h"
 #include "vasculature/internal/nearest_voxel.h"
 
 namespace glisson::vasculature {
 
 using imaging::Grid;
 
+namespace {
+
+using InSegments = std::array<double, 9>;  // of a branch with what grows from it: millimetres in each
+
+// Outside of the liver's outline, as at its hilum, an artery or a duct counts as the portal branch beside it.
+std::vector<InSegments> where_they_run(const VesselTrees& trees, const CouinaudSegments& segments) {
+  constexpr double beside_mm = 10;  // from its wall
+  const Grid& grid = segments.segment.grid;
+  std::vector<InSegments> in(trees.branches.size());
+  const auto portal_branch = [&](std::size_t b) {
+    return trees.branches[b].system == System::portal_vein ? &trees.branches[b].points : nullptr;
+  };
+  const auto add_beside = [&](const Eigen::Vector3d& place_mm, InSegments& sum) {
+    const auto nearest = nearest_line(trees.branches.size(), place_mm, portal_branch);
+    if (nearest.number < 0 || nearest.from_wall_mm > beside_mm) return;
+    const InSegments& portal = in[static_cast<std::size_t>(nearest.number)];
+    const double all = std::accumulate(portal.begin() + 1, portal.end(), 0.0);
+    for (std::size_t s = 1; s <= 8 && all > 0; ++s) sum[s] += portal[s] / all;
+  };
+  for (const bool veins : {true, false}) {
+    for (std::size_t b = trees.branches.size(); b-- > 0;) {
+      const TreeBranch& branch = trees.branches[b];
+      if (is_vein(branch.system) != veins) continue;
+      for (const CenterPoint& point : branch.points) {
+        const auto voxel = nearest_voxel(grid, point.position_mm);
+        const std::size_t segment = voxel ? segments.segment.values[*voxel] : 0U;
+        if (segment != 0 || veins) ++in[b][segment];
+        if (segment == 0 && !veins) add_beside(point.position_mm, in[b]);
+      }
+      if (branch.parent < 0) continue;
+      for (std::size_t s = 0; s <= 8; ++s) in[static_cast<std::size_t>(branch.parent)][s] += in[b][s];
+    }
+  }
+  return in;
+}
+
+}  // namespace
+
 void name_branches(VesselTrees& trees, const CouinaudSegments& segments) {
+  // Of portal branches, and of the arteries and bile ducts that run with them.
   static constexpr std::array<const char*, 9> portal_place = {"",
                                                               "left/caudate/I",
                                                               "left/lateral/II",
@@ -21,18 +62,7 @@ void name_branches(VesselTrees& trees, const CouinaudSegments& segments) {
                                                               "right/posterior/VI",
                                                               "right/posterior/VII",
                                                               "right/anterior/VIII"};
-  const Grid& grid = segments.segment.grid;
-  // Where a branch and what grows from it run: millimetres in each segment.
-  std::vector<std::array<double, 9>> in(trees.branches.size());
-  for (std::size_t b = trees.branches.size(); b-- > 0;) {
-    const TreeBranch& branch = trees.branches[b];
-    for (const CenterPoint& point : branch.points) {
-      if (const auto voxel = nearest_voxel(grid, point.position_mm)) ++in[b][segments.segment.values[*voxel]];
-    }
-    if (branch.parent >= 0) {
-      for (std::size_t s = 0; s <= 8; ++s) in[static_cast<std::size_t>(branch.parent)][s] += in[b][s];
-    }
-  }
+  const std::vector<InSegments> in = where_they_run(trees, segments);
   std::map<std::string, std::vector<std::size_t>> of_name;
   for (std::size_t b = 0; b < trees.branches.size(); ++b) {
     const auto share = [&](std::initializer_list<std::size_t> some) {
@@ -43,10 +73,15 @@ void name_branches(VesselTrees& trees, const CouinaudSegments& segments) {
     };
     constexpr double nearly_all = 0.8;
     std::string name;
-    if (trees.branches[b].system == System::portal_vein) {
-      name = "portal";
+    const System system = trees.branches[b].system;
+    if (system != System::hepatic_vein) {
+      static constexpr std::array<const char*, all_systems.size()> beginnings = {"portal", "hepatic", "hepatic-artery",
+                                                                                 "bile-duct"};
+      name = beginnings.at(static_cast<std::size_t>(system));
       const auto largest = std::max_element(in[b].begin() + 1, in[b].end()) - in[b].begin();
-      if (share({static_cast<std::size_t>(largest)}) >= nearly_all) {
+      if (!is_vein(system) && std::all_of(in[b].begin() + 1, in[b].end(), [](double mm) { return mm == 0; })) {
+        name += "/outside";  // of the liver, with all that grows from it
+      } else if (share({static_cast<std::size_t>(largest)}) >= nearly_all) {
         name += std::string("/") + portal_place.at(static_cast<std::size_t>(largest));
       } else if (share({5, 8}) >= nearly_all) {
         name += "/right/anterior";

@@ -140,6 +140,31 @@ std::vector<LooseEnd> loose_ends(const VesselGraph& graph) {
   return ends;
 }
 
+// Two ends of vessels as wide as each other that point at each other: one vessel, whatever else joins the two. The
+// nearest pairs first.
+std::vector<NewJoint> between_facing_ends(const VesselGraph& graph, const std::vector<LooseEnd>& ends,
+                                          double maximum_gap_mm) {
+  constexpr double cosine_of_facing = 0.87, alike_radii = 0.6;
+  std::vector<std::pair<double, NewJoint>> found;
+  for (std::size_t a = 0; a < ends.size(); ++a) {
+    for (std::size_t b = a + 1; b < ends.size(); ++b) {
+      const Vector3d way = ends[b].position_mm - ends[a].position_mm;
+      const double length_mm = way.norm();
+      if (ends[a].branch == ends[b].branch || length_mm > maximum_gap_mm || length_mm < 1e-6) continue;
+      const double straight = std::min(ends[a].outwards.dot(way), -ends[b].outwards.dot(way)) / length_mm;
+      const double ra = graph.branches[static_cast<std::size_t>(ends[a].branch)].radius_mm,
+                   rb = graph.branches[static_cast<std::size_t>(ends[b].branch)].radius_mm;
+      if (straight < cosine_of_facing || std::min(ra, rb) < alike_radii * std::max(ra, rb)) continue;
+      found.push_back({(length_mm + 0.5) * (2 - straight),
+                       {ends[a].branch, ends[a].point, ends[b].branch, ends[b].point, Joint::gap, std::min(ra, rb)}});
+    }
+  }
+  std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<NewJoint> joints;
+  for (const auto& [cost, joint] : found) joints.push_back(joint);
+  return joints;
+}
+
 }  // namespace
 
 void add_bridges(VesselGraph& graph, double maximum_gap_mm) {
@@ -151,7 +176,8 @@ void add_bridges(VesselGraph& graph, double maximum_gap_mm) {
     int from, to;  // vertices of the two pieces
   };
   std::vector<Bridge> bridges;
-  for (const LooseEnd& end : loose_ends(graph)) {
+  const std::vector<LooseEnd> ends = loose_ends(graph);
+  for (const LooseEnd& end : ends) {
     const int own = graph.branches[static_cast<std::size_t>(end.branch)].from;
     std::map<int, Bridge> best;  // by piece
     for (std::size_t b = 0; b < graph.branches.size(); ++b) {
@@ -183,6 +209,16 @@ void add_bridges(VesselGraph& graph, double maximum_gap_mm) {
   std::vector<NewJoint> chosen;
   for (const Bridge& bridge : bridges) {
     if (pieces.unite(bridge.from, bridge.to)) chosen.push_back(bridge.joint);
+  }
+  for (const NewJoint& joint : between_facing_ends(graph, ends, maximum_gap_mm)) {
+    const auto has_an_end_of_it = [&](const NewJoint& other) {
+      const auto at = [&](int branch, int point) {
+        return (other.branch_a == branch && other.point_a == point) ||
+               (other.branch_b == branch && other.point_b == point);
+      };
+      return at(joint.branch_a, joint.point_a) || at(joint.branch_b, joint.point_b);
+    };
+    if (std::none_of(chosen.begin(), chosen.end(), has_an_end_of_it)) chosen.push_back(joint);
   }
   join(graph, chosen);
 }

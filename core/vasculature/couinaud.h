@@ -58,7 +58,8 @@ Result<LiverAnatomy> explain_vessels(const VesselGraph& graph, const imaging::Ma
                                      const Progress& progress = {});
 
 // Gives each branch a stable name, such as "portal/right/posterior/VI/2" or "hepatic/middle/3". It has system, side,
-// sector, segment and, from the thickest on, a number, as far as the branch has one of each.
+// sector, segment and, from the thickest on, a number, as far as the branch has one of each. Arteries and bile ducts
+// are named as portal branches are: "hepatic-artery/left/lateral/II"; what runs beside the liver "bile-duct/outside".
 void name_branches(VesselTrees& trees, const CouinaudSegments& segments);
 
 }  // namespace glisson::vasculature

@@ -161,6 +161,7 @@ Result<void> add_vessels(const Mask& liver, const VesselTrees& trees, Evidence& 
   evidence.hepatic_mm = trees.hepatic_entry_mm;
   double inside = 0, all = 0;
   for (const TreeBranch& branch : trees.branches) {
+    if (!is_vein(branch.system)) continue;
     const double sure = 2 * branch.confidence - 1;
     constexpr std::size_t stride = 4;
     for (std::size_t i = 0; i + 1 < branch.points.size(); i += stride) {

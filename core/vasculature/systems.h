@@ -1,5 +1,6 @@
 #pragma once
-// Portal and hepatic veins told apart, and each as a tree from where it enters.
+// Portal and hepatic veins told apart, and each as a tree from where it enters. Arteries and bile ducts as trees beside
+// them.
 //
 // Which system a branch belongs to follows from all of them at once: what is likely of trees of vessels
 // (internal/forest.h), and that both systems reach every part of the liver (internal/told_apart.h). Then each system
@@ -17,8 +18,16 @@
 
 namespace glisson::vasculature {
 
-enum class System { portal_vein, hepatic_vein };
+enum class System { portal_vein, hepatic_vein, artery, biliary_tract };
+inline constexpr std::array<System, 4> all_systems = {System::portal_vein, System::hepatic_vein, System::artery,
+                                                      System::biliary_tract};
+// Those that tissue is shared out by. Arteries and bile ducts run with portal branches, whose tissue is theirs.
+inline constexpr std::array<System, 2> vein_systems = {System::portal_vein, System::hepatic_vein};
+[[nodiscard]] constexpr bool is_vein(System system) {
+  return system == System::portal_vein || system == System::hepatic_vein;
+}
 [[nodiscard]] const char* system_name(System system);  // "portal-vein", as the structure is called
+[[nodiscard]] std::optional<System> system_named(const std::string& name);
 
 // What a click may say of a vessel: its system, or its own name where it runs between segments.
 enum class Vessel {
@@ -68,7 +77,7 @@ struct BorderDoubt {
 
 struct VesselTrees {
   Eigen::Vector3d portal_entry_mm{0, 0, 0}, hepatic_entry_mm{0, 0, 0};
-  std::vector<TreeBranch> branches;        // parents first
+  std::vector<TreeBranch> branches;        // parents first; systems in their order
   Clicks clicks;                           // what they were told by
   BorderPlaces borders;                    // where a hand set borders of segments
   std::vector<BorderDoubt> border_doubts;  // of segments by them, the largest first; of one class alone
@@ -96,5 +105,10 @@ struct VesselEntries {
 // Where each system has a graph of its own.
 [[nodiscard]] VesselTrees known_vessels(const VesselGraph& portal, const VesselGraph& hepatic,
                                         const VesselEntries& entries);
+
+// Adds an artery or bile ducts, which are known to be that; veins stay as they are. Each connected piece grows from its
+// end outside of the liver that is the widest and farthest: radius times distance. A piece without such an end grows
+// from near where the portal vein enters.
+void add_known_vessels(const VesselGraph& graph, System system, const imaging::Mask& liver, VesselTrees& trees);
 
 }  // namespace glisson::vasculature

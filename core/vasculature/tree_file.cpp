@@ -10,6 +10,10 @@ namespace {
 
 constexpr const char* format_name = "glisson-vessel-trees/1";
 
+// Arteries and bile ducts stand by themselves: a program that knows veins alone passes them over.
+constexpr const char* veins_key = "branches";
+constexpr const char* beside_key = "arteries_and_ducts";
+
 double rounded(double value) { return std::round(value * 1000) / 1000; }
 Json json_of_place(const Eigen::Vector3d& p) { return {rounded(p.x()), rounded(p.y()), rounded(p.z())}; }
 
@@ -36,8 +40,9 @@ bool read_branch(const Json& object, std::size_t index, TreeBranch& branch) {
   const auto system = string_in(object, "system"), name = string_in(object, "name"), joint = string_in(object, "joint");
   const Json* points = value_in(object, "points");
   if (!system || !name || !joint || points == nullptr || !points->is_array() || points->size() < 2) return false;
-  if (*system != "portal-vein" && *system != "hepatic-vein") return false;
-  branch.system = *system == "portal-vein" ? System::portal_vein : System::hepatic_vein;
+  const auto known = system_named(*system);
+  if (!known) return false;
+  branch.system = *known;
   branch.name = *name;
   branch.joint = *joint == "gap" ? Joint::gap : *joint == "contact" ? Joint::contact : Joint::vessel;
   branch.confidence = number_in(object, "confidence", 1);
@@ -117,7 +122,7 @@ Json trees_json(const VesselTrees& trees) {
                 {"clicks", Json::array()},
                 {"borders", Json::array()},
                 {"border_doubts", border_doubts_json(trees)},
-                {"branches", Json::array()}};
+                {veins_key, Json::array()}};
   for (const Click& click : trees.clicks) {
     document["clicks"].push_back(
         {{"vessel", vessel_name(click.vessel)}, {"position_mm", json_of_place(click.position_mm)}});
@@ -134,16 +139,16 @@ Json trees_json(const VesselTrees& trees) {
       values.push_back(rounded(point.radius_mm));
       points.push_back(std::move(values));
     }
-    document["branches"].push_back({{"id", b},
-                                    {"name", branch.name},
-                                    {"parent", branch.parent},
-                                    {"system", system_name(branch.system)},
-                                    {"radius_mm", rounded(branch.radius_mm)},
-                                    {"length_mm", rounded(branch.length_mm)},
-                                    {"confidence", rounded(branch.confidence)},
-                                    {"generation", branch.generation},
-                                    {"joint", joint_name(branch.joint)},
-                                    {"points", std::move(points)}});
+    document[is_vein(branch.system) ? veins_key : beside_key].push_back({{"id", b},
+                                                                         {"name", branch.name},
+                                                                         {"parent", branch.parent},
+                                                                         {"system", system_name(branch.system)},
+                                                                         {"radius_mm", rounded(branch.radius_mm)},
+                                                                         {"length_mm", rounded(branch.length_mm)},
+                                                                         {"confidence", rounded(branch.confidence)},
+                                                                         {"generation", branch.generation},
+                                                                         {"joint", joint_name(branch.joint)},
+                                                                         {"points", std::move(points)}});
   }
   return document;
 }
@@ -172,14 +177,18 @@ Result<VesselTrees> read_trees(const std::filesystem::path& file) {
   if (!read_borders(value_in(*document, "borders"), trees.borders)) return unreadable("borders");
   if (!read_border_doubts(value_in(*document, "border_doubts"), trees.border_doubts))
     return unreadable("border_doubts");
-  const Json* branches = value_in(*document, "branches");
-  if (branches == nullptr || !branches->is_array()) return unreadable("branches");
-  for (const Json& object : *branches) {
-    TreeBranch branch;
-    if (!read_branch(object, trees.branches.size(), branch)) {
-      return unreadable("branches[" + std::to_string(trees.branches.size()) + "]");
+  for (const bool veins : {true, false}) {
+    const char* key = veins ? veins_key : beside_key;
+    const Json* branches = value_in(*document, key);
+    if (branches == nullptr && !veins) continue;
+    if (branches == nullptr || !branches->is_array()) return unreadable(key);
+    for (std::size_t n = 0; n < branches->size(); ++n) {
+      TreeBranch branch;
+      if (!read_branch((*branches)[n], trees.branches.size(), branch) || is_vein(branch.system) != veins) {
+        return unreadable(std::string(key) + "[" + std::to_string(n) + "]");
+      }
+      trees.branches.push_back(std::move(branch));
     }
-    trees.branches.push_back(std::move(branch));
   }
   return trees;
 }

@@ -130,6 +130,8 @@ TEST_F(MacroTest, AnotherCaseIsRefusedAndStaysAsItIs) {
 TEST_F(MacroTest, WhatWasComputedIsComputedAgainWithTheSameOptions) {
   compute("labels/liver", "segment",
           {{"method", "seeds"}, {"seed-1_mm", "-1.125,2,30.0625"}, {"seed-2_mm", "4,5,6"}, {"within", "body"}});
+  compute("labels/vessels", "segment",
+          {{"method", "tubes"}, {"within", "liver"}, {"brightness", "dark"}, {"seed-1_mm", "1,2,3"}});
   compute("meshes/liver", "mesh", {{"target-cells", "20000"}});
   compute("meshes/model", "stiffness", {{"uniform_kPa", "6.1"}});
   compute("meshes/model", "stiffness", {{"atlas_kPa", "6.09"}});
@@ -146,6 +148,7 @@ TEST_F(MacroTest, WhatWasComputedIsComputedAgainWithTheSameOptions) {
           {{"method", "lfe"}, {"long-waves", "curl"}, {"directions", "apart"}, {"asked-frequency_Hz", "62.5"}});
   EXPECT_THAT(words(),
               ElementsAre("segment {case} --structure liver --seed -1.125,2,30.0625 --seed 4,5,6 --inside body",
+                          "segment {case} --structure vessels --seed 1,2,3 --inside liver --tubes --brightness dark",
                           "mesh {case} --target-cells 20000", "stiffness {case} --uniform-kPa 6.1",
                           "stiffness {case} --atlas 2.1", "stiffness {case}",
                           "vessels {case} --structure vessels --click right-hepatic-vein=1,2,3",

@@ -65,6 +65,17 @@ TEST_F(UsedEntries, NothingIsSaidOfWhatIsAsItWasSaved) {
   EXPECT_TRUE(export_remarks(Case::open(folder_).value(), ExportFormat::nrrd).empty());
 }
 
+// A new outline makes the mesh stale, and with it the model: what is to be made first is named.
+TEST_F(UsedEntries, WhatIsStaleByAnotherNamesThatOne) {
+  auto patient = Case::open(folder_);
+  ASSERT_TRUE(
+      save_structure(*patient, segmentation::make_structure("liver", ball({48, 30, 30})), {"segment", {}, {}, {}, {}}));
+  const auto remarks = messages(remarks_on(*patient, {"meshes/liver", "meshes/model"}));
+  ASSERT_EQ(remarks.size(), 2u);
+  EXPECT_EQ(remarks[0], "What meshes/liver was made from has changed since: make it anew.");
+  EXPECT_THAT(remarks[1], HasSubstr("make meshes/liver anew, then meshes/model"));
+}
+
 TEST_F(UsedEntries, AModelWithOtherStiffnessIsTakenAndToldOf) {
   replace_mesh("meshes/model", {0, 0, 0}, 9);
   const auto read = model();
@@ -95,7 +106,7 @@ TEST_F(UsedEntries, AnEditedLabelIsToldOfAndAnothersLiverIsRefused) {
   const auto read = model();
   ASSERT_TRUE(read) << read.error().message();
   EXPECT_THAT(said(), Contains(HasSubstr("Another program has changed labels/liver")));
-  EXPECT_THAT(said(), Contains(HasSubstr("What meshes/model was made from has changed")));
+  EXPECT_THAT(said(), Contains(HasSubstr("make meshes/liver anew, then meshes/model")));
   EXPECT_THAT(messages(export_remarks(Case::open(folder_).value(), ExportFormat::nifti)),
               Contains(HasSubstr("labels/liver")));
   ASSERT_TRUE(put({175, 100, 100}));

@@ -194,18 +194,20 @@ TEST(PlatformMeasure, NamesItsMeterAndHowSureItIs) {
   const std::vector<std::string> arguments{
       "measure", "--out",           (folder.path() / "mine.json").string(), "--idle-s", "0.5", "--largest-MB",
       "1",       "--system-folder", (folder.path() / "sys").string()};
-  std::vector<std::string> by_battery{"platform", "--json"};
+  std::vector<std::string> by_battery{"platform", "--json", "--threads", "1"};  // the counter's thread needs a core
   by_battery.insert(by_battery.end(), arguments.begin(), arguments.end());
   // A busy machine may keep the counter's thread waiting while the program measures.
   Finished finished = glisson_cli(by_battery);
   for (int i = 0; i < 10 && finished.out.find("meter-too-coarse") != std::string::npos; ++i)
     finished = glisson_cli(by_battery);
-  EXPECT_EQ(finished.exit_code, 0) << finished.err << finished.out;
-  const Json measured = finished.exit_code == 0 ? finished.json() : Json::object();
   by_battery.insert(by_battery.end(), {"--meter", "battery"});
   const Finished refused = glisson_cli(by_battery);
   done = true;
   counter.join();
+  if (finished.out.find("meter-too-coarse") != std::string::npos)
+    GTEST_SKIP() << "other programs keep the counter from counting: " << finished.out;
+  ASSERT_EQ(finished.exit_code, 0) << finished.err << finished.out;
+  const Json measured = finished.json();
   EXPECT_EQ(measured.at("meter"), "RAPL (packages: 1, no memory)");
   EXPECT_NEAR(measured.at("idle_W").get<double>(), 20, 1);
   // 20 W over the millisecond in which the counter is renewed, at two ends, over half a second.

@@ -54,6 +54,19 @@ TEST_F(Segment, AVesselIsGrownInsideOfTheLiverAndTakenOutOfIt) {
   EXPECT_NEAR(left_ml, liver_ml_ - shared_ml, 1e-6);
 }
 
+TEST_F(Segment, VesselsAreFoundByTheirShapeAndThoseOfASeedAreSome) {
+  const Json all = segment("vessels", {"--tubes"});
+  EXPECT_GT(all.at("volume_ml").get<double>(), 3);
+  EXPECT_LT(all.at("volume_ml").get<double>(), 0.05 * liver_ml_);
+  EXPECT_THAT(all.at("notes").at(0).get<std::string>(), HasSubstr("brighter"));
+  const Finished far = run("one", {"--tubes", "--seed", in_the_portal_vein});
+  EXPECT_EQ(far.exit_code, 1);  // there the outline of the liver leaves the vein out
+  EXPECT_THAT(far.err, HasSubstr("5 mm from every vessel"));
+  EXPECT_EQ(run("one", {"--tubes", "--range", "100,200"}).exit_code, 2);
+  EXPECT_EQ(run("one", {"--brightness", "dark", "--seed", in_the_portal_vein}).exit_code, 2);
+  EXPECT_THAT(run("one", {"--tubes", "--inside", "spleen"}).err, HasSubstr("spleen"));
+}
+
 TEST_F(Segment, GreyValuesAreTakenInsideOfAStructure) {
   const double bright_ml =
       segment("vessels", {"--range", "125,300", "--inside", "liver"}).at("volume_ml").get<double>();

@@ -12,6 +12,7 @@
 #include "base/json.h"
 #include "closedloop/explanation_file.h"
 #include "closedloop/inference/diagnosis.h"
+#include "closedloop/inference/internal/rest_blocks.h"
 #include "closedloop/inference/smooth_rest.h"
 #include "closedloop/material/model.h"
 #include "made_up_tests.h"
@@ -133,6 +134,27 @@ TEST(Evidence, OfAnEffectThatTheDataDoNotShowIsThatOfTheModelWithoutIt) {
         .evidence;
   };
   EXPECT_NEAR(evidence_of({{"stiffness-scale", "", Eigen::VectorXd::Ones(1)}}), evidence_of({}), 0.05);
+}
+
+// As of a plate: displacements at a thousand points, and the forces at its borders, which alone may tell a stiffness.
+TEST(SmoothEvidence, RestsOnAFewForcesAmongManyPointsToo) {
+  Observations all;
+  all.directions = {"x", "force"};
+  all.quantities = {0, 1};
+  all.trials = {"pull"};
+  std::vector<Observation> rows;
+  for (int n = 0; n < 1005; ++n) {
+    Observation row;
+    row.noise = 1;
+    row.direction = n < 1000 ? 0 : 1;
+    row.point = n;
+    row.place_mm = Eigen::Vector3d(n, 0, 0);
+    rows.push_back(row);
+  }
+  all.add(rows);
+  const Grouping groups = grouped(all, 240);
+  EXPECT_LE(groups.size(), 240u);
+  EXPECT_EQ(std::count_if(groups.begin(), groups.end(), [](const auto& group) { return group.front() >= 1000; }), 5);
 }
 
 TEST(SmoothEvidence, FindsASmoothFunctionAndNoneInNoise) {

@@ -49,6 +49,21 @@ class Cases(Case):
         entry = next(e for e in again.entries if e["id"] == "meshes/liver")
         self.assertIn("labels/liver", entry["from"])
 
+    def test_it_finds_vessels_by_their_shape(self):
+        case = glisson.Case.create(self.root / "patient.glisson")
+        liver = ball(56, 60.0, 2.5)
+        image = image_of(liver)
+        image.array[25:31, 26:30, :] += 90 * liver.array[25:31, 26:30, :]
+        glisson.write_volume_file(self.root / "anatomy.nrrd", image)
+        case.import_study(self.root / "anatomy.nrrd")
+        self.assertRefused("structure-unknown", case.segment_vessels, "vessels")
+        case.grow_structure("liver", [[-30, 0, 0]])
+        found = case.segment_vessels("vessels")
+        self.assertEqual(found["id"], "labels/vessels")
+        self.assertIn("brighter", found["notes"][0])
+        self.assertGreater(case.mask("vessels").array[25:31, 26:30, 10:-10].mean(), 0.7)
+        self.assertRefused("vessels-seed-off", case.segment_vessels, "vessels", [[-30, 30, 0]])
+
     def test_its_page_says_who_only_if_told(self):
         case = glisson.Case.create(self.root / "mrs-smith.glisson")
         glisson.write_volume_file(self.root / "anatomy.nrrd", image_of(ball(56, 60.0, 2.5)))

@@ -38,6 +38,19 @@ class Planning(Case):
             again = glisson.read_trees(file)
         self.assertEqual([b["name"] for b in again.branches], [b["name"] for b in self.trees.branches])
 
+    def test_arteries_get_trees_and_change_nothing_of_the_veins(self):
+        artery = glisson.read_mask_file(LIVER / "labels" / "artery.nrrd").mask
+        trees = glisson.vessel_trees(self.vessels, self.liver, arteries=artery)
+        self.assertEqual({b["system"] for b in trees.branches}, {"portal-vein", "hepatic-vein", "artery"})
+        veins = [b["name"] for b in trees.branches if b["system"] != "artery"]
+        self.assertEqual(veins, [b["name"] for b in self.trees.branches])
+        planner = glisson.Planner(self.liver, trees=trees)
+        middle = [float(x) for x in np.mean([b["points_mm"][0] for b in trees.branches if b["system"] == "artery"], axis=0)]
+        cut = planner.answer({"plane": {"point_mm": middle, "normal": [1, 0, 0]}})
+        arteries = [b for b in cut["branches"] if b["system"] == "artery"]
+        self.assertGreater(max(b["beyond_mm"] for b in arteries), 10)
+        self.assertTrue(all(b["beyond_ml"] == 0 and b["name"].startswith("hepatic-artery/") for b in arteries))
+
     def test_each_voxel_belongs_to_one_branch_and_one_segment(self):
         found = glisson.territories(self.trees, "portal-vein", self.liver)
         inside = self.liver.array == 1

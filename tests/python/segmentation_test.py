@@ -24,6 +24,20 @@ class Segmentation(Case):
         grown = glisson.grow_contrast(image, [[0, 0, 0]], "lesion", within=liver)
         self.assertGreater(glisson.dice(grown.mask, lesion), 0.85)
 
+    def test_vessels_are_found_by_their_shape(self):
+        liver = ball(56, 60.0, 2.5)
+        image = image_of(liver)
+        tube = np.zeros(liver.array.shape, bool)
+        tube[25:31, 26:30, 4:-4] = True
+        image.array[...] += 90 * (tube & (liver.array > 0))
+        found = glisson.segment_vessels(image, liver)
+        self.assertGreater((found.mask.array > 0)[tube].sum(), 0.7 * (tube & (liver.array > 0)).sum())
+        self.assertLess((found.mask.array > 0)[~tube].sum(), 0.5 * tube.sum())
+        self.assertGreater(found.brightness, 250)
+        self.assertRefused("vessels-none", glisson.segment_vessels, image, liver, brightness="dark")
+        self.assertRefused("choice-unknown", glisson.segment_vessels, image, liver, brightness="green")
+        self.assertRefused("grids-differ", glisson.segment_vessels, image, ball(16))
+
     def test_bad_seeds_and_kinds_are_refused(self):
         image = image_of(ball())
         self.assertRefused("grow-no-seeds", glisson.grow_from_seeds, image, np.zeros((0, 3)))

@@ -22,6 +22,7 @@
 #include "segmentation/rasterise.h"
 #include "segmentation/resample.h"
 #include "segmentation/structures.h"
+#include "simulated_ct.h"
 #include "support/data.h"
 
 namespace glisson::segmentation {
@@ -171,21 +172,11 @@ class GrowContrastTrees : public testing::TestWithParam<std::pair<const char*, d
 
 TEST_P(GrowContrastTrees, ARealTreeIsGrownFromItsTrunk) {
   GLISSON_NEEDS_DATA("livers_couinaud");
-  const fs::path folder = test::shared_data() / "livers_couinaud";
   const std::string name = GetParam().first;
-  const auto vessels_file = imaging::read_labels_file(folder / (name + "_vessels.nii.gz"));
-  const auto liver_file = imaging::read_labels_file(folder / (name + "_liver.nii.gz"));
-  const Mask vessels = mask_of_label(vessels_file.value(), 1), liver = mask_of_label(liver_file.value(), 1);
+  const Mask vessels = drawn_mask(name, "vessels");
   const Vector3d seed_mm = deepest_mm(vessels);
   const Mask tree = keep_piece_at(vessels, seed_mm).value();
-  Volume image{{vessels.grid, std::vector<float>(vessels.values.size())}, "HU"};
-  std::mt19937 random(7);
-  std::normal_distribution<float> noise(0, 18);
-  for (std::size_t v = 0; v < image.values.size(); ++v) {
-    image.values[v] = vessels.values[v] != 0 ? 175.0F : liver.values[v] != 0 ? 108.0F : 40.0F;
-  }
-  image.values = imaging::gaussian_blur(std::move(image.values), image.grid, 0.7);
-  for (float& value : image.values) value += noise(random);
+  const Volume image = simulated_ct(drawn_mask(name, "liver"), vessels);
   const auto grown = grow_contrast(image, {seed_mm}, Contrast::vessel);
   ASSERT_TRUE(grown) << grown.error().message();
   const double overlap = dice(grown->mask, tree).value();

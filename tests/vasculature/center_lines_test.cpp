@@ -85,6 +85,21 @@ TEST(CenterLines, AGapOfAFewVoxelsIsBridged) {
   EXPECT_EQ(length_of(center_lines(mask, none).value(), Joint::gap), 0);
 }
 
+// The two ends hang together by a way round, as where a vessel touches another one beyond its gap.
+TEST(CenterLines, AGapIsBridgedWhereItsEndsHangTogetherElsewhere) {
+  Mask mask = empty_mask();
+  draw(mask, {-8, 0, 20}, {8, 0, 20}, 2.5);
+  draw(mask, {14.5, 0, 20}, {30, 0, 20}, 2.5);
+  for (const double x : {-8.0, 30.0}) draw(mask, {x, 0, 20}, {x, 0, 60}, 2.5);
+  draw(mask, {-8, 0, 60}, {30, 0, 60}, 2.5);
+  const auto graph = center_lines(mask);
+  ASSERT_TRUE(graph) << graph.error().message();
+  const auto over_the_gap = [](const GraphBranch& branch) {
+    return branch.joint == Joint::gap && std::abs(branch.points.front().position_mm.z() - 20) < 2;
+  };
+  EXPECT_EQ(std::count_if(graph->branches.begin(), graph->branches.end(), over_the_gap), 1);
+}
+
 TEST(CenterLines, TheSameMaskGivesTheSameGraph) {
   Mask mask = empty_mask(50);
   draw(mask, {-10, -20, 20}, {10, 0, 40}, 3);

@@ -98,6 +98,45 @@ class GeneratedCase : public testing::Test {
     EXPECT_FALSE(passes(map(answer({"territories", patient(), "--from", "prior"}))));
   }
 
+  // The arteries get a tree beside `veins`, which stays as it was, and are told where a plan cuts them.
+  static void outline_arteries(const Json& veins, const std::string& plane) {
+    answer({"segment", patient(), "--structure", "artery", "--labels", label("artery")});
+    const Json before = answer({"resect", patient(), plane, "--out", file("cut")}).at("living_remnant");
+    answer({"segment", patient(), "--structure", "biliary-tract", "--labels", label("artery")});
+    const Finished same = glisson_cli({"vessels", patient(), "--json", "--quiet"});
+    EXPECT_EQ(same.exit_code, 1);
+    EXPECT_EQ(same.json().at("error").at("code"), "vessels-overlap");
+    EXPECT_THAT(same.json().at("error").at("message").get<std::string>(),
+                testing::HasSubstr("artery and biliary-tract hold the same vessels"));
+    answer({"segment", patient(), "--structure", "biliary-tract", "--subtract", "artery"});  // none of it is left
+    const Finished text = glisson_cli({"resect", patient(), plane, "--out", file("cut"), "--quiet"});
+    EXPECT_THAT(text.out, testing::HasSubstr("made before there was artery"));
+
+    const Json with = answer({"vessels", patient()});
+    Json of_veins = Json::array(), of_arteries = Json::array();
+    for (const Json& branch : with.at("branches")) {
+      (branch.at("system") == "artery" ? of_arteries : of_veins).push_back(branch);
+    }
+    EXPECT_EQ(of_veins, veins.at("branches"));
+    EXPECT_GT(of_arteries.size(), 5u);
+    for (const Json& branch : of_arteries) {
+      EXPECT_THAT(branch.at("name").get<std::string>(), testing::StartsWith("hepatic-artery/"));
+    }
+    const Json kept = read_json_file(with.at("file").get<std::string>()).value();
+    EXPECT_EQ(kept.at("branches").size(), of_veins.size()) << "as earlier versions read them";
+    EXPECT_EQ(kept.at("arteries_and_ducts").size(), of_arteries.size());
+    EXPECT_EQ(answer({"territories", patient()}).at("territories").size(), of_veins.size());
+
+    const Json after = answer({"resect", patient(), plane, "--out", file("cut")}).at("living_remnant");
+    for (const char* key : {"removed_ml", "living_ml", "ischaemic_ml", "congested_ml"}) {
+      EXPECT_EQ(after.at(key), before.at(key)) << key;
+    }
+    const Json cut = after.at("branches").back();
+    EXPECT_EQ(cut.at("system"), "artery");
+    EXPECT_EQ(cut.at("beyond_ml"), 0.0);
+    EXPECT_GT(after.at("branches").size(), before.at("branches").size());
+  }
+
   static TemporaryFolder* folder_;
 };
 TemporaryFolder* GeneratedCase::folder_ = nullptr;
@@ -281,6 +320,8 @@ TEST_F(GeneratedCase, GoesFromVesselsToTreesToSegments) {
   answer({"export", patient(), "--format", "nrrd", "--out", file("nrrd")});
   EXPECT_EQ(imaging::read_labels_file(file("nrrd/couinaud.nrrd")).value().values,
             imaging::read_labels_file(file("generated.glisson/territories/couinaud.nrrd")).value().values);
+
+  outline_arteries(apart, plane);
 
   // A structure that changes makes plans stale, and so it is told.
   answer({"segment", patient(), "--structure", "liver", "--unite", "portal-vein"});

@@ -39,6 +39,27 @@ TEST(TreeFile, ComesBackAsItWasWritten) {
   EXPECT_EQ(trees_json(*read), trees_json(two_branches()));
 }
 
+// By themselves, so that a program that knows veins alone reads the rest.
+TEST(TreeFile, ArteriesAndDuctsStandBesideTheBranchesOfVeins) {
+  const TemporaryFolder folder;
+  VesselTrees trees = two_branches();
+  for (const System system : {System::artery, System::biliary_tract}) {
+    TreeBranch branch = trees.branches.front();
+    branch.system = system;
+    branch.name = system_name(system);
+    trees.branches.push_back(branch);
+  }
+  trees.branches.push_back(trees.branches[2]);
+  trees.branches.back().parent = 2;
+  ASSERT_TRUE(write_trees(folder.path() / "trees.json", trees));
+  const auto read = read_trees(folder.path() / "trees.json");
+  ASSERT_TRUE(read) << read.error().message();
+  EXPECT_EQ(trees_json(*read), trees_json(trees));
+  EXPECT_EQ(trees_json(trees).at("branches"), trees_json(two_branches()).at("branches"));
+  EXPECT_EQ(trees_json(trees).at("arteries_and_ducts").at(2).at("parent"), 2);
+  EXPECT_FALSE(trees_json(two_branches()).contains("arteries_and_ducts"));
+}
+
 TEST(TreeFile, WhatIsDamagedIsNamed) {
   const TemporaryFolder folder;
   const auto file = folder.path() / "trees.json";
@@ -52,6 +73,9 @@ TEST(TreeFile, WhatIsDamagedIsNamed) {
         std::pair{"branches[0]", R"({"format": "glisson-vessel-trees/1", "portal_entry_mm": [0,0,0],
           "hepatic_entry_mm": [0,0,0], "branches": [{"system": "portal-vein", "name": "a", "joint": "vessel",
           "parent": -1, "generation": 1e300, "points": [[0,0,0,1],[1,0,0,1]]}]})"},
+        std::pair{"arteries_and_ducts[0]", R"({"format": "glisson-vessel-trees/1", "portal_entry_mm": [0,0,0],
+          "hepatic_entry_mm": [0,0,0], "branches": [], "arteries_and_ducts": [{"system": "portal-vein", "name": "a",
+          "joint": "vessel", "parent": -1, "points": [[0,0,0,1],[1,0,0,1]]}]})"},
         std::pair{"clicks", R"({"format": "glisson-vessel-trees/1", "portal_entry_mm": [0,0,0],
           "hepatic_entry_mm": [0,0,0], "branches": [], "clicks": [{"vessel": "aorta", "position_mm": [0,0,0]}]})"},
         std::pair{"borders", R"({"format": "glisson-vessel-trees/1", "portal_entry_mm": [0,0,0],

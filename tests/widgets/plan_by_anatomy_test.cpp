@@ -146,6 +146,75 @@ class PlanByAnatomyTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(told(0), patience_ms);
   }
 
+  // What was told is marked in the slices and in space, and dragged there: a step of undo. Delete takes it away. What
+  // is refused stands where it was.
+  void places_told_by_hand_are_dragged() {
+    const auto told = [&] { return live().anatomy() ? live().anatomy()->told : vasculature::Told(); };
+    const auto settled = [&] {
+      return !window_->undo().busy() && !live().opening() && live().anatomy() && live().anatomy()->has_segments;
+    };
+    const auto& places_mm = live().anatomy()->borders.at({5, 8});
+    const Eigen::Vector3d set_mm = places_mm[places_mm.size() / 2] + Eigen::Vector3d(0, 0, 4);
+    window_->views().set_crosshair(set_mm);
+    auto* offered = child<QComboBox>("border_at_crosshair");
+    offered->setCurrentIndex(offered->findData("V-VIII"));
+    child<QPushButton>("tell_border")->click();
+    QTRY_VERIFY_WITH_TIMEOUT(told().borders.size() == 1 && settled(), patience_ms);
+    const auto* handles = panel_->findChild<CutHandles*>();
+    const auto marked_mm = [&]() -> std::optional<Eigen::Vector3d> {
+      for (const scene::LandmarkItem& mark : handles->marks_in_space()) {
+        if (QString::fromStdString(mark.label).startsWith("V")) return mark.position_mm;
+      }
+      return std::nullopt;
+    };
+    QCOMPARE(handles->marks_in_space().size(), std::size_t{2});  // the vessel that was told before, and the border
+    QVERIFY(marked_mm() && (*marked_mm() - set_mm).norm() < 1e-3);
+    QVERIFY((window_->views().crosshair_mm() - set_mm).norm() < 1e-9);  // the slices still show it
+
+    SliceView& coronal = window_->views().slice(SliceDirection::coronal);
+    const Eigen::Vector3d wanted_mm = set_mm + Eigen::Vector3d(3, 0, 6);
+    drag_in(coronal, set_mm, wanted_mm);
+    QVERIFY2((*marked_mm() - wanted_mm).norm() < 1.5, qPrintable(QString::number((*marked_mm() - set_mm).norm())));
+    QTRY_VERIFY_WITH_TIMEOUT((told().borders.at(0).position_mm - wanted_mm).norm() < 1.5 && settled(), patience_ms);
+    const Eigen::Vector3d dragged_mm = told().borders.at(0).position_mm;
+    double nearest_mm = 100;
+    for (const Eigen::Vector3d& place : live().anatomy()->borders.at({5, 8})) {
+      nearest_mm = std::min(nearest_mm, (place - dragged_mm).norm());
+    }
+    QVERIFY2(nearest_mm < 3, qPrintable(QString::number(nearest_mm)));  // voxels, a part of the places of the border
+    child<QCheckBox>("show_segments")->click();
+    QTest::qWait(600);
+    QVERIFY(window_->grab().save(glisson::test::kept_picture("plan-border-dragged.png")));
+    child<QCheckBox>("show_segments")->click();
+    press_key(*window_, Qt::Key_Z, Qt::ControlModifier);
+    QTRY_VERIFY_WITH_TIMEOUT(settled() && (told().borders.at(0).position_mm - set_mm).norm() < 1e-2, patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT((*marked_mm() - set_mm).norm() < 1e-2, patience_ms);
+    press_key(*window_, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    QTRY_VERIFY_WITH_TIMEOUT(settled() && (told().borders.at(0).position_mm - dragged_mm).norm() < 1e-2, patience_ms);
+
+    // In space across the line of sight.
+    SpaceView& space = window_->views().space();
+    const scene::Camera camera = space.view().camera();
+    const Eigen::Vector3d aside_mm = dragged_mm - 4 * camera.up;
+    drag_in(space, dragged_mm, aside_mm);
+    QTRY_VERIFY_WITH_TIMEOUT((told().borders.at(0).position_mm - aside_mm).norm() < 2 && settled(), patience_ms);
+    const Eigen::Vector3d now_mm = told().borders.at(0).position_mm;
+    QVERIFY(std::abs((now_mm - dragged_mm).dot(camera.sight)) < 0.1);
+
+    // Out of the liver: it is refused, and stands where it was.
+    window_->views().set_crosshair(now_mm);
+    QTest::qWait(100);
+    drag_in(coronal, now_mm, Eigen::Vector3d(now_mm.x(), now_mm.y(), liver_.max_mm.z() + 8));
+    QTRY_VERIFY_WITH_TIMEOUT(settled() && marked_mm() && (*marked_mm() - now_mm).norm() < 1e-2, patience_ms);
+    QCOMPARE(told().borders.size(), std::size_t{1});
+
+    QTest::mouseClick(&coronal, Qt::LeftButton, Qt::NoModifier, pixel_in(coronal, now_mm));
+    QTest::keyClick(&coronal, Qt::Key_Delete);
+    QTRY_VERIFY_WITH_TIMEOUT(settled() && told().borders.empty(), patience_ms);
+    QCOMPARE(told().clicks.size(), std::size_t{1});
+    QTRY_VERIFY_WITH_TIMEOUT(!marked_mm(), patience_ms);
+  }
+
   // While it is dragged the answers follow, and a branch that is cut is named.
   void tells_what_lives_as_a_plane_moves() {
     window_->views().set_crosshair(liver_.center_mm());
@@ -157,6 +226,12 @@ class PlanByAnatomyTest : public QObject {
     const auto* branches = child<QTableWidget>("branches_cut");
     QVERIFY(branches->rowCount() > 0);
     QVERIFY(branches->item(0, PlanByAnatomy::branch_column)->text().contains(" vein"));
+    // Arteries below them, by their own length, each in its own colour.
+    const QTableWidgetItem* artery = branches->item(branches->rowCount() - 1, PlanByAnatomy::branch_column);
+    QVERIFY2(artery->text().startsWith("Hepatic artery"), qPrintable(artery->text()));
+    QVERIFY(branches->item(artery->row(), PlanByAnatomy::beyond_column)->text().endsWith("mm"));
+    QVERIFY(branches->item(0, PlanByAnatomy::beyond_column)->text().endsWith("ml"));
+    QVERIFY(!artery->icon().isNull());
     const double before_ml = answer.remnant_ml;
     auto* shift = child<QDoubleSpinBox>("cut_shift");
     shift->setValue(shift->value() + 12);

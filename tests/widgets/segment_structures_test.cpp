@@ -177,6 +177,43 @@ class SegmentStructuresTest : public SegmentWorkspace {
     program->setText({});
   }
 
+  // A bright tube of 3 mm radius through the ball: nobody clicks on it, and no other structure offers it.
+  void vessels_are_found_by_their_shape() {
+    const std::filesystem::path folder = test::small_case(temporary_.path() / "with-a-vessel");
+    auto opened = casefile::Case::open(folder);
+    imaging::Volume image = opened->volume("volumes/anatomy").value();
+    std::size_t in_tube = 0;
+    for (int k = 0; k < 24; ++k) {
+      for (int j = 0; j < 56; ++j) {
+        for (int i = 0; i < 64; ++i) {
+          const Eigen::Vector3d off_mm = image.grid.position_mm(i, j, k) - test::small_middle_mm();
+          if (std::hypot(off_mm.y(), off_mm.z()) > 3) continue;
+          image.at(i, j, k) += 80;
+          if (off_mm.norm() < 12) ++in_tube;
+        }
+      }
+    }
+    QVERIFY(opened->add("volumes/anatomy", ".nrrd", {"import", {}, {}, {}, {}},
+                        [&](const std::filesystem::path& file) { return imaging::write_volume_file(file, image); }));
+    window_->open_path(folder);
+    settle();
+    auto* add = child<QPushButton>("add_structure");
+    auto* find = panel_->findChild<QPushButton*>("find_vessels");
+    key(Qt::Key_G);
+    QVERIFY(!find->isVisible());  // a liver is no vessel
+    Q_EMIT add->menu()->aboutToShow();
+    add->menu()->findChild<QAction*>("portal-vein")->trigger();
+    settle();
+    QVERIFY(find->isVisible() && find->isEnabled());
+    QTest::mouseClick(find, Qt::LeftButton);
+    settle();
+    const std::size_t found = test::voxels_of(folder, "portal-vein");
+    QVERIFY2(found > in_tube / 2 && found < 2 * in_tube, qPrintable(QString("%1 of %2").arg(found).arg(in_tube)));
+    QVERIFY(child<QLabel>("notice_text")->text().contains("brighter"));
+    undo();
+    QCOMPARE(test::voxels_of(folder, "portal-vein"), std::size_t(0));
+  }
+
   void cleanupTestCase() { close(); }
 };
 

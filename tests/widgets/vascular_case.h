@@ -1,6 +1,6 @@
 #pragma once
-// A generated patient with a lesion as a case: liver, portal and hepatic veins and a tumour outlined, a stiffness map
-// over most of it, and a model.
+// A generated patient with a lesion as a case: liver, portal and hepatic veins, an artery and a tumour outlined, a
+// stiffness map over most of it, and a model.
 
 #include "anatomy/write_patient.h"
 #include "casefile/model.h"
@@ -31,7 +31,7 @@ inline fs::path vascular_case(const fs::path& parent) {
   };
   add("volumes/anatomy", 110, 20, "");
   add("volumes/stiffness", 2.4F, 0, "kPa");
-  for (const char* name : {"liver", "portal-vein", "hepatic-vein", "tumour-1"}) {
+  for (const char* name : {"liver", "portal-vein", "hepatic-vein", "artery", "tumour-1"}) {
     const auto taken =
         casefile::import_structure(*patient, name, files / "labels" / (std::string(name) + ".nrrd"), std::nullopt);
     if (!taken) fail(taken.error());

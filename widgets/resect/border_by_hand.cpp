@@ -9,14 +9,6 @@
 #include "widgets/words/numbers.h"
 
 namespace glisson::widgets {
-namespace {
-
-// "V–VIII".
-QString border_label(const vasculature::SegmentPair& segments) {
-  return QString::fromStdString(vasculature::border_name(segments)).replace('-', QChar(0x2013));
-}
-
-}  // namespace
 
 BorderByHand::BorderByHand(QWidget* parent) : QWidget(parent) {
   auto* rows = new QVBoxLayout(this);
@@ -38,7 +30,7 @@ BorderByHand::BorderByHand(QWidget* parent) : QWidget(parent) {
     tell_->setText(tr("Runs through the crosshair"));
     tell_->setToolTip(
         tr("The border of these two segments is to pass the crosshair. Segments are found again by it, and are less in "
-           "doubt"));
+           "doubt. Its mark is dragged in a slice or in 3D; Delete takes away the one that was clicked on"));
     border_->setToolTip(tr("First stands the border that runs nearest to the crosshair"));
     show_nearest();
     show_dropping();
@@ -79,6 +71,10 @@ void BorderByHand::show_dropping() {
   drop_->setText(tr("Forget the last place (%1)").arg(border_label(set_.back().segments)));
   drop_->setToolTip(
       tr("Places on borders that were set by hand: %1. Segments are found again without the last").arg(set_.size()));
+}
+
+QString border_label(const vasculature::SegmentPair& segments) {
+  return QString::fromStdString(vasculature::border_name(segments)).replace('-', QChar(0x2013));
 }
 
 }  // namespace glisson::widgets

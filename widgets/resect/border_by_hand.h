@@ -37,4 +37,7 @@ class BorderByHand : public QWidget {
   Eigen::Vector3d crosshair_mm_{0, 0, 0};
 };
 
+// "V–VIII".
+[[nodiscard]] QString border_label(const vasculature::SegmentPair& segments);
+
 }  // namespace glisson::widgets

@@ -1,8 +1,11 @@
 #include "widgets/resect/cut_handles.h"
 
+#include <algorithm>
 #include <cmath>
 #include <Eigen/Geometry>
+#include <QKeyEvent>
 #include <QMouseEvent>
+#include <utility>
 
 namespace glisson::widgets {
 namespace {
@@ -45,6 +48,7 @@ void CutHandles::set_active(bool active) {
   if (active == active_) return;
   active_ = active;
   held_ = {};
+  chosen_place_.reset();
   if (!active) set_freehand(false);
   std::vector<RenderWidget*> all{&views_.space()};
   all.insert(all.end(), views_.slices().begin(), views_.slices().end());
@@ -66,6 +70,17 @@ void CutHandles::set_plane(const std::optional<CutPlane>& plane) {
 
 void CutHandles::set_points(const std::vector<Vector3d>& points_mm) {
   points_mm_ = points_mm;
+  draw_in_slices();
+}
+
+void CutHandles::set_places(const std::vector<ToldPlace>& places) {
+  const auto same = [](const ToldPlace& a, const ToldPlace& b) {
+    return a.label == b.label && a.position_mm == b.position_mm;
+  };
+  if (std::equal(places.begin(), places.end(), places_.begin(), places_.end(), same)) return;
+  places_ = places;
+  chosen_place_.reset();
+  if (held_.part == Part::place) held_ = {};
   draw_in_slices();
 }
 
@@ -101,6 +116,13 @@ void CutHandles::draw_in_slices() {
       const double off_mm = normal_of(*slice).dot(point - slice->crosshair_mm());
       if (std::abs(off_mm) < shown_within_mm) put(point - off_mm * normal_of(*slice));
     }
+    for (std::size_t k = 0; k < places_.size(); ++k) {
+      const double off_mm = normal_of(*slice).dot(places_[k].position_mm - slice->crosshair_mm());
+      if (std::abs(off_mm) >= shown_within_mm) continue;
+      const double wide_mm = (k == chosen_place_ ? 1.4 : 1.0) * radius_mm;
+      balls.push_back(
+          {places_[k].label, places_[k].position_mm - off_mm * normal_of(*slice), wide_mm, places_[k].colour});
+    }
     slice->view().set_landmarks(balls);
     slice->redraw();
   }
@@ -113,6 +135,10 @@ std::vector<scene::LandmarkItem> CutHandles::marks_in_space() const {
     marks.push_back({{}, tip_mm(), ball_mm, handle_colour});
   }
   for (const Vector3d& point : points_mm_) marks.push_back({{}, point, ball_mm, handle_colour});
+  for (std::size_t k = 0; k < places_.size(); ++k) {
+    const double wide_mm = (k == chosen_place_ ? 1.2 : 0.8) * ball_mm;
+    marks.push_back({places_[k].label, places_[k].position_mm, wide_mm, places_[k].colour});
+  }
   return marks;
 }
 
@@ -123,6 +149,7 @@ std::vector<scene::ArrowItem> CutHandles::arrows_in_space() const {
 
 bool CutHandles::eventFilter(QObject* watched, QEvent* event) {
   const auto type = event->type();
+  if (type == QEvent::KeyPress) return key_event(static_cast<const QKeyEvent&>(*event));
   if (type != QEvent::MouseButtonPress && type != QEvent::MouseMove && type != QEvent::MouseButtonRelease) return false;
   auto& mouse = static_cast<QMouseEvent&>(*event);
   if (watched == &views_.space()) return space_event(mouse);
@@ -130,6 +157,39 @@ bool CutHandles::eventFilter(QObject* watched, QEvent* event) {
     if (watched == slice) return slice_event(*slice, mouse);
   }
   return false;
+}
+
+bool CutHandles::key_event(const QKeyEvent& event) {
+  const bool deletes = event.key() == Qt::Key_Delete || event.key() == Qt::Key_Backspace;
+  if (!deletes || !chosen_place_) return false;
+  Q_EMIT place_given_up(*chosen_place_);
+  return true;
+}
+
+void CutHandles::take_hold(const Fixed& held) {
+  held_ = held;
+  const auto before = chosen_place_;
+  chosen_place_ = held.part == Part::place ? std::optional(held.point) : std::nullopt;
+  place_moved_ = false;
+  if (chosen_place_ == before) return;
+  draw_in_slices();
+  Q_EMIT place_dragged();
+}
+
+void CutHandles::drag_place(const Vector3d& to_mm) {
+  place_moved_ = true;
+  places_[held_.point].position_mm = to_mm;
+  draw_in_slices();
+  Q_EMIT place_dragged();
+}
+
+void CutHandles::end_drag() {
+  const Fixed held = std::exchange(held_, {});
+  if (held.part != Part::place) {
+    Q_EMIT let_go();
+  } else if (place_moved_) {
+    Q_EMIT place_let_go(held.point, places_[held.point].position_mm);
+  }
 }
 
 bool CutHandles::slice_event(SliceView& slice, QMouseEvent& event) {
@@ -140,7 +200,7 @@ bool CutHandles::slice_event(SliceView& slice, QMouseEvent& event) {
   }
   if (event.type() == QEvent::MouseButtonPress) {
     if (event.button() != Qt::LeftButton || event.modifiers() != Qt::NoModifier) return false;
-    held_ = under(slice, event.position());
+    take_hold(under(slice, event.position()));
     if (held_.part == Part::none && drawing_) {
       Q_EMIT point_clicked(position_in(slice, event.position()));
       return true;
@@ -151,8 +211,7 @@ bool CutHandles::slice_event(SliceView& slice, QMouseEvent& event) {
   }
   if (held_.part == Part::none) return false;
   if (event.type() == QEvent::MouseButtonRelease) {
-    held_ = {};
-    Q_EMIT let_go();
+    end_drag();
   } else {
     drag_in_slice(slice, position_in(slice, event.position()));
   }
@@ -164,6 +223,12 @@ CutHandles::Fixed CutHandles::under(const SliceView& slice, const QPointF& pixel
     const double off_mm = normal_of(slice).dot(points_mm_[k] - slice.crosshair_mm());
     if (std::abs(off_mm) < shown_within_mm && pixels_between(slice, points_mm_[k], pixel) < handle_reach_px) {
       return {Part::point, k, {}, {}};
+    }
+  }
+  for (std::size_t k = 0; k < places_.size() && !drawing_; ++k) {
+    const double off_mm = normal_of(slice).dot(places_[k].position_mm - slice.crosshair_mm());
+    if (std::abs(off_mm) < shown_within_mm && pixels_between(slice, places_[k].position_mm, pixel) < handle_reach_px) {
+      return {Part::place, k, {}, {}};
     }
   }
   if (!plane_) return {};
@@ -183,6 +248,7 @@ void CutHandles::drag_in_slice(const SliceView& slice, const Vector3d& to_mm) {
     Q_EMIT point_moved(held_.point, to_mm);
     return;
   }
+  if (held_.part == Part::place) return drag_place(to_mm);
   if (!plane_) return;
   CutPlane plane = *plane_;
   if (held_.part == Part::line) {
@@ -209,14 +275,15 @@ bool CutHandles::space_event(QMouseEvent& event) {
   }
   if (event.type() == QEvent::MouseButtonPress) {
     if (event.button() != Qt::LeftButton || event.modifiers() != Qt::NoModifier) return false;
-    held_ = under_in_space(event.position());
+    take_hold(under_in_space(event.position()));
     held_.from_mm = space.view().position_in_focal_plane(at.x(), at.y());
     return held_.part != Part::none;
   }
   if (held_.part == Part::none) return false;
   if (event.type() == QEvent::MouseButtonRelease) {
-    held_ = {};
-    Q_EMIT let_go();
+    end_drag();
+  } else if (held_.part == Part::place) {
+    drag_place(space.view().position_beside(places_[held_.point].position_mm, at.x(), at.y()));  // as deep as it was
   } else if (held_.part == Part::point) {
     // On whatever is seen there, as it was set.
     if (const auto pick = space.view().pick(at.x(), at.y())) Q_EMIT point_moved(held_.point, pick->position_mm);
@@ -268,6 +335,9 @@ CutHandles::Fixed CutHandles::under_in_space(const QPointF& pixel) const {
   const SpaceView& space = views_.space();
   for (std::size_t k = 0; k < points_mm_.size(); ++k) {
     if (pixels_between(space, points_mm_[k], pixel) < handle_reach_px) return {Part::point, k, {}, {}};
+  }
+  for (std::size_t k = 0; k < places_.size() && !drawing_; ++k) {
+    if (pixels_between(space, places_[k].position_mm, pixel) < handle_reach_px) return {Part::place, k, {}, {}};
   }
   if (!plane_) return {};
   if (pixels_between(space, tip_mm(), pixel) < 1.5 * handle_reach_px) return {Part::tip, 0, {}, {}};

@@ -4,34 +4,12 @@
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
-#include "casefile/vascular.h"
 #include "widgets/panels/parts.h"
 #include "widgets/panels/small_table.h"
-#include "widgets/session/load_patient.h"
 #include "widgets/words/keep_translated.h"
 
 namespace glisson::widgets {
 namespace {
-
-// The vessels and segments of a case, kept in it.
-Result<void> find_anatomy(const std::filesystem::path& folder, const vasculature::Told& told,
-                          const Progress& progress) {
-  using casefile::SegmentsBy;
-  auto patient = casefile::Case::open(folder);
-  if (!patient) return failure(std::move(patient.error()));
-  const bool has_vessels =
-      patient->find("labels/vessels") != nullptr ||
-      (patient->find("labels/portal-vein") != nullptr && patient->find("labels/hepatic-vein") != nullptr);
-  if (has_vessels) {
-    const auto trees = casefile::find_vessels(*patient, {}, told, progress.part(0, 0.6));
-    if (!trees) return failure(trees.error());
-  }
-  const bool by_trees = patient->find(casefile::trees_id) != nullptr;
-  const auto found = by_trees
-                         ? casefile::find_territories(*patient, SegmentsBy::trees, {}, progress.part(0.6, 1))
-                         : casefile::find_territories(*patient, SegmentsBy::shape, told.borders, progress.part(0.6, 1));
-  return found ? Result<void>() : failure(found.error());
-}
 
 Result<void> keep_in(const std::filesystem::path& folder, const planning::Plan& plan,
                      const planning::PlanAnswer& answer, const OpenedAnatomy& anatomy) {
@@ -72,6 +50,7 @@ PlanByAnatomy::PlanByAnatomy(WorkspaceContext context, QWidget* parent)
     show_answer();
     show_keeping();
     show_taken();
+    Q_EMIT told_places_changed();
   });
   keep_taken();
 }
@@ -130,7 +109,9 @@ QWidget* PlanByAnatomy::make_anatomy() {
   keep_translated(group, [=, this] {
     title->setText(tr("Segments and tumours"));
     find_->setText(tr("Find segments"));
-    find_->setToolTip(tr("By the portal and hepatic veins where both are outlined, else by the liver's shape alone"));
+    find_->setToolTip(
+        tr("By the portal and hepatic veins where both are outlined, else by the liver's shape alone. Arteries "
+           "and bile ducts that are outlined get trees too"));
     segments_->setHorizontalHeaderLabels({tr("Segment"), tr("ml"), tr("Stays, ml"), tr("kPa")});
     segments_->horizontalHeaderItem(stiffness_column)
         ->setToolTip(tr("Mean stiffness (Young's modulus) of the tissue that was measured; faint under half of it"));
@@ -142,25 +123,6 @@ QWidget* PlanByAnatomy::make_anatomy() {
     take_around_->setToolTip(tr("Removes the tumour with all tissue up to this margin"));
   });
   return group;
-}
-
-void PlanByAnatomy::connect_what_is_told() {
-  connect(vessel_click_, &VesselClick::told, this, [this](vasculature::Vessel vessel) {
-    vasculature::Told more = told_before();
-    more.clicks.push_back({vessel, context_.views.crosshair_mm()});
-    find_segments(more);
-  });
-  connect(border_by_hand_, &BorderByHand::told, this, [this](const vasculature::SegmentPair& border) {
-    vasculature::Told more = told_before();
-    more.borders.push_back({border, context_.views.crosshair_mm()});
-    find_segments(more);
-  });
-  connect(border_by_hand_, &BorderByHand::last_dropped, this, [this] {
-    vasculature::Told fewer = told_before();
-    if (!fewer.borders.empty()) fewer.borders.pop_back();
-    find_segments(fewer);
-  });
-  connect(&context_.views, &LinkedViews::crosshair_moved, border_by_hand_, &BorderByHand::crosshair_moved);
 }
 
 QWidget* PlanByAnatomy::make_answer() {
@@ -175,9 +137,11 @@ QWidget* PlanByAnatomy::make_answer() {
   column->addWidget(branches_);
   keep_translated(answer_, [this] {
     branches_title_->setText(tr("Branches cut"));
-    branches_->setHorizontalHeaderLabels({tr("Branch"), tr("mm"), tr("Beyond, ml"), tr("Left, ml")});
+    branches_->setHorizontalHeaderLabels({tr("Branch"), tr("mm"), tr("Beyond"), tr("Left")});
     branches_->horizontalHeaderItem(width_column)->setToolTip(tr("Diameter where it is cut"));
-    branches_->horizontalHeaderItem(beyond_column)->setToolTip(tr("All tissue that it feeds or drains beyond the cut"));
+    branches_->horizontalHeaderItem(beyond_column)
+        ->setToolTip(
+            tr("All tissue that it feeds or drains beyond the cut; of an artery or a bile duct its own length"));
     branches_->horizontalHeaderItem(left_column)->setToolTip(tr("What of that stays in the patient without it"));
   });
   return answer_;
@@ -225,7 +189,10 @@ void PlanByAnatomy::show_patient(const Patient& patient) {
     taken_.clear();
     plans_->set_name({});
     show_taken();
+  } else if (looked_at_mm_) {
+    context_.views.set_crosshair(*looked_at_mm_);  // a patient shown anew is looked at in the middle
   }
+  looked_at_mm_.reset();
   folder_ = patient.folder;
   by_anatomy_->setVisible(!folder_.empty());
   growing_->setVisible(!folder_.empty());
@@ -255,19 +222,6 @@ void PlanByAnatomy::cuts_changed() {
   show_taken();
   live_->set_cuts(cuts());
   Q_EMIT taken_changed();
-}
-
-vasculature::Told PlanByAnatomy::told_before() const {
-  return live_->anatomy() ? live_->anatomy()->told : vasculature::Told();
-}
-
-void PlanByAnatomy::find_segments(const vasculature::Told& told) {
-  context_.change(tr("Finding vessels and segments"),
-                  [folder = folder_, told](const Progress& progress) -> Result<Patient> {
-                    auto found = find_anatomy(folder, told, progress.part(0, 0.8));
-                    if (!found) return failure(std::move(found.error()));
-                    return load_patient(folder, progress.part(0.8, 1));
-                  });
 }
 
 bool PlanByAnatomy::complete() const {

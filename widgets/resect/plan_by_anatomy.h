@@ -17,6 +17,7 @@
 #include "widgets/panels/fold.h"
 #include "widgets/resect/ablation_controls.h"
 #include "widgets/resect/border_by_hand.h"
+#include "widgets/resect/cut_handles.h"
 #include "widgets/resect/growth_controls.h"
 #include "widgets/resect/live_plan.h"
 #include "widgets/resect/live_resection.h"
@@ -53,12 +54,18 @@ class PlanByAnatomy : public QWidget {
   void take_up(const planning::Plan& plan);
   [[nodiscard]] const LivePlan& live() const { return *live_; }
   void add_to(WorkspaceScene& scene) const;
+  // Where somebody told by hand what runs there: vessels, then borders, as LivePlan has them.
+  [[nodiscard]] std::vector<ToldPlace> told_places() const;
+  // One of these runs there instead, or is told no more. Vessels and segments are found again by it: a step of undo.
+  void move_told_place(std::size_t place, const Eigen::Vector3d& position_mm);
+  void drop_told_place(std::size_t place);
   // Whether it draws the liver in its parts, so that nobody else need.
   [[nodiscard]] bool draws_liver() const;
 
  Q_SIGNALS:
   void taken_changed();
   void drawing_changed();
+  void told_places_changed();  // or are to be shown as they were, since nothing came of a change
   void plan_chosen(const glisson::planning::Plan& plan);  // to be taken up, here too
 
  private:
@@ -87,6 +94,7 @@ class PlanByAnatomy : public QWidget {
   void cuts_changed();
   void show_anatomy();
   void show_answer();
+  void show_branches(const planning::PlanAnswer& answer);
   void show_unrolled();
   // Whether all is known of the cut as it is now set, so that it can be kept.
   [[nodiscard]] bool complete() const;
@@ -102,6 +110,7 @@ class PlanByAnatomy : public QWidget {
   WorkspaceContext context_;
   LivePlan* live_;
   std::filesystem::path folder_;
+  std::optional<Eigen::Vector3d> looked_at_mm_;  // while segments are found again
   std::optional<casefile::PlannedCut> surface_;
   std::shared_ptr<const LiveResectionResult> resection_;
   std::vector<planning::Cut> taken_;

@@ -36,17 +36,21 @@ QTableWidgetItem* put(QTableWidget& table, int row, int column, const QString& t
 }  // namespace
 
 QString branch_label(const std::string& name) {
-  static const std::map<QString, const char*> words = {{"portal", QT_TRANSLATE_NOOP("vessels", "Portal vein")},
-                                                       {"hepatic", QT_TRANSLATE_NOOP("vessels", "Hepatic vein")},
-                                                       {"right", QT_TRANSLATE_NOOP("vessels", "right")},
-                                                       {"left", QT_TRANSLATE_NOOP("vessels", "left")},
-                                                       {"middle", QT_TRANSLATE_NOOP("vessels", "middle")},
-                                                       {"anterior", QT_TRANSLATE_NOOP("vessels", "anterior")},
-                                                       {"posterior", QT_TRANSLATE_NOOP("vessels", "posterior")},
-                                                       {"lateral", QT_TRANSLATE_NOOP("vessels", "lateral")},
-                                                       {"medial", QT_TRANSLATE_NOOP("vessels", "medial")},
-                                                       {"caudate", QT_TRANSLATE_NOOP("vessels", "caudate")},
-                                                       {"stem", QT_TRANSLATE_NOOP("vessels", "stem")}};
+  static const std::map<QString, const char*> words = {
+      {"portal", QT_TRANSLATE_NOOP("vessels", "Portal vein")},
+      {"hepatic", QT_TRANSLATE_NOOP("vessels", "Hepatic vein")},
+      {"hepatic-artery", QT_TRANSLATE_NOOP("vessels", "Hepatic artery")},
+      {"bile-duct", QT_TRANSLATE_NOOP("vessels", "Bile duct")},
+      {"outside", QT_TRANSLATE_NOOP("vessels", "outside the liver")},
+      {"right", QT_TRANSLATE_NOOP("vessels", "right")},
+      {"left", QT_TRANSLATE_NOOP("vessels", "left")},
+      {"middle", QT_TRANSLATE_NOOP("vessels", "middle")},
+      {"anterior", QT_TRANSLATE_NOOP("vessels", "anterior")},
+      {"posterior", QT_TRANSLATE_NOOP("vessels", "posterior")},
+      {"lateral", QT_TRANSLATE_NOOP("vessels", "lateral")},
+      {"medial", QT_TRANSLATE_NOOP("vessels", "medial")},
+      {"caudate", QT_TRANSLATE_NOOP("vessels", "caudate")},
+      {"stem", QT_TRANSLATE_NOOP("vessels", "stem")}};
   QStringList parts;
   for (const QString& part : QString::fromStdString(name).split('/', Qt::SkipEmptyParts)) {
     const auto word = words.find(part);
@@ -188,21 +192,30 @@ void PlanByAnatomy::show_answer() {
   }
   alive_->setText(lines.join("<br>"));
   show_unrolled();
-  constexpr double worth_a_row_ml = 1;
+  show_branches(*answer);
+  Q_EMIT drawing_changed();
+}
+
+// Each system in the colour that it has in space; so many veins, and so many arteries and ducts.
+void PlanByAnatomy::show_branches(const planning::PlanAnswer& answer) {
   constexpr int most_rows = 12;
+  std::array<int, 2> rows{};
   branches_->setRowCount(0);
-  for (const planning::CutBranch& cut : answer->branches) {
-    if (cut.beyond_ml < worth_a_row_ml || branches_->rowCount() == most_rows) break;
+  for (const planning::CutBranch& cut : answer.branches) {
+    const vasculature::TreeBranch& branch = live_->anatomy()->planner.trees().branches[cut.branch];
+    const auto told = planning::beyond_cut(cut, branch.system);
+    if (!told || rows.at(vasculature::is_vein(branch.system) ? 0 : 1)++ >= most_rows) continue;
     const int row = branches_->rowCount();
     branches_->insertRow(row);
-    put(*branches_, row, branch_column, branch_label(live_->anatomy()->planner.trees().branches[cut.branch].name));
+    put(*branches_, row, branch_column, branch_label(branch.name))
+        ->setIcon(swatch(scene::appearance_of(vasculature::system_name(branch.system)).colour));
     put(*branches_, row, width_column, number(2 * cut.radius_mm, 1));
-    put(*branches_, row, beyond_column, number(cut.beyond_ml, 0));
-    QTableWidgetItem* left = put(*branches_, row, left_column, number(cut.affected_ml, 0));
-    if (cut.affected_ml >= 10) left->setForeground(theme_colour("warning"));
+    const auto with_unit = [&](double much) { return number(much, 0) + QChar::Nbsp + told->unit; };
+    put(*branches_, row, beyond_column, with_unit(told->beyond));
+    QTableWidgetItem* left = put(*branches_, row, left_column, with_unit(told->left));
+    if (told->left >= 10) left->setForeground(theme_colour("warning"));
   }
   fit_height(*branches_);
-  Q_EMIT drawing_changed();
 }
 
 void PlanByAnatomy::show_keeping() {
@@ -246,9 +259,6 @@ void PlanByAnatomy::add_to(WorkspaceScene& scene) const {
       if (!anatomy->segments[s]) continue;
       scene.surfaces.push_back({"liver", anatomy->segments[s], colour_of_segment(s), 0.75, scene::Finish::solid, {}});
       scene.key.push_back({colour_of_segment(s), vasculature::segment_name(s)});
-    }
-    for (const vasculature::BorderPlace& place : anatomy->told.borders) {
-      scene.marks.push_back({vasculature::border_name(place.segments), place.position_mm, 2, {1, 1, 1}});
     }
     return;
   }

@@ -70,6 +70,13 @@ ResectPanel::ResectPanel(WorkspaceContext context, QWidget* parent) : QWidget(pa
     cut_changed();
   });
   connect(handles_, &CutHandles::line_drawn, this, &ResectPanel::cut_under);
+  connect(handles_, &CutHandles::place_dragged, this, &ResectPanel::show_scene);
+  connect(handles_, &CutHandles::place_let_go, by_anatomy_, &PlanByAnatomy::move_told_place);
+  connect(handles_, &CutHandles::place_given_up, by_anatomy_, &PlanByAnatomy::drop_told_place);
+  connect(by_anatomy_, &PlanByAnatomy::told_places_changed, this, [this] {
+    handles_->set_places(by_anatomy_->told_places());
+    show_scene();
+  });
   connect(&context_.views.space(), &SpaceView::clicked, this, [this](const scene::View::Pick& pick) {
     if (isVisible() && cut_controls_->drawing() && !cut_controls_->freehand()) take_click(pick.position_mm);
   });

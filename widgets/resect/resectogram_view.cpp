@@ -6,6 +6,7 @@
 #include <QHelpEvent>
 #include <QLocale>
 #include <QPainter>
+#include <QPainterPath>
 #include <QToolTip>
 
 #include "planning/cut.h"
@@ -40,6 +41,29 @@ Upright upright(const planning::Resectogram& map) {
   Vector3d right = up.cross(normal);
   if (right.x() + right.y() < 0) right = -right;
   return {up, right};
+}
+
+// How a vessel that is cut is drawn around its place.
+struct Sign {
+  QColor colour;
+  QPainterPath shape;
+};
+Sign sign_of(vasculature::System system, const QRectF& around) {
+  QPainterPath shape;
+  const QPointF top(around.center().x(), around.top());
+  switch (system) {
+    case vasculature::System::portal_vein: shape.addEllipse(around); return {Qt::white, shape};
+    case vasculature::System::hepatic_vein: shape.addRect(around); return {QColor(0x7c, 0xc8, 0xff), shape};
+    case vasculature::System::artery:
+      shape.addPolygon(
+          QPolygonF({top, QPointF(around.right(), around.center().y()), QPointF(around.center().x(), around.bottom()),
+                     QPointF(around.left(), around.center().y()), top}));
+      return {QColor(0xff, 0x8a, 0x80), shape};
+    case vasculature::System::biliary_tract:
+      shape.addPolygon(QPolygonF({top, around.bottomRight(), around.bottomLeft(), top}));
+      return {QColor(0x9c, 0xe0, 0x8a), shape};
+  }
+  return {};
 }
 
 // The letter of the side that a direction points to the most: L, R, A, P, H or F.
@@ -101,17 +125,13 @@ void ResectogramView::draw_vessels(QPainter& painter, const QTransform& to_pixel
   constexpr double smallest_px = 3;
   const double px_a_mm = std::sqrt(std::abs(to_pixels.determinant())) / map_.step_mm;
   for (const planning::Resectogram::Vessel& vessel : map_.vessels) {
-    const bool portal = vessel.name.rfind("portal", 0) == 0;
     const double radius_px = std::max(smallest_px, px_a_mm * vessel.radius_mm);
     const QPointF at = drawn_at(vessel.column, vessel.row);
     const QRectF around(at.x() - radius_px, at.y() - radius_px, 2 * radius_px, 2 * radius_px);
-    for (const QPen& pen :
-         {QPen(QColor(10, 11, 14), 4), QPen(portal ? QColor(Qt::white) : QColor(0x7c, 0xc8, 0xff), 2)}) {
+    const Sign sign = sign_of(vessel.system, around);
+    for (const QPen& pen : {QPen(QColor(10, 11, 14), 4), QPen(sign.colour, 2)}) {
       painter.setPen(pen);
-      if (portal)
-        painter.drawEllipse(around);
-      else
-        painter.drawRect(around);
+      painter.drawPath(sign.shape);
     }
   }
   constexpr double bar_mm = 20;
@@ -178,7 +198,8 @@ QString resectogram_key() {
   return QStringList{patch(in_tumour, ResectogramView::tr("tumour")),
                      patch(near_tumour, ResectogramView::tr("under %1 mm").arg(near_band_mm)),
                      patch(not_far, ResectogramView::tr("under %1 mm").arg(wide_band_mm)),
-                     patch(clear, ResectogramView::tr("clear")), ResectogramView::tr("○ portal, □ hepatic vein cut")}
+                     patch(clear, ResectogramView::tr("clear")),
+                     ResectogramView::tr("○ portal, □ hepatic vein cut; ◇ artery, △ bile duct")}
       .join("  ");
 }
 

@@ -8,22 +8,8 @@
 #include "widgets/words/numbers.h"
 
 namespace glisson::widgets {
-namespace {
 
 using vasculature::Vessel;
-
-QString vessel_label(Vessel vessel) {
-  static constexpr std::array<const char*, vasculature::all_vessels.size()> words = {
-      QT_TRANSLATE_NOOP("vessels", "Portal vein"),
-      QT_TRANSLATE_NOOP("vessels", "Hepatic vein"),
-      QT_TRANSLATE_NOOP("vessels", "Middle hepatic vein"),
-      QT_TRANSLATE_NOOP("vessels", "Right hepatic vein"),
-      QT_TRANSLATE_NOOP("vessels", "Umbilical portion of the left portal vein"),
-      QT_TRANSLATE_NOOP("vessels", "Left hepatic vein")};
-  return QCoreApplication::translate("vessels", words.at(static_cast<std::size_t>(vessel)));
-}
-
-}  // namespace
 
 VesselClick::VesselClick(QWidget* parent) : QWidget(parent) {
   auto* rows = new QVBoxLayout(this);
@@ -56,6 +42,17 @@ void VesselClick::offer(const vasculature::VesselTrees* trees) {
   for (const Vessel vessel : {Vessel::portal_vein, Vessel::hepatic_vein}) {
     vessel_->addItem(vessel_label(vessel), static_cast<int>(vessel));
   }
+}
+
+QString vessel_label(Vessel vessel) {
+  static constexpr std::array<const char*, vasculature::all_vessels.size()> words = {
+      QT_TRANSLATE_NOOP("vessels", "Portal vein"),
+      QT_TRANSLATE_NOOP("vessels", "Hepatic vein"),
+      QT_TRANSLATE_NOOP("vessels", "Middle hepatic vein"),
+      QT_TRANSLATE_NOOP("vessels", "Right hepatic vein"),
+      QT_TRANSLATE_NOOP("vessels", "Umbilical portion of the left portal vein"),
+      QT_TRANSLATE_NOOP("vessels", "Left hepatic vein")};
+  return QCoreApplication::translate("vessels", words.at(static_cast<std::size_t>(vessel)));
 }
 
 }  // namespace glisson::widgets

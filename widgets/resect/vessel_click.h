@@ -26,4 +26,7 @@ class VesselClick : public QWidget {
   QPushButton* tell_;
 };
 
+// "Right hepatic vein".
+[[nodiscard]] QString vessel_label(vasculature::Vessel vessel);
+
 }  // namespace glisson::widgets

@@ -122,6 +122,7 @@ void SegmentPanel::connect_parts() {
   connect(cut_depth_mm_, &NumberSlider::changed, this, [this](double mm) { tools_.options().depth_mm = mm; });
   cut_depth_->setCurrentIndex(static_cast<int>(tools_.options().depth));
   connect(grow_, &QPushButton::clicked, this, &SegmentPanel::grow);
+  connect(find_vessels_, &QPushButton::clicked, this, &SegmentPanel::find_vessels);
   connect(forget_seeds_, &QPushButton::clicked, &tools_, &SliceTools::clear_seeds);
 
   connect_operations();
@@ -341,35 +342,26 @@ void SegmentPanel::show_state() {
                                  : tr("Replaces the outline by the tissue around the points"));
   forget_seeds_->setEnabled(seeds > 0);
   const auto kind = has_active ? segmentation::contrast_of(editor_.active_structure()->name) : std::nullopt;
-  seeds_text_->setText((!kind ? tr("Click into the tissue, away from large vessels. Points so far: %1")
-                        : *kind == segmentation::Contrast::vessel
-                            ? tr("Click into the vessel where it stands out best. Points so far: %1")
-                            : tr("Click into the middle of it. Points so far: %1"))
-                           .arg(seeds));
+  using segmentation::Contrast;
+  const bool is_vessel = kind.value_or(Contrast::lesion) == Contrast::vessel,
+             has_liver = editor_.mask_of("liver") != nullptr;
+  find_vessels_->setVisible(is_vessel);
+  find_vessels_->setEnabled(has_liver || !operations_->within().empty());
+  find_vessels_->setToolTip(!has_liver ? tr("Outline the liver first.")
+                            : seeds == 0
+                                ? tr("Replaces the outline by all that is shaped like a vessel in the liver")
+                                : tr("Replaces the outline by the vessels in the liver that hang on the points"));
+  seeds_text_->setText(
+      (!kind ? tr("Click into the tissue, away from large vessels. Points so far: %1")
+       : is_vessel
+           ? tr("Click into the vessel where it stands out best, or let all vessels be found. Points so far: %1")
+           : tr("Click into the middle of it. Points so far: %1"))
+          .arg(seeds));
   option_hint_->setText(
       tools_.tool() == Tool::piece
           ? tr("Click on the piece that is to stay; all others go. Ctrl and click: the part under the "
                "pointer goes, from where it is narrowest.")
           : tr("Choose a tool to draw in the slices. Without one, clicks move the crosshair."));
-}
-
-void SegmentPanel::grow() {
-  const EditedStructure* active = editor_.active_structure();
-  if (active == nullptr) return;
-  context_.change(tr("Growing: %1").arg(structure_label(active->name)),
-                  [folder = patient_.folder, name = active->name, within = operations_->within(),
-                   seeds_mm = tools_.seeds_mm()](const Progress& progress) -> Result<Patient> {
-                    auto opened = casefile::Case::open(folder);
-                    if (!opened) return failure(opened.error());
-                    auto grown = casefile::grow_structure(*opened, name, seeds_mm, progress.part(0, 0.9),
-                                                          within.empty() ? std::nullopt : std::optional(within));
-                    if (!grown) return failure(grown.error());
-                    return load_patient(folder, progress.part(0.9, 1)).map([&](Patient patient) {
-                      patient.remarks = std::move(grown->notes);
-                      return patient;
-                    });
-                  });
-  tools_.clear_seeds();
 }
 
 }  // namespace glisson::widgets

@@ -11,6 +11,7 @@
 #include <QStackedWidget>
 #include <QTreeWidget>
 
+#include "casefile/structures.h"
 #include "widgets/panels/number_slider.h"
 #include "widgets/segment/slice_tools.h"
 #include "widgets/segment/structure_operations.h"
@@ -54,6 +55,11 @@ class SegmentPanel : public QWidget {
   void show_space();
   void show_state();
   void grow();
+  void find_vessels();
+  // Makes the chosen structure anew, on a worker; `what` says so, with its name as %1.
+  using Make = std::function<Result<casefile::SavedStructure>(casefile::Case& patient, const std::string& name,
+                                                              const Progress& progress)>;
+  void replace_active(const QString& what, Make make);
   void connect_operations();
   void take_grey_values();
   void combine();
@@ -88,6 +94,7 @@ class SegmentPanel : public QWidget {
   NumberSlider* cut_depth_mm_ = nullptr;
   QLabel* seeds_text_ = nullptr;
   QPushButton* grow_ = nullptr;
+  QPushButton* find_vessels_ = nullptr;  // where the chosen structure is a vessel
   QPushButton* forget_seeds_ = nullptr;
   StructureOperations* operations_ = nullptr;
   QLabel* filters_title_ = nullptr;

@@ -134,9 +134,12 @@ QWidget* SegmentPanel::make_options() {
   auto* row = new QHBoxLayout;
   grow_ = new QPushButton;
   grow_->setObjectName("grow");
+  find_vessels_ = new QPushButton;
+  find_vessels_->setObjectName("find_vessels");
   forget_seeds_ = new QPushButton;
   forget_seeds_->setObjectName("forget_seeds");
   row->addWidget(grow_, 1);
+  row->addWidget(find_vessels_, 1);
   row->addWidget(forget_seeds_, 1);
   seeds->addLayout(row);
   seeds->addStretch();
@@ -210,7 +213,7 @@ void SegmentPanel::update_text() {
       tr("Drag to take away. Ctrl: add instead. Shift+wheel: radius in mm"),
       tr("Adds only where the grey values are like those under the click"),
       tr("Draw around something, and cut away what is inside or outside"),
-      tr("Click points into the tissue, then let the structure grow over what looks alike"),
+      tr("Click points into the tissue, then let the structure grow over what looks alike; vessels are found without"),
       tr("Click on the piece that is to stay; all others go. Ctrl: takes off the part under the pointer")};
   for (int k = 0; k < static_cast<int>(names.size()); ++k) {
     QAbstractButton* button = tool_buttons_->button(k);
@@ -240,6 +243,7 @@ void SegmentPanel::update_text() {
   cut_depth_mm_->setToolTip(tr("How far the scissors cut before and behind this slice, in mm"));
   cut_depth_mm_->setAccessibleName(cut_depth_mm_->toolTip());
   grow_->setText(tr("Grow"));
+  find_vessels_->setText(tr("Find"));
   forget_seeds_->setText(tr("Forget the points"));
 
   filters_title_->setText(tr("The whole structure"));

@@ -64,7 +64,7 @@ class Case:
         Raises glisson.Error: vessels-missing, choice-unknown."""
 
     def find_vessels(self, *, structure: Optional[str] = ..., portal_mm: Optional[numpy.typing.ArrayLike] = ..., hepatic_mm: Optional[numpy.typing.ArrayLike] = ..., clicks: Sequence[Tuple[str, numpy.typing.ArrayLike]] = ..., borders: Sequence[Tuple[str, numpy.typing.ArrayLike]] = ..., progress: Optional[Callable[[float, str], Any]] = ...) -> VesselTrees:
-        """The VesselTrees of the case, saved in it: of the structures portal-vein and hepatic-vein, or of one that holds both. portal_mm, hepatic_mm: a place (LPS, mm) on each main stem, where the first guess is wrong. clicks: (vessel, place) each, borders: (border, place) each, as for vessel_trees().
+        """The VesselTrees of the case, saved in it: of the structures portal-vein and hepatic-vein, or of one that holds both; with trees of the arteries and bile ducts that it has outlined. portal_mm, hepatic_mm: a place (LPS, mm) on each main stem, where the first guess is wrong. clicks: (vessel, place) each, borders: (border, place) each, as for vessel_trees().
 
         progress(fraction, stage) is told how far it is; KeyboardInterrupt cancels.
         Raises glisson.Error: vessels-missing, labels-grids-differ."""
@@ -166,6 +166,12 @@ class Case:
         must be as that one was before the step; its files come out the same, byte for byte.
 
         Raises glisson.Error: step-unknown, step-does-not-fit, step-content-gone, step-changes-nothing."""
+
+    def segment_vessels(self, name: str, seeds_mm: numpy.typing.ArrayLike = ..., *, within: str = ..., brightness: Optional[str] = ..., progress: Optional[Callable[[float, str], Any]] = ...) -> Dict[str, Any]:
+        """Finds the vessels of the anatomy inside of a structure by their shape and saves them. With points (n x 3, LPS, mm) only those that hang on one. brightness "bright" or "dark"; without it, what more of the tubes are.
+
+        progress(fraction, stage) is told how far it is; KeyboardInterrupt cancels.
+        Raises glisson.Error: choice-unknown, structure-unknown, vessels-no-organ, vessels-none, vessels-seed-off."""
 
     def session(self, *, material: str = ..., progress: Optional[Callable[[float, str], Any]] = ...) -> Session:
         """A Session of this patient as the window rehearses, so that its recordings replay to the bit.
@@ -789,7 +795,7 @@ class TetMesh:
         """A copy with these fields, in place of those of the same name."""
 
 class VesselTrees:
-    """Portal and hepatic veins, each as a tree; vessel_trees() and Case.find_vessels() make one."""
+    """Portal and hepatic veins, arteries and bile ducts, each as a tree; vessel_trees() and Case.find_vessels() make one."""
 
     @property
     def border_doubts(self) -> List[Any]:
@@ -797,9 +803,9 @@ class VesselTrees:
 
     @property
     def branches(self) -> List[Any]:
-        """Parents first, a dict each: name ("portal/right/posterior/VI/2"), system ("portal-vein", "hepatic-vein"), parent (an
-        earlier branch, or -1), generation, confidence of the system (0.5 to 1), length_mm, radius_mm (median), points_mm (n, 3)
-        and radii_mm (n,), outwards."""
+        """Parents first, a dict each: name ("portal/right/posterior/VI/2"), system ("portal-vein", "hepatic-vein", "artery",
+        "biliary-tract"), parent (an earlier branch, or -1), generation, confidence of the system (0.5 to 1), length_mm,
+        radius_mm (median), points_mm (n, 3) and radii_mm (n,), outwards."""
 
     @property
     def hepatic_entry_mm(self) -> numpy.typing.NDArray[numpy.float64]:
@@ -1114,6 +1120,13 @@ def scan(path: str | os.PathLike[str], *, progress: Optional[Callable[[float, st
     progress(fraction, stage) is told how far it is.
     Raises glisson.Error: path-not-found, path-not-readable, dicomdir-damaged."""
 
+def segment_vessels(image: Volume, organ: Mask, seeds_mm: numpy.typing.ArrayLike = ..., *, brightness: Optional[str] = ..., progress: Optional[Callable[[float, str], Any]] = ...) -> Grown:
+    """The vessels of an organ by their shape, without a point; with points (n x 3, LPS, mm) those that hang on one.
+    brightness "bright" or "dark"; without it, what more of the tubes are.
+
+    Raises glisson.Error: choice-unknown, grids-differ, grow-bad-image, grow-seed-outside, vessels-no-organ, vessels-none,
+    vessels-seed-off."""
+
 def set_thread_count(threads: int) -> None:
     """How many threads loops use; 0 means as many as the machine has."""
 
@@ -1179,12 +1192,13 @@ def trwls(source_mm: numpy.typing.ArrayLike, target_mm: numpy.typing.ArrayLike, 
 def usual_supports() -> List[Any]:
     """The supports of a scenario that go with mark_attachments: the bare area held, the diaphragm on a foundation."""
 
-def vessel_trees(vessels: Mask, liver: Mask, *, portal_mm: Optional[numpy.typing.ArrayLike] = ..., hepatic_mm: Optional[numpy.typing.ArrayLike] = ..., clicks: Sequence[Tuple[str, numpy.typing.ArrayLike]] = ..., borders: Sequence[Tuple[str, numpy.typing.ArrayLike]] = ..., progress: Optional[Callable[[float, str], Any]] = ...) -> VesselTrees:
+def vessel_trees(vessels: Mask, liver: Mask, *, portal_mm: Optional[numpy.typing.ArrayLike] = ..., hepatic_mm: Optional[numpy.typing.ArrayLike] = ..., clicks: Sequence[Tuple[str, numpy.typing.ArrayLike]] = ..., borders: Sequence[Tuple[str, numpy.typing.ArrayLike]] = ..., arteries: Optional[Mask] = ..., bile_ducts: Optional[Mask] = ..., progress: Optional[Callable[[float, str], Any]] = ...) -> VesselTrees:
     """VesselTrees of a Mask that holds portal and hepatic veins together: centre lines, the two told apart by the liver's shape,
     branches named. portal_mm, hepatic_mm: a place (LPS, mm) on each main stem, where the first guess is wrong.
     clicks: (vessel, place) each, what the vessel there is: "portal-vein", "hepatic-vein", "middle-hepatic-vein",
     "right-hepatic-vein", "umbilical-portion" or "left-hepatic-vein".
     borders: ("V-VIII", place) each, through which the border of those two segments runs.
+    arteries, bile_ducts: a Mask of each, which get trees of their own and change nothing of the veins.
 
     progress is told (fraction, stage); KeyboardInterrupt cancels.
     Raises glisson.Error: choice-unknown, click-beside, border-outside, borders-contradict, vessels-empty, vessels-one-blob, vessels-grid, vessels-outside, liver-empty."""

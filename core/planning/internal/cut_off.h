@@ -19,8 +19,9 @@ struct TreePoints {
   [[nodiscard]] std::size_t count() const { return voxel.size(); }
 };
 
-// A point in a hollow of the organ (vessels left out of the outline) takes the nearest voxel beside it. Such a voxel
-// has tissue within 15 mm along at least five of the six ways of the axes. What runs outside of the organ has no voxel.
+// A point in a hollow of the organ (vessels left out of the outline) takes the nearest voxel beside it: it has tissue
+// within 15 mm along at least five of the six ways of the axes. Of an artery or a bile duct two do, as at the hilum,
+// where they divide. What runs outside of the organ has no voxel.
 [[nodiscard]] TreePoints points_of(const vasculature::VesselTrees& trees, const Organ& organ,
                                    const std::vector<std::int32_t>& numbers);
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "base/sentence.h"
 
@@ -11,13 +12,15 @@ namespace glisson::segmentation {
 using Eigen::Vector3d;
 using imaging::Grid;
 
+Result<void> check_image(const imaging::Volume& image) {
+  const std::array<int, 3>& size = image.grid.size;
+  if (*std::min_element(size.begin(), size.end()) >= 3 && image.values.size() == image.grid.voxels()) return {};
+  return failure("grow-bad-image", GLISSON_TEXT("An image of {0} x {1} x {2} voxels is too thin to grow in."),
+                 {std::to_string(size[0]), std::to_string(size[1]), std::to_string(size[2])});
+}
+
 Result<void> check_seeds(const imaging::Volume& image, const std::vector<Vector3d>& seeds_mm) {
-  if (*std::min_element(image.grid.size.begin(), image.grid.size.end()) < 3 ||
-      image.values.size() != image.grid.voxels()) {
-    return failure(
-        "grow-bad-image", GLISSON_TEXT("An image of {0} x {1} x {2} voxels is too thin to grow in."),
-        {std::to_string(image.grid.size[0]), std::to_string(image.grid.size[1]), std::to_string(image.grid.size[2])});
-  }
+  if (auto checked = check_image(image); !checked) return checked;
   if (seeds_mm.empty()) {
     return failure(Error{"grow-no-seeds",
                          GLISSON_TEXT("There is no seed to grow from."),
@@ -60,6 +63,36 @@ std::vector<std::size_t> voxels_around(const Vector3d& center_mm, double radius_
     }
   }
   return voxels;
+}
+
+Eigen::Vector3i index_of(std::size_t voxel, const Grid& grid) {
+  const auto row = static_cast<std::size_t>(grid.size[0]), layer = row * static_cast<std::size_t>(grid.size[1]);
+  return {static_cast<int>(voxel % row), static_cast<int>(voxel % layer / row), static_cast<int>(voxel / layer)};
+}
+
+std::optional<std::size_t> nearest_voxel(const Vector3d& place_mm, double radius_mm, const imaging::Mask& mask) {
+  std::optional<std::size_t> nearest;
+  double nearest_mm = INFINITY;
+  for (const std::size_t voxel : voxels_around(place_mm, radius_mm, mask.grid)) {
+    if (mask.values[voxel] == 0) continue;
+    const Eigen::Vector3i index = index_of(voxel, mask.grid);
+    const double away_mm = (mask.grid.position_mm(index.x(), index.y(), index.z()) - place_mm).norm();
+    if (away_mm < nearest_mm) nearest_mm = away_mm, nearest = voxel;
+  }
+  return nearest;
+}
+
+imaging::Mask joined_to(const std::vector<std::size_t>& voxels, const imaging::Mask& mask,
+                        imaging::Neighbours neighbours) {
+  const imaging::ConnectedVoxels connected = imaging::connected_voxels(mask, neighbours);
+  std::vector<bool> kept(connected.sizes.size(), false);
+  for (const std::size_t voxel : voxels) kept[connected.piece[voxel]] = true;
+  kept[0] = false;
+  imaging::Mask joined{mask.grid, std::vector<std::uint8_t>(mask.values.size(), 0)};
+  for (std::size_t voxel = 0; voxel < joined.values.size(); ++voxel) {
+    joined.values[voxel] = kept[connected.piece[voxel]] ? 1 : 0;
+  }
+  return joined;
 }
 
 }  // namespace glisson::segmentation

@@ -17,7 +17,8 @@ struct NewJoint {
 void join(VesselGraph& graph, const std::vector<NewJoint>& joints);
 
 // Each piece is joined to others over gaps, the straightest and shortest first, never closing a loop. A gap is bridged
-// where the line that ends there points at the other within 60 degrees.
+// where the line that ends there points at the other within 60 degrees. Then two ends of vessels as wide as each other
+// that face each other within 30 degrees are joined too, whatever else joins their pieces.
 void add_bridges(VesselGraph& graph, double maximum_gap_mm);
 
 }  // namespace glisson::vasculature

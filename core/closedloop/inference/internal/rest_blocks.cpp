@@ -76,7 +76,7 @@ double size_of(const std::vector<RestBlock>& blocks) {
 }
 
 // Neighbours in time, of one trial, direction and place, are averaged: enough of them to leave so many groups. Where
-// places are many, some are passed over, and each of the others is left a few means.
+// places are many, some of each quantity are passed over, and each of the others is left a few means.
 Grouping grouped(const Observations& observations, std::size_t maximum) {
   constexpr std::size_t means_of_a_place = 3;  // the fewest that show a bend
   const bool places = observations.has_places();
@@ -93,19 +93,30 @@ Grouping grouped(const Observations& observations, std::size_t maximum) {
     if (is_new) series.emplace_back();
     series[at->second].push_back(row);
   }
-  std::size_t size = (static_cast<std::size_t>(observations.rows()) + maximum - 1) / maximum, every = 1;
+  const auto quantity_of = [&](const std::vector<Eigen::Index>& own) {
+    const auto direction = static_cast<std::size_t>(observations.direction[static_cast<std::size_t>(own.front())]);
+    return observations.quantities.empty() ? 0 : observations.quantities.at(direction);
+  };
+  std::size_t size = (static_cast<std::size_t>(observations.rows()) + maximum - 1) / maximum;
+  std::map<int, std::size_t> every;  // of each quantity's places: so that a few forces are not lost among many points
   if (places) {
-    std::size_t groups = 0, longest = 0;
+    std::map<int, std::size_t> count;
+    std::size_t longest = 0;
     for (const auto& own : series) {
-      groups += std::min(means_of_a_place, own.size());
+      count[quantity_of(own)] += std::min(means_of_a_place, own.size());
       longest = std::max(longest, own.size());
     }
-    every = (groups + maximum - 1) / maximum;
-    if (every > 1) size = (longest + means_of_a_place - 1) / means_of_a_place;
+    const std::size_t share = std::max<std::size_t>(1, maximum / count.size());
+    for (const auto& [quantity, all] : count) {
+      every[quantity] = (all + share - 1) / share;
+      if (every[quantity] > 1) size = (longest + means_of_a_place - 1) / means_of_a_place;
+    }
   }
   Grouping groups;
-  for (std::size_t s = 0; s < series.size(); s += every) {
-    const auto& own = series[s];
+  std::map<int, std::size_t> passed;
+  for (const auto& own : series) {
+    const int quantity = quantity_of(own);
+    if (places && passed[quantity]++ % every.at(quantity) != 0) continue;
     for (std::size_t first = 0; first < own.size(); first += size)
       groups.emplace_back(own.begin() + static_cast<std::ptrdiff_t>(first),
                           own.begin() + static_cast<std::ptrdiff_t>(std::min(own.size(), first + size)));

@@ -1,0 +1,44 @@
+// Structures that are grown from points, and vessels that are found by their shape.
+
+#include "casefile/structures.h"
+#include "widgets/segment/segment_panel.h"
+#include "widgets/words/translated.h"
+
+namespace glisson::widgets {
+
+void SegmentPanel::grow() {
+  replace_active(tr("Growing: %1"), [within = operations_->within(), seeds_mm = tools_.seeds_mm()](
+                                        casefile::Case& patient, const std::string& name, const Progress& progress) {
+    const auto inside = within.empty() ? std::nullopt : std::optional(within);
+    return casefile::grow_structure(patient, name, seeds_mm, progress, inside);
+  });
+}
+
+void SegmentPanel::find_vessels() {
+  const std::string within = operations_->within();
+  replace_active(tr("Finding vessels: %1"),
+                 [within = within.empty() ? "liver" : within, seeds_mm = tools_.seeds_mm()](
+                     casefile::Case& patient, const std::string& name, const Progress& progress) {
+                   return casefile::segment_vessels(patient, name, seeds_mm, within, std::nullopt, progress);
+                 });
+}
+
+void SegmentPanel::replace_active(const QString& what, Make make) {
+  const EditedStructure* active = editor_.active_structure();
+  if (active == nullptr) return;
+  context_.change(what.arg(structure_label(active->name)),
+                  [folder = patient_.folder, name = active->name,
+                   make = std::move(make)](const Progress& progress) -> Result<Patient> {
+                    auto opened = casefile::Case::open(folder);
+                    if (!opened) return failure(opened.error());
+                    auto made = make(*opened, name, progress.part(0, 0.9));
+                    if (!made) return failure(made.error());
+                    return load_patient(folder, progress.part(0.9, 1)).map([&](Patient patient) {
+                      patient.remarks = std::move(made->notes);
+                      return patient;
+                    });
+                  });
+  tools_.clear_seeds();
+}
+
+}  // namespace glisson::widgets
