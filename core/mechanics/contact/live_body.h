@@ -15,9 +15,10 @@
 //
 // A tool presses by p = max(0, m - k g) at each place with gap g, as in large_contact.h. Steps may lead through cells
 // turned inside out where the law's energy is finite there; no state has any. A step moves the multipliers m on once.
-// Settling begins without them and with a stiffer k, and moves them on only where a tool is at rest deeper than the
-// tolerance: they keep to the body, and a smooth tool slides from under them. A pushed tool's advance is one unknown
-// more; near nothing it slides on to the next place. A force spread over a patch is a dead load, as in statics.
+// Settling begins without them and with a stiffer k, and doubles that where a smooth tool is at rest deeper than the
+// tolerance, up to 16 times: multipliers keep to the body, and such a tool slides from under them. Only then, under
+// tools with friction and on walls, they move on. A pushed tool's advance is one unknown more; near nothing it slides
+// on to the next place. A force spread over a patch is a dead load, as in statics.
 //
 // Friction is elastic and perfectly plastic with return mapping (Wriggers, Computational Contact Mechanics, 5.2). A
 // spring along the surface, softer than k, ties a place to an anchor that goes with the tool. The place slips where the
@@ -92,6 +93,7 @@ struct LiveState {
   std::vector<ToolContact> tools;
   std::map<std::string, Pose> poses;  // of touching tools, as far as they have advanced
   std::shared_ptr<const LiveBegin> began;
+  double stiffer = 1;                  // times as stiff as settling began is what smooth tools press by
   Eigen::Vector3d moment_uJ{0, 0, 0};  // of the tools' forces about the origin (mN mm)
   double error_bound_mm = 0;           // of the judged places
   bool settled = false;

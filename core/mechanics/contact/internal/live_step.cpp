@@ -65,7 +65,7 @@ Result<LiveState> LiveStep::run(const LiveState& from, Until until) {
         state_.error_bound_mm = safety * left_mm + of_penetration * deepest;
         break;
       }
-      move_multipliers_on();
+      press_harder();
       look_at_rows(state_.u_mm);  // as many as before: friction's limits stay those of the round
     }
     const bool shown = !settling && round > 0 && state_.error_bound_mm <= options_.shown_mm;

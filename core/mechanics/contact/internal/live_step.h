@@ -164,6 +164,7 @@ class LiveStep {
   [[nodiscard]] double longest_part(const Eigen::VectorXd& step) const;
   void go(const Eigen::VectorXd& step, const Eigen::VectorXd& r_mN);
   [[nodiscard]] double estimate(const SplineLevels::WithRows& levels) const;
+  void press_harder();
   void move_multipliers_on();
   [[nodiscard]] double deepest_mm() const;
   LiveState finished(const Stopwatch& watch);

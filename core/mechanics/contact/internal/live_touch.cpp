@@ -58,6 +58,7 @@ Result<void> LiveStep::take_tools(const LiveState& from, Until until) {
     grips_.push_back(std::move(*gripped));
   }
   begin(from, until);
+  if (until == Until::settled) state_.stiffer = from.stiffer;
   for (std::size_t t = 0; t < tools_.size(); ++t) {
     const auto* touching = std::get_if<TouchingTool>(&tools_[t].what);
     for (const LivePlace& place : from.places) {
@@ -158,8 +159,9 @@ void LiveStep::add_place(std::size_t tool, std::size_t rod, const ContactPoint& 
   const double friction = std::get<TouchingTool>(tools_[tool].what).friction;
   // What rubs does not slide away as multipliers move on, and stiff pressures would swing its limit to and fro.
   const bool soft = until_ == Until::shown || friction > 0;
-  ContactConstraint& place = places_.emplace_back(constraint_at(
-      parts_.body, tool, rod, at, soft ? parts_.pressing_kPa_mm : parts_.settling_kPa_mm, parts_.friction_kPa_mm));
+  const double pressing_kPa_mm = soft ? parts_.pressing_kPa_mm : state_.stiffer * parts_.settling_kPa_mm;
+  ContactConstraint& place =
+      places_.emplace_back(constraint_at(parts_.body, tool, rod, at, pressing_kPa_mm, parts_.friction_kPa_mm));
   place.friction = friction;
   if (place.friction == 0) return;
   const Pose& before = began_->poses.at(tools_[tool].id);
@@ -273,6 +275,28 @@ void LiveStep::add_friction_rows(const ContactConstraint& place, const VectorXd&
     row.two_sided = true;
     rows_.push_back(std::move(row));
   }
+}
+
+// At rest, but too deep. Smooth tools press by a stiffer penalty, as far as conjugate gradients balance it: multipliers
+// keep to the body, and what they hold slides from under a tool. The others' multipliers move on.
+void LiveStep::press_harder() {
+  constexpr double times = 2, most = 16;
+  const bool smooth_are_too_deep = std::any_of(places_.begin(), places_.end(), [&](const ContactConstraint& place) {
+    return place.friction == 0 && -gap_of(place, state_.u_mm).mm > options_.penetration_tolerance_mm;
+  });
+  if (!smooth_are_too_deep || state_.stiffer >= most) {
+    move_multipliers_on();
+    return;
+  }
+  state_.stiffer *= times;
+  for (ContactConstraint& place : places_) {
+    if (place.friction == 0) {
+      place.k_mN_mm *= times;
+    } else {
+      place.multiplier_mN = normal_force_mN(place, gap_of(place, state_.u_mm));
+    }
+  }
+  for (std::size_t w = 0; w < walls_.size(); ++w) walls_[w].multiplier_mN = pressing_mN(w, state_.u_mm);
 }
 
 void LiveStep::move_multipliers_on() {
