@@ -6960,6 +6960,14 @@
         <translation>Die Verzeichnung eines Objektivs hat 4, 5, 8, 12 oder 14 Koeffizienten; hier sind es {0}.</translation>
     </message>
     <message>
+        <source>A tool would lie {0} mm deep in the body.</source>
+        <translation>Ein Werkzeug läge {0} mm tief im Körper.</translation>
+    </message>
+    <message>
+        <source>Move it there in smaller steps, or away from the body.</source>
+        <translation>In kleineren Schritten dorthin bewegen, oder weg vom Körper.</translation>
+    </message>
+    <message>
         <source>Press where trial {0} presses, with {1} N along ({2}, {3}, {4}).</source>
         <translation>Drücken, wo Versuch {0} drückt, mit {1} N längs ({2}, {3}, {4}).</translation>
     </message>
@@ -7024,44 +7032,20 @@
         <translation>--border verlangt BORDER=X,Y,Z mit einem von {0}, nicht „{1}“.</translation>
     </message>
     <message>
-        <source>The outline to find vessels in holds nothing.</source>
-        <translation>Der Umriss, in dem Gefäße gesucht werden, enthält nichts.</translation>
+        <source>The tool {0} slides past the body, which gives way under {1} N.</source>
+        <translation>Das Werkzeug {0} gleitet am Körper vorbei, der unter {1} N nachgibt.</translation>
     </message>
     <message>
-        <source>Finding vessels</source>
-        <translation>Gefäße werden gesucht</translation>
-    </message>
-    <message>
-        <source>Nothing in the outline stands out as a tube.</source>
-        <translation>Nichts im Umriss hebt sich als Röhre ab.</translation>
-    </message>
-    <message>
-        <source>Vessels need contrast: take another phase or sequence, grow them from seeds, or import their outline.</source>
-        <translation>Gefäße brauchen Kontrast: Nehmen Sie eine andere Phase oder Sequenz, lassen Sie sie aus Punkten wachsen oder importieren Sie ihren Umriss.</translation>
-    </message>
-    <message>
-        <source>Vessels are brighter than the tissue around by {0}: {1} ml, {2} % of the outline.</source>
-        <translation>Gefäße sind um {0} heller als das Gewebe ringsum: {1} ml, {2} % des Umrisses.</translation>
-    </message>
-    <message>
-        <source>Vessels are darker than the tissue around by {0}: {1} ml, {2} % of the outline.</source>
-        <translation>Gefäße sind um {0} dunkler als das Gewebe ringsum: {1} ml, {2} % des Umrisses.</translation>
-    </message>
-    <message>
-        <source>The seed at ({0}) mm lies more than {1} mm from every vessel found.</source>
-        <translation>Der Punkt bei ({0}) mm liegt mehr als {1} mm von jedem gefundenen Gefäß entfernt.</translation>
-    </message>
-    <message>
-        <source>Move the seed onto a vessel, or leave seeds out: then all vessels are kept.</source>
-        <translation>Setzen Sie den Punkt auf ein Gefäß, oder lassen Sie Punkte weg: Dann bleiben alle Gefäße.</translation>
-    </message>
-    <message>
-        <source>What {1} was made from has changed since, and {0} was made from that: make {1} anew, then {0}.</source>
-        <translation>Woraus {1} gemacht ist, hat sich seither geändert, und {0} ist daraus gemacht: Machen Sie {1} neu, dann {0}.</translation>
+        <source>Push with less, or where the body holds against it.</source>
+        <translation>Drücken Sie schwächer oder dort, wo der Körper standhält.</translation>
     </message>
     <message>
         <source>The vessel trees were made before there was {0}: find the vessels again.</source>
         <translation>Die Gefäßbäume wurden bestimmt, bevor es {0} gab: Bestimmen Sie die Gefäße neu.</translation>
+    </message>
+    <message>
+        <source>What {1} was made from has changed since, and {0} was made from that: make {1} anew, then {0}.</source>
+        <translation>Woraus {1} gemacht ist, hat sich seither geändert, und {0} ist daraus gemacht: Machen Sie {1} neu, dann {0}.</translation>
     </message>
     <message>
         <source>{1} and {2} hold the same vessels: {0} % of the smaller one.</source>
@@ -7098,6 +7082,38 @@
     <message>
         <source>Of that left</source>
         <translation>Davon bleibt</translation>
+    </message>
+    <message>
+        <source>Finding vessels</source>
+        <translation>Gefäße werden gesucht</translation>
+    </message>
+    <message>
+        <source>The outline to find vessels in holds nothing.</source>
+        <translation>Der Umriss, in dem Gefäße gesucht werden, enthält nichts.</translation>
+    </message>
+    <message>
+        <source>Nothing in the outline stands out as a tube.</source>
+        <translation>Nichts im Umriss hebt sich als Röhre ab.</translation>
+    </message>
+    <message>
+        <source>Vessels need contrast: take another phase or sequence, grow them from seeds, or import their outline.</source>
+        <translation>Gefäße brauchen Kontrast: Nehmen Sie eine andere Phase oder Sequenz, lassen Sie sie aus Punkten wachsen oder importieren Sie ihren Umriss.</translation>
+    </message>
+    <message>
+        <source>Vessels are brighter than the tissue around by {0}: {1} ml, {2} % of the outline.</source>
+        <translation>Gefäße sind um {0} heller als das Gewebe ringsum: {1} ml, {2} % des Umrisses.</translation>
+    </message>
+    <message>
+        <source>Vessels are darker than the tissue around by {0}: {1} ml, {2} % of the outline.</source>
+        <translation>Gefäße sind um {0} dunkler als das Gewebe ringsum: {1} ml, {2} % des Umrisses.</translation>
+    </message>
+    <message>
+        <source>The seed at ({0}) mm lies more than {1} mm from every vessel found.</source>
+        <translation>Der Punkt bei ({0}) mm liegt mehr als {1} mm von jedem gefundenen Gefäß entfernt.</translation>
+    </message>
+    <message>
+        <source>Move the seed onto a vessel, or leave seeds out: then all vessels are kept.</source>
+        <translation>Setzen Sie den Punkt auf ein Gefäß, oder lassen Sie Punkte weg: Dann bleiben alle Gefäße.</translation>
     </message>
 </context>
 <context>

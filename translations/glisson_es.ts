@@ -6960,6 +6960,14 @@
         <translation>La distorsión de una lente tiene 4, 5, 8, 12 o 14 coeficientes; aquí hay {0}.</translation>
     </message>
     <message>
+        <source>A tool would lie {0} mm deep in the body.</source>
+        <translation>Una herramienta quedaría {0} mm dentro del cuerpo.</translation>
+    </message>
+    <message>
+        <source>Move it there in smaller steps, or away from the body.</source>
+        <translation>Llévela allí con pasos más pequeños, o aléjela del cuerpo.</translation>
+    </message>
+    <message>
         <source>Press where trial {0} presses, with {1} N along ({2}, {3}, {4}).</source>
         <translation>Presionar donde presiona el ensayo {0}, con {1} N a lo largo de ({2}, {3}, {4}).</translation>
     </message>
@@ -7024,44 +7032,20 @@
         <translation>--border pide BORDER=X,Y,Z con uno de {0}, no «{1}».</translation>
     </message>
     <message>
-        <source>The outline to find vessels in holds nothing.</source>
-        <translation>El contorno en el que se buscan vasos no contiene nada.</translation>
+        <source>The tool {0} slides past the body, which gives way under {1} N.</source>
+        <translation>La herramienta {0} resbala y pasa de largo: el cuerpo cede ante {1} N.</translation>
     </message>
     <message>
-        <source>Finding vessels</source>
-        <translation>Buscando vasos</translation>
-    </message>
-    <message>
-        <source>Nothing in the outline stands out as a tube.</source>
-        <translation>Nada en el contorno destaca como un tubo.</translation>
-    </message>
-    <message>
-        <source>Vessels need contrast: take another phase or sequence, grow them from seeds, or import their outline.</source>
-        <translation>Los vasos necesitan contraste: tome otra fase o secuencia, hágalos crecer desde puntos o importe su contorno.</translation>
-    </message>
-    <message>
-        <source>Vessels are brighter than the tissue around by {0}: {1} ml, {2} % of the outline.</source>
-        <translation>Los vasos son {0} más claros que el tejido de alrededor: {1} ml, {2} % del contorno.</translation>
-    </message>
-    <message>
-        <source>Vessels are darker than the tissue around by {0}: {1} ml, {2} % of the outline.</source>
-        <translation>Los vasos son {0} más oscuros que el tejido de alrededor: {1} ml, {2} % del contorno.</translation>
-    </message>
-    <message>
-        <source>The seed at ({0}) mm lies more than {1} mm from every vessel found.</source>
-        <translation>El punto en ({0}) mm está a más de {1} mm de todo vaso encontrado.</translation>
-    </message>
-    <message>
-        <source>Move the seed onto a vessel, or leave seeds out: then all vessels are kept.</source>
-        <translation>Ponga el punto sobre un vaso, o prescinda de puntos: entonces quedan todos los vasos.</translation>
-    </message>
-    <message>
-        <source>What {1} was made from has changed since, and {0} was made from that: make {1} anew, then {0}.</source>
-        <translation>Aquello de lo que se hizo {1} ha cambiado desde entonces, y {0} se hizo de ello: haga de nuevo {1} y después {0}.</translation>
+        <source>Push with less, or where the body holds against it.</source>
+        <translation>Empuje con menos fuerza o donde el cuerpo resista.</translation>
     </message>
     <message>
         <source>The vessel trees were made before there was {0}: find the vessels again.</source>
         <translation>Los árboles de vasos se hicieron antes de que hubiera {0}: halle los vasos de nuevo.</translation>
+    </message>
+    <message>
+        <source>What {1} was made from has changed since, and {0} was made from that: make {1} anew, then {0}.</source>
+        <translation>Aquello de lo que se hizo {1} ha cambiado desde entonces, y {0} se hizo de ello: haga de nuevo {1} y después {0}.</translation>
     </message>
     <message>
         <source>{1} and {2} hold the same vessels: {0} % of the smaller one.</source>
@@ -7098,6 +7082,38 @@
     <message>
         <source>Of that left</source>
         <translation>De ello queda</translation>
+    </message>
+    <message>
+        <source>Finding vessels</source>
+        <translation>Buscando vasos</translation>
+    </message>
+    <message>
+        <source>The outline to find vessels in holds nothing.</source>
+        <translation>El contorno en el que se buscan vasos no contiene nada.</translation>
+    </message>
+    <message>
+        <source>Nothing in the outline stands out as a tube.</source>
+        <translation>Nada en el contorno destaca como un tubo.</translation>
+    </message>
+    <message>
+        <source>Vessels need contrast: take another phase or sequence, grow them from seeds, or import their outline.</source>
+        <translation>Los vasos necesitan contraste: tome otra fase o secuencia, hágalos crecer desde puntos o importe su contorno.</translation>
+    </message>
+    <message>
+        <source>Vessels are brighter than the tissue around by {0}: {1} ml, {2} % of the outline.</source>
+        <translation>Los vasos son {0} más claros que el tejido de alrededor: {1} ml, {2} % del contorno.</translation>
+    </message>
+    <message>
+        <source>Vessels are darker than the tissue around by {0}: {1} ml, {2} % of the outline.</source>
+        <translation>Los vasos son {0} más oscuros que el tejido de alrededor: {1} ml, {2} % del contorno.</translation>
+    </message>
+    <message>
+        <source>The seed at ({0}) mm lies more than {1} mm from every vessel found.</source>
+        <translation>El punto en ({0}) mm está a más de {1} mm de todo vaso encontrado.</translation>
+    </message>
+    <message>
+        <source>Move the seed onto a vessel, or leave seeds out: then all vessels are kept.</source>
+        <translation>Ponga el punto sobre un vaso, o prescinda de puntos: entonces quedan todos los vasos.</translation>
     </message>
 </context>
 <context>

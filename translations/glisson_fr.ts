@@ -6960,6 +6960,14 @@
         <translation>La distorsion d’un objectif a 4, 5, 8, 12 ou 14 coefficients ; ici il y en a {0}.</translation>
     </message>
     <message>
+        <source>A tool would lie {0} mm deep in the body.</source>
+        <translation>Un outil se trouverait à {0} mm de profondeur dans le corps.</translation>
+    </message>
+    <message>
+        <source>Move it there in smaller steps, or away from the body.</source>
+        <translation>Amenez-le là par de plus petits pas, ou éloignez-le du corps.</translation>
+    </message>
+    <message>
         <source>Press where trial {0} presses, with {1} N along ({2}, {3}, {4}).</source>
         <translation>Appuyer là où appuie l’essai {0}, avec {1} N selon ({2}, {3}, {4}).</translation>
     </message>
@@ -7024,44 +7032,20 @@
         <translation>--border demande BORDER=X,Y,Z avec l’un de {0}, non « {1} ».</translation>
     </message>
     <message>
-        <source>The outline to find vessels in holds nothing.</source>
-        <translation>Le contour où chercher des vaisseaux ne contient rien.</translation>
+        <source>The tool {0} slides past the body, which gives way under {1} N.</source>
+        <translation>L’outil {0} glisse et passe à côté du corps, qui cède sous {1}&#xa0;N.</translation>
     </message>
     <message>
-        <source>Finding vessels</source>
-        <translation>Recherche des vaisseaux</translation>
-    </message>
-    <message>
-        <source>Nothing in the outline stands out as a tube.</source>
-        <translation>Rien dans le contour ne se détache comme un tube.</translation>
-    </message>
-    <message>
-        <source>Vessels need contrast: take another phase or sequence, grow them from seeds, or import their outline.</source>
-        <translation>Les vaisseaux ont besoin de contraste : prenez une autre phase ou séquence, faites-les croître à partir de points ou importez leur contour.</translation>
-    </message>
-    <message>
-        <source>Vessels are brighter than the tissue around by {0}: {1} ml, {2} % of the outline.</source>
-        <translation>Les vaisseaux sont plus clairs de {0} que le tissu autour : {1} ml, {2} % du contour.</translation>
-    </message>
-    <message>
-        <source>Vessels are darker than the tissue around by {0}: {1} ml, {2} % of the outline.</source>
-        <translation>Les vaisseaux sont plus sombres de {0} que le tissu autour : {1} ml, {2} % du contour.</translation>
-    </message>
-    <message>
-        <source>The seed at ({0}) mm lies more than {1} mm from every vessel found.</source>
-        <translation>Le point à ({0}) mm est à plus de {1} mm de tout vaisseau trouvé.</translation>
-    </message>
-    <message>
-        <source>Move the seed onto a vessel, or leave seeds out: then all vessels are kept.</source>
-        <translation>Placez le point sur un vaisseau, ou n’en donnez pas : alors tous les vaisseaux restent.</translation>
-    </message>
-    <message>
-        <source>What {1} was made from has changed since, and {0} was made from that: make {1} anew, then {0}.</source>
-        <translation>Ce dont {1} a été fait a changé depuis, et {0} en a été fait : refaites {1}, puis {0}.</translation>
+        <source>Push with less, or where the body holds against it.</source>
+        <translation>Poussez moins fort, ou là où le corps résiste.</translation>
     </message>
     <message>
         <source>The vessel trees were made before there was {0}: find the vessels again.</source>
         <translation>Les arbres des vaisseaux ont été faits avant qu’il y ait {0} : retrouvez les vaisseaux.</translation>
+    </message>
+    <message>
+        <source>What {1} was made from has changed since, and {0} was made from that: make {1} anew, then {0}.</source>
+        <translation>Ce dont {1} a été fait a changé depuis, et {0} en a été fait : refaites {1}, puis {0}.</translation>
     </message>
     <message>
         <source>{1} and {2} hold the same vessels: {0} % of the smaller one.</source>
@@ -7098,6 +7082,38 @@
     <message>
         <source>Of that left</source>
         <translation>Dont reste</translation>
+    </message>
+    <message>
+        <source>Finding vessels</source>
+        <translation>Recherche des vaisseaux</translation>
+    </message>
+    <message>
+        <source>The outline to find vessels in holds nothing.</source>
+        <translation>Le contour où chercher des vaisseaux ne contient rien.</translation>
+    </message>
+    <message>
+        <source>Nothing in the outline stands out as a tube.</source>
+        <translation>Rien dans le contour ne se détache comme un tube.</translation>
+    </message>
+    <message>
+        <source>Vessels need contrast: take another phase or sequence, grow them from seeds, or import their outline.</source>
+        <translation>Les vaisseaux ont besoin de contraste : prenez une autre phase ou séquence, faites-les croître à partir de points ou importez leur contour.</translation>
+    </message>
+    <message>
+        <source>Vessels are brighter than the tissue around by {0}: {1} ml, {2} % of the outline.</source>
+        <translation>Les vaisseaux sont plus clairs de {0} que le tissu autour : {1} ml, {2} % du contour.</translation>
+    </message>
+    <message>
+        <source>Vessels are darker than the tissue around by {0}: {1} ml, {2} % of the outline.</source>
+        <translation>Les vaisseaux sont plus sombres de {0} que le tissu autour : {1} ml, {2} % du contour.</translation>
+    </message>
+    <message>
+        <source>The seed at ({0}) mm lies more than {1} mm from every vessel found.</source>
+        <translation>Le point à ({0}) mm est à plus de {1} mm de tout vaisseau trouvé.</translation>
+    </message>
+    <message>
+        <source>Move the seed onto a vessel, or leave seeds out: then all vessels are kept.</source>
+        <translation>Placez le point sur un vaisseau, ou n’en donnez pas : alors tous les vaisseaux restent.</translation>
     </message>
 </context>
 <context>

@@ -1,14 +1,13 @@
 // The same mesh, materials and loads in CalculiX, an independent finite element code (ccx, Debian's calculix-ccx).
 
 #include <gtest/gtest.h>
-#include <cstdlib>
 #include <fstream>
-#include <functional>
 #include <iomanip>
 #include <sstream>
 
 #include "base/files.h"
 #include "mechanics/bodies.h"
+#include "mechanics/calculix.h"
 #include "mechanics/statics/displacements.h"
 #include "mechanics/statics/equilibrium.h"
 #include "mechanics/statics/static_model.h"
@@ -17,31 +16,13 @@ namespace glisson::mechanics {
 namespace {
 
 using Eigen::Vector3d;
+using test::faces_of_calculix, test::read_displacements, test::run_calculix, test::write_body;
 
 constexpr double poisson_ratio = 0.45;
 const Vector3d gravity_mm_s2(1000, 0, -9810);
 constexpr double pressure_kPa = 0.3;
 
-// CalculiX's input: ten-node tetrahedra (C3D10), a material a cell, the nodes at x = 0 held. Its units follow ours: mm,
-// kg, s, so mN and kPa. It reads no number longer than 20 characters: 12 digits.
-void write_body(std::ostream& out, const NodeLayout& layout, const std::function<std::string(std::size_t)>& material) {
-  out << std::setprecision(12) << "*NODE, NSET=NALL\n";
-  for (int n = 0; n < layout.nodes(); ++n) {
-    const Vector3d& p = layout.positions_mm[n];
-    out << n + 1 << ", " << p.x() << ", " << p.y() << ", " << p.z() << "\n";
-  }
-  for (std::size_t c = 0; c < layout.cells.size(); ++c) {
-    out << "*ELEMENT, TYPE=C3D10, ELSET=E" << c + 1 << "\n" << c + 1;
-    for (const int node : layout.cells[c]) out << ", " << node + 1;
-    out << "\n*MATERIAL, NAME=M" << c + 1 << "\n"
-        << material(c) << "*DENSITY\n"
-        << StaticOptions{}.density_kg_mm3 << "\n*SOLID SECTION, ELSET=E" << c + 1 << ", MATERIAL=M" << c + 1 << "\n";
-  }
-  out << "*BOUNDARY\n";
-  for (int n = 0; n < layout.nodes(); ++n) {
-    if (layout.positions_mm[n].x() == 0) out << n + 1 << ", 1, 3\n";
-  }
-}
+bool at_wall(const Vector3d& p) { return p.x() == 0; }
 
 void write_gravity(std::ostream& out, const NodeLayout& layout) {
   for (std::size_t c = 0; c < layout.cells.size(); ++c) {
@@ -54,54 +35,20 @@ void write_gravity(std::ostream& out, const NodeLayout& layout) {
 void write_input(const std::filesystem::path& file, const StaticModel& model) {
   const NodeLayout& layout = model.nodes();
   std::ofstream out(file);
-  write_body(out, layout, [&](std::size_t c) {
-    std::ostringstream material;
-    material << std::setprecision(12) << "*ELASTIC\n" << model.youngs_kPa()[c] << ", " << poisson_ratio << "\n";
-    return material.str();
-  });
+  write_body(
+      out, layout,
+      [&](std::size_t c) {
+        std::ostringstream material;
+        material << std::setprecision(12) << "*ELASTIC\n" << model.youngs_kPa()[c] << ", " << poisson_ratio << "\n";
+        return material.str();
+      },
+      at_wall);
   out << "*STEP\n*STATIC\n*DLOAD\n";
   write_gravity(out, layout);
-  // CalculiX's faces of a tetrahedron: P1 = 1-2-3, P2 = 1-4-2, P3 = 2-4-3, P4 = 3-4-1.
-  constexpr std::array<std::array<int, 3>, 4> faces{{{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}}};
-  const geometry::Surface surface = geometry::boundary_surface(model.mesh());
-  const auto& mesh_point = geometry::find_field(surface.point_fields, "mesh_point")->values;
-  const auto& mesh_cell = geometry::find_field(surface.cell_fields, "mesh_cell")->values;
-  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-    const auto cell = static_cast<std::size_t>(mesh_cell[t]);
-    for (std::size_t f = 0; f < faces.size(); ++f) {
-      int shared = 0;
-      for (const int corner : faces[f]) {
-        for (const int p : surface.triangles[t])
-          shared += int(mesh_point[p]) == model.mesh().cells[cell][corner] ? 1 : 0;
-      }
-      if (shared == 3) out << cell + 1 << ", P" << f + 1 << ", " << pressure_kPa << "\n";
-    }
+  for (const auto& [cell, face] : faces_of_calculix(model.mesh())) {
+    out << cell + 1 << ", P" << face << ", " << pressure_kPa << "\n";
   }
   out << "*NODE PRINT, NSET=NALL\nU\n*END STEP\n";
-}
-
-// Node number and three displacements a line, after the table's title.
-std::vector<Vector3d> read_displacements(const std::filesystem::path& file, int nodes) {
-  std::vector<Vector3d> displacements(nodes, Vector3d::Constant(NAN));
-  std::ifstream in(file);
-  std::string line;
-  while (std::getline(in, line)) {
-    std::istringstream columns(line);
-    int node = 0;
-    Vector3d u;
-    if (columns >> node >> u.x() >> u.y() >> u.z() && node >= 1 && node <= nodes) displacements[node - 1] = u;
-  }
-  return displacements;
-}
-
-#define GLISSON_NEEDS_CALCULIX()                                                     \
-  if (std::system("command -v ccx > /dev/null 2>&1") != 0) {                         \
-    GTEST_SKIP() << "CalculiX (ccx) is not installed: apt-get install calculix-ccx"; \
-  }
-
-int run_calculix(const std::filesystem::path& folder) {
-  const std::string run = "cd '" + folder.string() + "' && OMP_NUM_THREADS=1 ccx body > ccx.log 2>&1";
-  return std::system(run.c_str());
 }
 
 geometry::TetMesh crooked_block() {
@@ -160,13 +107,16 @@ TEST(AgainstCalculix, TheSameNeoHookeanBodyBendsFarTheSame) {
   const TemporaryFolder folder;
   {
     std::ofstream out(folder.path() / "body.inp");
-    write_body(out, body.layout, [&](std::size_t c) {
-      const NeoHookean law = neo_hookean_from(body.materials[c]);
-      std::ostringstream material;
-      material << std::setprecision(12) << "*HYPERELASTIC, NEO HOOKE\n"
-               << law.shear_kPa / 2 << ", " << 2 / law.bulk_kPa << "\n";
-      return material.str();
-    });
+    write_body(
+        out, body.layout,
+        [&](std::size_t c) {
+          const NeoHookean law = neo_hookean_from(body.materials[c]);
+          std::ostringstream material;
+          material << std::setprecision(12) << "*HYPERELASTIC, NEO HOOKE\n"
+                   << law.shear_kPa / 2 << ", " << 2 / law.bulk_kPa << "\n";
+          return material.str();
+        },
+        at_wall);
     out << "*STEP, NLGEOM\n*STATIC\n0.25, 1.\n*CONTROLS, PARAMETERS=FIELD\n1e-7, 1e-7\n*DLOAD\n";
     write_gravity(out, body.layout);
     out << "*NODE PRINT, NSET=NALL, FREQUENCY=999\nU\n*END STEP\n";

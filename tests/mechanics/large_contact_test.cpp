@@ -1,4 +1,4 @@
-// Tools at large deformation: against the linear engine where strains are small, and what is promised of every state.
+// Tools at large deformation: against linear elasticity where strains are small, and what is promised of every state.
 
 #include "mechanics/contact/large_contact.h"
 
@@ -9,6 +9,8 @@
 
 #include "mechanics/bodies.h"
 #include "mechanics/contact/internal/contact_candidates.h"
+#include "mechanics/elements/shape_functions.h"
+#include "mechanics/statics/displacements.h"
 
 namespace glisson::mechanics {
 namespace {
@@ -27,11 +29,14 @@ class SoftBlock : public testing::Test {
   }
   // The tools on their way, all of it in equal steps.
   static LargeContact pressed(const Body& body, MaterialLaw law, int steps,
-                              const std::function<std::vector<ContactTool>(double)>& tools_at, double stiffening = 0) {
+                              const std::function<std::vector<ContactTool>(double)>& tools_at, double stiffening = 0,
+                              double deepest_mm = ContactOptions().penetration_tolerance_mm) {
     std::vector<std::vector<ContactTool>> stations;
     for (int step = 1; step <= steps; ++step) stations.push_back(tools_at(double(step) / steps));
     const AppliedLoads nothing{Eigen::VectorXd::Zero(3 * body.layout.nodes()), 0};
-    return find_equilibrium_in_contact(body, materials_of(body, law, stiffening), nothing, stations).value();
+    ContactOptions options;
+    options.penetration_tolerance_mm = deepest_mm;
+    return find_equilibrium_in_contact(body, materials_of(body, law, stiffening), nothing, stations, options).value();
   }
   static ContactTool ball(double radius_mm, const Vector3d& center_mm, std::optional<double> push_mN = {}) {
     return {"ball", TouchingTool{palpation_probe(radius_mm), pose_towards(center_mm, {0, 0, -1}), push_mN}};
@@ -45,19 +50,62 @@ class SoftBlock : public testing::Test {
   }
 };
 
-TEST_F(SoftBlock, AShallowPressIsThatOfTheLinearEngine) {
+// What a ball presses with by linear elasticity: no point of a fine grid over the faces about it may lie within it, and
+// each is pushed out along its normal, one after the other and over again (Gauss and Seidel's way), until none does.
+double slow_linear_force_mN(const Body& body, const StaticModel& model, double radius_mm, const Vector3d& center_mm) {
+  std::vector<double> gap_mm, along_z;
+  std::vector<Eigen::VectorXd> push;
+  for (const BoundaryFace& face : body.boundary) {
+    constexpr int parts = 12;
+    for (int i = 0; i <= parts; ++i) {
+      for (int j = 0; i + j <= parts; ++j) {
+        const auto values = quadratic_triangle_values(Vector3d(i, j, parts - i - j) / parts);
+        Vector3d at_mm = Vector3d::Zero();
+        for (int n = 0; n < 6; ++n) at_mm += values[n] * body.layout.positions_mm[face.nodes[n]];
+        const Vector3d arm = at_mm - center_mm;
+        if (arm.norm() > radius_mm + 0.2) continue;
+        gap_mm.push_back(arm.norm() - radius_mm);
+        along_z.push_back(arm.normalized().z());
+        push.emplace_back(Eigen::VectorXd::Zero(3 * body.layout.nodes()));
+        for (int n = 0; n < 6; ++n) push.back().segment<3>(3 * face.nodes[n]) += values[n] * arm.normalized();
+      }
+    }
+  }
+  const auto count = static_cast<Eigen::Index>(push.size());
+  Eigen::MatrixXd forces(3 * body.layout.nodes(), count);
+  for (Eigen::Index i = 0; i < count; ++i) forces.col(i) = push[static_cast<std::size_t>(i)];
+  const Eigen::MatrixXd compliance = forces.transpose() * model.respond(forces).displacement_mm;
+  Eigen::VectorXd force_mN = Eigen::VectorXd::Zero(count);
+  double deepest_mm = 1;
+  for (int sweep = 0; sweep < 20000 && deepest_mm > 1e-4; ++sweep) {
+    deepest_mm = 0;
+    for (Eigen::Index i = 0; i < count; ++i) {
+      const double off_mm = gap_mm[static_cast<std::size_t>(i)] + compliance.row(i).dot(force_mN);
+      deepest_mm = std::max(deepest_mm, -off_mm);
+      force_mN[i] = std::max(0.0, force_mN[i] - off_mm / compliance(i, i));
+    }
+  }
+  EXPECT_LE(deepest_mm, 1e-4);
+  return Eigen::Map<const Eigen::VectorXd>(along_z.data(), count).dot(force_mN);
+}
+
+// The engine of small strain is no measure here: its tools press on the corners of faces alone, which bear nothing of
+// an even pressure (contact_patch_test.cpp).
+TEST_F(SoftBlock, AShallowPressIsThatOfLinearElasticityInEveryLaw) {
   const Body block = body();
-  const ContactTool tool = ball(12, {15, 15, 15 + 12 - 0.4});
-  auto model = StaticModel::create(block.mesh, block.youngs_kPa, block.supports, block.options).value();
-  const auto linear = ContactBody::create(std::move(model), {}, {});
-  const auto state = linear->solve(linear->untouched(), {tool}).value();
-  ASSERT_TRUE(state.report.converged);
+  const double radius_mm = 12;
+  const Vector3d center_mm(15, 15, 15 + radius_mm - 0.4);
+  const auto model = StaticModel::create(block.mesh, block.youngs_kPa, block.supports, block.options).value();
+  const double slow_mN = slow_linear_force_mN(block, model, radius_mm, center_mm);
+  EXPECT_LT(slow_mN, -10);
   for (const MaterialLaw law : {MaterialLaw::linear, MaterialLaw::corotational, MaterialLaw::neo_hookean}) {
-    const auto contact = pressed(block, law, 1, [&](double) { return std::vector<ContactTool>{tool}; });
+    const auto contact = pressed(
+        block, law, 1, [&](double) { return std::vector<ContactTool>{ball(radius_mm, center_mm)}; }, 0, 0.01);
     expect_rest(contact);
-    // Linear elasticity's own error at a strain of some per cent; the same discretisation.
-    EXPECT_NEAR(contact.tools[0].force_mN.z() / state.tools[0].force_mN.z(), 1,
-                law == MaterialLaw::linear ? 0.02 : 0.1);
+    // The same mesh and, in the linear law, the same answer but for what lies between points: 0.06 % here. Others differ
+    // by themselves at a strain of some per cent: the corotational law by 3 %.
+    EXPECT_NEAR(contact.tools[0].force_mN.z() / slow_mN, 1, law == MaterialLaw::linear ? 0.01 : 0.05);
+    RecordProperty("law_" + std::to_string(int(law)), std::to_string(contact.tools[0].force_mN.z() / slow_mN));
   }
 }
 
@@ -113,6 +161,38 @@ TEST_F(SoftBlock, ADeepPressRestsWithoutPenetrationAndStiffens) {
   const double shallow_mN = force_at(MaterialLaw::neo_hookean, 1.5), deep_mN = force_at(MaterialLaw::neo_hookean, 4);
   EXPECT_GT(deep_mN, 3 * shallow_mN);
   EXPECT_GT(force_at(MaterialLaw::veronda_westmann, 4, 5), deep_mN);
+}
+
+// On a point that faces share, and on none: balls that are smaller than a face, and as large.
+TEST_F(SoftBlock, BetweenThePointsThatItPressesOnAToolLiesHardlyDeeper) {
+  const Body block = body();
+  for (const double radius_mm : {4.0, 10.0}) {
+    for (const Vector3d& touches_mm : {Vector3d(15, 15, 15), Vector3d(17, 14, 15)}) {
+      const Vector3d center_mm = touches_mm + Vector3d(0, 0, radius_mm - 1.5);
+      const auto contact = pressed(block, MaterialLaw::neo_hookean, 3, [&](double part) {
+        return std::vector<ContactTool>{ball(radius_mm, center_mm + Vector3d(0, 0, 1.5 * (1 - part)))};
+      });
+      expect_rest(contact);
+      const Eigen::VectorXd u_mm = nodal_displacements(block.layout, contact.result);
+      double deepest_mm = 0;
+      for (const BoundaryFace& face : block.boundary) {
+        constexpr int parts = 12;
+        for (int i = 0; i <= parts; ++i) {
+          for (int j = 0; i + j <= parts; ++j) {
+            const auto values = quadratic_triangle_values(Vector3d(i, j, parts - i - j) / parts);
+            Vector3d at_mm = Vector3d::Zero();
+            for (int n = 0; n < 6; ++n) {
+              at_mm += values[n] * (block.layout.positions_mm[face.nodes[n]] + u_mm.segment<3>(3 * face.nodes[n]));
+            }
+            deepest_mm = std::max(deepest_mm, radius_mm - (at_mm - center_mm).norm());
+          }
+        }
+      }
+      EXPECT_LE(deepest_mm, 0.2 + ContactOptions().penetration_tolerance_mm) << radius_mm << " at " << touches_mm.x();
+      RecordProperty("deepest_um_" + std::to_string(int(radius_mm)) + "_" + std::to_string(int(touches_mm.x())),
+                     int(1000 * deepest_mm));
+    }
+  }
 }
 
 TEST_F(SoftBlock, APushedToolAdvancesUntilItMeetsItsForce) {

@@ -242,6 +242,58 @@ TEST_F(LiveBlock, UnderAPatchItRestsWhereTheScenarioDoes) {
   EXPECT_GT(apart_mm, 0.2);
 }
 
+// On cells as large as the probe a smooth one rests too deep by the stiffness that settling begins with.
+TEST_F(LiveBlock, ASmoothProbeOnCoarseCellsIsPressedHarderUntilItRestsOnTheSurface) {
+  mesh_ = test::box(6, 4, 4, {120, 80, 80});
+  test::name_points(mesh_, "ground", [](const Vector3d& p) { return p.x() < 1e-9; });
+  youngs_kPa_ = test::uniform(mesh_, 4);
+  supports_ = {test::fixed("ground")};
+  options_ = {};
+  loads_ = {};
+  places_ = locate_points(mesh_, {{100, 40, 40}, {8, 40, 40}});
+  const LiveBody block = live(neo_hookean);
+  const std::vector<ContactTool> probe{
+      {"probe", TouchingTool{palpation_probe(), pose_towards({140, 40, 40}, {-1, 0, 0}), 1000.0}}};
+  const LiveState rest = block.settle(block.step(block.untouched(), probe).value(), probe).value();
+  ASSERT_TRUE(rest.settled) << rest.report.penetration_mm;
+  EXPECT_GT(rest.stiffer, 1);
+  EXPECT_LE(rest.report.penetration_mm, LiveOptions().penetration_tolerance_mm);
+  EXPECT_NEAR(rest.tools[0].force_mN.x(), -1000, 5);
+  // At rest it stays, also where it is settled again.
+  const LiveState again = block.settle(rest, probe).value();
+  EXPECT_TRUE(again.settled);
+  EXPECT_LT(farthest_mm(rest, again), 0.01);
+}
+
+// Over the edge of the block: held on its way it shows how much that edge can bear.
+TEST_F(LiveBlock, AToolThatIsPushedHarderThanTheBodyBearsSlidesPastAndSaysSo) {
+  const LiveBody block = live(neo_hookean);
+  const auto across = [](double x_mm, std::optional<double> push_mN) {
+    const Pose pose = pose_towards({x_mm, 30, 34}, {1, 0, 0});
+    return std::vector<ContactTool>{{"probe", TouchingTool{palpation_probe(8), pose, push_mN}}};
+  };
+  double most_mN = 0;
+  LiveState held = block.untouched();
+  for (double x_mm = -10; x_mm <= 20; x_mm += 1) {
+    held = block.settle(block.step(held, across(x_mm, {})).value(), across(x_mm, {})).value();
+    ASSERT_TRUE(held.settled) << x_mm;
+    most_mN = std::max(most_mN, held.tools[0].force_mN.x());
+  }
+  ASSERT_GT(most_mN, 5);
+  RecordProperty("most_mN", std::to_string(most_mN));
+
+  const auto gently = across(-20, most_mN / 2);
+  const LiveState rest = block.settle(block.step(block.untouched(), gently).value(), gently).value();
+  EXPECT_TRUE(rest.settled);
+  EXPECT_NEAR(rest.tools[0].force_mN.x(), most_mN / 2, 0.01 * most_mN);
+
+  Result<LiveState> pushed = block.untouched();
+  for (int step = 1; step <= 40 && pushed; ++step) pushed = block.step(*pushed, across(-20, 2 * most_mN));
+  ASSERT_FALSE(pushed);
+  EXPECT_EQ(pushed.error().code, "not-converged");
+  EXPECT_THAT(pushed.error().message(), HasSubstr("The tool probe slides past the body"));
+}
+
 TEST_F(LiveBlock, SaysWhatItDoesNotKnow) {
   auto model = StaticModel::create(mesh_, youngs_kPa_, supports_, options_).value();
   const auto refused = LiveBody::create(model, MaterialLaw::corotational, supports_, {}, places_, 3);

@@ -118,10 +118,12 @@ TEST(Potentials, ForceIsTheSlopeOfEnergyAndTangentTheSlopeOfForceOfEachContact) 
   const double k = 500;
   const auto& nodes = body.boundary.front().nodes;
   ContactConstraint constraint{};
-  constraint.place.weights = Vector3d(0.5, 0.3, 0.2);
+  constraint.k_mN_mm = constraint.along_mN_mm = k;
+  constraint.weights << 0.5, 0.3, 0.2, 0, 0, 0;
+  constraint.nodes.fill(nodes[0]);
   for (int i = 0; i < 3; ++i) {
     constraint.nodes[i] = nodes[i];
-    constraint.rest_mm += constraint.place.weights[i] * body.layout.positions_mm[nodes[i]];
+    constraint.rest_mm += constraint.weights[i] * body.layout.positions_mm[nodes[i]];
   }
   const Vector3d place_mm = place_of(constraint, u);
   constraint.rod = {place_mm + Vector3d(-3, 1.2, 1.0), place_mm + Vector3d(3, 1.3, 0.9), 1.5};
@@ -129,17 +131,17 @@ TEST(Potentials, ForceIsTheSlopeOfEnergyAndTangentTheSlopeOfForceOfEachContact) 
   const double gap_mm = gap_of(constraint, u).mm;
   ASSERT_LT(std::abs(gap_mm), 0.5);
   const std::vector<ContactConstraint> pressing{constraint};
-  expect_slopes(ToolContactPotential(pressing, k), body, u, "tool", 10);
+  expect_slopes(ToolContactPotential(pressing), body, u, "tool", 10);
   std::vector<ContactConstraint> apart{constraint};
   apart.front().multiplier_mN = k * gap_mm - 1;
-  expect_slopes(ToolContactPotential(apart, k), body, u, "tool apart", 0);
+  expect_slopes(ToolContactPotential(apart), body, u, "tool apart", 0);
   for (const double slid_mm : {0.001, 0.5}) {
     ContactConstraint sliding = constraint;
     sliding.friction = 0.4;
     limit_friction(sliding, sliding.multiplier_mN, u);
     sliding.from_mm = place_mm - slid_mm * Vector3d(1, 0, 0);
     const std::vector<ContactConstraint> one{sliding};
-    expect_slopes(ToolContactPotential(one, k), body, u, "friction", 10);
+    expect_slopes(ToolContactPotential(one), body, u, "friction", 10);
   }
 
   PrescribedPatch patch{0, {nodes[0], nodes[1], nodes[2]}, {0.2, 0.3, 0.5}, {0, 0, 0}, {0.4, 0.1, 0.2}, {3, 2, 1}};

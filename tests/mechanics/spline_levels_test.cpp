@@ -1,14 +1,17 @@
-// The two lattices that precondition a body at large strain: their ways down and up, and forces along rows that are
-// answered from what is known, against the plain sums.
+// The two lattices that precondition a body at large strain: their ways down and up, and rows beside them, against the
+// plain sums.
 
 #include "mechanics/contact/internal/spline_levels.h"
 
 #include <gtest/gtest.h>
+#include <algorithm>
 #include <cmath>
+#include <Eigen/LU>
 
 #include "mechanics/bodies.h"
 #include "mechanics/contact/internal/dense_product.h"
 #include "mechanics/elements/body.h"
+#include "mechanics/elements/shape_functions.h"
 #include "mechanics/potentials/stiffness_matrix.h"
 
 namespace glisson::mechanics {
@@ -116,6 +119,85 @@ TEST_F(BlockOnLattices, ForcesAlongRowsAreAnsweredAsIfTheyWereAddedUpFirst) {
   without.apply(sum.head(unknowns()), free_answer);
   const auto jaw_sees = [&](const VectorXd& z) { return std::abs(z[3 * rows[2].on[0].first]); };
   EXPECT_LT(jaw_sees(slow), 0.05 * jaw_sees(free_answer));
+}
+
+// Points of one face, as a tool with friction sees them, half of them apart; the tool's advance is an unknown.
+std::vector<StiffRow> on_a_face(const BoundaryFace& face, int parts) {
+  std::vector<StiffRow> rows;
+  for (int i = 0; i <= parts; ++i) {
+    for (int j = 0; i + j <= parts; ++j) {
+      const auto weights = quadratic_triangle_values(Vector3d(i, j, parts - i - j) / parts);
+      for (const Vector3d& direction : {Vector3d(0.1 * i, 0.3, 1), Vector3d(1, 0, 0), Vector3d(0, 1, 0)}) {
+        StiffRow row;
+        for (int n = 0; n < 6; ++n) {
+          if (weights[n] != 0) row.on.emplace_back(face.nodes[n], weights[n] * direction);
+        }
+        row.two_sided = direction.z() == 0;
+        row.further = row.two_sided ? -1 : 0;
+        row.along = row.two_sided ? 0 : 0.9;
+        row.stiffness = row.two_sided ? 20 : 60;
+        row.gap_mm = row.two_sided ? 0.01 * j : 0.1 * (i - j);
+        rows.push_back(std::move(row));
+      }
+    }
+  }
+  return rows;
+}
+
+TEST_F(BlockOnLattices, RowsAreAnsweredOneByOneOrByTheNodesOfTheirFaceWhicheverAreFewer) {
+  const auto face = std::find_if(body_.boundary.begin(), body_.boundary.end(), [&](const BoundaryFace& at) {
+    return body_.layout.positions_mm[static_cast<std::size_t>(at.nodes[3])].z() > 29;
+  });
+  ASSERT_NE(face, body_.boundary.end());
+  for (const int parts : {1, 4}) {
+    auto rows = on_a_face(*face, parts);
+    EXPECT_EQ(condensed(rows).functionals.size(), parts == 1 ? 9U : 19U);
+    const auto count = static_cast<Eigen::Index>(rows.size());
+    const VectorXd alone = 0.1 * numbers(unknowns() + 1);
+    const SplineLevels::WithRows with_rows(levels_, rows, 1, alone);
+
+    // The levels' answer to nodes alone, that to the further unknown, and each row's by them.
+    const std::vector<StiffRow> none;
+    const SplineLevels::WithRows without(levels_, none, 0, alone.head(unknowns()));
+    const auto answered = [&](const VectorXd& r) {
+      VectorXd on_nodes, z(r.size());
+      without.apply(r.head(unknowns()), on_nodes);
+      z << on_nodes, r.tail(1) / (1e-4 * 60);
+      return z;
+    };
+    Eigen::MatrixXd see = Eigen::MatrixXd::Zero(unknowns() + 1, count), answers(unknowns() + 1, count);
+    VectorXd gap_mm(count), softness(count);
+    for (Eigen::Index r = 0; r < count; ++r) {
+      const StiffRow& row = rows[static_cast<std::size_t>(r)];
+      for (const auto& [node, direction] : row.on) see.col(r).segment<3>(3 * node) += direction;
+      if (row.further >= 0) see(unknowns(), r) -= row.along;
+      answers.col(r) = answered(see.col(r));
+      gap_mm[r] = row.gap_mm;
+      softness[r] = 1 / row.stiffness;
+    }
+    std::vector<Eigen::Index> pressing;
+    for (Eigen::Index r = 0; r < count; ++r) {
+      if (with_rows.presses(static_cast<std::size_t>(r))) pressing.push_back(r);
+    }
+    ASSERT_LT(pressing.size(), rows.size());
+    const Eigen::MatrixXd see_pressing = see(Eigen::all, pressing), answers_pressing = answers(Eigen::all, pressing);
+    Eigen::MatrixXd compliance = see_pressing.transpose() * answers_pressing;
+    compliance.diagonal() += softness(pressing);
+    const VectorXd alone_sees = see.transpose() * answered(alone) + gap_mm;
+    const VectorXd force_mN = compliance.partialPivLu().solve(VectorXd(-alone_sees(pressing)));
+    const VectorXd after_mm = alone_sees + see.transpose() * answers_pressing * force_mN;
+    for (Eigen::Index r = 0; r < count; ++r) {
+      const auto row = static_cast<std::size_t>(r);
+      EXPECT_EQ(with_rows.presses(row), rows[row].two_sided || after_mm[r] < 0) << r << ": " << after_mm[r];
+    }
+
+    const VectorXd r = numbers(unknowns() + 1);
+    const VectorXd z = answered(r), seen = see_pressing.transpose() * z;
+    const VectorXd slow = z - answers_pressing * compliance.partialPivLu().solve(seen);
+    VectorXd quick;
+    with_rows.apply(r, quick);
+    EXPECT_LT((quick - slow).norm(), 1e-4 * slow.norm());
+  }
 }
 
 TEST(DenseProduct, IsWhatEigenMultiplies) {

@@ -4,9 +4,11 @@
 // pull with a force, or hold their patch's mean at a displacement. The counterpart of contact.h, a factorisation a
 // Newton step and therefore far from live.
 //
-// Contacts are at the same places of the surface as there, each an augmented Lagrangian of the gap g to a tool's rod
-// (e.g. Wriggers, Computational Contact Mechanics, 6.3). The term (max(0, p - k g)^2 - p^2) / (2 k) joins the body's
-// potential energy (newton.h). The multiplier p is updated to max(0, p - k g) until neither p nor the surface changes.
+// Contacts are at quadrature points of the surface (internal/contact_points.h), each an augmented Lagrangian of the gap
+// g to a tool's rod (e.g. Wriggers, Computational Contact Mechanics, 6.3). The term (max(0, p - k g)^2 - p^2) / (2 k)
+// joins the body's potential energy (newton.h), k being a stiffness per area times the point's area. The multiplier p
+// is updated to max(0, p - k g) until neither the nodes' forces nor the surface change. A uniform pressure is borne
+// exactly. Between its points a tool may lie deeper than the tolerance, by 0.2 mm at most.
 //
 // Coulomb's friction joins in the same way (ibid., 6.3.3; Simo and Laursen 1992, Comput. Struct. 42:97). Its multiplier
 // is t, |t| <= mu p; s is the slip since the station before; y = t - k s. While the place sticks, |y| <= mu p, the term

@@ -14,11 +14,12 @@ using Eigen::VectorXd;
 
 namespace {
 
-// In units of the tissue's own stiffness. Softer tools enter too deep, and their multipliers are moved on more often,
-// at each of which a smooth tool starts to slide; stiffer walls let fewer of the places across a cut take part at once.
-// Found on the block of tests/widgets/block_patient.h, cut half through under a probe and a grasper
-// (docs/performance.md).
-constexpr double tool_penalty = 10, wall_penalty = 2;
+// In units of the tissue's own stiffness, those of tools spread over their area. Stiffer tools are not balanced in the
+// few gradients of a picture, in Veronda and Westmann's tissue; softer ones enter too deep at rest and need
+// multipliers, at each move of which a smooth tool starts to slide. Stiffer walls let fewer of the places across a cut
+// take part at once. Those of tools were found on paths 0 and 1 of bench_casefile's SessionAtLargeStrain, that of walls
+// on the block of tests/widgets/block_patient.h, cut half through under a probe and a grasper.
+constexpr double shown_penalty = 60, settling_penalty = 300, friction_penalty = 10, jaw_penalty = 10, wall_penalty = 2;
 
 }  // namespace
 
@@ -55,7 +56,10 @@ Result<LiveBody> LiveBody::create(StaticModel model, const ChosenLaw& law, const
   }
   parts.watched = std::move(watched);
   parts.judged = judged;
-  parts.k_mN_mm = penalty_stiffness_mN_mm(tool_penalty, parts.body, parts.surface);
+  parts.k_mN_mm = penalty_stiffness_mN_mm(jaw_penalty, parts.body, parts.surface);
+  parts.pressing_kPa_mm = penalty_stiffness_kPa_mm(shown_penalty, parts.body, parts.surface);
+  parts.settling_kPa_mm = penalty_stiffness_kPa_mm(settling_penalty, parts.body, parts.surface);
+  parts.friction_kPa_mm = penalty_stiffness_kPa_mm(friction_penalty, parts.body, parts.surface);
   parts.k_wall_mN_mm = penalty_stiffness_mN_mm(wall_penalty, parts.body, parts.surface);
   if (judged > 0) {
     const auto answered = parts.model.respond(parts.unit_forces_at_judged());

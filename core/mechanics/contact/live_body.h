@@ -13,19 +13,21 @@
 // other paths (docs/performance.md): an estimate that holds there, not a proof. Where the body slips off a tool to
 // another rest, no residual foresees it.
 //
-// A tool presses by p = max(0, m - k g) at each place with gap g, as in large_contact.h. Steps may lead through
-// cells turned inside out where the law's energy is finite there; no state has any. A step moves the multipliers m on
-// once. Settling moves them on until no tool enters the surface by more than the tolerance. A pushed tool's advance is
-// one unknown more. A force spread over a patch is a dead load, as in statics.
+// A tool presses by p = max(0, m - k g) at each place with gap g, as in large_contact.h. Steps may lead through cells
+// turned inside out where the law's energy is finite there; no state has any. A step moves the multipliers m on once.
+// Settling begins without them and with a stiffer k, and doubles that where a smooth tool is at rest deeper than the
+// tolerance, up to 16 times: multipliers keep to the body, and such a tool slides from under them. Only then, under
+// tools with friction and on walls, they move on. A pushed tool's advance is one unknown more; near nothing it slides
+// on to the next place. A force spread over a patch is a dead load, as in statics.
 //
 // Friction is elastic and perfectly plastic with return mapping (Wriggers, Computational Contact Mechanics, 5.2). A
-// spring of stiffness k along the surface ties a place to an anchor that goes with the tool. The place slips where the
+// spring along the surface, softer than k, ties a place to an anchor that goes with the tool. The place slips where the
 // spring would pull with more than mu p; then the anchor is drawn along. What first presses in a step is anchored where
 // it was, as the tool saw it, when the step began. The values of p and the normal are those at the beginning of each
 // round of Newton's method. So a round has a potential energy. Once the rest is found they are those of the rest
-// (lagged, as in Li et al. 2020, Incremental Potential Contact, ACM TOG 39:49). The spring gives by mu p / k, some
-// hundredths of a millimetre. Anchors move from one step to the next: settling looks for the rest of the step under
-// way.
+// (lagged, as in Li et al. 2020, Incremental Potential Contact, ACM TOG 39:49). The spring gives by mu p over its
+// stiffness, some hundredths of a millimetre. Anchors move from one step to the next: settling looks for the rest of
+// the step under way.
 //
 // A cut opens as at small strain (cutting/opening.h). The same cells are open, by jumps that follow the nodes among the
 // unknowns. The same springs bridge what the front has not passed. Nodes stay, and so does every level but one that is
@@ -61,13 +63,13 @@ struct LiveOptions {
   double penetration_tolerance_mm = 0.05, movement_tolerance_mm = 0.05;
 };
 
-// A place of the surface that a tool is near, with the force found so far.
+// A place of the surface that a tool is near (internal/contact_points.h), with the multiplier found so far.
 struct LivePlace {
   std::string tool;
   std::size_t rod = 0;
-  std::array<int, 3> points;  // of the surface
-  Eigen::Vector3d weights;
-  double multiplier_mN = 0;
+  int face = 0, point = 0;                           // of the boundary, and which of the face's
+  double multiplier_mN = 0;                          // of the next picture: what it presses with
+  std::optional<double> settling_mN = std::nullopt;  // that of settling, once it has begun
   // Where it sticks to a tool with friction, in the tool's frame. The first is as the step began, the second where what
   // presses is drawn to by now.
   std::optional<Eigen::Vector3d> anchor_before_mm = std::nullopt, anchor_mm = std::nullopt;
@@ -75,8 +77,8 @@ struct LivePlace {
 
 // What the step under way began from, for friction: what meets a tool in it has slid as they moved by each other since.
 struct LiveBegin {
-  std::vector<Eigen::Vector3d> surface_mm;  // as LiveState's
-  std::map<std::string, Pose> poses;        // of touching tools
+  Eigen::VectorXd u_mm;               // of the nodes
+  std::map<std::string, Pose> poses;  // of touching tools
 };
 
 struct LiveState {
@@ -91,6 +93,7 @@ struct LiveState {
   std::vector<ToolContact> tools;
   std::map<std::string, Pose> poses;  // of touching tools, as far as they have advanced
   std::shared_ptr<const LiveBegin> began;
+  double stiffer = 1;                  // times as stiff as settling began is what smooth tools press by
   Eigen::Vector3d moment_uJ{0, 0, 0};  // of the tools' forces about the origin (mN mm)
   double error_bound_mm = 0;           // of the judged places
   bool settled = false;
@@ -111,7 +114,7 @@ class LiveBody {
 
   // A first picture with the tools where they are now; between two none should move by more than some millimetres. The
   // same beginning and tools give the same bits. Failures: "tool-invalid", "tool-touches-nothing", "not-converged"
-  // (no step leads on without turning cells inside out).
+  // (no step leads on without turning cells inside out, a tool would lie deep in the body, or slides past it).
   [[nodiscard]] Result<LiveState> step(const LiveState& from, const std::vector<ContactTool>& tools,
                                        const LiveOptions& options = {}) const;
   // Until it has come to rest; `settled` says whether it did. Failures: those of step, and "cancelled".

@@ -16,6 +16,8 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
+constexpr double deepest_between_mm = 0.2;  // the points that tools press on, those of a live body
+
 }  // namespace
 
 Result<AugmentedLagrangian> AugmentedLagrangian::create(const Body& body, const std::vector<ContactTool>& tools,
@@ -62,6 +64,7 @@ AugmentedLagrangian::AugmentedLagrangian(const Body& body, const ContactOptions&
   }
   // What a round leaves of a penetration is then a fiftieth, and the matrix stays far from singular.
   k_mN_mm_ = penalty_stiffness_mN_mm(50, body, surface_);
+  k_kPa_mm_ = penalty_stiffness_kPa_mm(50, body, surface_);
 }
 
 AppliedLoads AugmentedLagrangian::with_pulls(AppliedLoads loads, const std::vector<ContactTool>& tools) const {
@@ -131,7 +134,7 @@ Result<bool> AugmentedLagrangian::equilibrate(const std::vector<ContactTool>& to
       advance_mm = next_mm;
     }
     if (!as_pushed) continue;
-    for (ContactConstraint& constraint : constraints_) anchor(constraint, pose_of(constraint.place.tool, tools), u_mm_);
+    for (ContactConstraint& constraint : constraints_) anchor(constraint, pose_of(constraint.tool, tools), u_mm_);
     return true;
   }
   return false;
@@ -140,8 +143,8 @@ Result<bool> AugmentedLagrangian::equilibrate(const std::vector<ContactTool>& to
 Result<bool> AugmentedLagrangian::equilibrate_at_advances(const std::vector<ContactTool>& tools,
                                                           const BodyProblem& problem) {
   for (ContactConstraint& constraint : constraints_) {
-    constraint.rod = rod_of(constraint.place, tools);
-    const Pose pose = pose_of(constraint.place.tool, tools);
+    constraint.rod = rod_of(constraint, tools);
+    const Pose pose = pose_of(constraint.tool, tools);
     constraint.from_mm = pose.rotation * constraint.from_on_tool_mm + pose.position_mm;
   }
   constexpr int maximum_rounds = 40, rounds_that_wander = 6;
@@ -151,12 +154,13 @@ Result<bool> AugmentedLagrangian::equilibrate_at_advances(const std::vector<Cont
     walls_.find(u_mm_, round == 0                   ? CutSelfContact::Search::anew
                        : round < rounds_that_wander ? CutSelfContact::Search::again
                                                     : CutSelfContact::Search::more);
-    const Potentials contact = {std::make_shared<ToolContactPotential>(constraints_, k_mN_mm_),
+    const Potentials contact = {std::make_shared<ToolContactPotential>(constraints_),
                                 std::make_shared<GraspPotential>(patches_, k_mN_mm_),
                                 std::make_shared<CutContactPotential>(walls_.cut_contacts(), k_mN_mm_)};
     const double scale_mN = problem.scale_mN +
                             free_values(body_->resolved.fixed, mechanics::force_mN(contact, u_mm_)).norm() +
                             k_mN_mm_ * hair_mm;
+    const VectorXd before_mN = force_mN();
     auto found = problem.unknowns.minimum_of(problem.alone.with(contact), scale_mN, problem.minimum.x_mm,
                                              problem.options, problem.progress);
     if (!found) return failure(std::move(found.error()));
@@ -168,34 +172,32 @@ Result<bool> AugmentedLagrangian::equilibrate_at_advances(const std::vector<Cont
     report_.movement_mm = (surface_mm(moved_mm) - surface_mm(u_mm_)).cwiseAbs().maxCoeff();
     u_mm_ = moved_mm;
     if (!found->converged) return false;
-    double all_mN = 0, changed_mN = 0, farthest_off_mm = 0;
+    double all_mN = 0, farthest_off_mm = 0;
     for (ContactConstraint& constraint : constraints_) {
-      const double force_mN = normal_force_mN(constraint, k_mN_mm_, gap_of(constraint, u_mm_));
-      changed_mN += std::abs(force_mN - constraint.multiplier_mN);
+      const double force_mN = normal_force_mN(constraint, gap_of(constraint, u_mm_));
       all_mN += force_mN;
       constraint.multiplier_mN = force_mN;
-      const FrictionForce friction = friction_force_of(constraint, k_mN_mm_, u_mm_);
-      changed_mN += (friction.force_mN - constraint.friction_mN).norm();
+      const FrictionForce friction = friction_force_of(constraint, u_mm_);
       constraint.friction_mN = friction.force_mN;
       constraint.slips = friction.slips;
       if (force_mN == 0)
-        anchor(constraint, pose_of(constraint.place.tool, tools), u_mm_);  // it has lost the tool, or not met it yet
+        anchor(constraint, pose_of(constraint.tool, tools), u_mm_);  // it has lost the tool, or not met it yet
     }
     for (PrescribedPatch& patch : patches_) {
       const Vector3d force_mN = patch.pull_mN(k_mN_mm_, u_mm_);
-      changed_mN += (force_mN - patch.multiplier_mN).norm();
       all_mN += force_mN.norm();
       patch.multiplier_mN = force_mN;
       farthest_off_mm = std::max(farthest_off_mm, patch.off_mm(u_mm_).norm());
     }
     for (CutContact& cut_contact : walls_.cut_contacts()) {
       const double force_mN = normal_force_mN(cut_contact, k_mN_mm_, u_mm_);
-      changed_mN += std::abs(force_mN - cut_contact.multiplier_mN);
       all_mN += force_mN;
       cut_contact.multiplier_mN = force_mN;
     }
+    // On the nodes: points that are more than the values they see share a force in many ways, and go on to.
+    const double changed_mN = (force_mN() - before_mN).reshaped(3, before_mN.size() / 3).colwise().norm().sum();
     report_.overlap_mm = report_.penetration_mm = walls_.find(u_mm_, CutSelfContact::Search::more);
-    for (const ContactCandidate& place : contact_candidates(surface_, tools, advance_mm_, surface_mm(u_mm_), 0.0)) {
+    for (const NearPoint& place : points_near(*body_, tools, advance_mm_, u_mm_, 0.0, deepest_between_mm)) {
       report_.penetration_mm = std::max(report_.penetration_mm, -place.gap_mm);
     }
     if (report_.penetration_mm <= options_.penetration_tolerance_mm &&
@@ -209,16 +211,15 @@ Result<bool> AugmentedLagrangian::equilibrate_at_advances(const std::vector<Cont
 // Places that come near are borne by a spring from now on, without a force yet.
 void AugmentedLagrangian::update_multipliers(const std::vector<ContactTool>& tools) {
   constexpr double margin_mm = 1.0;
-  std::vector<TrackedContact> kept;
-  for (const ContactConstraint& constraint : constraints_) kept.push_back(constraint.place);
-  for (const ContactCandidate& near : contact_candidates(surface_, tools, advance_mm_, surface_mm(u_mm_), margin_mm)) {
-    keep({near.tool, near.rod, near.points, near.weights}, surface_, kept);
-  }
-  for (std::size_t i = constraints_.size(); i < kept.size(); ++i) {
-    ContactConstraint constraint = constraint_at(kept[i], surface_, node_of_point_);
-    constraint.rod = rod_of(kept[i], tools);
-    constraint.friction = std::get<TouchingTool>(tools[kept[i].tool].what).friction;
-    anchor(constraint, pose_of(constraint.place.tool, tools), u_mm_);
+  for (const NearPoint& near : points_near(*body_, tools, advance_mm_, u_mm_, margin_mm, deepest_between_mm)) {
+    const bool known = std::any_of(constraints_.begin(), constraints_.end(), [&](const ContactConstraint& other) {
+      return other.tool == near.tool && other.which_rod == near.rod && other.at == near.at;
+    });
+    if (known) continue;
+    ContactConstraint constraint = constraint_at(*body_, near.tool, near.rod, near.at, k_kPa_mm_, k_kPa_mm_);
+    constraint.rod = rod_of(constraint, tools);
+    constraint.friction = std::get<TouchingTool>(tools[near.tool].what).friction;
+    anchor(constraint, pose_of(constraint.tool, tools), u_mm_);
     constraints_.push_back(constraint);
   }
 }
@@ -229,9 +230,9 @@ Pose AugmentedLagrangian::pose_of(std::size_t tool, const std::vector<ContactToo
   return pose;
 }
 
-Rod AugmentedLagrangian::rod_of(const TrackedContact& place, const std::vector<ContactTool>& tools) const {
+Rod AugmentedLagrangian::rod_of(const ContactConstraint& place, const std::vector<ContactTool>& tools) const {
   const auto& tool = std::get<TouchingTool>(tools[place.tool].what);
-  return placed({tool.shape[place.rod]}, pose_of(place.tool, tools)).front();
+  return placed({tool.shape[place.which_rod]}, pose_of(place.tool, tools)).front();
 }
 
 VectorXd AugmentedLagrangian::surface_mm(const VectorXd& u_mm) const {
@@ -245,7 +246,7 @@ VectorXd AugmentedLagrangian::surface_mm(const VectorXd& u_mm) const {
 Vector3d AugmentedLagrangian::force_of_tool(std::size_t tool) const {
   Vector3d sum = Vector3d::Zero();
   for (const ContactConstraint& constraint : constraints_) {
-    if (constraint.place.tool == tool)
+    if (constraint.tool == tool)
       sum += constraint.multiplier_mN * gap_of(constraint, u_mm_).normal + constraint.friction_mN;
   }
   for (const PrescribedPatch& patch : patches_) {
@@ -258,7 +259,7 @@ VectorXd AugmentedLagrangian::force_mN() const {
   VectorXd sum = VectorXd::Zero(u_mm_.size());
   for (const ContactConstraint& constraint : constraints_) {
     const Vector3d force = constraint.multiplier_mN * gap_of(constraint, u_mm_).normal + constraint.friction_mN;
-    for (int i = 0; i < 3; ++i) sum.segment<3>(3 * constraint.nodes[i]) += constraint.place.weights[i] * force;
+    for (int i = 0; i < 6; ++i) sum.segment<3>(3 * constraint.nodes[i]) += constraint.weights[i] * force;
   }
   for (const PrescribedPatch& patch : patches_) {
     for (std::size_t i = 0; i < patch.nodes.size(); ++i) {
@@ -277,7 +278,7 @@ std::vector<ToolContact> AugmentedLagrangian::contacts(const std::vector<Contact
   for (std::size_t t = 0; t < tools.size(); ++t) {
     ToolContact tool{tools[t].id, force_of_tool(t), 0, advance_mm_[static_cast<Eigen::Index>(t)], 0};
     for (const ContactConstraint& constraint : constraints_) {
-      if (constraint.place.tool != t || constraint.multiplier_mN == 0) continue;
+      if (constraint.tool != t || constraint.multiplier_mN == 0) continue;
       ++tool.contacts;
       if (constraint.friction > 0) ++(constraint.slips ? tool.slipping : tool.sticking);
     }
@@ -290,7 +291,7 @@ std::vector<ToolContact> AugmentedLagrangian::contacts(const std::vector<Contact
       contacts[gripped.tool].force_mN = *pull_mN * grasp.direction.normalized();
     }
   }
-  for (const ContactCandidate& place : contact_candidates(surface_, tools, advance_mm_, surface_mm(u_mm_), 0.0)) {
+  for (const NearPoint& place : points_near(*body_, tools, advance_mm_, u_mm_, 0.0, deepest_between_mm)) {
     contacts[place.tool].penetration_mm = std::max(contacts[place.tool].penetration_mm, -place.gap_mm);
   }
   return contacts;

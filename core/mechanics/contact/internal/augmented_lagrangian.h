@@ -57,14 +57,14 @@ class AugmentedLagrangian {
   void update_multipliers(const std::vector<ContactTool>& tools);
   [[nodiscard]] Eigen::VectorXd surface_mm(const Eigen::VectorXd& u_mm) const;
   [[nodiscard]] Eigen::Vector3d force_of_tool(std::size_t tool) const;
-  [[nodiscard]] Rod rod_of(const TrackedContact& place, const std::vector<ContactTool>& tools) const;
+  [[nodiscard]] Rod rod_of(const ContactConstraint& place, const std::vector<ContactTool>& tools) const;
   [[nodiscard]] Pose pose_of(std::size_t tool, const std::vector<ContactTool>& tools) const;
 
   const Body* body_;
   ContactOptions options_;
   geometry::Surface surface_;
   std::vector<int> node_of_point_;  // of the surface
-  double k_mN_mm_;
+  double k_mN_mm_, k_kPa_mm_;
   Eigen::VectorXd u_mm_, advance_mm_;
   std::vector<Gripped> grips_;
   std::vector<ContactConstraint> constraints_;

@@ -9,15 +9,18 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-ContactConstraint constraint_at(const TrackedContact& place, const geometry::Surface& surface,
-                                const std::vector<int>& node_of_point) {
-  ContactConstraint constraint{place, {}, {}, Vector3d::Zero()};
-  for (int c = 0; c < 3; ++c) {
-    const auto point = static_cast<std::size_t>(place.points[c]);
-    constraint.nodes[c] = node_of_point[point];
-    constraint.rest_mm += place.weights[c] * surface.points_mm[point];
-  }
+ContactConstraint constraint_at(const Body& body, std::size_t tool, std::size_t rod, const ContactPoint& at,
+                                double k_kPa_mm, double along_kPa_mm) {
+  const ContactPointWeights weights = weights_at(body, at);
+  ContactConstraint constraint{tool, rod, at, {}, weights.nodes, weights.values, weights.rest_mm};
+  constraint.k_mN_mm = k_kPa_mm * weights.area_mm2;
+  constraint.along_mN_mm = along_kPa_mm * weights.area_mm2;
   return constraint;
+}
+
+double penalty_stiffness_kPa_mm(double times, const Body& body, const geometry::Surface& surface) {
+  const double area_mm2 = geometry::area_mm2(surface) / static_cast<double>(surface.triangles.size());
+  return penalty_stiffness_mN_mm(times, body, surface) / area_mm2;
 }
 
 double penalty_stiffness_mN_mm(double times, const Body& body, const geometry::Surface& surface) {
@@ -30,7 +33,7 @@ double penalty_stiffness_mN_mm(double times, const Body& body, const geometry::S
 
 Vector3d place_of(const ContactConstraint& constraint, const VectorXd& u_mm) {
   Vector3d at_mm = constraint.rest_mm;
-  for (int i = 0; i < 3; ++i) at_mm += constraint.place.weights[i] * u_mm.segment<3>(3 * constraint.nodes[i]);
+  for (int i = 0; i < 6; ++i) at_mm += constraint.weights[i] * u_mm.segment<3>(3 * constraint.nodes[i]);
   return at_mm;
 }
 
@@ -59,8 +62,9 @@ void limit_friction(ContactConstraint& constraint, double normal_mN, const Vecto
   constraint.friction_mN -= constraint.friction_mN.dot(constraint.normal) * constraint.normal;
 }
 
-FrictionForce friction_force_of(const ContactConstraint& constraint, double k_mN_mm, const VectorXd& u_mm) {
+FrictionForce friction_force_of(const ContactConstraint& constraint, const VectorXd& u_mm) {
   if (constraint.friction_limit_mN == 0) return {Vector3d::Zero(), Matrix3d::Zero(), 0.0, true};
+  const double k_mN_mm = constraint.along_mN_mm;
   const Matrix3d tangential = Matrix3d::Identity() - constraint.normal * constraint.normal.transpose();
   const Vector3d y = constraint.friction_mN - k_mN_mm * tangential * (place_of(constraint, u_mm) - constraint.from_mm);
   const double maximum = constraint.friction_limit_mN, size = y.norm(), known = constraint.friction_mN.squaredNorm();

@@ -1,22 +1,25 @@
 #pragma once
 // A place of the surface that a rod of a tool presses on, and Coulomb's friction there: large_contact.h says how both
-// join the body's energy. `u_mm` has 3 values a node; `k_mN_mm` is the penalty stiffness.
+// join the body's energy. `u_mm` has 3 values a node.
 
 #include <array>
 #include <Eigen/Core>
 #include <vector>
 
-#include "mechanics/contact/internal/contact_candidates.h"
+#include "mechanics/contact/internal/contact_points.h"
 #include "mechanics/elements/body.h"
 
 namespace glisson::mechanics {
 
-// A tracked place with the rod where it is now, and the multipliers: the forces found so far.
+// A place with the rod where it is now, and the multipliers: the forces found so far.
 struct ContactConstraint {
-  TrackedContact place;
+  std::size_t tool = 0, which_rod = 0;
+  ContactPoint at;
   Rod rod;
-  std::array<int, 3> nodes;
-  Eigen::Vector3d rest_mm;
+  std::array<int, 6> nodes;
+  Eigen::Matrix<double, 6, 1> weights;
+  Eigen::Vector3d rest_mm{0, 0, 0};
+  double k_mN_mm = 0, along_mN_mm = 0;                         // of the penalty, along the normal and along the surface
   double multiplier_mN = 0;                                    // of the normal force
   double friction = 0;                                         // Coulomb's coefficient
   Eigen::Vector3d friction_mN{0, 0, 0};                        // the tangential multiplier
@@ -26,12 +29,14 @@ struct ContactConstraint {
   bool slips = false;
 };
 
-// On the surface of a body, `node_of_point` being its points' nodes; its rod is the caller's.
-[[nodiscard]] ContactConstraint constraint_at(const TrackedContact& place, const geometry::Surface& surface,
-                                              const std::vector<int>& node_of_point);
+// Its rod is the caller's.
+[[nodiscard]] ContactConstraint constraint_at(const Body& body, std::size_t tool, std::size_t rod,
+                                              const ContactPoint& at, double k_kPa_mm, double along_kPa_mm);
 
 // So many times as stiff (mN/mm) as the surface itself is at a point, which answers with about E times an edge.
 [[nodiscard]] double penalty_stiffness_mN_mm(double times, const Body& body, const geometry::Surface& surface);
+// The same spread over the surface (kPa/mm): over what a point of it has about it.
+[[nodiscard]] double penalty_stiffness_kPa_mm(double times, const Body& body, const geometry::Surface& surface);
 
 // A penetration that nobody can see: where all forces are smaller than it makes, there is nothing left to solve.
 inline constexpr double hair_mm = 1e-3;
@@ -60,7 +65,6 @@ struct FrictionForce {
   double energy_uJ = 0;
   bool slips = false;
 };
-[[nodiscard]] FrictionForce friction_force_of(const ContactConstraint& constraint, double k_mN_mm,
-                                              const Eigen::VectorXd& u_mm);
+[[nodiscard]] FrictionForce friction_force_of(const ContactConstraint& constraint, const Eigen::VectorXd& u_mm);
 
 }  // namespace glisson::mechanics

@@ -1,7 +1,9 @@
 #include "mechanics/contact/internal/live_step.h"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
+#include <Eigen/Geometry>
 
 namespace glisson::mechanics {
 namespace {
@@ -19,10 +21,21 @@ constexpr double where_cut = 3;
 // Beyond those that were asked for, where cells are inside out on the way.
 constexpr int rounds_to_turn_back = 8;
 
+// Along its longest side.
+double size_mm(const ToolShape& shape) {
+  Eigen::AlignedBox3d box;
+  for (const Rod& rod : shape) {
+    const Vector3d around = Vector3d::Constant(rod.radius_mm);
+    for (const Vector3d& end : {rod.from_mm, rod.to_mm}) box.extend(end - around).extend(end + around);
+  }
+  return box.sizes().maxCoeff();
+}
+
 }  // namespace
 
 Result<LiveState> LiveStep::run(const LiveState& from, Until until) {
   const Stopwatch watch;
+  until_ = until;
   if (auto taken = take_tools(from, until); !taken) return failure(std::move(taken.error()));
   const bool settling = until == Until::settled;
   const int most_rounds = settling ? options_.settling_rounds : options_.most_rounds;
@@ -30,7 +43,7 @@ Result<LiveState> LiveStep::run(const LiveState& from, Until until) {
   const bool known = from.resisting_mN.size() == n_ && from.advances == state_.advances;
   now_ = known ? under_loads(from.resisting_mN, from.report.inverted_cells) : unbalanced(state_.u_mm);
   for (int round = 0;; ++round) {
-    find_places();
+    if (auto found = find_places(); !found) return failure(std::move(found.error()));
     limit_friction();
     face_walls();
     const VectorXd r_mN = with_tools(now_, state_.u_mm);
@@ -52,16 +65,19 @@ Result<LiveState> LiveStep::run(const LiveState& from, Until until) {
         state_.error_bound_mm = safety * left_mm + of_penetration * deepest;
         break;
       }
-      move_multipliers_on();
+      press_harder();
       look_at_rows(state_.u_mm);  // as many as before: friction's limits stay those of the round
     }
     const bool shown = !settling && round > 0 && state_.error_bound_mm <= options_.shown_mm;
     if (!turned && (round >= most_rounds || shown)) break;
     if (round == most_rounds + rounds_to_turn_back) return failure(turned_inside_out());
     const VectorXd again_mN = settling && at_rest && !turned ? with_tools(now_, state_.u_mm) : r_mN;
-    go(direction(levels, again_mN, settling ? options_.settling_gradients : options_.gradients, settling), again_mN);
+    VectorXd step = direction(levels, again_mN, Presses::then);
+    if (again_mN.dot(step) <= 0) step = direction(levels, again_mN, Presses::now);
+    go(step, again_mN);
     if (progress_.cancelled()) return cancelled();
   }
+  if (swallows_a_tool()) return failure(swallowed());
   if (!settling) move_multipliers_on();
   return finished(watch);
 }
@@ -71,6 +87,31 @@ Error LiveStep::turned_inside_out() const {
                GLISSON_TEXT("The step would turn cells inside out ({0}): a tool goes too far into the body."),
                {std::to_string(now_.inverted_points)},
                {},
+               {}};
+}
+
+// Half of a rod's radius deep: pictures are a tenth of that deep, and a tool that has come through the
+// surface in one step finds no way back.
+bool LiveStep::swallows_a_tool() const {
+  return std::any_of(places_.begin(), places_.end(), [&](const ContactConstraint& place) {
+    return -gap_of(place, state_.u_mm).mm > 0.5 * place.rod.radius_mm;
+  });
+}
+
+Error LiveStep::swallowed() const {
+  return Error{"not-converged",
+               GLISSON_TEXT("A tool would lie {0} mm deep in the body."),
+               {fmt::format("{:.1f}", deepest_mm())},
+               GLISSON_TEXT("Move it there in smaller steps, or away from the body."),
+               {}};
+}
+
+Error LiveStep::slides_past(std::size_t tool) const {
+  const double push_mN = *std::get<TouchingTool>(tools_[tool].what).push_mN;
+  return Error{"not-converged",
+               GLISSON_TEXT("The tool {0} slides past the body, which gives way under {1} N."),
+               {tools_[tool].id, fmt::format("{:.2f}", push_mN / 1e3)},
+               GLISSON_TEXT("Push with less, or where the body holds against it."),
                {}};
 }
 
@@ -128,9 +169,9 @@ double LiveStep::estimate(const SplineLevels::WithRows& levels) const {
   return farthest_mm;
 }
 
-void LiveStep::add_rows_times(const SplineLevels::WithRows& levels, const VectorXd& p, VectorXd& product) const {
+void LiveStep::add_rows_times(const std::vector<std::uint8_t>& presses, const VectorXd& p, VectorXd& product) const {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
-    if (!levels.presses(i)) continue;
+    if (presses[i] == 0) continue;
     const StiffRow& row = rows_[i];
     double seen = row.further >= 0 ? -row.along * p[n_ + row.further] : 0.0;
     for (const auto& [node, direction] : row.on) seen += direction.dot(p.segment<3>(3 * node));
@@ -140,23 +181,29 @@ void LiveStep::add_rows_times(const SplineLevels::WithRows& levels, const Vector
   }
   for (const Bend& bend : bends_) {
     Vector3d moved = Vector3d::Zero();
-    for (int c = 0; c < 3; ++c) moved += bend.place->place.weights[c] * p.segment<3>(3 * bend.place->nodes[c]);
+    for (int c = 0; c < 6; ++c) moved += bend.place->weights[c] * p.segment<3>(3 * bend.place->nodes[c]);
     if (bend.further >= 0) moved -= p[n_ + bend.further] * bend.forward;
     const Vector3d answer = bend.stiffness * moved;
-    for (int c = 0; c < 3; ++c) product.segment<3>(3 * bend.place->nodes[c]) += bend.place->place.weights[c] * answer;
+    for (int c = 0; c < 6; ++c) product.segment<3>(3 * bend.place->nodes[c]) += bend.place->weights[c] * answer;
     if (bend.further >= 0) product[n_ + bend.further] -= bend.forward.dot(answer);
   }
 }
 
-// Conjugate gradients on the tangent. Where a tool would slide off, that is left out, and they begin again.
-VectorXd LiveStep::direction(const SplineLevels::WithRows& levels, const VectorXd& r_mN, int gradients, bool settling) {
+// Conjugate gradients on the tangent. Where a tool would slide off, that is left out, and they begin again. With the
+// rows that the levels expect to press the step may climb; with those that press now it never does.
+VectorXd LiveStep::direction(const SplineLevels::WithRows& levels, const VectorXd& r_mN, Presses when) {
+  const bool settling = until_ == Until::settled;
+  const int gradients = settling ? options_.settling_gradients : options_.gradients;
   // A row that presses from now on has a gap to close first, and one that lets go keeps no force.
+  std::vector<std::uint8_t> presses(rows_.size());
   VectorXd begin = r_mN, pressing_mN = VectorXd::Zero(static_cast<Eigen::Index>(rows_.size()));
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const StiffRow& row = rows_[i];
-    if (levels.presses(i)) pressing_mN[static_cast<Eigen::Index>(i)] = -row.stiffness * row.gap_mm;
-    if (row.two_sided || levels.presses(i) == (row.gap_mm < 0)) continue;
-    const double force = (levels.presses(i) ? -1 : 1) * row.stiffness * row.gap_mm;
+    const bool now = row.two_sided || row.gap_mm < 0;
+    presses[i] = when == Presses::then ? levels.presses(i) : now;
+    if (presses[i] != 0) pressing_mN[static_cast<Eigen::Index>(i)] = -row.stiffness * row.gap_mm;
+    if ((presses[i] != 0) == now) continue;
+    const double force = (now ? 1 : -1) * row.stiffness * row.gap_mm;
     for (const auto& [node, along] : row.on) begin.segment<3>(3 * node) += force * along;
     if (row.further >= 0) begin[n_ + row.further] -= force * row.along;
   }
@@ -173,7 +220,7 @@ VectorXd LiveStep::direction(const SplineLevels::WithRows& levels, const VectorX
     const Unbalanced moved = unbalanced(state_.u_mm + h * p.head(n_));
     product.head(n_) = (now_.body_mN - moved.body_mN) / h;
     product.tail(further_).setZero();
-    add_rows_times(levels, p, product);
+    add_rows_times(presses, p, product);
     parts_.free(product);
     ++state_.report.rounds;
     const double curvature = p.dot(product);
@@ -200,13 +247,25 @@ VectorXd LiveStep::direction(const SplineLevels::WithRows& levels, const VectorX
   return step;
 }
 
-// All of the step, or less of it where it would climb far beyond the lowest place on its way. A law whose energy is
-// finite inside out leads through there, and back: at a cell's one point, near a place that presses, a step held short
-// of it would be held short for ever. Where the energy is infinite, no step goes there.
+// Of a step, so much that no pushed tool goes further than it is large: it would pass what it meets on its way. Where
+// nothing near resists it there is no end to the step.
+double LiveStep::longest_part(const VectorXd& step) const {
+  double part = 1;
+  for (std::size_t t = 0; t < tools_.size(); ++t) {
+    if (further_of_[t] < 0) continue;
+    const double way_mm = std::abs(step[n_ + further_of_[t]]);
+    part = std::min(part, size_mm(std::get<TouchingTool>(tools_[t].what).shape) / std::max(way_mm, 1e-12));
+  }
+  return part;
+}
+
+// That part of the step, or less of it where it would climb far beyond the lowest place on its way. A law whose energy
+// is finite inside out leads through there, and back: at a cell's one point, near a place that presses, a step held
+// short of it would be held short for ever. Where the energy is infinite, no step goes there.
 void LiveStep::go(const VectorXd& step, const VectorXd& r_mN) {
   const VectorXd before_mm = advance_mm_;
   const double slope = r_mN.dot(step);
-  double length = 1;
+  double length = longest_part(step);
   for (int attempt = 0;; ++attempt) {
     VectorXd u_mm = state_.u_mm + length * step.head(n_);
     for (std::size_t t = 0; t < tools_.size(); ++t) {

@@ -40,7 +40,7 @@ struct LiveParts {
       std::make_shared<Eigen::MatrixXf>();  // three columns a judged place
   std::shared_ptr<KeptAdjoints> of_last_cut = std::make_shared<KeptAdjoints>();
   bool finite_inside_out;  // the law's energy is
-  double k_mN_mm = 0, k_wall_mN_mm = 0;
+  double k_mN_mm = 0, pressing_kPa_mm = 0, settling_kPa_mm = 0, friction_kPa_mm = 0, k_wall_mN_mm = 0;
   LiveState untouched;
 
   LiveParts(StaticModel given, Body prepared, const ChosenLaw& law)
@@ -136,8 +136,10 @@ class LiveStep {
   Result<void> take_touching(std::size_t tool, const TouchingTool& touching, const LiveState& from);
   void begin(const LiveState& from, Until until);
   Result<void> take_patch(std::size_t tool, const ToolLoad& patch);
-  void find_places();
-  void add_place(const TrackedContact& tracked);
+  Result<void> find_places();
+  void add_near_places();
+  Result<void> slide_on(std::size_t tool);
+  void add_place(std::size_t tool, std::size_t rod, const ContactPoint& at);
   void place_rods();
   void limit_friction();
   [[nodiscard]] Pose pose_of(std::size_t tool) const;
@@ -151,12 +153,18 @@ class LiveStep {
   void look_at_rows(const Eigen::VectorXd& u_mm);
   void add_friction_rows(const ContactConstraint& place, const Eigen::VectorXd& u_mm, const Eigen::Vector3d& forward);
   Eigen::VectorXd alone(const Unbalanced& balance) const;
-  Eigen::VectorXd direction(const SplineLevels::WithRows& levels, const Eigen::VectorXd& r_mN, int gradients,
-                            bool settling);
-  void add_rows_times(const SplineLevels::WithRows& levels, const Eigen::VectorXd& p, Eigen::VectorXd& product) const;
+  enum class Presses { then, now };  // once the step is made, as the levels expect, or before it
+  Eigen::VectorXd direction(const SplineLevels::WithRows& levels, const Eigen::VectorXd& r_mN, Presses when);
+  void add_rows_times(const std::vector<std::uint8_t>& presses, const Eigen::VectorXd& p,
+                      Eigen::VectorXd& product) const;
   [[nodiscard]] Error turned_inside_out() const;
+  [[nodiscard]] bool swallows_a_tool() const;
+  [[nodiscard]] Error swallowed() const;
+  [[nodiscard]] Error slides_past(std::size_t tool) const;
+  [[nodiscard]] double longest_part(const Eigen::VectorXd& step) const;
   void go(const Eigen::VectorXd& step, const Eigen::VectorXd& r_mN);
   [[nodiscard]] double estimate(const SplineLevels::WithRows& levels) const;
+  void press_harder();
   void move_multipliers_on();
   [[nodiscard]] double deepest_mm() const;
   LiveState finished(const Stopwatch& watch);
@@ -165,6 +173,7 @@ class LiveStep {
   const LiveCut* cut_;  // nullptr: nothing is cut
   const std::vector<ContactTool>& tools_;
   const LiveOptions& options_;
+  Until until_ = Until::shown;
   Progress progress_;
   Eigen::Index n_;
   Eigen::VectorXd dead_mN_;  // standing loads, patches, and jaws that pull

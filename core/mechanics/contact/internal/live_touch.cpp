@@ -15,6 +15,15 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 constexpr double jaws_are_stiffer = 20;
+constexpr double margin_mm = 0.5;  // that a place is near within
+
+std::vector<std::pair<int, Vector3d>> directions_at(const ContactConstraint& place, const Vector3d& direction) {
+  std::vector<std::pair<int, Vector3d>> on;
+  for (int c = 0; c < 6; ++c) {
+    if (place.weights[c] != 0) on.emplace_back(place.nodes[c], place.weights[c] * direction);
+  }
+  return on;
+}
 
 }  // namespace
 
@@ -49,12 +58,13 @@ Result<void> LiveStep::take_tools(const LiveState& from, Until until) {
     grips_.push_back(std::move(*gripped));
   }
   begin(from, until);
+  if (until == Until::settled) state_.stiffer = from.stiffer;
   for (std::size_t t = 0; t < tools_.size(); ++t) {
     const auto* touching = std::get_if<TouchingTool>(&tools_[t].what);
     for (const LivePlace& place : from.places) {
       if (touching == nullptr || place.tool != tools_[t].id || place.rod >= touching->shape.size()) continue;
-      add_place({t, place.rod, place.points, place.weights});
-      places_.back().multiplier_mN = place.multiplier_mN;
+      add_place(t, place.rod, {place.face, place.point});
+      places_.back().multiplier_mN = until == Until::shown ? place.multiplier_mN : place.settling_mN.value_or(0.0);
       const auto& anchored_mm = until == Until::shown ? place.anchor_mm : place.anchor_before_mm;
       if (anchored_mm) places_.back().from_on_tool_mm = *anchored_mm;
     }
@@ -81,7 +91,8 @@ Result<void> LiveStep::take_touching(std::size_t tool, const TouchingTool& touch
 
 // A step begins where the one before ended; settling goes on with the step under way.
 void LiveStep::begin(const LiveState& from, Until until) {
-  LiveBegin now = until == Until::settled && from.began ? *from.began : LiveBegin{from.surface_mm, from.poses};
+  LiveBegin now =
+      until == Until::settled && from.began ? *from.began : LiveBegin{from.u_mm.head(parts_.unknowns()), from.poses};
   for (std::size_t t = 0; t < tools_.size(); ++t) {
     if (std::holds_alternative<TouchingTool>(tools_[t].what)) now.poses.try_emplace(tools_[t].id, pose_of(t));
   }
@@ -104,47 +115,72 @@ Result<void> LiveStep::take_patch(std::size_t tool, const ToolLoad& patch) {
 }
 
 // Those that come near join without a force; those that were left go.
-void LiveStep::find_places() {
-  constexpr double margin_mm = 1.0;
+Result<void> LiveStep::find_places() {
   std::erase_if(places_, [&](const ContactConstraint& place) {
     const Gap gap = gap_of(place, state_.u_mm);
-    return gap.mm > margin_mm && normal_force_mN(place, parts_.k_mN_mm, gap) == 0;
+    return gap.mm > margin_mm && normal_force_mN(place, gap) == 0;
   });
-  std::vector<TrackedContact> kept;
-  for (const ContactConstraint& place : places_) kept.push_back(place.place);
-  const VectorXd moved_mm = parts_.surface_of(state_.u_mm);
-  for (const ContactCandidate& near : contact_candidates(parts_.surface, tools_, advance_mm_, moved_mm, margin_mm)) {
-    keep({near.tool, near.rod, near.points, near.weights}, parts_.surface, kept);
+  add_near_places();
+  for (std::size_t t = 0; t < tools_.size(); ++t) {
+    if (further_of_[t] < 0) continue;
+    if (auto met = slide_on(t); !met) return met;
   }
-  for (std::size_t i = places_.size(); i < kept.size(); ++i) add_place(kept[i]);
   place_rods();
+  return {};
 }
 
-void LiveStep::add_place(const TrackedContact& tracked) {
-  ContactConstraint& place = places_.emplace_back(constraint_at(tracked, parts_.surface, parts_.node_of_point));
-  place.friction = std::get<TouchingTool>(tools_[tracked.tool].what).friction;
-  if (place.friction == 0) return;
-  Vector3d began_mm = place.rest_mm;
-  for (int c = 0; c < 3; ++c) {
-    began_mm += tracked.weights[c] * began_->surface_mm[static_cast<std::size_t>(tracked.points[c])];
+// A pushed tool that is near no place, until it is: what nothing resists would go any way. It first touches the surface
+// between the places, as on an edge, and then goes by steps that no place is passed in.
+Result<void> LiveStep::slide_on(std::size_t tool) {
+  TouchingTool pushed = std::get<TouchingTool>(tools_[tool].what);
+  const auto of_it = [&](const ContactConstraint& place) { return place.tool == tool; };
+  while (*pushed.push_mN > 0 && std::none_of(places_.begin(), places_.end(), of_it)) {
+    pushed.pose = pose_of(tool);
+    const auto way_mm = way_to_surface(parts_.surface, pushed, parts_.surface_of(state_.u_mm));
+    if (!way_mm) return failure(slides_past(tool));
+    advance_mm_[static_cast<Eigen::Index>(tool)] += std::max(*way_mm, margin_mm);
+    add_near_places();
   }
-  const Pose& tool = began_->poses.at(tools_[tracked.tool].id);
-  place.from_on_tool_mm = tool.rotation.transpose() * (began_mm - tool.position_mm);
+  return {};
+}
+
+void LiveStep::add_near_places() {
+  constexpr double deepest_between_mm = 0.2;
+  for (const NearPoint& near :
+       points_near(parts_.body, tools_, advance_mm_, state_.u_mm, margin_mm, deepest_between_mm)) {
+    const bool known = std::any_of(places_.begin(), places_.end(), [&](const ContactConstraint& other) {
+      return other.tool == near.tool && other.which_rod == near.rod && other.at == near.at;
+    });
+    if (!known) add_place(near.tool, near.rod, near.at);
+  }
+}
+
+void LiveStep::add_place(std::size_t tool, std::size_t rod, const ContactPoint& at) {
+  const double friction = std::get<TouchingTool>(tools_[tool].what).friction;
+  // What rubs does not slide away as multipliers move on, and stiff pressures would swing its limit to and fro.
+  const bool soft = until_ == Until::shown || friction > 0;
+  const double pressing_kPa_mm = soft ? parts_.pressing_kPa_mm : state_.stiffer * parts_.settling_kPa_mm;
+  ContactConstraint& place =
+      places_.emplace_back(constraint_at(parts_.body, tool, rod, at, pressing_kPa_mm, parts_.friction_kPa_mm));
+  place.friction = friction;
+  if (place.friction == 0) return;
+  const Pose& before = began_->poses.at(tools_[tool].id);
+  place.from_on_tool_mm = before.rotation.transpose() * (place_of(place, began_->u_mm) - before.position_mm);
 }
 
 // As what presses now allows.
 void LiveStep::limit_friction() {
   for (ContactConstraint& place : places_) {
     if (place.friction == 0) continue;
-    mechanics::limit_friction(place, normal_force_mN(place, parts_.k_mN_mm, gap_of(place, state_.u_mm)), state_.u_mm);
+    mechanics::limit_friction(place, normal_force_mN(place, gap_of(place, state_.u_mm)), state_.u_mm);
   }
 }
 
 void LiveStep::place_rods() {
   for (ContactConstraint& place : places_) {
-    const auto& tool = std::get<TouchingTool>(tools_[place.place.tool].what);
-    const Pose pose = pose_of(place.place.tool);
-    place.rod = placed({tool.shape[place.place.rod]}, pose).front();
+    const auto& tool = std::get<TouchingTool>(tools_[place.tool].what);
+    const Pose pose = pose_of(place.tool);
+    place.rod = placed({tool.shape[place.which_rod]}, pose).front();
     place.from_mm = pose.rotation * place.from_on_tool_mm + pose.position_mm;
   }
 }
@@ -160,11 +196,10 @@ VectorXd LiveStep::with_tools(const Unbalanced& balance, const VectorXd& u_mm) {
   tools_mN_ = 0;
   for (const ContactConstraint& place : places_) {
     const Gap gap = gap_of(place, u_mm);
-    const Vector3d force_mN = normal_force_mN(place, parts_.k_mN_mm, gap) * gap.normal +
-                              friction_force_of(place, parts_.k_mN_mm, u_mm).force_mN;
+    const Vector3d force_mN = normal_force_mN(place, gap) * gap.normal + friction_force_of(place, u_mm).force_mN;
     tools_mN_ += force_mN.norm();
-    for (int c = 0; c < 3; ++c) r_mN.segment<3>(3 * place.nodes[c]) += place.place.weights[c] * force_mN;
-    const std::size_t t = place.place.tool;
+    for (int c = 0; c < 6; ++c) r_mN.segment<3>(3 * place.nodes[c]) += place.weights[c] * force_mN;
+    const std::size_t t = place.tool;
     if (further_of_[t] >= 0) r_mN[n_ + further_of_[t]] -= force_mN.dot(forward_of(t));
   }
   for (const Jaws& held : jaws_) {
@@ -191,15 +226,15 @@ void LiveStep::look_at_rows(const VectorXd& u_mm) {
   bends_.clear();
   for (const ContactConstraint& place : places_) {
     const Gap gap = gap_of(place, u_mm);
-    const std::size_t t = place.place.tool;
+    const std::size_t t = place.tool;
     const Vector3d forward = further_of_[t] >= 0 ? forward_of(t) : Vector3d::Zero();
     StiffRow row;
-    for (int c = 0; c < 3; ++c) row.on.emplace_back(place.nodes[c], place.place.weights[c] * gap.normal);
+    row.on = directions_at(place, gap.normal);
     row.further = further_of_[t];
     row.along = gap.normal.dot(forward);
-    row.stiffness = parts_.k_mN_mm;
-    row.gap_mm = gap.mm - place.multiplier_mN / parts_.k_mN_mm;
-    const double force = normal_force_mN(place, parts_.k_mN_mm, gap);
+    row.stiffness = place.k_mN_mm;
+    row.gap_mm = gap.mm - place.multiplier_mN / place.k_mN_mm;
+    const double force = normal_force_mN(place, gap);
     if (force > 0) bends_.push_back({&place, -force * gap.bend, further_of_[t], forward});
     rows_.push_back(std::move(row));
     if (place.friction_limit_mN > 0) add_friction_rows(place, u_mm, forward);
@@ -227,13 +262,13 @@ void LiveStep::add_friction_rows(const ContactConstraint& place, const VectorXd&
   Vector3d off_mm = place_of(place, u_mm) - place.from_mm;
   off_mm -= off_mm.dot(place.normal) * place.normal;
   const double slid_mm = off_mm.norm();
-  const bool slips = parts_.k_mN_mm * slid_mm > place.friction_limit_mN;
-  const double secant_mN_mm = slips ? place.friction_limit_mN / slid_mm : parts_.k_mN_mm;
+  const bool slips = place.along_mN_mm * slid_mm > place.friction_limit_mN;
+  const double secant_mN_mm = slips ? place.friction_limit_mN / slid_mm : place.along_mN_mm;
   const Vector3d way = slips ? Vector3d(off_mm / slid_mm) : place.normal.unitOrthogonal();
   for (const Vector3d& along : {way, Vector3d(place.normal.cross(way))}) {
     StiffRow row;
-    for (int c = 0; c < 3; ++c) row.on.emplace_back(place.nodes[c], place.place.weights[c] * along);
-    row.further = further_of_[place.place.tool];
+    row.on = directions_at(place, along);
+    row.further = further_of_[place.tool];
     row.along = along.dot(forward);
     row.stiffness = (slips && along == way ? 0.5 : 1.0) * secant_mN_mm;
     row.gap_mm = secant_mN_mm * along.dot(off_mm) / row.stiffness;
@@ -242,9 +277,31 @@ void LiveStep::add_friction_rows(const ContactConstraint& place, const VectorXd&
   }
 }
 
+// At rest, but too deep. Smooth tools press by a stiffer penalty, as far as conjugate gradients balance it: multipliers
+// keep to the body, and what they hold slides from under a tool. The others' multipliers move on.
+void LiveStep::press_harder() {
+  constexpr double times = 2, most = 16;
+  const bool smooth_are_too_deep = std::any_of(places_.begin(), places_.end(), [&](const ContactConstraint& place) {
+    return place.friction == 0 && -gap_of(place, state_.u_mm).mm > options_.penetration_tolerance_mm;
+  });
+  if (!smooth_are_too_deep || state_.stiffer >= most) {
+    move_multipliers_on();
+    return;
+  }
+  state_.stiffer *= times;
+  for (ContactConstraint& place : places_) {
+    if (place.friction == 0) {
+      place.k_mN_mm *= times;
+    } else {
+      place.multiplier_mN = normal_force_mN(place, gap_of(place, state_.u_mm));
+    }
+  }
+  for (std::size_t w = 0; w < walls_.size(); ++w) walls_[w].multiplier_mN = pressing_mN(w, state_.u_mm);
+}
+
 void LiveStep::move_multipliers_on() {
   for (ContactConstraint& place : places_) {
-    place.multiplier_mN = normal_force_mN(place, parts_.k_mN_mm, gap_of(place, state_.u_mm));
+    place.multiplier_mN = normal_force_mN(place, gap_of(place, state_.u_mm));
   }
   for (std::size_t w = 0; w < walls_.size(); ++w) walls_[w].multiplier_mN = pressing_mN(w, state_.u_mm);
 }
@@ -264,23 +321,22 @@ LiveState LiveStep::finished(const Stopwatch& watch) {
     ToolContact contact{tools_[t].id, Vector3d::Zero(), 0, advance_mm, 0};
     state_.tools.push_back(std::move(contact));
   }
-  // What multipliers were moved on by is not yet pressed with.
   for (ContactConstraint& place : places_) {
     const Gap gap = gap_of(place, state_.u_mm);
-    const double normal_mN = state_.settled ? normal_force_mN(place, parts_.k_mN_mm, gap) : place.multiplier_mN;
-    ToolContact& contact = state_.tools[place.place.tool];
+    const double normal_mN = until_ == Until::shown ? place.multiplier_mN : normal_force_mN(place, gap);
+    ToolContact& contact = state_.tools[place.tool];
     contact.penetration_mm = std::max(contact.penetration_mm, -gap.mm);
-    LivePlace kept{tools_[place.place.tool].id, place.place.rod, place.place.points, place.place.weights,
-                   place.multiplier_mN};
+    LivePlace kept{tools_[place.tool].id, place.which_rod, place.at.face, place.at.point, normal_mN};
+    if (until_ == Until::settled) kept.settling_mN = place.multiplier_mN;
     Vector3d force_mN = normal_mN * gap.normal;
     if (place.friction > 0) {
       mechanics::limit_friction(place, normal_mN, state_.u_mm);
-      const FrictionForce friction = friction_force_of(place, parts_.k_mN_mm, state_.u_mm);
+      const FrictionForce friction = friction_force_of(place, state_.u_mm);
       if (normal_mN > 0) ++(friction.slips ? contact.slipping : contact.sticking);
       force_mN += friction.force_mN;
-      const Pose pose = pose_of(place.place.tool);
+      const Pose pose = pose_of(place.tool);
       kept.anchor_before_mm = place.from_on_tool_mm;
-      const Vector3d drawn_mm = place_of(place, state_.u_mm) + friction.force_mN / parts_.k_mN_mm;
+      const Vector3d drawn_mm = place_of(place, state_.u_mm) + friction.force_mN / place.along_mN_mm;
       if (normal_mN > 0) {
         kept.anchor_mm = friction.slips ? Vector3d(pose.rotation.transpose() * (drawn_mm - pose.position_mm))
                                         : place.from_on_tool_mm;

@@ -18,18 +18,9 @@
 
 #include "mechanics/contact/internal/cut_level.h"
 #include "mechanics/contact/internal/spline_lattice.h"
+#include "mechanics/contact/internal/stiff_rows.h"
 
 namespace glisson::mechanics {
-
-// What a row sees: directions at nodes, and how far one of the further unknowns goes against it.
-struct StiffRow {
-  std::vector<std::pair<int, Eigen::Vector3d>> on;  // nodes, and after their numbers those of jumps
-  int further = -1;                                 // of the unknowns after the nodes; -1: none
-  double along = 0;
-  double stiffness = 0;
-  double gap_mm = 0;       // it presses with -k times what this becomes
-  bool two_sided = false;  // or else only where that is below zero
-};
 
 class SplineLevels {
  public:
@@ -72,27 +63,38 @@ class SplineLevels {
     [[nodiscard]] Eigen::VectorXd seen_of(const Answer& answer, const Eigen::VectorXd& r) const;
     void find_shares();
     [[nodiscard]] Eigen::MatrixXd compliance() const;
-    void choose(Eigen::VectorXd gap_mm);
-    void push_along_rows(const Eigen::VectorXd& force_mN, Eigen::VectorXd& r) const;
-    void add_answers_of_rows(const Eigen::VectorXd& force_mN, Answer& answer) const;
+    void add_own(Eigen::MatrixXd& sum) const;
+    // The rows that press, and what they see.
+    using SeenShares = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+    struct Pressing {
+      std::vector<Eigen::Index> sees;  // functionals
+      SeenShares shares;
+      Eigen::VectorXd stiffness, gap_mm;
+    };
+    void choose(const Eigen::VectorXd& gap_mm);
+    [[nodiscard]] Pressing those_that_press(const Eigen::VectorXd& gap_mm) const;
+    [[nodiscard]] Eigen::VectorXd left_of(const Eigen::VectorXd& force_mN) const;
+    void push(const Eigen::VectorXd& force_mN, Eigen::VectorXd& r) const;
+    void add_answers(const Eigen::VectorXd& force_mN, Answer& answer) const;
     void spread(const Answer& answer, const Eigen::VectorXd& r, Eigen::VectorXd& z) const;
     [[nodiscard]] const Eigen::Matrix3d& own_inverse(int unknown) const;
 
     const SplineLevels& levels_;
     const std::vector<StiffRow>& rows_;
+    CondensedRows seen_;
     const CutLevel* cut_;
     int further_;
     double soft_ = 1;                                             // stiffness of a further unknown on its own
-    std::vector<int> used_;                                       // wide points that rows see
-    Eigen::MatrixXf wide_;                                        // Q^T P^T c^T there, a column a row
+    std::vector<int> used_;                                       // wide points that are seen
+    Eigen::MatrixXf wide_;                                        // Q^T P^T c^T there, a column a functional c
     std::vector<SplineLattice::Shares<Eigen::Vector3f>> narrow_;  // P^T c^T
     Eigen::MatrixXf of_cut_;                                      // Y^T c^T
     Eigen::VectorXd alone_;
     Answer to_alone_;
-    Eigen::MatrixXd compliance_mm_mN_;  // of all rows, by all levels
+    Eigen::MatrixXd compliance_mm_mN_;  // of all functionals, by all levels
     Eigen::VectorXd seen_alone_mm_;
     std::vector<std::uint8_t> presses_;
-    Eigen::MatrixXd inverse_;  // of the compliance of those that press, with theirs
+    Eigen::MatrixXd inverse_;  // times what is seen: what rows that press take off it
   };
 
  private:

@@ -11,9 +11,9 @@ using Eigen::VectorXd;
 double ToolContactPotential::energy_uJ(const VectorXd& u_mm) const {
   double sum_uJ = 0;
   for (const ContactConstraint& constraint : constraints_) {
-    const double force = normal_force_mN(constraint, k_, gap_of(constraint, u_mm));
-    sum_uJ += (force * force - constraint.multiplier_mN * constraint.multiplier_mN) / (2 * k_) +
-              friction_force_of(constraint, k_, u_mm).energy_uJ;
+    const double force = normal_force_mN(constraint, gap_of(constraint, u_mm));
+    sum_uJ += (force * force - constraint.multiplier_mN * constraint.multiplier_mN) / (2 * constraint.k_mN_mm) +
+              friction_force_of(constraint, u_mm).energy_uJ;
   }
   return sum_uJ;
 }
@@ -21,24 +21,22 @@ double ToolContactPotential::energy_uJ(const VectorXd& u_mm) const {
 void ToolContactPotential::add_force(const VectorXd& u_mm, VectorXd& force_mN) const {
   for (const ContactConstraint& constraint : constraints_) {
     const Gap gap = gap_of(constraint, u_mm);
-    const Vector3d force =
-        normal_force_mN(constraint, k_, gap) * gap.normal + friction_force_of(constraint, k_, u_mm).force_mN;
-    for (int i = 0; i < 3; ++i) force_mN.segment<3>(3 * constraint.nodes[i]) += constraint.place.weights[i] * force;
+    const Vector3d force = normal_force_mN(constraint, gap) * gap.normal + friction_force_of(constraint, u_mm).force_mN;
+    for (int i = 0; i < 6; ++i) force_mN.segment<3>(3 * constraint.nodes[i]) += constraint.weights[i] * force;
   }
 }
 
 void ToolContactPotential::add_tangent(const VectorXd& u_mm, Tangent which, TangentSum& sum) const {
   for (const ContactConstraint& constraint : constraints_) {
     const Gap gap = gap_of(constraint, u_mm);
-    const double force = normal_force_mN(constraint, k_, gap);
+    const double force = normal_force_mN(constraint, gap);
     if (force == 0 && constraint.friction_limit_mN == 0) continue;
-    Matrix3d block = friction_force_of(constraint, k_, u_mm).stiffness;
-    if (force > 0) block += k_ * gap.normal * gap.normal.transpose();
+    Matrix3d block = friction_force_of(constraint, u_mm).stiffness;
+    if (force > 0) block += constraint.k_mN_mm * gap.normal * gap.normal.transpose();
     if (force > 0 && which == Tangent::exact) block -= force * gap.bend;
-    for (int a = 0; a < 3; ++a) {
-      for (int b = 0; b < 3; ++b) {
-        sum.add(constraint.nodes[a], constraint.nodes[b],
-                constraint.place.weights[a] * constraint.place.weights[b] * block);
+    for (int a = 0; a < 6; ++a) {
+      for (int b = 0; b < 6; ++b) {
+        sum.add(constraint.nodes[a], constraint.nodes[b], constraint.weights[a] * constraint.weights[b] * block);
       }
     }
   }
@@ -47,13 +45,14 @@ void ToolContactPotential::add_tangent(const VectorXd& u_mm, Tangent which, Tang
 double ToolContactPotential::scale_uJ(const VectorXd& /*u_mm*/) const {
   double scale_uJ = 0;
   for (const ContactConstraint& constraint : constraints_) {
-    scale_uJ += (constraint.multiplier_mN * constraint.multiplier_mN + constraint.friction_mN.squaredNorm()) / k_;
+    scale_uJ += (constraint.multiplier_mN * constraint.multiplier_mN + constraint.friction_mN.squaredNorm()) /
+                constraint.k_mN_mm;
   }
   return scale_uJ;
 }
 
-double normal_force_mN(const ContactConstraint& constraint, double k_mN_mm, const Gap& gap) {
-  return std::max(0.0, constraint.multiplier_mN - k_mN_mm * gap.mm);
+double normal_force_mN(const ContactConstraint& constraint, const Gap& gap) {
+  return std::max(0.0, constraint.multiplier_mN - constraint.k_mN_mm * gap.mm);
 }
 
 }  // namespace glisson::mechanics

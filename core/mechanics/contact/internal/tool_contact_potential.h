@@ -12,8 +12,7 @@ namespace glisson::mechanics {
 class ToolContactPotential : public Potential {
  public:
   // The constraints must outlive it.
-  ToolContactPotential(const std::vector<ContactConstraint>& constraints, double k_mN_mm)
-      : constraints_(constraints), k_(k_mN_mm) {}
+  explicit ToolContactPotential(const std::vector<ContactConstraint>& constraints) : constraints_(constraints) {}
 
   [[nodiscard]] double energy_uJ(const Eigen::VectorXd& u_mm) const override;
   void add_force(const Eigen::VectorXd& u_mm, Eigen::VectorXd& force_mN) const override;
@@ -22,10 +21,9 @@ class ToolContactPotential : public Potential {
 
  private:
   const std::vector<ContactConstraint>& constraints_;
-  double k_;
 };
 
 // What one of them presses with along its normal.
-[[nodiscard]] double normal_force_mN(const ContactConstraint& constraint, double k_mN_mm, const Gap& gap);
+[[nodiscard]] double normal_force_mN(const ContactConstraint& constraint, const Gap& gap);
 
 }  // namespace glisson::mechanics
