@@ -14,10 +14,21 @@
 #include <vector>
 
 #include "geometry/tetrahedra.h"
+#include "mechanics/elements/body.h"
 #include "mechanics/elements/node_layout.h"
 #include "mechanics/elements/static_options.h"
+#include "mechanics/materials/isochoric.h"
 
 namespace glisson::mechanics::test {
+
+// CalculiX's card of a cell's neo-Hookean material: W = C10 (I1 - 3) + (J - 1)^2 / D1.
+inline std::string neo_hookean_card(const Body& body, std::size_t cell) {
+  const NeoHookean law = neo_hookean_from(body.materials[cell]);
+  std::ostringstream card;
+  card << std::setprecision(12) << "*HYPERELASTIC, NEO HOOKE\n"
+       << law.shear_kPa / 2 << ", " << 2 / law.bulk_kPa << "\n";
+  return card.str();
+}
 
 // CalculiX's input: ten-node tetrahedra (C3D10), a material a cell, nodes held. Its units follow ours: mm, kg,
 // s, so mN and kPa. It reads no number longer than 20 characters: 12 digits.

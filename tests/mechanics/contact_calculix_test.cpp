@@ -75,14 +75,7 @@ void write_ball(std::ostream& out, int first_node, int first_cell) {
 void write_input(const std::filesystem::path& file, const Body& body, double part) {
   std::ofstream out(file);
   test::write_body(
-      out, body.layout,
-      [&](std::size_t c) {
-        const NeoHookean law = neo_hookean_from(body.materials[c]);
-        std::ostringstream material;
-        material << std::setprecision(12) << "*HYPERELASTIC, NEO HOOKE\n"
-                 << law.shear_kPa / 2 << ", " << 2 / law.bulk_kPa << "\n";
-        return material.str();
-      },
+      out, body.layout, [&](std::size_t c) { return test::neo_hookean_card(body, c); },
       [](const Vector3d& p) { return p.z() < 1e-9; });
   write_ball(out, body.layout.nodes() + 1, static_cast<int>(body.layout.cells.size()) + 1);
   out << "*SURFACE, NAME=TOP, TYPE=ELEMENT\n";
