@@ -14,10 +14,14 @@ namespace glisson::widgets {
 
 constexpr int patience_ms = 30000;  // for solves on a machine that does other work too
 
-inline void show_probe_on_block(MainWindow& window) {
-  window.show_patient(block_patient(
+inline Patient block_with_a_tumour() {
+  return block_patient(
       {6, 4, 4}, {{"tumour-1", {100, 40, 40}}, {"hilum", {8, 40, 40}}},
-      {{"tumour-1", std::make_shared<geometry::Surface>(test::sphere_surface(10, 2, {100, 40, 40})), 4.2}}));
+      {{"tumour-1", std::make_shared<geometry::Surface>(test::sphere_surface(10, 2, {100, 40, 40})), 4.2}});
+}
+
+inline void show_probe_on_block(MainWindow& window) {
+  window.show_patient(block_with_a_tumour());
   window.go_to("rehearse");
   window.views().space().look_from(scene::PatientView::surgeon);
   QSignalSpy placed(&window.rehearsal(), &LiveRehearsal::placed);

@@ -45,7 +45,7 @@ class RehearseLargeTest : public QObject {
     QCOMPARE(rehearsal().force_N(), tool.force_N);
     come_to_rest();
     QVERIFY(!offer->isVisible());
-    QCOMPARE(child<QComboBox>("deformations")->currentIndex(), 1);
+    QCOMPARE(child<QComboBox>("deformations")->currentIndex(), 2);
     QVERIFY(why().contains("as you chose"));
     QVERIFY(child<QLabel>("solving_sign")->text().contains("Solved"));
     QVERIFY(child<QLabel>("error_bound")->isVisible());
@@ -210,12 +210,8 @@ class RehearseLargeTest : public QObject {
                               "no rest", 4 * patience_ms);
     QVERIFY2(rehearsal().solving() == Solving::solved, qPrintable(child<QLabel>("solving_trouble")->text()));
   }
-  // As probe_on_block.h has it.
   static std::shared_ptr<rehearsal::RehearsalSetup> own_setup() {
-    const Patient same = block_patient(
-        {6, 4, 4}, {{"tumour-1", {100, 40, 40}}, {"hilum", {8, 40, 40}}},
-        {{"tumour-1", std::make_shared<geometry::Surface>(test::sphere_surface(10, 2, {100, 40, 40})), 4.2}});
-    return std::make_shared<rehearsal::RehearsalSetup>(*same.rehearsal_setup);
+    return std::make_shared<rehearsal::RehearsalSetup>(*block_with_a_tumour().rehearsal_setup);
   }
   static std::shared_ptr<const rehearsal::StaticRehearsal> rehearsal_of(rehearsal::RehearsalSetup setup) {
     return std::make_shared<rehearsal::StaticRehearsal>(rehearsal::StaticRehearsal::create(std::move(setup)).value());

@@ -1,6 +1,7 @@
 #include "mechanics/meshfree/meshfree_model.h"
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <cmath>
 
 #include "base/stopwatch.h"
@@ -16,6 +17,7 @@ namespace glisson::mechanics {
 struct MeshfreeModel::Impl {
   MeshfreeBody handles;
   ReducedPreconditioner preconditioner;
+  MeshfreeOptions options;
   double setup_s;
 };
 
@@ -40,7 +42,7 @@ Result<MeshfreeModel> MeshfreeModel::create(const geometry::TetMesh& mesh, const
   if (progress.cancelled()) return cancelled();
   auto preconditioner = ReducedPreconditioner::of(handles->rest_stiffness, options.memory_limit_bytes);
   return MeshfreeModel(
-      std::make_shared<const Impl>(Impl{std::move(*handles), std::move(preconditioner), watch.seconds()}));
+      std::make_shared<const Impl>(Impl{std::move(*handles), std::move(preconditioner), meshfree, watch.seconds()}));
 }
 
 Result<StaticResult> MeshfreeModel::solve(const Loads& loads, const NewtonOptions& options,
@@ -85,6 +87,75 @@ Result<StaticResult> MeshfreeModel::solve(const AppliedLoads& loads, const Newto
   result.setup_s = impl_->setup_s;
   result.step_ms = 1e3 * watch.seconds();
   return result;
+}
+
+// u = P (P^T K P)^-1 P^T f, P being how places follow handles.
+class MeshfreeModel::StaticSolver : public DisplacementSolver {
+ public:
+  explicit StaticSolver(std::shared_ptr<const Impl> impl) : impl_(std::move(impl)) {}
+
+  [[nodiscard]] Solution solve(const Eigen::MatrixXd& force_mN) const override {
+    const MeshfreeBody& handles = impl_->handles;
+    Eigen::MatrixXd on_handles(handles.basis->unknowns(), force_mN.cols());
+    for (Eigen::Index k = 0; k < force_mN.cols(); ++k) on_handles.col(k) = handles.basis->reduce(force_mN.col(k));
+    constexpr double part = 0.5;  // of the tolerance, within which a StaticModel's answers are taken
+    const ReducedSolutions solved = solve_together(handles.rest_stiffness, impl_->preconditioner, on_handles,
+                                                   part * handles.body.options.relative_tolerance, maximum_iterations);
+    Solution solution{Eigen::MatrixXd(force_mN.rows(), force_mN.cols()),
+                      Eigen::MatrixXd(force_mN.rows(), force_mN.cols()), solved.relative_residual};
+    for (Eigen::Index k = 0; k < force_mN.cols(); ++k) {
+      solution.displacement_mm.col(k) = handles.basis->displacement(solved.x.col(k));
+      solution.reaction_mN.col(k) = handles.penalty_force_mN(solution.displacement_mm.col(k));
+    }
+    return solution;
+  }
+
+  [[nodiscard]] Result<StaticModel> with_moduli(std::vector<double> youngs_kPa, const StaticOptions& options,
+                                                const Progress& progress) const override {
+    const Body& body = impl_->handles.body;
+    return MeshfreeModel::create(body.mesh, youngs_kPa, body.supports, MaterialLaw::linear, options, impl_->options, {},
+                                 progress)
+        .and_then([](const MeshfreeModel& model) { return model.static_model(); });
+  }
+
+  [[nodiscard]] StaticModel::Cost cost() const override {
+    const Cost cost = MeshfreeModel(impl_).cost();
+    return {cost.setup_s, cost.unknowns, cost.matrix_bytes, cost.factor_bytes};
+  }
+
+ private:
+  std::shared_ptr<const Impl> impl_;
+};
+
+Result<void> check_meshfree_static(const ChosenLaw& law, const std::vector<Support>& supports,
+                                   const StaticOptions& options) {
+  const bool only_pulls = std::any_of(supports.begin(), supports.end(), [](const Support& support) {
+    return std::holds_alternative<Ligament>(support.how);
+  });
+  if (law.law == MaterialLaw::linear && !options.anisotropy && !only_pulls) return {};
+  return failure(
+      Error{"not-available",
+            GLISSON_TEXT("With tools in the hand the meshfree engine knows a linear, isotropic liver without "
+                         "ligaments."),
+            {},
+            GLISSON_TEXT("Take finite elements for others."),
+            {}});
+}
+
+Result<StaticModel> MeshfreeModel::static_model() const {
+  const MeshfreeBody& handles = impl_->handles;
+  if (auto can_be = check_meshfree_static(handles.law, handles.body.supports, handles.body.options); !can_be) {
+    return failure(std::move(can_be.error()));
+  }
+  if (handles.rest_stiffness.assembled() == nullptr || impl_->preconditioner.whole_factor() == nullptr) {
+    return failure(Error{"not-available",
+                         GLISSON_TEXT("{0} meshfree nodes are too many to be taken in hand: their matrix is not "
+                                      "factorised within seconds."),
+                         {std::to_string(handles.basis->handles())},
+                         GLISSON_TEXT("Take fewer nodes, or let `simulate` solve for them."),
+                         {}});
+  }
+  return StaticModel::solved_by(handles.body, std::make_shared<const StaticSolver>(impl_));
 }
 
 const MeshfreeBody& MeshfreeModel::body() const { return impl_->handles; }

@@ -40,6 +40,11 @@ class MeshfreeModel {
   [[nodiscard]] Result<StaticResult> solve(const AppliedLoads& loads, const NewtonOptions& options = {},
                                            const Progress& progress = {}) const;
 
+  // The same body as a StaticModel, for tools in contact (contact/contact.h). Not for cuts that advance
+  // (cutting/opening.h): jumps open, but weights that reach across keep the parts together. Failures: "not-available"
+  // (more nodes than are factorised), those of check_meshfree_static.
+  [[nodiscard]] Result<StaticModel> static_model() const;
+
   [[nodiscard]] const MeshfreeBody& body() const;
   [[nodiscard]] const geometry::TetMesh& mesh() const;
   [[nodiscard]] const NodeLayout& places() const;
@@ -61,8 +66,13 @@ class MeshfreeModel {
 
  private:
   struct Impl;
+  class StaticSolver;
   explicit MeshfreeModel(std::shared_ptr<const Impl> parts) : impl_(std::move(parts)) {}
   std::shared_ptr<const Impl> impl_;  // immutable and shared
 };
+
+// What a meshfree StaticModel can be of. Failure: "not-available" (another law than linear, anisotropy, ligaments).
+Result<void> check_meshfree_static(const ChosenLaw& law, const std::vector<Support>& supports,
+                                   const StaticOptions& options);
 
 }  // namespace glisson::mechanics

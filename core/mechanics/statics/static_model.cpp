@@ -15,9 +15,12 @@ namespace glisson::mechanics {
 // Everything that only the loads do not change.
 struct StaticModel::Impl : Body {
   std::vector<int> mutual_points;
-  std::optional<ConstrainedSystem> system;
+  std::optional<ConstrainedSystem> system;           // or
+  std::shared_ptr<const DisplacementSolver> solver;  // in its place
   Cost cost;
 
+  [[nodiscard]] std::vector<ConstrainedSolution> solutions(const Eigen::MatrixXd& force_mN,
+                                                           const Eigen::MatrixXd& fixed_mm) const;
   [[nodiscard]] std::vector<StaticResult> solve(const Eigen::MatrixXd& force_mN, const Eigen::MatrixXd& fixed_mm) const;
   [[nodiscard]] StaticResult result_of(const ConstrainedSolution& solution, const Eigen::VectorXd& force_mN) const;
 };
@@ -29,8 +32,18 @@ Result<StaticModel> StaticModel::create(geometry::TetMesh mesh, std::vector<doub
                          nullptr);
 }
 
+StaticModel StaticModel::solved_by(Body body, std::shared_ptr<const DisplacementSolver> solver) {
+  auto parts = std::make_shared<Impl>();
+  static_cast<Body&>(*parts) = std::move(body);
+  GLISSON_ASSERT(parts->resolved.prescribed_mm.size() == 0);
+  parts->cost = solver->cost();
+  parts->solver = std::move(solver);
+  return StaticModel(std::move(parts));
+}
+
 Result<StaticModel> StaticModel::with_moduli(std::vector<double> youngs_kPa, const StaticOptions& options,
                                              const Progress& progress) const {
+  if (impl_->solver) return impl_->solver->with_moduli(std::move(youngs_kPa), options, progress);
   return create_in_order(impl_->mesh, std::move(youngs_kPa), impl_->supports, options, progress, impl_->mutual_points,
                          impl_->system->order());
 }
@@ -105,29 +118,58 @@ Result<StaticResult> StaticModel::solve_nodal(const NodalLoad& load) const {
 }
 
 StaticModel::Responses StaticModel::respond(const Eigen::MatrixXd& force_mN) const {
-  auto [u, relative_residual] = impl_->system->respond(force_mN);
+  Eigen::MatrixXd u;
+  double relative_residual = 0;
+  if (impl_->solver) {
+    auto solution = impl_->solver->solve(force_mN);
+    u = std::move(solution.displacement_mm);
+    relative_residual = solution.relative_residual;
+  } else {
+    auto response = impl_->system->respond(force_mN);
+    u = std::move(response.u);
+    relative_residual = response.relative_residual;
+  }
   const bool converged = relative_residual <= impl_->options.relative_tolerance && u.allFinite();
   return {std::move(u), relative_residual, converged};
 }
 
 const std::vector<int>& StaticModel::mutual_points() const { return impl_->mutual_points; }
 
-Eigen::MatrixXd StaticModel::mutual_compliance() const { return impl_->system->mutual_compliance(); }
+Eigen::MatrixXd StaticModel::mutual_compliance() const {
+  return impl_->solver ? Eigen::MatrixXd() : impl_->system->mutual_compliance();  // a solver's body has no such points
+}
 
 std::vector<StaticResult> StaticModel::Impl::solve(const Eigen::MatrixXd& force_mN,
                                                    const Eigen::MatrixXd& fixed_mm) const {
   const Stopwatch watch;
-  const auto solutions = system->solve(
-      force_mN, fixed_mm, {.tolerance = options.relative_tolerance, .max_refinements = options.max_refinements});
+  const auto solved = solutions(force_mN, fixed_mm);
   std::vector<StaticResult> results;
-  results.reserve(solutions.size());
-  for (std::size_t i = 0; i < solutions.size(); ++i) {
-    results.push_back(result_of(solutions[i], force_mN.col(static_cast<Eigen::Index>(i))));
+  results.reserve(solved.size());
+  for (std::size_t i = 0; i < solved.size(); ++i) {
+    results.push_back(result_of(solved[i], force_mN.col(static_cast<Eigen::Index>(i))));
   }
   for (StaticResult& result : results) {
     result.step_ms = 1e3 * watch.seconds() / static_cast<double>(results.size());
   }
   return results;
+}
+
+std::vector<ConstrainedSolution> StaticModel::Impl::solutions(const Eigen::MatrixXd& force_mN,
+                                                              const Eigen::MatrixXd& fixed_mm) const {
+  if (!solver) {
+    return system->solve(force_mN, fixed_mm,
+                         {.tolerance = options.relative_tolerance, .max_refinements = options.max_refinements});
+  }
+  const DisplacementSolver::Solution together = solver->solve(force_mN);
+  std::vector<ConstrainedSolution> each(static_cast<std::size_t>(force_mN.cols()));
+  for (std::size_t i = 0; i < each.size(); ++i) {
+    const auto column = static_cast<Eigen::Index>(i);
+    each[i].u = together.displacement_mm.col(column);
+    each[i].reaction = together.reaction_mN.col(column);
+    each[i].relative_residual = together.relative_residual;
+    each[i].converged = together.relative_residual <= options.relative_tolerance && each[i].u.allFinite();
+  }
+  return each;
 }
 
 StaticResult StaticModel::Impl::result_of(const ConstrainedSolution& solution, const Eigen::VectorXd& force_mN) const {
@@ -164,7 +206,7 @@ StaticResult StaticModel::Impl::result_of(const ConstrainedSolution& solution, c
   const Validity validity{true, strains.largest_strain, strains.inverted_cells};
   if (validity.state() != AnswerState::within) result.notes.push_back(validity.sentence().message());
   // 1e-16 of rounding over a condition beyond 1e14 leaves no correct digit, however small the residual.
-  if (system->factor() && system->factor()->reciprocal_condition() < 1e-14) {
+  if (system && system->factor() && system->factor()->reciprocal_condition() < 1e-14) {
     result.notes.emplace_back("The body is barely held: small errors of its data change the displacements a lot.");
   }
   if (result.max_displacement_mm == 0 && force_mN.norm() > 0) {

@@ -10,6 +10,9 @@
 // (any text on elasticity, e.g. Bower, Applied Mechanics of Solids, 3.2). Not valid where strains or rotations
 // are large: results say how large they became.
 //
+// By default the stiffness matrix's factor answers. An engine with other unknowns may stand in its place, with the same
+// body, supports and loads (meshfree/meshfree_model.h).
+//
 // Lengths mm, forces mN, moduli and stresses kPa, energies uJ, patient coordinates (LPS), the rest shape throughout.
 
 #include <cstdint>
@@ -30,6 +33,7 @@
 
 namespace glisson::mechanics {
 
+class DisplacementSolver;
 class EliminationOrder;
 
 // Forces and given displacements for callers that integrate their own (manufactured solutions, contact):
@@ -51,6 +55,8 @@ class StaticModel {
   static Result<StaticModel> create(geometry::TetMesh mesh, std::vector<double> youngs_kPa,
                                     std::vector<Support> supports, const StaticOptions& options = {},
                                     const Progress& progress = {}, const std::vector<int>& mutual_points = {});
+  // Of a body that nothing prescribes a displacement of; the solver is of that body.
+  static StaticModel solved_by(Body body, std::shared_ptr<const DisplacementSolver> solver);
 
   // This body of other moduli, at the cost of the numbers alone: the order of elimination is this one's. `options` may
   // differ in what a cell is made of. Failures: create's.
@@ -116,6 +122,21 @@ class StaticModel {
                                              const Progress& progress, const std::vector<int>& mutual_points,
                                              std::shared_ptr<const EliminationOrder> known);
   std::shared_ptr<const Impl> impl_;  // immutable and shared: copies are cheap, solving from several threads is safe
+};
+
+// Displacements under forces, in place of the stiffness matrix's factor. Safe from several threads.
+class DisplacementSolver {
+ public:
+  virtual ~DisplacementSolver() = default;
+  struct Solution {
+    Eigen::MatrixXd displacement_mm, reaction_mN;  // 3 values a node; of the nodes that are fixed, zero elsewhere
+    double relative_residual = 0;                  // the worst of the columns
+  };
+  [[nodiscard]] virtual Solution solve(const Eigen::MatrixXd& force_mN) const = 0;
+  // The same for the body of other moduli. Failures: those of StaticModel::create.
+  [[nodiscard]] virtual Result<StaticModel> with_moduli(std::vector<double> youngs_kPa, const StaticOptions& options,
+                                                        const Progress& progress) const = 0;
+  [[nodiscard]] virtual StaticModel::Cost cost() const = 0;
 };
 
 // The one-shot: builds the model, solves once.

@@ -83,6 +83,21 @@ Eigen::VectorXd ReducedMatrix::operator*(const Eigen::VectorXd& x) const {
   return y;
 }
 
+Eigen::MatrixXd ReducedMatrix::times_columns(const Eigen::MatrixXd& x) const {
+  using Rows = Eigen::Matrix<double, handle_size, Eigen::Dynamic>;
+  Eigen::MatrixXd y(x.rows(), x.cols());
+  parallel_for(static_cast<std::size_t>(rows()), 8, [&](std::size_t begin, std::size_t end) {
+    for (auto row = static_cast<int>(begin); row < static_cast<int>(end); ++row) {
+      Rows sum = Rows::Zero(handle_size, x.cols());
+      for (std::size_t k = columns_.starts[row]; k < columns_.starts[row + 1]; ++k) {
+        sum.noalias() += blocks_[k] * x.middleRows<handle_size>(handle_size * columns_.items[k]);
+      }
+      y.middleRows<handle_size>(handle_size * row) = sum;
+    }
+  });
+  return y;
+}
+
 Eigen::SparseMatrix<double> ReducedMatrix::lower() const {
   const Eigen::Index size = Eigen::Index{handle_size} * rows();
   Eigen::SparseMatrix<double> matrix(size, size);

@@ -28,6 +28,7 @@ class ReducedMatrix {
                                     columns_.items.data());
   }
   [[nodiscard]] Eigen::VectorXd operator*(const Eigen::VectorXd& x) const;
+  [[nodiscard]] Eigen::MatrixXd times_columns(const Eigen::MatrixXd& x) const;
   [[nodiscard]] Eigen::SparseMatrix<double> lower() const;
   // a A + b B, of one pattern.
   [[nodiscard]] static ReducedMatrix sum(double a, const ReducedMatrix& first, double b, const ReducedMatrix& second);

@@ -118,6 +118,30 @@ ReducedSolution conjugate_gradients(const ReducedOperator& matrix, const Reduced
   return solution;
 }
 
+ReducedSolutions solve_together(const ReducedOperator& matrix, const ReducedPreconditioner& preconditioner,
+                                const Eigen::MatrixXd& b, double tolerance, int max_iterations) {
+  GLISSON_ASSERT(matrix.assembled() != nullptr && preconditioner.whole_factor() != nullptr);
+  constexpr int most_refinements = 6;
+  const Eigen::ArrayXd scale = b.colwise().norm().transpose().array().max(1e-300);
+  ReducedSolutions solutions{Eigen::MatrixXd::Zero(b.rows(), b.cols())};
+  Eigen::MatrixXd r = b;
+  Eigen::ArrayXd left = Eigen::ArrayXd::Ones(b.cols());
+  for (int pass = 0; pass < most_refinements && left.maxCoeff() > tolerance; ++pass) {
+    solutions.x += preconditioner.whole_factor()->solve(r);
+    r = b - matrix.assembled()->times_columns(solutions.x);
+    left = r.colwise().norm().transpose().array() / scale;
+  }
+  for (Eigen::Index column = 0; column < b.cols(); ++column) {
+    if (left[column] <= tolerance) continue;
+    auto alone =
+        conjugate_gradients(matrix, preconditioner, b.col(column), solutions.x.col(column), tolerance, max_iterations);
+    solutions.x.col(column) = alone.x;
+    left[column] = alone.relative_residual;
+  }
+  solutions.relative_residual = left.size() > 0 ? left.maxCoeff() : 0.0;
+  return solutions;
+}
+
 namespace {
 
 std::optional<CholeskyFactor> factor_of(const Eigen::SparseMatrix<double>& lower, std::uint64_t memory_limit_bytes) {

@@ -25,6 +25,8 @@ class ReducedPreconditioner {
   static ReducedPreconditioner of(const ReducedOperator& matrix, std::uint64_t memory_limit_bytes);
 
   [[nodiscard]] Eigen::VectorXd apply(const Eigen::VectorXd& r) const;
+  // The factor of A itself; nullptr where it is not that.
+  [[nodiscard]] const CholeskyFactor* whole_factor() const { return inverses_.empty() ? &*factor_ : nullptr; }
   // After how many iterations another would pay.
   [[nodiscard]] int patience() const { return lead_ ? 400 : 30; }
   [[nodiscard]] std::uint64_t bytes() const;
@@ -48,5 +50,15 @@ struct ReducedSolution {
 [[nodiscard]] ReducedSolution conjugate_gradients(const ReducedOperator& matrix,
                                                   const ReducedPreconditioner& preconditioner, const Eigen::VectorXd& b,
                                                   Eigen::VectorXd start, double tolerance, int max_iterations);
+
+// Many right-hand sides at once, one a column: by A's own factor, refined until each is within the tolerance, or by
+// conjugate gradients one after the other where that does not lead there. A must be assembled and factorised.
+struct ReducedSolutions {
+  Eigen::MatrixXd x;
+  double relative_residual = 0;  // the worst of the columns
+};
+[[nodiscard]] ReducedSolutions solve_together(const ReducedOperator& matrix,
+                                              const ReducedPreconditioner& preconditioner, const Eigen::MatrixXd& b,
+                                              double tolerance, int max_iterations);
 
 }  // namespace glisson::mechanics
