@@ -4828,10 +4828,6 @@
         <translation>Lassen Sie es weg; Werkzeuge werden mit den Befehlen der Sitzung genommen.</translation>
     </message>
     <message>
-        <source>A session knows the engine fem alone; meshfree is for simulate.</source>
-        <translation>Eine Sitzung kennt nur das Verfahren fem; meshfree gibt es in simulate.</translation>
-    </message>
-    <message>
         <source>The case has no plan {0}.</source>
         <translation>Der Fall hat keinen Plan {0}.</translation>
     </message>
@@ -7115,6 +7111,30 @@
         <source>Move the seed onto a vessel, or leave seeds out: then all vessels are kept.</source>
         <translation>Setzen Sie den Punkt auf ein Gefäß, oder lassen Sie Punkte weg: Dann bleiben alle Gefäße.</translation>
     </message>
+    <message>
+        <source>With tools in the hand the meshfree engine knows a linear, isotropic liver without ligaments.</source>
+        <translation>Mit Instrumenten in der Hand kennt das netzfreie Verfahren eine lineare, isotrope Leber ohne Bänder.</translation>
+    </message>
+    <message>
+        <source>Take finite elements for others.</source>
+        <translation>Nehmen Sie für andere finite Elemente.</translation>
+    </message>
+    <message>
+        <source>{0} meshfree nodes are too many to be taken in hand: their matrix is not factorised within seconds.</source>
+        <translation>{0} netzfreie Knoten sind zu viele, um sie in die Hand zu nehmen: Ihre Matrix wird nicht in Sekunden zerlegt.</translation>
+    </message>
+    <message>
+        <source>Take fewer nodes, or let `simulate` solve for them.</source>
+        <translation>Nehmen Sie weniger Knoten, oder lassen Sie `simulate` für sie lösen.</translation>
+    </message>
+    <message>
+        <source>By the meshfree engine nothing is cut in the hand.</source>
+        <translation>Mit dem netzfreien Verfahren wird in der Hand nicht geschnitten.</translation>
+    </message>
+    <message>
+        <source>Take finite elements, or let `simulate` cut.</source>
+        <translation>Nehmen Sie finite Elemente, oder lassen Sie `simulate` schneiden.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>
@@ -7212,6 +7232,10 @@
     <message>
         <source>Plan a plane in Resect and keep the plan, to cut along it here.</source>
         <translation>Planen Sie in Resektion eine Ebene und behalten Sie den Plan, um hier daran entlang zu schneiden.</translation>
+    </message>
+    <message>
+        <source>By the meshfree engine nothing is cut in the hand: choose other deformations above.</source>
+        <translation>Mit dem netzfreien Verfahren wird in der Hand nicht geschnitten: Wählen Sie oben andere Verformungen.</translation>
     </message>
 </context>
 <context>
@@ -7811,6 +7835,30 @@
     <message>
         <source>Small deformations: enough, since strains reach %1 % only.</source>
         <translation>Kleine Verformungen: sie genügen, denn Dehnungen erreichen nur %1 %.</translation>
+    </message>
+    <message>
+        <source>Small, meshfree</source>
+        <translation>Kleine, netzfrei</translation>
+    </message>
+    <message>
+        <source>A linear liver by a few hundred meshfree nodes in place of finite elements, under rigid tools. Finite elements answer beside it, so that you see what it costs and what it misses.</source>
+        <translation>Eine lineare Leber aus einigen Hundert netzfreien Knoten anstelle finiter Elemente, unter starren Instrumenten. Finite Elemente antworten daneben, sodass Sie sehen, was es kostet und was ihm entgeht.</translation>
+    </message>
+    <message>
+        <source>The liver is being prepared for the meshfree engine.</source>
+        <translation>Die Leber wird für das netzfreie Verfahren vorbereitet.</translation>
+    </message>
+    <message>
+        <source>Meshfree, as you chose. Finite elements will answer beside it.</source>
+        <translation>Netzfrei, wie Sie wählten. Finite Elemente werden daneben antworten.</translation>
+    </message>
+    <message>
+        <source>Meshfree, as you chose. Finite elements found no shape under these tools.</source>
+        <translation>Netzfrei, wie Sie wählten. Finite Elemente fanden unter diesen Instrumenten keine Form.</translation>
+    </message>
+    <message>
+        <source>Meshfree, as you chose: %1 ms, finite elements %2 ms. Landmarks are %3 mm apart at most, the surface %4 mm.</source>
+        <translation>Netzfrei, wie Sie wählten: %1 ms, finite Elemente %2 ms. Landmarken liegen höchstens %3 mm auseinander, die Oberfläche %4 mm.</translation>
     </message>
 </context>
 <context>
@@ -8961,10 +9009,6 @@ Keine Messungen zur Hand? Probieren Sie das Beispiel: eine simulierte Gewebeprob
         <translation>Behält alles, was die Instrumente taten, und den Schnitt, in dieser Reihenfolge</translation>
     </message>
     <message>
-        <source>Steps are recorded with rigid tools, and with large deformations</source>
-        <translation>Schritte werden mit starren Instrumenten aufgezeichnet, und bei großen Verformungen</translation>
-    </message>
-    <message>
         <source>Kept since: compare again.</source>
         <translation>Seither kam eine dazu: noch einmal vergleichen.</translation>
     </message>
@@ -8991,6 +9035,10 @@ Keine Messungen zur Hand? Probieren Sie das Beispiel: eine simulierte Gewebeprob
     <message>
         <source>N</source>
         <translation>N</translation>
+    </message>
+    <message>
+        <source>Steps are kept of rigid tools and of large deformations, by finite elements</source>
+        <translation>Behalten werden Schritte starrer Instrumente und großer Verformungen, mit finiten Elementen</translation>
     </message>
 </context>
 <context>

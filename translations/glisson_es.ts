@@ -4828,10 +4828,6 @@
         <translation>Omítalo; las herramientas se toman con las órdenes de la sesión.</translation>
     </message>
     <message>
-        <source>A session knows the engine fem alone; meshfree is for simulate.</source>
-        <translation>Una sesión solo conoce el método fem; meshfree es para simulate.</translation>
-    </message>
-    <message>
         <source>The case has no plan {0}.</source>
         <translation>El caso no tiene ningún plan {0}.</translation>
     </message>
@@ -7115,6 +7111,30 @@
         <source>Move the seed onto a vessel, or leave seeds out: then all vessels are kept.</source>
         <translation>Ponga el punto sobre un vaso, o prescinda de puntos: entonces quedan todos los vasos.</translation>
     </message>
+    <message>
+        <source>With tools in the hand the meshfree engine knows a linear, isotropic liver without ligaments.</source>
+        <translation>Con instrumentos en la mano, el método sin malla conoce un hígado lineal e isótropo sin ligamentos.</translation>
+    </message>
+    <message>
+        <source>Take finite elements for others.</source>
+        <translation>Tome elementos finitos para otros.</translation>
+    </message>
+    <message>
+        <source>{0} meshfree nodes are too many to be taken in hand: their matrix is not factorised within seconds.</source>
+        <translation>{0} nodos sin malla son demasiados para tomarlos en la mano: su matriz no se factoriza en segundos.</translation>
+    </message>
+    <message>
+        <source>Take fewer nodes, or let `simulate` solve for them.</source>
+        <translation>Tome menos nodos, o deje que `simulate` los resuelva.</translation>
+    </message>
+    <message>
+        <source>By the meshfree engine nothing is cut in the hand.</source>
+        <translation>Con el método sin malla no se corta en la mano.</translation>
+    </message>
+    <message>
+        <source>Take finite elements, or let `simulate` cut.</source>
+        <translation>Tome elementos finitos, o deje que `simulate` corte.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>
@@ -7212,6 +7232,10 @@
     <message>
         <source>Plan a plane in Resect and keep the plan, to cut along it here.</source>
         <translation>Planifique un plano en Resección y conserve el plan para cortar aquí según él.</translation>
+    </message>
+    <message>
+        <source>By the meshfree engine nothing is cut in the hand: choose other deformations above.</source>
+        <translation>Con el método sin malla no se corta en la mano: elija otras deformaciones arriba.</translation>
     </message>
 </context>
 <context>
@@ -7811,6 +7835,30 @@
     <message>
         <source>Small deformations: enough, since strains reach %1 % only.</source>
         <translation>Deformaciones pequeñas: bastan, pues las deformaciones unitarias llegan solo al %1 %.</translation>
+    </message>
+    <message>
+        <source>Small, meshfree</source>
+        <translation>Pequeñas, sin malla</translation>
+    </message>
+    <message>
+        <source>A linear liver by a few hundred meshfree nodes in place of finite elements, under rigid tools. Finite elements answer beside it, so that you see what it costs and what it misses.</source>
+        <translation>Un hígado lineal por unos cientos de nodos sin malla en lugar de elementos finitos, bajo instrumentos rígidos. Los elementos finitos responden al lado, para que vea lo que cuesta y lo que se le escapa.</translation>
+    </message>
+    <message>
+        <source>The liver is being prepared for the meshfree engine.</source>
+        <translation>El hígado se prepara para el método sin malla.</translation>
+    </message>
+    <message>
+        <source>Meshfree, as you chose. Finite elements will answer beside it.</source>
+        <translation>Sin malla, como eligió. Los elementos finitos responderán al lado.</translation>
+    </message>
+    <message>
+        <source>Meshfree, as you chose. Finite elements found no shape under these tools.</source>
+        <translation>Sin malla, como eligió. Los elementos finitos no hallaron forma bajo estos instrumentos.</translation>
+    </message>
+    <message>
+        <source>Meshfree, as you chose: %1 ms, finite elements %2 ms. Landmarks are %3 mm apart at most, the surface %4 mm.</source>
+        <translation>Sin malla, como eligió: %1 ms, elementos finitos %2 ms. Los puntos de referencia distan %3 mm como mucho, la superficie %4 mm.</translation>
     </message>
 </context>
 <context>
@@ -8961,10 +9009,6 @@ Glisson dice cuánto se equivoca el modelo declarado, qué le falta y con qué c
         <translation>Conserva todo lo que hicieron los instrumentos, y el corte, en este orden</translation>
     </message>
     <message>
-        <source>Steps are recorded with rigid tools, and with large deformations</source>
-        <translation>Los pasos se registran con instrumentos rígidos, y con deformaciones grandes</translation>
-    </message>
-    <message>
         <source>Kept since: compare again.</source>
         <translation>Se conservó otro después: compare de nuevo.</translation>
     </message>
@@ -8991,6 +9035,10 @@ Glisson dice cuánto se equivoca el modelo declarado, qué le falta y con qué c
     <message>
         <source>N</source>
         <translation>N</translation>
+    </message>
+    <message>
+        <source>Steps are kept of rigid tools and of large deformations, by finite elements</source>
+        <translation>Se guardan pasos de instrumentos rígidos y de grandes deformaciones, con elementos finitos</translation>
     </message>
 </context>
 <context>

@@ -4828,10 +4828,6 @@
         <translation>Omettez-le ; les outils se prennent par les commandes de la séance.</translation>
     </message>
     <message>
-        <source>A session knows the engine fem alone; meshfree is for simulate.</source>
-        <translation>Une séance ne connaît que la méthode fem ; meshfree est pour simulate.</translation>
-    </message>
-    <message>
         <source>The case has no plan {0}.</source>
         <translation>Le cas n’a pas de plan {0}.</translation>
     </message>
@@ -7115,6 +7111,30 @@
         <source>Move the seed onto a vessel, or leave seeds out: then all vessels are kept.</source>
         <translation>Placez le point sur un vaisseau, ou n’en donnez pas : alors tous les vaisseaux restent.</translation>
     </message>
+    <message>
+        <source>With tools in the hand the meshfree engine knows a linear, isotropic liver without ligaments.</source>
+        <translation>Avec des instruments en main, la méthode sans maillage connaît un foie linéaire et isotrope sans ligaments.</translation>
+    </message>
+    <message>
+        <source>Take finite elements for others.</source>
+        <translation>Prenez les éléments finis pour les autres.</translation>
+    </message>
+    <message>
+        <source>{0} meshfree nodes are too many to be taken in hand: their matrix is not factorised within seconds.</source>
+        <translation>{0} nœuds sans maillage sont trop nombreux pour être pris en main : leur matrice ne se factorise pas en quelques secondes.</translation>
+    </message>
+    <message>
+        <source>Take fewer nodes, or let `simulate` solve for them.</source>
+        <translation>Prenez moins de nœuds, ou laissez `simulate` les résoudre.</translation>
+    </message>
+    <message>
+        <source>By the meshfree engine nothing is cut in the hand.</source>
+        <translation>Avec la méthode sans maillage, on ne coupe pas en main.</translation>
+    </message>
+    <message>
+        <source>Take finite elements, or let `simulate` cut.</source>
+        <translation>Prenez les éléments finis, ou laissez `simulate` couper.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>
@@ -7212,6 +7232,10 @@
     <message>
         <source>Plan a plane in Resect and keep the plan, to cut along it here.</source>
         <translation>Planifiez un plan de coupe dans Résection et gardez-le, pour couper ici en le suivant.</translation>
+    </message>
+    <message>
+        <source>By the meshfree engine nothing is cut in the hand: choose other deformations above.</source>
+        <translation>Avec la méthode sans maillage, on ne coupe pas en main : choisissez d&apos;autres déformations ci-dessus.</translation>
     </message>
 </context>
 <context>
@@ -7811,6 +7835,30 @@
     <message>
         <source>Small deformations: enough, since strains reach %1 % only.</source>
         <translation>Petites déformations : elles suffisent, car les déformations relatives n’atteignent que %1 %.</translation>
+    </message>
+    <message>
+        <source>Small, meshfree</source>
+        <translation>Petites, sans maillage</translation>
+    </message>
+    <message>
+        <source>A linear liver by a few hundred meshfree nodes in place of finite elements, under rigid tools. Finite elements answer beside it, so that you see what it costs and what it misses.</source>
+        <translation>Un foie linéaire par quelques centaines de nœuds sans maillage à la place des éléments finis, sous des instruments rigides. Les éléments finis répondent à côté, pour que vous voyiez ce qu&apos;il en coûte et ce qui lui échappe.</translation>
+    </message>
+    <message>
+        <source>The liver is being prepared for the meshfree engine.</source>
+        <translation>Le foie est préparé pour la méthode sans maillage.</translation>
+    </message>
+    <message>
+        <source>Meshfree, as you chose. Finite elements will answer beside it.</source>
+        <translation>Sans maillage, comme vous l&apos;avez choisi. Les éléments finis répondront à côté.</translation>
+    </message>
+    <message>
+        <source>Meshfree, as you chose. Finite elements found no shape under these tools.</source>
+        <translation>Sans maillage, comme vous l&apos;avez choisi. Les éléments finis n&apos;ont trouvé aucune forme sous ces instruments.</translation>
+    </message>
+    <message>
+        <source>Meshfree, as you chose: %1 ms, finite elements %2 ms. Landmarks are %3 mm apart at most, the surface %4 mm.</source>
+        <translation>Sans maillage, comme vous l&apos;avez choisi : %1 ms, éléments finis %2 ms. Les repères s&apos;écartent de %3 mm au plus, la surface de %4 mm.</translation>
     </message>
 </context>
 <context>
@@ -8961,10 +9009,6 @@ Pas de mesures sous la main&#xa0;? Essayez l’exemple&#xa0;: un échantillon de
         <translation>Garde tout ce que les instruments ont fait, et la coupe, dans cet ordre</translation>
     </message>
     <message>
-        <source>Steps are recorded with rigid tools, and with large deformations</source>
-        <translation>Les étapes sont enregistrées avec des instruments rigides, et aux grandes déformations</translation>
-    </message>
-    <message>
         <source>Kept since: compare again.</source>
         <translation>Un autre a été gardé depuis : comparez à nouveau.</translation>
     </message>
@@ -8991,6 +9035,10 @@ Pas de mesures sous la main&#xa0;? Essayez l’exemple&#xa0;: un échantillon de
     <message>
         <source>N</source>
         <translation>N</translation>
+    </message>
+    <message>
+        <source>Steps are kept of rigid tools and of large deformations, by finite elements</source>
+        <translation>On garde les étapes d&apos;instruments rigides et de grandes déformations, avec les éléments finis</translation>
     </message>
 </context>
 <context>

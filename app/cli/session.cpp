@@ -92,6 +92,12 @@ Json json_of(const rehearsal::SessionState& state) {
   add_reaction(json, state.patient_step);
   if (!state.refused.empty()) json["refused"] = state.refused;
   if (state.reference_step) json["atlas"] = json_of(*state.reference_step);
+  if (const auto& beside = state.beside_elements) {
+    json["finite_elements"] = {{"landmarks_mm", beside->landmarks_mm},
+                               {"surface_mm", beside->surface_mm},
+                               {"meshfree_ms", beside->meshfree_ms},
+                               {"ms", beside->elements_ms}};
+  }
   if (state.cut) {
     json["cut"] = {{"open_mm2", state.cut->open_mm2},
                    {"bridge_mm2", state.cut->bridge_mm2},
@@ -121,6 +127,10 @@ std::string in_words(const rehearsal::SessionState& state) {
   if (state.validity.usable()) {
     moved = fmt::format("moved by {:6.2f} mm", state.patient.max_displacement_mm);
     if (state.reference) moved += fmt::format(", atlas apart by {:5.2f} mm", state.max_difference_mm);
+  }
+  if (const auto& beside = state.beside_elements) {
+    moved += fmt::format(", finite elements apart by {:.2f} mm (landmarks {:.2f})", beside->surface_mm,
+                         beside->landmarks_mm);
   }
   if (state.error_bound_mm) {
     moved += fmt::format(", landmarks within {:.2f} mm{}", *state.error_bound_mm,
@@ -302,9 +312,17 @@ void add_session(CLI::App& app, Action& chosen) {
                    "\"glisson-session/1\" (JSON): hold, release, cut, undo and settle; a digest that stands there must "
                    "come out again. Several files are orders of steps, which are compared")
       ->required();
-  command->add_option("--engine", options->source.engine, "How it is computed")
-      ->transform(
-          one_of<mechanics::Engine>({{"fem", mechanics::Engine::fem}, {"meshfree", mechanics::Engine::meshfree}}));
+  CLI::Option* engine =
+      command
+          ->add_option(
+              "--engine", options->source.engine,
+              "fem, or meshfree: of small strain, with finite elements beside it to be held against; default: what "
+              "the scenario says, of a case fem")
+          ->transform(
+              one_of<mechanics::Engine>({{"fem", mechanics::Engine::fem}, {"meshfree", mechanics::Engine::meshfree}}));
+  command
+      ->add_option("--nodes", options->source.nodes, "Of the meshfree engine; default: one for 12 points of the mesh")
+      ->check(CLI::PositiveNumber);
   command
       ->add_option("--material", options->source.material,
                    "linear is small strain, the others large strain with a bound of each first picture; default: what "
@@ -333,7 +351,8 @@ void add_session(CLI::App& app, Action& chosen) {
       ->add_flag("--keep", options->keep,
                  "Keeps the commands in the case as orders of steps, named as their files; of several also the "
                  "comparison, which the report then shows")
-      ->needs(case_folder);
+      ->needs(case_folder)
+      ->excludes(engine);
   command->callback([&chosen, options] {
     if (!options->source.case_folder && !options->source.mesh_file) throw CLI::RequiredError("a case or --mesh");
     chosen = [options](const Progress& progress) {

@@ -44,12 +44,12 @@ Result<SessionQuestion> question_of_mesh(const std::string& mesh_file, const std
 }  // namespace
 
 Result<SessionQuestion> question_of(const SessionSource& source, bool with_structures) {
-  if (source.engine == mechanics::Engine::meshfree) {
-    return failure("not-available", GLISSON_TEXT("A session knows the engine fem alone; meshfree is for simulate."));
-  }
   auto question = source.case_folder ? question_of_case(source, with_structures)
                                      : question_of_mesh(*source.mesh_file, *source.scenario_file);
   if (!question) return question;
+  if (source.engine == mechanics::Engine::fem) question->setup.meshfree.reset();
+  if (source.engine == mechanics::Engine::meshfree && !question->setup.meshfree) question->setup.meshfree.emplace();
+  if (source.nodes && question->setup.meshfree) question->setup.meshfree->nodes = *source.nodes;
   mechanics::ChosenLaw& law = question->setup.law;
   if (source.material) law.law = *source.material;
   if (source.strain_stiffening) law.strain_stiffening = *source.strain_stiffening;

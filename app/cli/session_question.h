@@ -21,7 +21,8 @@ struct SessionQuestion {
 
 struct SessionSource {
   std::optional<std::string> case_folder, mesh_file, scenario_file;
-  mechanics::Engine engine = mechanics::Engine::fem;
+  std::optional<mechanics::Engine> engine;  // absent: what the scenario says, of a case finite elements
+  std::optional<int> nodes;                 // of the meshfree engine
   std::optional<mechanics::MaterialLaw> material;
   std::optional<double> strain_stiffening;
   // Of a case: as the window rehearses it, to the bit.
@@ -29,7 +30,7 @@ struct SessionSource {
 };
 
 // `with_structures`: the setup's structures are those of the case, which cost time at each step. Failures: those of
-// reading; "not-available" (the meshfree engine).
+// reading.
 Result<SessionQuestion> question_of(const SessionSource& source, bool with_structures = false);
 
 }  // namespace glisson::cli

@@ -24,7 +24,11 @@ using namespace casefile;
 using mechanics::MaterialLaw;
 using std::filesystem::path;
 
-Session session_of(const Case& self, const std::string& material, const py::object& progress) {
+Session session_of(const Case& self, const std::string& material, const std::string& engine,
+                   const py::object& progress) {
+  using mechanics::Engine;
+  const bool meshfree =
+      chosen<Engine>("engine", engine, {{"fem", Engine::fem}, {"meshfree", Engine::meshfree}}) == Engine::meshfree;
   const auto law = chosen<MaterialLaw>("material", material,
                                        {{"linear", MaterialLaw::linear},
                                         {"corotational", MaterialLaw::corotational},
@@ -32,9 +36,10 @@ Session session_of(const Case& self, const std::string& material, const py::obje
   return {long_call(progress,
                     [&](const Progress& told) {
                       return read_model(self).and_then([&](PatientModel model) {
-                        return rehearsal::SessionEngine::create(
-                            rehearsal::with_law(live_rehearsal_setup(std::move(model)).setup, law), told,
-                            rehearsal::WithReference::when_asked);
+                        auto setup = rehearsal::with_law(live_rehearsal_setup(std::move(model)).setup, law);
+                        if (meshfree) setup.meshfree.emplace();
+                        return rehearsal::SessionEngine::create(std::move(setup), told,
+                                                                rehearsal::WithReference::when_asked);
                       });
                     }),
           {}};
@@ -68,13 +73,15 @@ py::object guide(const Case& self, const path& sequence, const std::optional<Num
 
 void add_rehearsals(py::class_<Case>& bound) {
   bound
-      .def("session", &session_of, py::kw_only(), py::arg("material") = "linear", py::arg("progress") = py::none(),
+      .def("session", &session_of, py::kw_only(), py::arg("material") = "linear", py::arg("engine") = "fem",
+           py::arg("progress") = py::none(),
            R"(A Session of this patient as the window rehearses, so that its recordings replay to the bit.
 
 material  "linear" (small strain), "neo-hookean" or "corotational" (large)
+engine    "fem", or "meshfree": linear alone, with finite elements beside it (SessionState.beside_elements)
 
 The reference body, where there is one, comes with the command {"compare": True}.
-Raises glisson.Error: case-lacks-entry before there is a model; choice-unknown.)")
+Raises glisson.Error: case-lacks-entry before there is a model; choice-unknown; not-available.)")
       .def("guide", &guide, py::arg("sequence"), py::kw_only(), py::arg("pose") = py::none(), py::arg("frame") = 0,
            py::arg("noise_mm") = 0.5, py::arg("sequence_sha256") = "", py::arg("lines") = py::none(),
            py::arg("folder") = py::none(), py::arg("progress") = py::none(),

@@ -227,6 +227,19 @@ void add_session(py::module_& module) {
       .def_property_readonly(
           "settled", [](const State& self) { return self.held->settled; }, "At rest, which at large strain takes time.")
       .def_property_readonly(
+          "beside_elements",
+          [](const State& self) -> py::object {
+            const auto& beside = self.held->beside_elements;
+            if (!beside) return py::none();
+            py::dict dict;
+            dict["landmarks_mm"] = beside->landmarks_mm;
+            dict["surface_mm"] = beside->surface_mm;
+            dict["meshfree_ms"] = beside->meshfree_ms;
+            dict["ms"] = beside->elements_ms;
+            return dict;
+          },
+          "Of the meshfree engine: how far finite elements are apart at most, and what both took; None otherwise.")
+      .def_property_readonly(
           "step_ms", [](const State& self) { return self.held->step_ms; }, "What the command took, ms.")
       .def_property_readonly(
           "digest", [](const State& self) { return self.held->digest; },

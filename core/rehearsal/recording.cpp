@@ -208,4 +208,18 @@ Result<Recording> parse_recording(std::string_view json, const std::filesystem::
   return recording;
 }
 
+WithReference reference_in(const Recording& recording) {
+  const auto asks = [](const auto& one) { return std::holds_alternative<Compare>(one.first); };
+  return std::any_of(recording.begin(), recording.end(), asks) ? WithReference::when_asked : WithReference::at_once;
+}
+
+std::optional<std::size_t> replay(SessionEngine& engine, const Recording& recording) {
+  std::optional<std::size_t> first_other;
+  for (std::size_t i = 0; i < recording.size(); ++i) {
+    const SessionState& state = engine.step(recording[i].first);
+    if (!first_other && !recording[i].second.empty() && state.digest != recording[i].second) first_other = i;
+  }
+  return first_other;
+}
+
 }  // namespace glisson::rehearsal

@@ -10,6 +10,9 @@
 // LiveSession settles by itself while nobody asks for more, and records that it did. A Settle under way is given up for
 // what is asked, and is in no recording.
 //
+// A meshfree session (RehearsalSetup::meshfree) is of small strain and is not cut. Beside its patient the same stands
+// by finite elements, so that each state says how far they are apart.
+//
 // A LiveSession answers of the patient alone while the reference body is still being made, and then compares.
 //
 // The phases, and what can be asked in each. A session is `preparing` while there is nothing to show yet, and `failed`
@@ -65,6 +68,13 @@ struct SessionStep {
   bool settled = true;
 };
 
+// The patient by the meshfree engine and by finite elements, under the same tools: what a few hundred nodes cost, and
+// what they cannot follow.
+struct BesideElements {
+  double landmarks_mm = 0, surface_mm = 0;  // how far they are apart at most; without landmarks 0
+  double meshfree_ms = 0, elements_ms = 0;  // that the last command took
+};
+
 struct SessionState {
   std::uint64_t number = 0;   // of the commands that led here
   std::uint64_t settles = 0;  // of them, those since the last that was no Settle
@@ -74,7 +84,9 @@ struct SessionState {
   SessionStep patient_step;
   mechanics::Validity validity = {};  // of the patient's body, its strain by the corners of cells
   std::optional<SessionStep> reference_step;
-  std::shared_ptr<const SessionCut> cut;        // nullptr: nothing is cut
+  std::shared_ptr<const SessionCut> cut;  // nullptr: nothing is cut
+  // Of a meshfree session, where finite elements found a shape too.
+  std::optional<BesideElements> beside_elements;
   std::optional<double> error_bound_mm;         // the larger of both bodies'
   bool settled = true;                          // both
   std::vector<LandmarkDifference> differences;  // those of 5 mm and more are significant()

@@ -7,6 +7,7 @@
 #include <mutex>
 
 #include "base/units.h"
+#include "mechanics/meshfree/meshfree_model.h"
 #include "mechanics/statics/live_strain.h"
 
 namespace glisson::rehearsal {
@@ -46,6 +47,7 @@ std::vector<Vector3d> displaced(const std::vector<Vector3d>& rest_mm, const Resp
                                 const Vector3d& force_N);
 Result<void> usable(const StaticResult& result);
 bool is_ligament(const mechanics::Support& support) { return std::holds_alternative<mechanics::Ligament>(support.how); }
+Result<StaticModel> meshfree_model(const RehearsalSetup& setup, const Progress& progress);
 
 }  // namespace
 
@@ -96,16 +98,38 @@ RehearsalSetup with_law(RehearsalSetup setup, const mechanics::ChosenLaw& law) {
   return setup;
 }
 
+RehearsalSetup by_meshfree(RehearsalSetup setup, const mechanics::MeshfreeOptions& options) {
+  setup = with_law(std::move(setup), mechanics::MaterialLaw::linear);
+  if (!setup.meshfree) setup.elements = std::move(setup.models);
+  setup.models.reset();
+  setup.meshfree = options;
+  return setup;
+}
+
 Result<std::shared_ptr<const RehearsalModels>> rehearsal_models(const RehearsalSetup& setup, const Progress& progress) {
   if (setup.models) return setup.models;
   std::vector<mechanics::Support> supports = setup.supports;
   if (setup.law.law != mechanics::MaterialLaw::linear) std::erase_if(supports, is_ligament);
-  auto patient = StaticModel::create(setup.mesh, setup.patient_youngs_kPa, supports, setup.options, progress);
+  auto patient = setup.meshfree
+                     ? meshfree_model(setup, progress)
+                     : StaticModel::create(setup.mesh, setup.patient_youngs_kPa, supports, setup.options, progress);
   if (!patient) return failure(std::move(patient.error()));
   RehearsalModels made{std::move(*patient)};
   if (setup.reference_youngs_kPa) made.reference.emplace(made.patient, *setup.reference_youngs_kPa);
   return std::make_shared<const RehearsalModels>(std::move(made));
 }
+
+namespace {
+
+Result<StaticModel> meshfree_model(const RehearsalSetup& setup, const Progress& progress) {
+  auto can_be = mechanics::check_meshfree_static(setup.law, setup.supports, setup.options);
+  if (!can_be) return failure(std::move(can_be.error()));
+  return mechanics::MeshfreeModel::create(setup.mesh, setup.patient_youngs_kPa, setup.supports,
+                                          mechanics::MaterialLaw::linear, setup.options, *setup.meshfree, {}, progress)
+      .and_then([](const mechanics::MeshfreeModel& model) { return model.static_model(); });
+}
+
+}  // namespace
 
 struct ReferenceBody::Made {
   std::mutex making;

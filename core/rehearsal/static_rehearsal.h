@@ -17,6 +17,7 @@
 #include "base/result.h"
 #include "geometry/surface.h"
 #include "geometry/tetrahedra.h"
+#include "mechanics/scenario/meshfree_options.h"
 #include "mechanics/statics/static_model.h"
 #include "mechanics/statics/validity.h"
 #include "rehearsal/comparison.h"
@@ -38,15 +39,22 @@ struct RehearsalSetup {
   double landmark_tolerance_mm = 10.0;
   // Of a session's bodies; linear is small strain. StaticRehearsal is linear whatever it says.
   mechanics::ChosenLaw law = mechanics::MaterialLaw::linear;
+  // By the meshfree engine, at small strain alone; absent: by finite elements.
+  std::optional<mechanics::MeshfreeOptions> meshfree = std::nullopt;
   // Of this very setup, where they were made before: seconds and a factor each are spared.
   std::shared_ptr<const RehearsalModels> models = nullptr;
+  // Of a meshfree session, where they were made before: the same by finite elements.
+  std::shared_ptr<const RehearsalModels> elements = nullptr;
 };
 
 // The same by another law, with its models where they serve that law.
 [[nodiscard]] RehearsalSetup with_law(RehearsalSetup setup, const mechanics::ChosenLaw& law);
 
+// The same, linear, by the meshfree engine, beside its own models.
+[[nodiscard]] RehearsalSetup by_meshfree(RehearsalSetup setup, const mechanics::MeshfreeOptions& options);
+
 // A mesh with what a scenario says of it, without a reference body; its loads stand. Failures: "not-available" (what no
-// session knows: cuts, motion, tools, the meshfree engine), those of youngs_modulus_of_cells.
+// session knows: cuts, motion, tools), those of youngs_modulus_of_cells.
 Result<RehearsalSetup> rehearsal_setup(geometry::TetMesh mesh, const mechanics::Scenario& scenario);
 
 // The patient's mesh and supports with one modulus and no fibre direction. It is factorised when somebody first asks
@@ -70,7 +78,7 @@ struct RehearsalModels {
   std::optional<ReferenceBody> reference = {};  // absent without a reference body
 };
 // `setup.models` where there are any; at large strain without ligaments, which only pull. Failures: those of
-// StaticModel::create.
+// StaticModel::create, and of MeshfreeModel::create and static_model.
 Result<std::shared_ptr<const RehearsalModels>> rehearsal_models(const RehearsalSetup& setup,
                                                                 const Progress& progress = {});
 

@@ -77,12 +77,18 @@ POSES = [
         for k, what in enumerate(("wolf 0 to 1", "wolf 0 to 2", "wolf 1 to 2", "cat 0 to 1", "cat 0 to 2", "cat 1 to 2"))])]
 REHEARSAL = [
     ("bench_casefile", 1, [
-        ("SessionOnACase/iterations:160/real_time",
+        ("SessionOnACase/nodes:0/iterations:160/real_time",
          "the demo patient and the reference body: retractor held, probe drawn over the front",
          [("steps_per_s", "{:.0f} a second".format), ("slowest_ms", "slowest {:.0f} ms".format),
-          ("error_mm", "within {:.2g} mm of rest".format)])]),
+          ("error_mm", "within {:.2g} mm of rest".format)]),
+        *[(f"SessionOnACase/nodes:{nodes}/iterations:160/real_time",
+           f"by {nodes} meshfree nodes, finite elements beside them",
+           [("steps_per_s", "{:.0f} a second".format), ("slowest_ms", "slowest {:.0f} ms".format),
+            ("prepare_s", "prepared in {:.1f} s".format), ("place_ms", "the retractor's first touch {:.0f} ms".format),
+            ("apart_mm", "landmarks at most {:.2f} mm from finite elements".format)])
+          for nodes in (100, 355, 800)]]),
     ("bench_mechanics", 1, [
-        ("RehearsalWithTools/iterations:200/real_time", "the same on a block of 20,250 cells",
+        ("RehearsalWithTools/iterations:200/real_time", "a block of 20,250 cells and its reference body, a probe drawn over it",
          [("steps_per_s", "{:.0f} a second".format), ("slowest_ms", "slowest {:.0f} ms".format),
           ("error_mm", "within {:.2g} mm of rest".format)])])]
 LARGE = [

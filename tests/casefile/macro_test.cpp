@@ -5,6 +5,7 @@
 
 #include <gmock/gmock.h>
 #include <fstream>
+#include <map>
 
 #include "base/files.h"
 #include "base/json.h"
@@ -210,11 +211,12 @@ TEST_F(MacroTest, ASessionIsOneCommandHoweverManyStepsItTook) {
     return std::pair<rehearsal::SessionCommand, std::string>{rehearsal::HoldTool{{"tool-0", probe}}, digest};
   };
   rehearsal::Recording recording;
+  const std::map<std::string, std::string> kinds{{"a", "small"}, {"b", "large"}, {"c", "meshfree"}};
   const auto tool_step = [&](double push_mN, const std::string& session) {
     recording.push_back(hold(push_mN, "digest-" + std::to_string(recording.size())));
     const std::string before = history()->value_of("rehearse/tool");
     const std::string after = Json::array({{{"touch", "rigid"},
-                                            {"deformations", session == "b" ? "large" : "small"},
+                                            {"deformations", kinds.at(session)},
                                             {"tools", Json::array()},
                                             {"session", session},
                                             {"commands", recording.size()}}})
@@ -228,21 +230,26 @@ TEST_F(MacroTest, ASessionIsOneCommandHoweverManyStepsItTook) {
   ASSERT_TRUE(history()->undo());  // the third is no step any more
   recording.clear();
   tool_step(50, "b");
+  recording.clear();
+  tool_step(70, "c");
   const auto macro = macro_of(folder_);
   ASSERT_TRUE(macro);
-  ASSERT_EQ(macro->steps.size(), 3u);
+  ASSERT_EQ(macro->steps.size(), 4u);
   EXPECT_TRUE(macro->steps[0].commands.empty());
   EXPECT_EQ(macro->steps[0].told_in, 2);
   EXPECT_THAT(words(), ElementsAre("session {case} --live --material linear --settle last --commands session-2.json "
                                    "--out rehearsal-2",
                                    "session {case} --live --material neo-hookean --settle last --commands "
-                                   "session-4.json --out rehearsal-4"));
+                                   "session-4.json --out rehearsal-4",
+                                   "session {case} --live --material linear --settle last --engine meshfree "
+                                   "--commands session-5.json --out rehearsal-5"));
   const auto again = rehearsal::parse_recording(macro->steps[1].commands.front().document);
   ASSERT_TRUE(again);
   ASSERT_EQ(again->size(), 2u);
   EXPECT_EQ(again->back().second, "digest-1");
   EXPECT_THAT(as_command_line(*macro), HasSubstr("# 1. Tool (in the session of step 2)"));
   EXPECT_THAT(as_python(*macro), HasSubstr("rehearsal_4 = patient.session(material=\"neo-hookean\")"));
+  EXPECT_THAT(as_python(*macro), HasSubstr("rehearsal_5 = patient.session(material=\"linear\", engine=\"meshfree\")"));
   // What no step needs any more goes.
   draw("liver", 12);
   EXPECT_NE(recording_beside(folder_, "a"), "");

@@ -309,6 +309,31 @@ TEST_F(SmallLiver, ASessionWithTwoToolsIsRecordedAndReplaysToTheBit) {
   EXPECT_THAT(other.json().at("error").at("message").get<std::string>(), HasSubstr("Command 2"));
 }
 
+TEST_F(SmallLiver, ASessionByTheMeshfreeEngineStandsBesideFiniteElements) {
+  ASSERT_TRUE(write_text_file(folder_->path() / "press.json", R"({"format": "glisson-session/1", "commands": [
+    {"hold": {"id": "probe", "shape": "palpation-probe", "position_mm": [0, -70, 0], "direction": [0, 1, 0],
+              "push_mN": 100}}]})"));
+  const Json meshfree =
+      answer({"session", patient(), "--engine", "meshfree", "--nodes", "60", "--commands", file("press.json")});
+  const Json elements = answer({"session", patient(), "--engine", "fem", "--commands", file("press.json")});
+  const Json& frame = meshfree.at("frames")[0];
+  double apart_mm = 0;
+  for (std::size_t l = 0; l < frame.at("landmarks").size(); ++l) {
+    const auto at = [&](const Json& one) {
+      const auto mm = one.at("frames")[0].at("landmarks")[l].at("displaced_mm").get<std::vector<double>>();
+      return Eigen::Vector3d(mm[0], mm[1], mm[2]);
+    };
+    apart_mm = std::max(apart_mm, (at(meshfree) - at(elements)).norm());
+  }
+  EXPECT_NEAR(frame.at("finite_elements").at("landmarks_mm").get<double>(), apart_mm, 1e-6);
+  EXPECT_GE(frame.at("finite_elements").at("surface_mm").get<double>(), 0.01);
+  EXPECT_FALSE(elements.at("frames")[0].contains("finite_elements"));
+  const Finished large = glisson_cli({"session", patient(), "--engine", "meshfree", "--material", "neo-hookean",
+                                      "--commands", file("press.json"), "--json", "--quiet"});
+  EXPECT_EQ(large.exit_code, 1);
+  EXPECT_THAT(large.json().at("error").at("message").get<std::string>(), HasSubstr("linear, isotropic"));
+}
+
 TEST_F(SmallLiver, TwoOrdersOfStepsAreComparedInFiguresAndAsAPage) {
   const auto order = [&](const char* name, double first_mN) {
     const std::string commands = R"({"format": "glisson-session/1", "commands": [

@@ -64,7 +64,8 @@ void AdvanceControls::take_back() { rehearsal_.take_cut_back(); }
 void AdvanceControls::show_state() {
   const bool rigid = rehearsal_.touch() == Touch::rigid;
   const bool more = course_ && step_mm * rehearsal_.cut_steps() < course_->length_mm;
-  advance_->setEnabled(more && rigid && !rehearsal_.frozen());
+  const bool meshfree = rehearsal_.deformations() == Deformations::meshfree;
+  advance_->setEnabled(more && rigid && !meshfree && !rehearsal_.frozen());
   back_->setEnabled(rehearsal_.can_take_cut_back());
   const auto& state = rehearsal_.state();
   QString text;
@@ -72,6 +73,8 @@ void AdvanceControls::show_state() {
     text = why_not_ ? translated(*why_not_) : tr("Plan a plane in Resect and keep the plan, to cut along it here.");
   } else if (!rigid) {
     text = tr("Tick the rigid tool above, to cut while tools hold the liver.");
+  } else if (meshfree) {
+    text = tr("By the meshfree engine nothing is cut in the hand: choose other deformations above.");
   } else if (state && state->cut) {
     text = tr("%1 % of the section is open, by up to %2 mm.")
                .arg(100 * state->cut->open_share(), 0, 'f', 0)

@@ -26,7 +26,7 @@ DeformationChoice::DeformationChoice(LiveRehearsal& rehearsal, QWidget* parent)
   row->addWidget(name_);
   choice_ = new QComboBox(this);
   choice_->setObjectName("deformations");
-  for (const Deformations kind : {Deformations::small, Deformations::large}) {
+  for (const Deformations kind : {Deformations::small, Deformations::meshfree, Deformations::large}) {
     choice_->addItem({}, static_cast<int>(kind));
   }
   row->addWidget(choice_, 1);
@@ -48,8 +48,13 @@ void DeformationChoice::update_text() {
   choice_->setAccessibleName(name_->text());
   choice_->setItemText(0, tr("Small (at once)"));
   choice_->setItemData(0, tr("A linear liver: made for strains up to 20 %"), Qt::ToolTipRole);
-  choice_->setItemText(1, tr("Large (settles)"));
+  choice_->setItemText(1, tr("Small, meshfree"));
   choice_->setItemData(1,
+                       tr("A linear liver by a few hundred meshfree nodes in place of finite elements, under rigid "
+                          "tools. Finite elements answer beside it, so that you see what it costs and what it misses."),
+                       Qt::ToolTipRole);
+  choice_->setItemText(2, tr("Large (settles)"));
+  choice_->setItemData(2,
                        tr("A hyperelastic (neo-Hookean) liver of the same stiffness: made for larger strains too. A "
                           "first picture says how far its landmarks may be from rest, and is brought to rest in the "
                           "background."),
@@ -61,8 +66,8 @@ void DeformationChoice::update_text() {
 
 void DeformationChoice::show_state() {
   const bool large = rehearsal_.deformations() == Deformations::large;
-  choice_->setCurrentIndex(large ? 1 : 0);
-  choice_->setEnabled(!rehearsal_.frozen() && rehearsal_.knows_large_deformations());
+  choice_->setCurrentIndex(choice_->findData(static_cast<int>(rehearsal_.deformations())));
+  choice_->setEnabled(!rehearsal_.frozen() && rehearsal_.knows_other_deformations());
   const auto& state = rehearsal_.state();
   offer_->setVisible(!large && state && is_beyond_small(*state) && choice_->isEnabled());
   show_text(why_, what_is_at_work());
@@ -80,13 +85,27 @@ QString DeformationChoice::what_is_at_work() const {
                      .arg(strain)
                : tr("Large deformations, as you chose. Strains reach %1 %: small ones would do.").arg(strain);
   }
-  if (rehearsal_.body() != nullptr && rehearsal_.knows_rigid_tools() && !rehearsal_.knows_large_deformations()) {
+  if (rehearsal_.deformations() == Deformations::meshfree) return what_meshfree_costs();
+  if (rehearsal_.body() != nullptr && rehearsal_.knows_rigid_tools() && !rehearsal_.knows_other_deformations()) {
     return tr("Small deformations: evidence gave this liver a grain, which large ones do not know.");
   }
   if (!known) return tr("Small deformations: made for strains up to 20 %.");
   return is_beyond_small(*state)
              ? tr("Small deformations, but strains reach %1 %: beyond 20 % take large ones.").arg(strain)
              : tr("Small deformations: enough, since strains reach %1 % only.").arg(strain);
+}
+
+QString DeformationChoice::what_meshfree_costs() const {
+  if (rehearsal_.preparing()) return tr("The liver is being prepared for the meshfree engine.");
+  const rehearsal::SessionState* contact = rehearsal_.contact();
+  if (contact == nullptr) return tr("Meshfree, as you chose. Finite elements will answer beside it.");
+  if (!contact->beside_elements) return tr("Meshfree, as you chose. Finite elements found no shape under these tools.");
+  const rehearsal::BesideElements& beside = *contact->beside_elements;
+  const auto mm = [](double value) { return QString::number(value, 'f', 1); };
+  const auto ms = [](double value) { return QString::number(value, 'f', 0); };
+  return tr("Meshfree, as you chose: %1 ms, finite elements %2 ms. Landmarks are %3 mm apart at most, the surface %4 "
+            "mm.")
+      .arg(ms(beside.meshfree_ms), ms(beside.elements_ms), mm(beside.landmarks_mm), mm(beside.surface_mm));
 }
 
 }  // namespace glisson::widgets

@@ -21,6 +21,7 @@ class DeformationChoice : public QWidget {
   void update_text();
   void show_state();
   [[nodiscard]] QString what_is_at_work() const;
+  [[nodiscard]] QString what_meshfree_costs() const;
 
   LiveRehearsal& rehearsal_;
   QLabel* name_;

@@ -79,7 +79,7 @@ void KeptOrders::allow_keeping(bool allowed) {
   allowed_ = allowed;
   keep_->setEnabled(allowed);
   keep_->setToolTip(allowed ? tr("Keeps all that the tools did, and the cut, in this order")
-                            : tr("Steps are recorded with rigid tools, and with large deformations"));
+                            : tr("Steps are kept of rigid tools and of large deformations, by finite elements"));
 }
 
 void KeptOrders::fill() {

@@ -80,10 +80,10 @@ void LiveRehearsal::exchange_body(std::shared_ptr<const rehearsal::StaticRehears
   const std::vector<PlacedTool> tools = tools_;
   const RehearsalTrack track = renamed_to(setup->landmarks, setup_->landmarks, track_);
   const Touch touch = touch_;
-  const bool large = deformations_ == Deformations::large;
+  const Deformations deformations = deformations_;
   set_body(std::move(body), std::move(setup));
   touch_ = touch;
-  if (large && knows_large_deformations()) deformations_ = Deformations::large;
+  if (knows_other_deformations()) deformations_ = deformations;
   if (in_session()) start_anew();
   track_ = track;
   Q_EMIT track_changed();
@@ -93,17 +93,25 @@ void LiveRehearsal::exchange_body(std::shared_ptr<const rehearsal::StaticRehears
 void LiveRehearsal::set_touch(Touch touch) {
   if (touch == touch_ || (touch == Touch::rigid && !setup_)) return;
   touch_ = touch;
+  if (touch == Touch::patch && deformations_ == Deformations::meshfree) deformations_ = Deformations::small;
   const std::optional<PlacedTool> current = tools_.empty() ? std::nullopt : std::optional(tools_.back());
   start_anew();
   if (current) hold(*current);
 }
 
 void LiveRehearsal::set_deformations(Deformations deformations) {
-  if (deformations == deformations_ || (deformations == Deformations::large && !knows_large_deformations())) return;
+  if (deformations == deformations_ || (deformations != Deformations::small && !knows_other_deformations())) return;
   deformations_ = deformations;
+  if (deformations == Deformations::meshfree) touch_ = Touch::rigid;
   const std::vector<PlacedTool> tools = tools_;
   start_anew();
   hold_all(tools);
+}
+
+rehearsal::RehearsalSetup LiveRehearsal::session_setup() const {
+  if (deformations_ == Deformations::meshfree) return rehearsal::by_meshfree(*setup_, {});
+  const bool large = deformations_ == Deformations::large;
+  return rehearsal::with_law(*setup_, large ? mechanics::MaterialLaw::neo_hookean : mechanics::MaterialLaw::linear);
 }
 
 void LiveRehearsal::start_anew() {
@@ -125,9 +133,7 @@ void LiveRehearsal::start_anew() {
   session_name_.clear();
   if (setup_ && in_session()) {
     session_name_ = QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString();
-    const bool large = deformations_ == Deformations::large;
-    session_ = std::make_unique<rehearsal::LiveSession>(
-        rehearsal::with_law(*setup_, large ? mechanics::MaterialLaw::neo_hookean : mechanics::MaterialLaw::linear));
+    session_ = std::make_unique<rehearsal::LiveSession>(session_setup());
     session_timer_.start();
   }
   clear_track();

@@ -24,7 +24,8 @@
 
 namespace glisson::widgets {
 
-enum class Deformations { small, large };
+// Meshfree: small ones by the meshfree engine, with finite elements beside it to be held against.
+enum class Deformations { small, large, meshfree };
 // Settling: what was asked is answered, and is being brought to rest. Unsettled: it did not come there.
 enum class Solving { no_tool, solving, settling, solved, unsettled, refused };
 
@@ -49,11 +50,11 @@ class LiveRehearsal : public QObject {
   void set_touch(Touch touch);
   [[nodiscard]] Touch touch() const { return touch_; }
 
-  // The liver linear, or neo-Hookean with the same stiffness. Starts anew with the same tools.
+  // The liver linear, or neo-Hookean with the same stiffness. Starts anew with the same tools; meshfree ones are rigid.
   void set_deformations(Deformations deformations);
   [[nodiscard]] Deformations deformations() const { return deformations_; }
-  // Anisotropic tissue is known at small ones alone.
-  [[nodiscard]] bool knows_large_deformations() const { return setup_ && !setup_->options.anisotropy; }
+  // Anisotropic tissue is known at small ones by finite elements alone.
+  [[nodiscard]] bool knows_other_deformations() const { return setup_ && !setup_->options.anisotropy; }
 
   // Puts the tool there. A later call supersedes this one: of several on the way, only the last is solved for.
   void hold(const PlacedTool& tool);
@@ -135,9 +136,10 @@ class LiveRehearsal : public QObject {
   void look_for_contact();
   void post_tool();
   void record(std::shared_ptr<const rehearsal::SessionState> contact);
-  [[nodiscard]] bool in_session() const { return touch_ == Touch::rigid || deformations_ == Deformations::large; }
+  [[nodiscard]] bool in_session() const { return touch_ == Touch::rigid || deformations_ != Deformations::small; }
   void set_solving(Solving solving);
   void refuse(const Error& error);
+  [[nodiscard]] rehearsal::RehearsalSetup session_setup() const;
   void start_anew();
   void change_tool(const std::function<void(PlacedTool&)>& change);
 

@@ -1,5 +1,7 @@
 #include "widgets/session/rehearsal_undo.h"
 
+#include <algorithm>
+#include <array>
 #include <QJsonArray>
 #include <QJsonObject>
 
@@ -10,7 +12,7 @@ constexpr int rest_ms = 400;
 constexpr const char* key = "rehearse/tool";
 constexpr const char* rigid = "rigid";
 constexpr const char* deformations = "deformations";
-constexpr const char* large = "large";
+constexpr std::array<const char*, 3> kinds{"small", "large", "meshfree"};  // of Deformations
 constexpr const char* cut_key = "cut";
 // What answered it, and after how many of its commands; of no matter for how things stand.
 constexpr const char* session_key = "session";
@@ -43,12 +45,17 @@ PlacedTool tool_of(const QJsonObject& json) {
   return tool;
 }
 
+// Small in a history that says nothing of it.
+Deformations kind_of(const QJsonObject& state) {
+  const QString kind = state[deformations].toString();
+  const auto found = std::find(kinds.begin(), kinds.end(), kind);
+  return found == kinds.end() ? Deformations::small : static_cast<Deformations>(found - kinds.begin());
+}
+
 Sentence name_of(const QJsonObject& before, const QJsonObject& after) {
   const QJsonArray were = before["tools"].toArray(), are = after["tools"].toArray();
   if (before["touch"] != after["touch"]) return {GLISSON_TEXT("Another way of touching"), {}};
-  if ((before[deformations] == large) != (after[deformations] == large)) {
-    return {GLISSON_TEXT("Small or large deformations"), {}};
-  }
+  if (kind_of(before) != kind_of(after)) return {GLISSON_TEXT("Small or large deformations"), {}};
   if (before[cut_key] != after[cut_key]) return {GLISSON_TEXT("Cut along the plan"), {}};
   if (were.isEmpty()) return {GLISSON_TEXT("Place the tool"), {}};
   if (were.size() < are.size()) return {GLISSON_TEXT("Place another tool"), {}};
@@ -100,7 +107,7 @@ QJsonValue RehearsalUndo::state() const {
   QJsonArray tools;
   for (const PlacedTool& tool : rehearsal_.tools()) tools.append(qt_json_of(tool));
   QJsonObject state{{"touch", rehearsal_.touch() == Touch::rigid ? rigid : "patch"},
-                    {deformations, rehearsal_.deformations() == Deformations::large ? large : "small"},
+                    {deformations, kinds[static_cast<std::size_t>(rehearsal_.deformations())]},
                     {"tools", tools}};
   const auto strips = rehearsal_.cut_along();
   if (!strips.empty()) state[cut_key] = words_of(strips);
@@ -131,7 +138,7 @@ void RehearsalUndo::apply(const QJsonValue& wanted) {
   for (const auto& tool : state["tools"].toArray()) tools.push_back(tool_of(tool.toObject()));
   if (state.contains("preset")) tools.push_back(tool_of(state));  // a history from when there was one tool
   const Touch touch = state["touch"].toString() == rigid ? Touch::rigid : Touch::patch;
-  const Deformations kind = state[deformations].toString() == large ? Deformations::large : Deformations::small;
+  const Deformations kind = kind_of(state);
   if (touch != rehearsal_.touch() || kind != rehearsal_.deformations()) {
     rehearsal_.hold_all({});
     rehearsal_.set_touch(touch);

@@ -173,13 +173,14 @@ class Case:
         progress(fraction, stage) is told how far it is; KeyboardInterrupt cancels.
         Raises glisson.Error: choice-unknown, structure-unknown, vessels-no-organ, vessels-none, vessels-seed-off."""
 
-    def session(self, *, material: str = ..., progress: Optional[Callable[[float, str], Any]] = ...) -> Session:
+    def session(self, *, material: str = ..., engine: str = ..., progress: Optional[Callable[[float, str], Any]] = ...) -> Session:
         """A Session of this patient as the window rehearses, so that its recordings replay to the bit.
 
         material  "linear" (small strain), "neo-hookean" or "corotational" (large)
+        engine    "fem", or "meshfree": linear alone, with finite elements beside it (SessionState.beside_elements)
 
         The reference body, where there is one, comes with the command {"compare": True}.
-        Raises glisson.Error: case-lacks-entry before there is a model; choice-unknown."""
+        Raises glisson.Error: case-lacks-entry before there is a model; choice-unknown; not-available."""
 
     @property
     def structures(self) -> List[str]:
@@ -538,6 +539,10 @@ class Session:
 
 class SessionState:
     """A session after a command."""
+
+    @property
+    def beside_elements(self) -> Any:
+        """Of the meshfree engine: how far finite elements are apart at most, and what both took; None otherwise."""
 
     @property
     def digest(self) -> str:

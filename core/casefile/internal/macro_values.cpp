@@ -103,16 +103,22 @@ std::optional<Command> session_command(const fs::path& case_folder, const Json& 
     if (!recording || count == 0 || recording->size() < count) return {};
     recording->resize(count);
     const std::string document = Json::parse(rehearsal::recording_text(*recording)).dump();
-    const std::string material = tools.value("deformations", "small") == "large" ? "neo-hookean" : "linear";
+    const std::string kind = tools.value("deformations", "small");
+    const std::string material = kind == "large" ? "neo-hookean" : "linear";
     const std::string file = fmt::format("session-{}.json", step), out = fmt::format("rehearsal-{}", step);
-    return Command{
-        {"session", the_case, "--live", "--material", material, "--settle", "last", "--commands", file, "--out", out},
-        fmt::format("rehearsal_{0} = patient.session(material={1})\n"
-                    "if rehearsal_{0}.replay({2}) is not None:\n"
-                    "    raise SystemExit(\"step {0} led to another state than in the window\")",
-                    step, in_python(material), in_python(document)),
-        file,
-        document};
+    std::vector<std::string> words{"session", the_case, "--live", "--material", material, "--settle", "last"};
+    std::string how = "material=" + in_python(material);
+    if (kind == "meshfree") {
+      words.insert(words.end(), {"--engine", kind});
+      how += ", engine=" + in_python(kind);
+    }
+    words.insert(words.end(), {"--commands", file, "--out", out});
+    return Command{std::move(words),
+                   fmt::format("rehearsal_{0} = patient.session({1})\n"
+                               "if rehearsal_{0}.replay({2}) is not None:\n"
+                               "    raise SystemExit(\"step {0} led to another state than in the window\")",
+                               step, how, in_python(document)),
+                   file, document};
   } catch (const Json::exception&) {
     return {};
   }
