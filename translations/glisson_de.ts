@@ -7135,6 +7135,38 @@
         <source>Take finite elements, or let `simulate` cut.</source>
         <translation>Nehmen Sie finite Elemente, oder lassen Sie `simulate` schneiden.</translation>
     </message>
+    <message>
+        <source>The liver was found without a point: look at it before you trust it, and give a point inside it where it is wrong.</source>
+        <translation>Die Leber wurde ohne Punkt gefunden: Sehen Sie sie an, bevor Sie ihr trauen, und geben Sie, wo sie falsch ist, einen Punkt in ihr an.</translation>
+    </message>
+    <message>
+        <source>The image shows {0} % of the liver&apos;s border; elsewhere the shape leads.</source>
+        <translation>Das Bild zeigt {0} % des Randes der Leber; sonst führt die Form.</translation>
+    </message>
+    <message>
+        <source>There is no image value where the liver is looked for.</source>
+        <translation>Wo die Leber gesucht wird, hat das Bild keinen Wert.</translation>
+    </message>
+    <message>
+        <source>Fitting the shape to the image</source>
+        <translation>Die Form wird an das Bild angepasst</translation>
+    </message>
+    <message>
+        <source>The image hardly shows a border where the model expects the liver&apos;s.</source>
+        <translation>Wo das Modell den Rand der Leber erwartet, zeigt das Bild kaum einen.</translation>
+    </message>
+    <message>
+        <source>Give a seed inside the liver; look whether the image shows one, and lies in the patient&apos;s frame (LPS).</source>
+        <translation>Geben Sie einen Punkt in der Leber an; prüfen Sie, ob das Bild eine zeigt und im Koordinatensystem des Patienten (LPS) liegt.</translation>
+    </message>
+    <message>
+        <source>Looking for the liver</source>
+        <translation>Die Leber wird gesucht</translation>
+    </message>
+    <message>
+        <source>No place in the image looks like a liver of the model&apos;s shape.</source>
+        <translation>Keine Stelle des Bildes sieht aus wie eine Leber von der Form des Modells.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>
@@ -11727,6 +11759,14 @@ sicher %</translation>
         <source>Find</source>
         <translation>Finden</translation>
     </message>
+    <message>
+        <source>Replaces the outline by the liver that brightness and shape show; it needs no point</source>
+        <translation>Ersetzt den Umriss durch die Leber, die Helligkeit und Form zeigen; ein Punkt ist nicht nötig</translation>
+    </message>
+    <message>
+        <source>Finding: %1</source>
+        <translation>Wird gesucht: %1</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::SequenceReportView</name>
@@ -11939,6 +11979,14 @@ sicher %</translation>
     <message>
         <source>As in: %1</source>
         <translation>Wie in: %1</translation>
+    </message>
+    <message>
+        <source>Livers&apos; &amp;shapes</source>
+        <translation>&amp;Leberformen</translation>
+    </message>
+    <message>
+        <source>A shape model&apos;s file, by which Segment finds the liver; without one, a simulated liver&apos;s shape</source>
+        <translation>Die Datei eines Formmodells, mit dem Segmentieren die Leber findet; ohne eine die Form einer simulierten Leber</translation>
     </message>
 </context>
 <context>

@@ -7135,6 +7135,38 @@
         <source>Take finite elements, or let `simulate` cut.</source>
         <translation>Tome elementos finitos, o deje que `simulate` corte.</translation>
     </message>
+    <message>
+        <source>The liver was found without a point: look at it before you trust it, and give a point inside it where it is wrong.</source>
+        <translation>El hígado se ha encontrado sin ningún punto: mírelo antes de fiarse de él y, donde esté mal, indique un punto en su interior.</translation>
+    </message>
+    <message>
+        <source>The image shows {0} % of the liver&apos;s border; elsewhere the shape leads.</source>
+        <translation>La imagen muestra el {0} % del borde del hígado; en lo demás guía la forma.</translation>
+    </message>
+    <message>
+        <source>There is no image value where the liver is looked for.</source>
+        <translation>Donde se busca el hígado, la imagen no tiene ningún valor.</translation>
+    </message>
+    <message>
+        <source>Fitting the shape to the image</source>
+        <translation>Ajustando la forma a la imagen</translation>
+    </message>
+    <message>
+        <source>The image hardly shows a border where the model expects the liver&apos;s.</source>
+        <translation>Donde el modelo espera el borde del hígado, la imagen apenas muestra alguno.</translation>
+    </message>
+    <message>
+        <source>Give a seed inside the liver; look whether the image shows one, and lies in the patient&apos;s frame (LPS).</source>
+        <translation>Indique un punto dentro del hígado; compruebe que la imagen muestre uno y esté en el sistema de coordenadas del paciente (LPS).</translation>
+    </message>
+    <message>
+        <source>Looking for the liver</source>
+        <translation>Buscando el hígado</translation>
+    </message>
+    <message>
+        <source>No place in the image looks like a liver of the model&apos;s shape.</source>
+        <translation>Ningún lugar de la imagen se parece a un hígado con la forma del modelo.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>
@@ -11730,6 +11762,14 @@ seguro %</translation>
         <source>Find</source>
         <translation>Buscar</translation>
     </message>
+    <message>
+        <source>Replaces the outline by the liver that brightness and shape show; it needs no point</source>
+        <translation>Sustituye el contorno por el hígado que muestran el brillo y la forma; no hace falta ningún punto</translation>
+    </message>
+    <message>
+        <source>Finding: %1</source>
+        <translation>Buscando: %1</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::SequenceReportView</name>
@@ -11942,6 +11982,14 @@ seguro %</translation>
     <message>
         <source>As in: %1</source>
         <translation>Como en: %1</translation>
+    </message>
+    <message>
+        <source>Livers&apos; &amp;shapes</source>
+        <translation>&amp;Formas de hígado</translation>
+    </message>
+    <message>
+        <source>A shape model&apos;s file, by which Segment finds the liver; without one, a simulated liver&apos;s shape</source>
+        <translation>El archivo de un modelo de forma con el que Segmentar encuentra el hígado; sin él, la forma de un hígado simulado</translation>
     </message>
 </context>
 <context>

@@ -7135,6 +7135,38 @@
         <source>Take finite elements, or let `simulate` cut.</source>
         <translation>Prenez les éléments finis, ou laissez `simulate` couper.</translation>
     </message>
+    <message>
+        <source>The liver was found without a point: look at it before you trust it, and give a point inside it where it is wrong.</source>
+        <translation>Le foie a été trouvé sans point : regardez-le avant de vous y fier et, là où il est faux, indiquez un point à l&apos;intérieur.</translation>
+    </message>
+    <message>
+        <source>The image shows {0} % of the liver&apos;s border; elsewhere the shape leads.</source>
+        <translation>L&apos;image montre {0} % du bord du foie ; ailleurs, c&apos;est la forme qui guide.</translation>
+    </message>
+    <message>
+        <source>There is no image value where the liver is looked for.</source>
+        <translation>Là où le foie est cherché, l&apos;image n&apos;a aucune valeur.</translation>
+    </message>
+    <message>
+        <source>Fitting the shape to the image</source>
+        <translation>Ajustement de la forme à l&apos;image</translation>
+    </message>
+    <message>
+        <source>The image hardly shows a border where the model expects the liver&apos;s.</source>
+        <translation>Là où le modèle attend le bord du foie, l&apos;image n&apos;en montre presque pas.</translation>
+    </message>
+    <message>
+        <source>Give a seed inside the liver; look whether the image shows one, and lies in the patient&apos;s frame (LPS).</source>
+        <translation>Indiquez un point dans le foie ; vérifiez que l&apos;image en montre un et qu&apos;elle est dans le repère du patient (LPS).</translation>
+    </message>
+    <message>
+        <source>Looking for the liver</source>
+        <translation>Recherche du foie</translation>
+    </message>
+    <message>
+        <source>No place in the image looks like a liver of the model&apos;s shape.</source>
+        <translation>Aucun endroit de l&apos;image ne ressemble à un foie de la forme du modèle.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>
@@ -11730,6 +11762,14 @@ sûr %</translation>
         <source>Find</source>
         <translation>Trouver</translation>
     </message>
+    <message>
+        <source>Replaces the outline by the liver that brightness and shape show; it needs no point</source>
+        <translation>Remplace le contour par le foie que montrent la luminosité et la forme ; aucun point n&apos;est nécessaire</translation>
+    </message>
+    <message>
+        <source>Finding: %1</source>
+        <translation>Recherche : %1</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::SequenceReportView</name>
@@ -11942,6 +11982,14 @@ sûr %</translation>
     <message>
         <source>As in: %1</source>
         <translation>Comme dans : %1</translation>
+    </message>
+    <message>
+        <source>Livers&apos; &amp;shapes</source>
+        <translation>&amp;Formes de foie</translation>
+    </message>
+    <message>
+        <source>A shape model&apos;s file, by which Segment finds the liver; without one, a simulated liver&apos;s shape</source>
+        <translation>Le fichier d&apos;un modèle de forme avec lequel Segmenter trouve le foie ; sans lui, la forme d&apos;un foie simulé</translation>
     </message>
 </context>
 <context>

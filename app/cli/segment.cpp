@@ -1,10 +1,12 @@
-// glisson-cli segment CASE --structure NAME (--seed X,Y,Z ... | --tubes | --labels FILE | --range LOW,HIGH |
+// glisson-cli segment CASE --structure NAME (--seed X,Y,Z ... | --shapes MODEL | --tubes | --labels FILE | --range
+// LOW,HIGH |
 // --unite OTHER | --intersect OTHER | --subtract OTHER): one labelled structure; or
 // glisson-cli segment CASE --with COMMAND: all that another program outlines.
 
 #include <fmt/format.h>
 #include <algorithm>
 
+#include "casefile/found_liver.h"
 #include "casefile/label_map.h"
 #include "casefile/outlined_by_program.h"
 #include "casefile/structures.h"
@@ -23,6 +25,7 @@ struct SegmentCommand {
   std::optional<int> label_value;
   std::vector<double> range;
   bool tubes = false;
+  std::optional<std::string> shapes;                         // a model's file, or "simulated"
   std::optional<segmentation::VesselBrightness> brightness;  // of tubes
   std::optional<std::string> inside, unite, intersect, subtract;
   std::string with;
@@ -48,6 +51,9 @@ Result<casefile::SavedStructure> change(casefile::Case& patient, const SegmentCo
     const auto position = parse_position(seed, "--seed");
     if (!position) return failure(position.error());
     seeds_mm.push_back(*position);
+  }
+  if (options.shapes || (seeds_mm.empty() && !options.tubes)) {
+    return casefile::find_liver(patient, seeds_mm, options.shapes.value_or(casefile::simulated_shapes), progress);
   }
   if (options.tubes) {
     const std::string within = options.inside.value_or("liver");
@@ -104,8 +110,13 @@ void add_segment(CLI::App& app, Action& chosen) {
     return name == casefile::structure_name(name) ? std::string() : "use lower-case letters, digits and dashes";
   });
   std::vector<CLI::Option*> ways;
+  CLI::Option* shapes = command->add_option(
+      "--shapes", options->shapes,
+      "The liver by its brightness and this shape model (\"study shapes\"), or \"simulated\", nobody's: "
+      "from seeds, or from none. For the liver without any way given, \"simulated\"");
   ways.push_back(command->add_option("--seed", options->seeds, "X,Y,Z in mm (LPS) inside it; may be repeated")
                      ->allow_extra_args(false));
+  const CLI::Option* seed = ways.back();
   CLI::Option* tubes = command->add_flag("--tubes", options->tubes,
                                          "Vessels by their shape, without a click; with --seed those that hang on it");
   command->add_option("--brightness", options->brightness, "Of the tubes (default: what more of them are)")
@@ -140,14 +151,19 @@ void add_segment(CLI::App& app, Action& chosen) {
   for (std::size_t k = 0; k < ways.size(); ++k) {
     for (std::size_t n = 0; n < k; ++n) ways[k]->excludes(ways[n]);
     if (k > 0) tubes->excludes(ways[k]);
+    if (ways[k] != seed) shapes->excludes(ways[k]);
   }
-  command->callback([&chosen, options, ways, with, structure, tubes] {
+  shapes->excludes(tubes);
+  command->callback([&chosen, options, ways, with, structure, tubes, shapes] {
     if (with->count() > 0) {
       chosen = [options](const Progress& progress) { return outline(*options, progress); };
       return;
     }
     if (structure->count() == 0) throw CLI::RequiredError("--structure");
-    if (tubes->count() == 0 &&
+    if (shapes->count() > 0 && options->structure != "liver") {
+      throw CLI::ValidationError("--shapes", "says what livers are like: give --structure liver");
+    }
+    if (options->structure != "liver" && tubes->count() == 0 &&
         std::none_of(ways.begin(), ways.end(), [](const CLI::Option* way) { return way->count() > 0; })) {
       throw CLI::RequiredError("--seed, --tubes, --labels, --range, --unite, --intersect, --subtract or --with");
     }

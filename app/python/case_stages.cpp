@@ -5,6 +5,7 @@
 #include <pybind11/stl/filesystem.h>
 
 #include "case_methods.h"
+#include "casefile/found_liver.h"
 #include "casefile/import.h"
 #include "casefile/model.h"
 #include "casefile/outlined_by_program.h"
@@ -78,6 +79,21 @@ void add_stages(py::class_<Case>& bound) {
           (std::string("Grows a structure from points inside it (n x 3, LPS, mm) on the anatomy and saves it. How "
                        "follows from the name: vessels and lesions by contrast, organs as the liver.") +
            stage_note)
+              .c_str())
+      .def(
+          "find_liver",
+          [](Case& self, const Numbers& seeds_mm, const std::string& shapes, const py::object& progress) {
+            const auto seeds = points_or_none(seeds_mm, "seeds_mm");
+            return dict_of(
+                long_call(progress, [&](const Progress& told) { return find_liver(self, seeds, shapes, told); }));
+          },
+          py::arg("seeds_mm") = py::list(), py::kw_only(), py::arg("shapes") = simulated_shapes,
+          py::arg("progress") = py::none(),
+          (std::string("Finds the liver of the anatomy by brightness and shape together, from points inside it (n x 3, "
+                       "LPS, mm) or from none, and saves it. shapes: the file of a shape model, or \"simulated\", "
+                       "nobody's.") +
+           stage_note +
+           "\nRaises glisson.Error: shapes-not-a-model, shapes-no-liver-found, shapes-outside, grow-seed-outside.")
               .c_str())
       .def(
           "segment_vessels",

@@ -10,6 +10,7 @@
 #include "base/files.h"
 #include "base/json.h"
 #include "base/text.h"
+#include "casefile/found_liver.h"
 #include "casefile/internal/history_journal.h"
 #include "casefile/internal/macro_values.h"
 #include "casefile/model_upkeep.h"
@@ -129,7 +130,9 @@ std::string position_in(const std::string& text) {
 std::optional<Command> segment(const std::string& id, const Provenance& made) {
   const std::string method = option(made.options, "method");
   const bool by_shape = method == "tubes";
-  if ((method != "seeds" && !by_shape) || made.options.count("edited") != 0) return {};
+  // A shape model's file is not kept, only what it was called.
+  const bool found = method == "shape" && option(made.options, "shapes") == simulated_shapes;
+  if ((method != "seeds" && !by_shape && !found) || made.options.count("edited") != 0) return {};
   const std::string name = id.substr(std::string("labels/").size());
   Command command{{"segment", the_case, "--structure", name}, {}};
   std::vector<std::string> seeds;
@@ -138,6 +141,11 @@ std::optional<Command> segment(const std::string& id, const Provenance& made) {
     if (seed.empty()) return {};
     command.words.insert(command.words.end(), {"--seed", seed});
     seeds.push_back("[" + seed + "]");
+  }
+  if (found) {
+    command.words.insert(command.words.end(), {"--shapes", simulated_shapes});
+    command.python = fmt::format("patient.find_liver([{}])", fmt::join(seeds, ", "));
+    return command;
   }
   if (seeds.empty() && !by_shape) return {};
   const std::string within = option(made.options, "within");

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/files.h"
+#include "casefile/internal/structure_making.h"
 #include "casefile/label_map.h"
 #include "imaging/dicom_seg.h"
 #include "imaging/volume_file.h"
@@ -41,7 +42,6 @@ struct Grown {
 };
 Result<Grown> grow(const imaging::Volume& anatomy, const std::string& name,
                    const std::vector<Eigen::Vector3d>& seeds_mm, const imaging::Mask* within, const Progress& progress);
-Provenance made_from_seeds(const std::string& method, const std::vector<Eigen::Vector3d>& seeds_mm);
 
 }  // namespace
 
@@ -62,14 +62,9 @@ Result<SavedStructure> grow_structure(Case& patient, const std::string& name,
   }
   std::vector<Sentence> notes = std::move(grown->notes);
   if (name == "liver") {
-    const auto known = read_structures(patient);
-    if (!known) return failure(known.error());
-    auto whole = segmentation::with_lesions(std::move(grown->mask), *known);
-    grown->mask = std::move(whole.liver);
-    for (const std::string& lesion : whole.added) {
-      made.from.push_back("labels/" + lesion);
-      notes.push_back({GLISSON_TEXT("The growing left {0} out; it was added to the liver."), {lesion}});
-    }
+    auto whole = with_known_lesions(patient, std::move(grown->mask), made, notes);
+    if (!whole) return failure(whole.error());
+    grown->mask = std::move(*whole);
   }
   made.notes = notes;
   auto saved = save_structure(patient, segmentation::make_structure(name, std::move(grown->mask)), std::move(made));
@@ -205,6 +200,27 @@ Result<std::vector<Structure>> read_structures(const Case& patient) {
   return structures;
 }
 
+Provenance made_from_seeds(const std::string& method, const std::vector<Eigen::Vector3d>& seeds_mm) {
+  Provenance made{"segment", {{"method", method}}, {"volumes/anatomy"}, {}, {}};
+  for (std::size_t i = 0; i < seeds_mm.size(); ++i) {
+    const Eigen::Vector3d& seed = seeds_mm[i];
+    made.options[fmt::format("seed-{}_mm", i + 1)] = fmt::format("{},{},{}", seed.x(), seed.y(), seed.z());
+  }
+  return made;
+}
+
+Result<imaging::Mask> with_known_lesions(const Case& patient, imaging::Mask liver, Provenance& made,
+                                         std::vector<Sentence>& notes) {
+  const auto known = read_structures(patient);
+  if (!known) return failure(known.error());
+  auto whole = segmentation::with_lesions(std::move(liver), *known);
+  for (const std::string& lesion : whole.added) {
+    made.from.push_back("labels/" + lesion);
+    notes.push_back({GLISSON_TEXT("The growing left {0} out; it was added to the liver."), {lesion}});
+  }
+  return std::move(whole.liver);
+}
+
 namespace {
 
 Result<imaging::Mask> mask_named(const Case& patient, const std::string& name) {
@@ -219,15 +235,6 @@ Result<imaging::Mask> mask_named(const Case& patient, const std::string& name) {
   auto read = imaging::read_mask_file(patient.folder() / entry->file);
   if (!read) return failure(read.error());
   return std::move(read->mask);
-}
-
-Provenance made_from_seeds(const std::string& method, const std::vector<Eigen::Vector3d>& seeds_mm) {
-  Provenance made{"segment", {{"method", method}}, {"volumes/anatomy"}, {}, {}};
-  for (std::size_t i = 0; i < seeds_mm.size(); ++i) {
-    const Eigen::Vector3d& seed = seeds_mm[i];
-    made.options[fmt::format("seed-{}_mm", i + 1)] = fmt::format("{},{},{}", seed.x(), seed.y(), seed.z());
-  }
-  return made;
 }
 
 Result<std::optional<imaging::Mask>> mask_to_stay_in(const Case& patient, const std::optional<std::string>& name,

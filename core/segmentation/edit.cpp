@@ -27,7 +27,7 @@ Mask inverse_of(const Mask& mask);
 bool is_inside(const std::vector<Vector2d>& polygon, const Vector2d& point);
 Mask layer_of(const Mask& mask, int axis, int index);
 void set_layer(Mask& mask, int axis, int index, const Mask& layer);
-std::vector<double> signed_distances_mm(const Mask& layer);
+std::vector<double> layer_distances_mm(const Mask& layer);
 
 // A layer that holds something, with each cell's distance to its outline: negative inside.
 struct DrawnLayer {
@@ -131,7 +131,7 @@ Mask fill_between_layers(Mask mask, int axis) {
   for (int index = 0; index < layers; ++index) {
     Mask flat = layer_of(mask, axis, index);
     if (voxel_count(flat) == 0) continue;
-    DrawnLayer here{index, signed_distances_mm(flat)};
+    DrawnLayer here{index, layer_distances_mm(flat)};
     for (int between = before ? before->index + 1 : index; between < index; ++between) {
       const double share = static_cast<double>(between - before->index) / (index - before->index);
       for (std::size_t cell = 0; cell < here.distances_mm.size(); ++cell) {
@@ -282,7 +282,7 @@ void set_layer(Mask& mask, int axis, int index, const Mask& layer) {
 }
 
 // A layer that is full has no outline: all of it counts as far inside.
-std::vector<double> signed_distances_mm(const Mask& layer) {
+std::vector<double> layer_distances_mm(const Mask& layer) {
   const std::vector<float> outside_mm2 = imaging::squared_distances_mm2(layer);
   const std::vector<float> inside_mm2 = imaging::squared_distances_mm2(inverse_of(layer));
   const double far_mm =

@@ -17,9 +17,9 @@
 #include "segmentation/internal/seeds.h"
 #include "segmentation/internal/slice_holes.h"
 #include "segmentation/internal/tissue_model.h"
-#include "segmentation/internal/working_grid.h"
 #include "segmentation/structures.h"
 #include "segmentation/unsure_border.h"
+#include "segmentation/working_grid.h"
 
 namespace glisson::segmentation {
 namespace {

@@ -46,25 +46,29 @@ imaging::Mask resample(const imaging::Mask& mask, const imaging::Grid& grid) {
   return resampled;
 }
 
+double value_between(const imaging::Image<float>& image, const Eigen::Vector3d& index) {
+  const Eigen::Vector3d last(image.grid.size[0] - 1, image.grid.size[1] - 1, image.grid.size[2] - 1);
+  const Eigen::Vector3d within = index.cwiseMax(0).cwiseMin(last);
+  const Eigen::Vector3i low = within.array().floor().cast<int>(),
+                        high = (low.array() + 1).min(last.cast<int>().array());
+  const Eigen::Vector3d t = within - low.cast<double>();
+  double sum = 0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const bool i = (corner & 1) != 0, j = (corner & 2) != 0, k = (corner & 4) != 0;
+    const double weight = (i ? t.x() : 1 - t.x()) * (j ? t.y() : 1 - t.y()) * (k ? t.z() : 1 - t.z());
+    if (weight > 0) {
+      sum += weight *
+             static_cast<double>(image.at(i ? high.x() : low.x(), j ? high.y() : low.y(), k ? high.z() : low.z()));
+    }
+  }
+  return sum;
+}
+
 imaging::Image<float> resample(const imaging::Image<float>& image, const imaging::Grid& grid) {
   if (imaging::same_grid(image.grid, grid)) return image;
   imaging::Image<float> resampled{grid, std::vector<float>(grid.voxels())};
-  const Eigen::Vector3d last(image.grid.size[0] - 1, image.grid.size[1] - 1, image.grid.size[2] - 1);
   for_each_voxel(image.grid, grid, [&](std::size_t voxel, const Eigen::Vector3d& source) {
-    const Eigen::Vector3d within = source.cwiseMax(0).cwiseMin(last);
-    const Eigen::Vector3i low = within.array().floor().cast<int>(),
-                          high = (low.array() + 1).min(last.cast<int>().array());
-    const Eigen::Vector3d t = within - low.cast<double>();
-    double sum = 0;
-    for (int corner = 0; corner < 8; ++corner) {
-      const bool i = (corner & 1) != 0, j = (corner & 2) != 0, k = (corner & 4) != 0;
-      const double weight = (i ? t.x() : 1 - t.x()) * (j ? t.y() : 1 - t.y()) * (k ? t.z() : 1 - t.z());
-      if (weight > 0) {
-        sum += weight *
-               static_cast<double>(image.at(i ? high.x() : low.x(), j ? high.y() : low.y(), k ? high.z() : low.z()));
-      }
-    }
-    resampled.values[voxel] = static_cast<float>(sum);
+    resampled.values[voxel] = static_cast<float>(value_between(image, source));
   });
   return resampled;
 }

@@ -9,8 +9,10 @@ namespace glisson::segmentation {
 // Deterministic, whatever the number of threads.
 [[nodiscard]] imaging::Mask resample(const imaging::Mask& mask, const imaging::Grid& grid);
 
-// Between the voxels' centres, trilinear; beyond the outermost ones the nearest value. A value that is not finite
-// spreads to where it weighs.
+// At a (fractional) voxel index, between the voxels' centres, trilinear; beyond the outermost ones the nearest value.
+[[nodiscard]] double value_between(const imaging::Image<float>& image, const Eigen::Vector3d& index);
+
+// The same at every voxel of a grid. A value that is not finite spreads to where it weighs.
 [[nodiscard]] imaging::Image<float> resample(const imaging::Image<float>& image, const imaging::Grid& grid);
 
 }  // namespace glisson::segmentation

@@ -4,31 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "imaging/filters.h"
 #include "segmentation/grid_part.h"
+#include "segmentation/internal/half_step.h"
 #include "segmentation/internal/seeds.h"
 #include "segmentation/internal/signed_distance.h"
 #include "segmentation/internal/tissue_model.h"
-#include "segmentation/internal/working_grid.h"
+#include "segmentation/working_grid.h"
 
 namespace glisson::segmentation {
 namespace {
-
-// The mean of the values that count, in Gaussian surroundings; NaN where none is near.
-std::vector<float> local_mean(const imaging::Image<float>& image, const std::vector<float>& counts, double sd_mm) {
-  std::vector<float> sum(counts.size());
-  for (std::size_t voxel = 0; voxel < sum.size(); ++voxel) {
-    sum[voxel] = counts[voxel] > 0 ? counts[voxel] * image.values[voxel] : 0.0F;
-  }
-  sum = imaging::gaussian_blur(std::move(sum), image.grid, sd_mm);
-  const std::vector<float> weight = imaging::gaussian_blur(counts, image.grid, sd_mm);
-  for (std::size_t voxel = 0; voxel < sum.size(); ++voxel) {
-    sum[voxel] = weight[voxel] > 1e-4F ? sum[voxel] / weight[voxel] : std::numeric_limits<float>::quiet_NaN();
-  }
-  return sum;
-}
 
 // One after the other the voxel with the most unsure ones around it; what lies around it counts no more.
 std::vector<Eigen::Vector3d> densest_places(std::vector<float> alike, const imaging::Grid& grid, double border_voxels,
@@ -86,12 +72,15 @@ UnsureBorder unsure_border(const imaging::Mask& outline, const imaging::Volume& 
   std::vector<float> alike(voxels);
   const auto at_border_mm = static_cast<float>(1.01 * seen.grid.spacing_mm.maxCoeff());
   const auto minimum_contrast = static_cast<float>(options.minimum_contrast_sd * tissue_sd);
+  const std::vector<float> odds =
+      options.expected == nullptr ? std::vector<float>(voxels) : log_odds_outside(*options.expected, seen.grid);
+  const auto surprising = static_cast<float>(log_odds_at(options.surprising_sd));
   std::size_t border = 0, unsure = 0;
   for (std::size_t voxel = 0; voxel < voxels; ++voxel) {
     if (std::abs(border_mm[voxel]) > at_border_mm || !std::isfinite(seen.values[voxel])) continue;
     const bool differs = std::abs(own[voxel] - other[voxel]) >= minimum_contrast;  // not where there is none: NaN
     ++border;
-    if (differs) continue;
+    if (differs && std::abs(odds[voxel]) < surprising) continue;
     alike[voxel] = 1;
     ++unsure;
   }

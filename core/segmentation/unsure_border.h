@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "imaging/image.h"
+#include "segmentation/expected_border.h"
 
 namespace glisson::segmentation {
 
@@ -15,6 +16,9 @@ struct UnsureBorderOptions {
   // Brighter and darker than the organ by more than this counts as so much.
   double clamp_sd = 5;
   double minimum_contrast_sd = 2;  // between both sides: with less nobody can be sure of the border
+  // Nor of one that lies this many deviations or more from where a shape expects it.
+  const ExpectedBorder* expected = nullptr;
+  double surprising_sd = 2;
   // Places that are told apart: the most, how far from each other, and how much of the border around each is unsure.
   int most_places = 3;
   double apart_mm = 40;
@@ -22,7 +26,7 @@ struct UnsureBorderOptions {
 };
 
 struct UnsureBorder {
-  double share = 0;  // of the border: where both sides look alike
+  double share = 0;  // of the border: where both sides look alike, or a shape expects it elsewhere
   // The middles of the largest such places (patient LPS, mm), the largest first, on the border.
   std::vector<Eigen::Vector3d> places_mm;
 };

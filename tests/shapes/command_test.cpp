@@ -1,13 +1,19 @@
-// glisson-cli shapes: a cut-off ellipsoid completed, livers drawn and taken up again, and what is refused.
+// glisson-cli shapes: a cut-off ellipsoid completed, livers drawn and taken up again, and what is refused; segment
+// --shapes: a liver found in a SIMULATED image.
 
 #include <gmock/gmock.h>
 #include <filesystem>
 
+#include "anatomy/patient.h"
 #include "base/files.h"
 #include "base/json.h"
 #include "ellipsoids.h"
 #include "geometry/mesh_file.h"
+#include "imaging/volume_file.h"
+#include "segmentation/structures.h"
 #include "shapes/model_file.h"
+#include "shapes/smooth_model.h"
+#include "simulated_abdomen.h"
 #include "support/process.h"
 
 namespace glisson::test {
@@ -87,6 +93,39 @@ TEST_F(ShapesCommand, AFolderWithoutLiversIsSaid) {
   const Finished none = glisson_cli({"study", "shapes", file("empty"), "--out", file("out")});
   EXPECT_EQ(none.exit_code, 1);
   EXPECT_THAT(none.err, HasSubstr("no label maps"));
+}
+
+TEST_F(ShapesCommand, SegmentFindsTheLiverWithoutAPoint) {
+  anatomy::PatientOptions options;
+  options.seed = 5;
+  const auto made = simulated_abdomen(anatomy::make_liver_surface(options, 4).value(), Looks::portal_ct, 2, 4);
+  ASSERT_TRUE(imaging::write_volume_file(file("ct.nrrd"), made.image));
+  ASSERT_EQ(glisson_cli({"import", file("ct.nrrd"), "--case", file("p.glisson")}).exit_code, 0);
+  const std::vector<std::string> segment{"segment", file("p.glisson"), "--structure", "liver", "--json"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), segment.begin(), segment.end());
+    return glisson_cli(more);
+  };
+  for (const std::vector<std::string>& how : {std::vector<std::string>{}, {"--shapes", file("smooth.vtp")}}) {
+    if (!how.empty()) {
+      ASSERT_TRUE(shapes::write_model(how[1], shapes::smooth_model({.reference_spacing_mm = 11}).value()));
+    }
+    const Finished done = with(how);
+    ASSERT_EQ(done.exit_code, 0) << done.err;
+    EXPECT_THAT(done.out, HasSubstr("found without a point"));
+    const auto found = imaging::read_mask_file(Json::parse(done.out)["file"].get<std::string>()).value();
+    EXPECT_GT(segmentation::dice(found.mask, made.liver).value(), 0.9);
+  }
+  const Finished no_model = with({"--shapes", file("cut.vtp")});
+  EXPECT_EQ(no_model.exit_code, 1);
+  EXPECT_THAT(no_model.err, HasSubstr("no shape model"));
+  EXPECT_THAT(no_model.err, HasSubstr("cut.vtp"));
+  const Finished outside = with({"--shapes", "simulated", "--seed", "5000,0,0"});
+  EXPECT_EQ(outside.exit_code, 1);
+  EXPECT_THAT(outside.err, HasSubstr("outside the image"));
+  const Finished tumour =
+      glisson_cli({"segment", file("p.glisson"), "--structure", "tumour-1", "--shapes", "simulated"});
+  EXPECT_EQ(tumour.exit_code, 2);
 }
 
 }  // namespace glisson::test

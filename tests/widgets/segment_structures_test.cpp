@@ -198,9 +198,9 @@ class SegmentStructuresTest : public SegmentWorkspace {
     window_->open_path(folder);
     settle();
     auto* add = child<QPushButton>("add_structure");
-    auto* find = panel_->findChild<QPushButton*>("find_vessels");
+    auto* find = panel_->findChild<QPushButton*>("find");
     key(Qt::Key_G);
-    QVERIFY(!find->isVisible());  // a liver is no vessel
+    QVERIFY(find->isVisible() && find->isEnabled());  // the liver, too, without a point
     Q_EMIT add->menu()->aboutToShow();
     add->menu()->findChild<QAction*>("portal-vein")->trigger();
     settle();

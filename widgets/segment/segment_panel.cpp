@@ -122,7 +122,7 @@ void SegmentPanel::connect_parts() {
   connect(cut_depth_mm_, &NumberSlider::changed, this, [this](double mm) { tools_.options().depth_mm = mm; });
   cut_depth_->setCurrentIndex(static_cast<int>(tools_.options().depth));
   connect(grow_, &QPushButton::clicked, this, &SegmentPanel::grow);
-  connect(find_vessels_, &QPushButton::clicked, this, &SegmentPanel::find_vessels);
+  connect(find_, &QPushButton::clicked, this, &SegmentPanel::find);
   connect(forget_seeds_, &QPushButton::clicked, &tools_, &SliceTools::clear_seeds);
 
   connect_operations();
@@ -345,12 +345,13 @@ void SegmentPanel::show_state() {
   using segmentation::Contrast;
   const bool is_vessel = kind.value_or(Contrast::lesion) == Contrast::vessel,
              has_liver = editor_.mask_of("liver") != nullptr;
-  find_vessels_->setVisible(is_vessel);
-  find_vessels_->setEnabled(has_liver || !operations_->within().empty());
-  find_vessels_->setToolTip(!has_liver ? tr("Outline the liver first.")
-                            : seeds == 0
-                                ? tr("Replaces the outline by all that is shaped like a vessel in the liver")
-                                : tr("Replaces the outline by the vessels in the liver that hang on the points"));
+  const bool is_liver = has_active && editor_.active_structure()->name == "liver";
+  find_->setVisible(is_vessel || is_liver);
+  find_->setEnabled(is_liver || has_liver || !operations_->within().empty());
+  find_->setToolTip(is_liver ? tr("Replaces the outline by the liver that brightness and shape show; it needs no point")
+                    : !has_liver ? tr("Outline the liver first.")
+                    : seeds == 0 ? tr("Replaces the outline by all that is shaped like a vessel in the liver")
+                                 : tr("Replaces the outline by the vessels in the liver that hang on the points"));
   seeds_text_->setText(
       (!kind ? tr("Click into the tissue, away from large vessels. Points so far: %1")
        : is_vessel

@@ -55,7 +55,7 @@ class SegmentPanel : public QWidget {
   void show_space();
   void show_state();
   void grow();
-  void find_vessels();
+  void find();  // the liver by its shape, vessels by theirs
   // Makes the chosen structure anew, on a worker; `what` says so, with its name as %1.
   using Make = std::function<Result<casefile::SavedStructure>(casefile::Case& patient, const std::string& name,
                                                               const Progress& progress)>;
@@ -94,7 +94,7 @@ class SegmentPanel : public QWidget {
   NumberSlider* cut_depth_mm_ = nullptr;
   QLabel* seeds_text_ = nullptr;
   QPushButton* grow_ = nullptr;
-  QPushButton* find_vessels_ = nullptr;  // where the chosen structure is a vessel
+  QPushButton* find_ = nullptr;  // where the chosen structure is the liver or a vessel
   QPushButton* forget_seeds_ = nullptr;
   StructureOperations* operations_ = nullptr;
   QLabel* filters_title_ = nullptr;

@@ -1,7 +1,9 @@
-// Structures that are grown from points, and vessels that are found by their shape.
+// Structures that are grown from points; the liver and vessels that are found by their shape.
 
+#include "casefile/found_liver.h"
 #include "casefile/structures.h"
 #include "widgets/segment/segment_panel.h"
+#include "widgets/settings/settings.h"
 #include "widgets/words/translated.h"
 
 namespace glisson::widgets {
@@ -14,7 +16,16 @@ void SegmentPanel::grow() {
   });
 }
 
-void SegmentPanel::find_vessels() {
+void SegmentPanel::find() {
+  const EditedStructure* active = editor_.active_structure();
+  if (active != nullptr && active->name == "liver") {
+    const std::string shapes = kept_shapes().isEmpty() ? casefile::simulated_shapes : kept_shapes().toStdString();
+    replace_active(tr("Finding: %1"), [shapes, seeds_mm = tools_.seeds_mm()](
+                                          casefile::Case& patient, const std::string&, const Progress& progress) {
+      return casefile::find_liver(patient, seeds_mm, shapes, progress);
+    });
+    return;
+  }
   const std::string within = operations_->within();
   replace_active(tr("Finding vessels: %1"),
                  [within = within.empty() ? "liver" : within, seeds_mm = tools_.seeds_mm()](

@@ -134,12 +134,12 @@ QWidget* SegmentPanel::make_options() {
   auto* row = new QHBoxLayout;
   grow_ = new QPushButton;
   grow_->setObjectName("grow");
-  find_vessels_ = new QPushButton;
-  find_vessels_->setObjectName("find_vessels");
+  find_ = new QPushButton;
+  find_->setObjectName("find");
   forget_seeds_ = new QPushButton;
   forget_seeds_->setObjectName("forget_seeds");
   row->addWidget(grow_, 1);
-  row->addWidget(find_vessels_, 1);
+  row->addWidget(find_, 1);
   row->addWidget(forget_seeds_, 1);
   seeds->addLayout(row);
   seeds->addStretch();
@@ -243,7 +243,7 @@ void SegmentPanel::update_text() {
   cut_depth_mm_->setToolTip(tr("How far the scissors cut before and behind this slice, in mm"));
   cut_depth_mm_->setAccessibleName(cut_depth_mm_->toolTip());
   grow_->setText(tr("Grow"));
-  find_vessels_->setText(tr("Find"));
+  find_->setText(tr("Find"));
   forget_seeds_->setText(tr("Forget the points"));
 
   filters_title_->setText(tr("The whole structure"));

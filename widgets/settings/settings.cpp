@@ -17,6 +17,7 @@ constexpr const char* names_key = "show_names_outside";
 constexpr const char* threads_key = "threads";
 constexpr const char* program_key = "outlining_program";
 constexpr const char* values_key = "outlining_program_values";
+constexpr const char* shapes_key = "shape_model";
 constexpr const char* recent_key = "recent_cases";
 constexpr const char* windows_key = "grey_windows";
 constexpr qsizetype maximum_recent_cases = 8;
@@ -41,6 +42,10 @@ void keep_threads(int threads) {
   program_settings().setValue(threads_key, threads);
   set_thread_count(threads);
 }
+
+QString kept_shapes() { return program_settings().value(shapes_key).toString().trimmed(); }
+
+void keep_shapes(const QString& file) { program_settings().setValue(shapes_key, file); }
 
 KeptProgram kept_program() {
   return {program_settings().value(program_key).toString(), program_settings().value(values_key).toString()};

@@ -30,6 +30,10 @@ struct KeptProgram {
 [[nodiscard]] KeptProgram kept_program();
 void keep_program(const KeptProgram& program);
 
+// The file of a shape model by which Segment finds the liver (casefile/found_liver.h). Empty for nobody's.
+[[nodiscard]] QString kept_shapes();
+void keep_shapes(const QString& file);
+
 // Cases opened before that are still there, the last one first; at most eight.
 [[nodiscard]] std::vector<std::filesystem::path> recent_cases();
 void remember_case(const std::filesystem::path& folder);

@@ -62,12 +62,16 @@ SettingsWindow::SettingsWindow(QWidget* parent) : QDialog(parent) {
     connect(line, &QLineEdit::textChanged, this, [=] { keep_program({program->text(), values->text()}); });
   }
   QLabel* program_why = explanation();
+  auto* shapes = new QLineEdit(kept_shapes());
+  shapes->setObjectName("shape_model");
+  connect(shapes, &QLineEdit::textChanged, this, &keep_shapes);
 
   auto* theme_label = new QLabel;
   auto* language_label = new QLabel;
   auto* threads_label = new QLabel;
   auto* program_label = new QLabel;
   auto* values_label = new QLabel;
+  auto* shapes_label = new QLabel;
   form->addRow(theme_label, theme);
   form->addRow(language_label, language);
   form->addRow(threads_label, threads);
@@ -76,6 +80,7 @@ SettingsWindow::SettingsWindow(QWidget* parent) : QDialog(parent) {
   form->addRow(program_label, program);
   form->addRow(values_label, values);
   form->addRow(program_why);
+  form->addRow(shapes_label, shapes);
   auto* close = new QPushButton;
   connect(close, &QPushButton::clicked, this, &QDialog::accept);
   form->addRow(close);
@@ -84,6 +89,7 @@ SettingsWindow::SettingsWindow(QWidget* parent) : QDialog(parent) {
   threads_label->setBuddy(threads);
   program_label->setBuddy(program);
   values_label->setBuddy(values);
+  shapes_label->setBuddy(shapes);
   setMinimumWidth(460);
 
   keep_translated(this, [=, this] {
@@ -105,6 +111,10 @@ SettingsWindow::SettingsWindow(QWidget* parent) : QDialog(parent) {
     program_why->setText(
         tr("A program of yours that outlines organs, for Segment (Add). {image} stands for the images of the case and "
            "{folder} for where its label maps go. Values are named only where its files do not say what they are."));
+    shapes_label->setText(tr("Livers' &shapes"));
+    shapes->setPlaceholderText(tr("As in: %1").arg("shapes/model.vtp"));
+    shapes->setToolTip(
+        tr("A shape model's file, by which Segment finds the liver; without one, a simulated liver's shape"));
     close->setText(tr("Close"));
   });
 }

@@ -57,6 +57,12 @@ class Case:
 
         Raises glisson.Error: case-lacks-entry."""
 
+    def find_liver(self, seeds_mm: numpy.typing.ArrayLike = ..., *, shapes: str = ..., progress: Optional[Callable[[float, str], Any]] = ...) -> Dict[str, Any]:
+        """Finds the liver of the anatomy by brightness and shape together, from points inside it (n x 3, LPS, mm) or from none, and saves it. shapes: the file of a shape model, or "simulated", nobody's.
+
+        progress(fraction, stage) is told how far it is; KeyboardInterrupt cancels.
+        Raises glisson.Error: shapes-not-a-model, shapes-no-liver-found, shapes-outside, grow-seed-outside."""
+
     def find_territories(self, *, by: str = ..., borders: Sequence[Tuple[str, numpy.typing.ArrayLike]] = ..., progress: Optional[Callable[[float, str], Any]] = ...) -> Dict[str, Any]:
         """Which tissue belongs to which branch, and Couinaud's segments, saved in the case: what couinaud_segments answers, with "portal-vein" and "hepatic-vein" (LabelMaps of the number of the branch + 1, or None). by: "tree", or "prior" for the liver's shape alone. borders: (border, place) each, for "prior"; trees have theirs from find_vessels.
 

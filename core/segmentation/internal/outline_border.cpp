@@ -9,7 +9,7 @@
 #include "segmentation/grid_part.h"
 #include "segmentation/internal/relaxed_cut.h"
 #include "segmentation/internal/signed_distance.h"
-#include "segmentation/internal/working_grid.h"
+#include "segmentation/working_grid.h"
 
 namespace glisson::segmentation {
 namespace {
@@ -37,8 +37,11 @@ imaging::Image<float> inside_level(const Mask& mask, const imaging::Image<float>
                                           look.drift, look.drift_length_mm, look.smallest_sd);
   std::vector<float> cost = log_likelihood_ratio(seen, border_mm, tissue, round.band_mm, options.likelihood);
   std::vector<VoxelSide> sides(cost.size());
+  const std::vector<float> odds =
+      options.expected == nullptr ? std::vector<float>(cost.size()) : log_odds_outside(*options.expected, seen.grid);
   for (std::size_t voxel = 0; voxel < cost.size(); ++voxel) {
     cost[voxel] *= static_cast<float>(options.likelihood_per_mm);
+    cost[voxel] += static_cast<float>(options.prior_per_mm) * std::max(odds[voxel], -most_for_inside);
     sides[voxel] = std::abs(border_mm[voxel]) <= band_mm ? VoxelSide::either
                    : border_mm[voxel] < 0                ? VoxelSide::inside
                                                          : VoxelSide::outside;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "imaging/image.h"
+#include "segmentation/expected_border.h"
 #include "segmentation/internal/likelihood_ratio.h"
 #include "segmentation/internal/tissue_model.h"
 
@@ -20,6 +21,9 @@ struct BorderOptions {
   // smoothed away. That holds where both sides are 20 times as likely on their own as on the other.
   double likelihood_per_mm = 0.2;
   LikelihoodOptions likelihood;
+  // Where a shape says that the border lies, and how much its log-odds count; none where there is no shape.
+  const ExpectedBorder* expected = nullptr;
+  double prior_per_mm = 0.2;
 };
 
 struct OrganLook {

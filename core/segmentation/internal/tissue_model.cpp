@@ -9,7 +9,7 @@
 #include "base/parallel.h"
 #include "base/upper_median.h"
 #include "imaging/filters.h"
-#include "segmentation/internal/working_grid.h"
+#include "segmentation/working_grid.h"
 
 namespace glisson::segmentation {
 namespace {

@@ -14,7 +14,7 @@
 #include "base/upper_median.h"
 #include "imaging/filters.h"
 #include "segmentation/internal/tissue_model.h"
-#include "segmentation/internal/working_grid.h"
+#include "segmentation/working_grid.h"
 
 namespace glisson::segmentation {
 namespace {

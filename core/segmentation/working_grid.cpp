@@ -1,6 +1,6 @@
 // Block means, and trilinear interpolation back.
 
-#include "segmentation/internal/working_grid.h"
+#include "segmentation/working_grid.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,50 @@
+#include "segmentation/internal/half_step.h"
+
+#include <cmath>
+#include <limits>
+
+#include "imaging/filters.h"
+#include "segmentation/grid_part.h"
+#include "segmentation/internal/signed_distance.h"
+
+namespace glisson::segmentation {
+
+std::vector<float> local_mean(const imaging::Image<float>& image, const std::vector<float>& counts, double sd_mm) {
+  std::vector<float> sum(counts.size());
+  for (std::size_t voxel = 0; voxel < sum.size(); ++voxel) {
+    sum[voxel] = counts[voxel] > 0 ? counts[voxel] * image.values[voxel] : 0.0F;
+  }
+  sum = imaging::gaussian_blur(std::move(sum), image.grid, sd_mm);
+  const std::vector<float> weight = imaging::gaussian_blur(counts, image.grid, sd_mm);
+  for (std::size_t voxel = 0; voxel < sum.size(); ++voxel) {
+    sum[voxel] = weight[voxel] > 1e-4F ? sum[voxel] / weight[voxel] : std::numeric_limits<float>::quiet_NaN();
+  }
+  return sum;
+}
+
+imaging::Mask at_half_step(imaging::Mask outline, const imaging::Volume& image, double organ_sd) {
+  constexpr double far_mm = 12, least_contrast_sd = 6;
+  const double voxel_mm = image.grid.spacing_mm.maxCoeff();
+  const Part part = part_around(outline, static_cast<int>(std::ceil(far_mm / image.grid.spacing_mm.minCoeff())));
+  imaging::Mask mask = cut_out(outline, part);
+  imaging::Image<float> seen = cut_out<float>(image, part);
+  const std::vector<float> border_mm = signed_distances_mm(mask);
+  std::vector<float> inner(border_mm.size()), outer(border_mm.size());
+  const auto clear = static_cast<float>(1.2 * voxel_mm), distant = static_cast<float>(far_mm + voxel_mm);
+  for (std::size_t voxel = 0; voxel < border_mm.size(); ++voxel) {
+    if (!std::isfinite(seen.values[voxel])) continue;
+    inner[voxel] = border_mm[voxel] < -clear && border_mm[voxel] > -distant ? 1.0F : 0.0F;
+    outer[voxel] = border_mm[voxel] > clear && border_mm[voxel] < distant ? 1.0F : 0.0F;
+  }
+  const std::vector<float> own = local_mean(seen, inner, far_mm / 3), other = local_mean(seen, outer, far_mm / 3);
+  const auto least = static_cast<float>(least_contrast_sd * organ_sd), at_border = static_cast<float>(1.01 * voxel_mm);
+  for (std::size_t voxel = 0; voxel < border_mm.size(); ++voxel) {
+    if (std::abs(border_mm[voxel]) > at_border || !(std::abs(own[voxel] - other[voxel]) > least)) continue;
+    const float value = seen.values[voxel];
+    if (std::isfinite(value)) mask.values[voxel] = std::abs(value - own[voxel]) < std::abs(value - other[voxel]);
+  }
+  put_back(mask, part, outline);
+  return outline;
+}
+
+}  // namespace glisson::segmentation

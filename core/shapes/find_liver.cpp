@@ -1,0 +1,259 @@
+#include "shapes/find_liver.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <optional>
+
+#include "anatomy/level_surface.h"
+#include "base/parallel.h"
+#include "geometry/nearest.h"
+#include "imaging/filters.h"
+#include "segmentation/grid_part.h"
+#include "segmentation/rasterise.h"
+#include "segmentation/resample.h"
+#include "segmentation/working_grid.h"
+#include "shapes/completion.h"
+
+namespace glisson::shapes {
+namespace {
+
+using Eigen::Vector3d;
+using geometry::Surface;
+using segmentation::ExpectedBorder;
+
+// The image in blocks, as far as the placed liver reaches, smoothed; what is no number is as dark as the darkest.
+imaging::Volume working_part(const imaging::Volume& image, const Surface& placed, double spacing_mm,
+                             double smoothing_mm);
+
+// The model's deviation at each point and `more_mm` together.
+ExpectedBorder expected_border(const Surface& surface, const std::vector<double>& sd_mm, double more_mm);
+
+// The model's surface moved along its normals to the borders that the image shows by itself; the rest left out.
+struct BorderSeen {
+  Surface surface;
+  double fraction = 0;  // of the model's points that lie in the image
+};
+BorderSeen border_seen(const Surface& shape, const imaging::Image<float>& outside, double reach_mm, double clear);
+// How far along the normal the best border from inside to outside lies: what is within looks like the organ, and what
+// is beyond otherwise, both by `clear` on average. Nearer is better.
+std::optional<double> border_along(const imaging::Image<float>& outside, const Vector3d& from_mm,
+                                   const Vector3d& normal, double reach_mm, double clear);
+
+// The shape as it follows the image.
+struct Following {
+  Surface shape;  // with the point field "sd_mm" once it was fitted
+  ShapeFit fit;
+  FitOptions fitting;  // with the pose of the fit before
+  double seen_fraction = 0;
+};
+Result<void> fit_to_borders(const ShapeModel& model, const imaging::Image<float>& outside,
+                            const FindOptions::Round& round, const FindOptions& options, Following& following,
+                            const Progress& progress);
+
+Error not_a_liver();
+
+}  // namespace
+
+Result<FoundLiver> find_liver(const imaging::Volume& image, const ShapeModel& model,
+                              const std::vector<Vector3d>& seeds_mm, const FindOptions& options,
+                              const Progress& progress) {
+  if (auto checked = segmentation::check_points(image, seeds_mm); !checked) return failure(checked.error());
+  auto placing = place_model(image, model, seeds_mm, options.placing, progress.part(0, 0.2));
+  if (!placing) return failure(placing.error());
+  const imaging::Volume working =
+      working_part(image, placing->surface, options.working_spacing_mm, options.smoothing_mm);
+  Following following{placing->surface, {}, options.fit, 0};
+  following.fitting.pose = Eigen::Isometry3d(Eigen::Translation3d(placing->shift_mm));
+  const std::size_t points = placing->surface.points_mm.size();
+  ExpectedBorder expected = expected_border(placing->surface, std::vector<double>(points, options.placing_sd_mm), 0);
+  const auto organ = segmentation::brightness_of(working, expected, seeds_mm);
+  if (!organ) return failure(organ.error());
+  imaging::Mask cut;
+  for (std::size_t round = 0; round < options.rounds.size(); ++round) {
+    progress.report(0.2 + 0.6 * static_cast<double>(round) / static_cast<double>(options.rounds.size()),
+                    GLISSON_TEXT("Fitting the shape to the image"));
+    const imaging::Image<float> outside =
+        segmentation::outside_ratio(working, *organ, round == 0 ? nullptr : &cut, options.cut);
+    if (auto fitted = fit_to_borders(model, outside, options.rounds[round], options, following, progress); !fitted) {
+      return failure(fitted.error());
+    }
+    expected = expected_border(following.shape, geometry::find_field(following.shape.point_fields, "sd_mm")->values,
+                               options.rounds[round].more_mm);
+    cut = segmentation::cut_by_shape(outside, expected, seeds_mm, options.cut);
+  }
+  if (auto inside = check_inside(model, following.fit); !inside) return failure(inside.error());
+  if (progress.cancelled()) return cancelled();
+  progress.report(0.85, GLISSON_TEXT("Smoothing the outline"));
+  FoundLiver found;
+  found.liver = segmentation::finished_by_shape(cut, image, expected, *organ, seeds_mm, options.cut);
+  found.liver.rounds = static_cast<int>(options.rounds.size());
+  found.fit = std::move(following.fit);
+  found.placing_score = placing->score;
+  found.seen_fraction = following.seen_fraction;
+  progress.report(1, GLISSON_TEXT("Smoothing the outline"));
+  return found;
+}
+
+namespace {
+
+Result<void> fit_to_borders(const ShapeModel& model, const imaging::Image<float>& outside,
+                            const FindOptions::Round& round, const FindOptions& options, Following& following,
+                            const Progress& progress) {
+  BorderSeen seen;
+  for (const double reach_mm : round.reaches_mm) {
+    if (progress.cancelled()) return cancelled();
+    if (!seen.surface.points_mm.empty()) {
+      auto fit = fit_model(model, seen.surface, following.fitting);
+      if (!fit) return failure(fit.error());
+      following.shape = std::move(fit->surface);
+      following.fitting.pose = fit->pose;
+    }
+    seen = border_seen(following.shape, outside, reach_mm, options.clear);
+    if (seen.fraction < options.least_seen) return failure(not_a_liver());
+  }
+  auto completed = complete(model, seen.surface, following.fitting);
+  if (!completed) return failure(completed.error());
+  following.seen_fraction = seen.fraction;
+  following.fit = std::move(completed->fit);
+  following.fitting.pose = following.fit.pose;
+  following.shape = std::move(completed->surface);
+  return {};
+}
+
+imaging::Volume working_part(const imaging::Volume& image, const Surface& placed, double spacing_mm,
+                             double smoothing_mm) {
+  constexpr double around_mm = 45;
+  const imaging::Image<float> working =
+      segmentation::block_means(image.grid, image.values, segmentation::blocks_of(image.grid, spacing_mm));
+  imaging::Volume part{
+      segmentation::cut_out<float>(working, segmentation::part_around(placed.points_mm, around_mm, working.grid)),
+      image.unit};
+  float lowest = std::numeric_limits<float>::infinity();
+  for (const float value : part.values) lowest = std::isfinite(value) ? std::min(lowest, value) : lowest;
+  for (float& value : part.values) value = std::isfinite(value) ? value : lowest;
+  part.values = imaging::gaussian_blur(std::move(part.values), part.grid, smoothing_mm);
+  return part;
+}
+
+ExpectedBorder expected_border(const Surface& surface, const std::vector<double>& sd_mm, double more_mm) {
+  constexpr double spacing_mm = 5, around_mm = 40, near_mm = 20;
+  geometry::Box box = geometry::bounding_box(surface.points_mm);
+  box.min_mm.array() -= around_mm;
+  box.max_mm.array() += around_mm;
+  const imaging::Mask mask = segmentation::rasterise(surface, anatomy::grid_over(box, spacing_mm));
+  const std::vector<float> outside = imaging::squared_distances_mm2(mask), depth = imaging::squared_depths_mm2(mask);
+  const geometry::SurfaceDistance to_surface(surface);
+  const double typical_sd_mm =
+      std::accumulate(sd_mm.begin(), sd_mm.end(), 0.0) / static_cast<double>(std::max<std::size_t>(sd_mm.size(), 1));
+  const std::size_t voxels = mask.values.size();
+  ExpectedBorder expected{{mask.grid, std::vector<float>(voxels)}, {mask.grid, std::vector<float>(voxels)}};
+  const auto rows = static_cast<std::size_t>(mask.grid.size[1]) * static_cast<std::size_t>(mask.grid.size[2]);
+  parallel_for(rows, 16, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t row = begin; row < end; ++row) {
+      const int j = static_cast<int>(row) % mask.grid.size[1], k = static_cast<int>(row) / mask.grid.size[1];
+      for (int i = 0; i < mask.grid.size[0]; ++i) {
+        const std::size_t voxel = mask.grid.offset(i, j, k);
+        const float sign = mask.values[voxel] != 0 ? -1.0F : 1.0F;
+        const float rough_mm = std::sqrt(std::max(outside[voxel], depth[voxel])) - static_cast<float>(spacing_mm) / 2;
+        expected.distance_mm.values[voxel] = sign * rough_mm;
+        expected.sd_mm.values[voxel] = static_cast<float>(std::hypot(typical_sd_mm, more_mm));
+        if (rough_mm > near_mm) continue;
+        const auto closest = to_surface.closest(mask.grid.position_mm(i, j, k));
+        expected.distance_mm.values[voxel] = sign * static_cast<float>(closest.distance_mm);
+        double sd = 0;
+        for (const int point : surface.triangles[static_cast<std::size_t>(closest.triangle)]) {
+          sd += sd_mm[static_cast<std::size_t>(point)] / 3;
+        }
+        expected.sd_mm.values[voxel] = static_cast<float>(std::hypot(sd, more_mm));
+      }
+    }
+  });
+  return expected;
+}
+
+std::optional<double> border_along(const imaging::Image<float>& outside, const Vector3d& from_mm,
+                                   const Vector3d& normal, double reach_mm, double clear) {
+  constexpr double step_mm = 1.5, beside_mm = 9;
+  const auto beside = static_cast<int>(beside_mm / step_mm), reach = static_cast<int>(reach_mm / step_mm);
+  const int inmost = 2 * reach;  // a lobe may end far before the model's
+  const imaging::Grid& grid = outside.grid;
+  const Vector3d start = grid.index_of(from_mm), step = grid.index_of(from_mm + step_mm * normal) - start;
+  const Vector3d last(grid.size[0] - 1, grid.size[1] - 1, grid.size[2] - 1);
+  // Sums from the innermost sample on; none of a sample beside the image.
+  std::vector<double> sums{0};
+  std::vector<int> missing{0};
+  for (int n = -inmost - beside; n < reach + beside; ++n) {
+    const Vector3d at = start + (n + 0.5) * step;
+    const bool there = (at.array() >= 0).all() && (at.array() <= last.array()).all();
+    sums.push_back(sums.back() + (there ? segmentation::value_between(outside, at) : 0.0));
+    missing.push_back(missing.back() + (there ? 0 : 1));
+  }
+  std::optional<double> best_mm;
+  double best = -std::numeric_limits<double>::infinity();
+  for (int n = -inmost; n <= reach; ++n) {
+    const auto at = static_cast<std::size_t>(n + inmost + beside), few = static_cast<std::size_t>(beside);
+    const int inner = beside - (missing[at] - missing[at - few]), outer = beside - (missing[at + few] - missing[at]);
+    if (2 * std::min(inner, outer) < beside) continue;
+    const double within = (sums[at - few] - sums[at]) / inner, beyond = (sums[at + few] - sums[at]) / outer;
+    const double off = (n < 0 ? 1 : 2) * n / static_cast<double>(reach);  // the reach is two deviations
+    const double score = within + beyond - 0.5 * off * off;
+    if (!(within > clear && beyond > clear && score > best)) continue;
+    best = score;
+    best_mm = n * step_mm;
+  }
+  return best_mm;
+}
+
+BorderSeen border_seen(const Surface& shape, const imaging::Image<float>& outside, double reach_mm, double clear) {
+  const std::vector<Vector3d> normals = geometry::point_normals(shape);
+  BorderSeen seen{shape, 0};
+  std::vector<std::uint8_t> is_seen(shape.points_mm.size()), in_image(shape.points_mm.size());
+  const Vector3d last(outside.grid.size[0] - 1, outside.grid.size[1] - 1, outside.grid.size[2] - 1);
+  parallel_for(shape.points_mm.size(), 64, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t p = begin; p < end; ++p) {
+      const Vector3d index = outside.grid.index_of(shape.points_mm[p]);
+      in_image[p] = (index.array() >= 0).all() && (index.array() <= last.array()).all();
+      const auto along_mm = border_along(outside, shape.points_mm[p], normals[p], reach_mm, clear);
+      if (!along_mm) continue;
+      seen.surface.points_mm[p] += *along_mm * normals[p];
+      is_seen[p] = 1;
+    }
+  });
+  std::erase_if(seen.surface.triangles, [&](const std::array<int, 3>& triangle) {
+    return std::any_of(triangle.begin(), triangle.end(),
+                       [&](int point) { return is_seen[static_cast<std::size_t>(point)] == 0; });
+  });
+  const auto count = [](const std::vector<std::uint8_t>& flags) {
+    return static_cast<double>(std::count(flags.begin(), flags.end(), std::uint8_t{1}));
+  };
+  seen.fraction = count(is_seen) / std::max(1.0, count(in_image));
+  // Points that no triangle uses would count as seen.
+  std::vector<int> number(is_seen.size(), -1);
+  std::vector<Vector3d> points_mm;
+  for (auto& triangle : seen.surface.triangles) {
+    for (int& point : triangle) {
+      int& name = number[static_cast<std::size_t>(point)];
+      if (name < 0) {
+        name = static_cast<int>(points_mm.size());
+        points_mm.push_back(seen.surface.points_mm[static_cast<std::size_t>(point)]);
+      }
+      point = name;
+    }
+  }
+  seen.surface.points_mm = std::move(points_mm);
+  return seen;
+}
+
+Error not_a_liver() {
+  return Error{"shapes-no-liver-found",
+               GLISSON_TEXT("The image hardly shows a border where the model expects the liver's."),
+               {},
+               GLISSON_TEXT("Give a seed inside the liver; look whether the image shows one, and lies in the patient's "
+                            "frame (LPS)."),
+               {}};
+}
+
+}  // namespace
+}  // namespace glisson::shapes

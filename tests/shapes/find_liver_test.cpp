@@ -1,0 +1,112 @@
+// The liver by brightness and shape together, on SIMULATED images of nobody's liver.
+
+#include "shapes/find_liver.h"
+
+#include <gmock/gmock.h>
+
+#include "../segmentation/deepest.h"
+#include "anatomy/patient.h"
+#include "base/parallel.h"
+#include "segmentation/structures.h"
+#include "shapes/smooth_model.h"
+#include "simulated_abdomen.h"
+
+namespace glisson::shapes {
+namespace {
+
+using Eigen::Vector3d;
+
+// A generated liver that is not the model's mean: another volume, other proportions.
+const test::SimulatedAbdomen& abdomen() {
+  static const test::SimulatedAbdomen made = [] {
+    anatomy::PatientOptions options;
+    options.seed = 7;
+    options.volume_ml = 1350;
+    return test::simulated_abdomen(anatomy::make_liver_surface(options, 4).value(), test::Looks::portal_ct, 3, 4);
+  }();
+  return made;
+}
+
+const ShapeModel& model() {
+  static const ShapeModel made = smooth_model({.reference_spacing_mm = 11}).value();
+  return made;
+}
+
+double dice(const imaging::Mask& a, const imaging::Mask& b) { return segmentation::dice(a, b).value(); }
+
+}  // namespace
+
+TEST(SmoothModel, VariesAsItWasAsked) {
+  const SmoothModelOptions options{.reference_spacing_mm = 11};
+  const ShapeModel& smooth = model();
+  EXPECT_EQ(smooth.livers, 0);
+  EXPECT_EQ(smooth.rank(), options.modes);
+  EXPECT_TRUE(is_watertight(smooth.mean));
+  // What the modes hold and what they leave make up the deviation at each point.
+  for (Eigen::Index p = 0; p < smooth.residual_sd_mm.size(); p += 50) {
+    const double held = smooth.modes_mm.row(3 * p).squaredNorm();
+    EXPECT_NEAR(std::sqrt(held + std::pow(smooth.residual_sd_mm[p], 2)), options.deviation_mm, 0.1);
+  }
+}
+
+TEST(FindLiver, NeedsNoPoint) {
+  const auto found = find_liver(abdomen().image, model());
+  ASSERT_TRUE(found) << found.error().message();
+  const double overlap = dice(found->liver.mask, abdomen().liver);
+  std::cout << "no point: Dice " << overlap << "\n";
+  EXPECT_GT(overlap, 0.9);
+  EXPECT_GT(found->seen_fraction, 0.5);
+}
+
+TEST(FindLiver, HoldsThePointsGiven) {
+  const Vector3d seed_mm = segmentation::deepest_mm(abdomen().liver);
+  const auto found = find_liver(abdomen().image, model(), {seed_mm});
+  ASSERT_TRUE(found) << found.error().message();
+  const double overlap = dice(found->liver.mask, abdomen().liver);
+  std::cout << "one point: Dice " << overlap << "\n";
+  EXPECT_GT(overlap, 0.9);
+  const Eigen::Vector3i at = abdomen().image.grid.index_of(seed_mm).array().round().cast<int>();
+  EXPECT_EQ(found->liver.mask.at(at.x(), at.y(), at.z()), 1);
+}
+
+TEST(FindLiver, IsTheSameWhateverTheNumberOfThreads) {
+  set_thread_count(1);
+  const auto alone = find_liver(abdomen().image, model());
+  set_thread_count(0);
+  EXPECT_EQ(alone->liver.mask.values, find_liver(abdomen().image, model())->liver.mask.values);
+}
+
+TEST(FindLiver, SaysThatThereIsNone) {
+  // Noise alone; and a body whose liver is fat.
+  imaging::Volume noise = abdomen().image;
+  std::mt19937 random(1);
+  std::normal_distribution<float> normal(60, 200);
+  for (float& value : noise.values) value = normal(random);
+  const auto in_noise = find_liver(noise, model());
+  ASSERT_FALSE(in_noise);
+  EXPECT_EQ(in_noise.error().code, "shapes-no-liver-found");
+
+  imaging::Volume constant = abdomen().image;
+  std::fill(constant.values.begin(), constant.values.end(), 60.0F);
+  const auto in_constant = find_liver(constant, model());
+  ASSERT_FALSE(in_constant);
+  EXPECT_EQ(in_constant.error().code, "shapes-no-liver-found");
+
+  const auto nothing = find_liver(imaging::Volume{}, model());
+  ASSERT_FALSE(nothing);
+  EXPECT_EQ(nothing.error().code, "grow-bad-image");
+}
+
+TEST(FindLiver, RefusesAPointOutsideTheImage) {
+  const auto found = find_liver(abdomen().image, model(), {Vector3d(5000, 0, 0)});
+  ASSERT_FALSE(found);
+  EXPECT_EQ(found.error().code, "grow-seed-outside");
+}
+
+TEST(FindLiver, CanBeCancelled) {
+  std::stop_source stop;
+  stop.request_stop();
+  EXPECT_EQ(find_liver(abdomen().image, model(), {}, {}, Progress({}, stop.get_token())).error().code, "cancelled");
+}
+
+}  // namespace glisson::shapes
