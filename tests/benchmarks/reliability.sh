@@ -2,7 +2,7 @@
 # How far the probabilities of `explain` can be relied on: material tests and recordings of platforms with effects of 0.15 to
 # 2 noises, small enough that probabilities lie between none and all. Run by hand:
 #
-#   tests/benchmarks/reliability.sh [FOLDER [SEEDS [SEEDS_OF_PALPATIONS]]]    # build/reliability "1" ""
+#   tests/benchmarks/reliability.sh [FOLDER [SEEDS [SEEDS_OF_PALPATIONS]]]    # build/reliability "1" ""; "" for none
 #
 # Options were chosen on seeds 1 to 6, 301 and 302, and judged on others (docs/closed-loop.md): ask for fresh ones. It may be stopped and taken
 # up again (judge.py). A seed is 87 cases, one to three seconds of one core each; of palpations 33, made by CalculiX, some seconds each. Needs
@@ -11,7 +11,7 @@ set -e
 cd "$(dirname "$0")/../.."
 folder=${1:-build/reliability}
 make=tests/support/undeclared
-for seed in ${2:-1}; do
+for seed in ${2-1}; do
   $make/make_material.py "$folder/cases" --seed "$seed" --sizes 0.15,0.3,0.6,2
   $make/make_material.py "$folder/cases" --seed "$seed" --kinds pairs --sizes 0.6,2
   $make/make_platform.py "$folder/cases" --seed "$seed" --sizes 0.15,0.3,0.6,2

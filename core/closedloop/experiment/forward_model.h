@@ -62,6 +62,10 @@ class ForwardModel {
   // Counted as uncertainty, so that it is never named an effect.
   [[nodiscard]] virtual SystematicUncertainty systematic_uncertainty() const { return {}; }
 
+  // What a cause outside of the catalogue may add to a prediction: any combination of functions of what was done. A
+  // column each, rows as observations(). None: any smooth function (inference/smooth_rest.h).
+  [[nodiscard]] virtual Eigen::MatrixXd unlisted_shapes() const { return {}; }
+
   // Where to begin the search for `effect` when `active` are on already and leave `residual` (measured - predicted).
   [[nodiscard]] virtual std::vector<Start> starts(const Effect& effect, const Settings& active,
                                                   const Eigen::VectorXd& residual) const;

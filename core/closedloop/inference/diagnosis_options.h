@@ -103,6 +103,13 @@ struct PosteriorOptions {
   double look_alike_nats = 16;
   double too_weak_to_show = 0.1;
 
+  // Where a model says what shapes something else may have (ForwardModel::unlisted_shapes): the odds against the
+  // likeliest cause that it is a mere likeness whose rest shows. A likeness leaves half of what it changes, give or
+  // take a factor of two. Chosen on palpations of seeds 1, 50640 and 18081 (docs/closed-loop.md).
+  double likeness = 0.5;
+  double likeness_leaves = 0.5;
+  double likeness_leaves_spread = 0.7;  // of the logarithm
+
   double worth_refining = 15;    // nats below the best: less than one in a million, and no matter how exactly
   double refined_enough = 0.2;   // standard deviations from the maximum of the posterior: a fiftieth of a nat
   int refinements = 5;           // of Gauss and Newton; more is another maximum

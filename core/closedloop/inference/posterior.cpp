@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/parallel.h"
+#include "closedloop/inference/shaped_rest.h"
 #include "closedloop/inference/smooth_rest.h"
 
 namespace glisson::closedloop {
@@ -37,6 +38,9 @@ double excess(const Observations& observations, const Eigen::VectorXd& predicted
 Result<std::vector<double>> weights_of_something_else(const Weighing& weighing, const Eigen::VectorXd& declared,
                                                       const Weighed& leading, double of_nothing,
                                                       const PosteriorOptions& options, const Progress& progress);
+Result<std::vector<double>> weights_by_shapes(const Weighing& weighing, const Eigen::MatrixXd& shapes,
+                                              const Eigen::VectorXd& declared, const Weighed& leading,
+                                              double of_nothing, const PosteriorOptions& options);
 LocalFit thinned(LocalFit fit, double share);
 double odds_of_look_alike(double evidence_over_nothing, const Kinds& leading, const PosteriorOptions& options);
 double root_mean_square(const Eigen::VectorXd& values);
@@ -259,6 +263,8 @@ Result<std::vector<double>> weights_of_something_else(const Weighing& weighing, 
                                                       const Weighed& leading, double of_nothing,
                                                       const PosteriorOptions& options, const Progress& progress) {
   const ForwardModel& model = weighing.model;
+  if (const Eigen::MatrixXd shapes = model.unlisted_shapes(); shapes.size() > 0)
+    return weights_by_shapes(weighing, shapes, declared, leading, of_nothing, options);
   const auto smooth = [&](const Eigen::VectorXd& predicted) {
     return smooth_evidence(model.observations(), weighing.systematic, model.observations().measured - predicted,
                            options, progress);
@@ -280,6 +286,42 @@ Result<std::vector<double>> weights_of_something_else(const Weighing& weighing, 
   return std::vector<double>{
       half + log_prior + leading.log.evidence + (seen.best - seen.evidence) + in_place.smooth - rest.noise,
       half + log_odds + leading.log_prior + leading.log.evidence + beside(rest, *predicted)};
+}
+
+// The same over all rows, where the model says what shapes something else may have; and, as likely, that the leading
+// explanation is the catalogue's nearest to something that is not in it. What such a likeness leaves is a share of what
+// it changes, and a larger one than the mesh's own error.
+Result<std::vector<double>> weights_by_shapes(const Weighing& weighing, const Eigen::MatrixXd& shapes,
+                                              const Eigen::VectorXd& declared, const Weighed& leading,
+                                              double of_nothing, const PosteriorOptions& options) {
+  const Observations& observations = weighing.model.observations();
+  const ShapedRest rest(observations, weighing.whitening.whiten(shapes), options);
+  const auto left = [&](const Eigen::VectorXd& predicted) -> Eigen::VectorXd {
+    return weighing.whitening.whiten(observations.measured - predicted);
+  };
+  const auto shown = [&](double log_odds, const Eigen::VectorXd& predicted) {
+    return excess(observations, predicted) <= weighing.systematic.indistinct ? std::min(0.0, log_odds) : log_odds;
+  };
+  const auto in_noises = [&](const Eigen::VectorXd& values) {
+    return root_mean_square(values.cwiseQuotient(observations.noise));
+  };
+  const Amplitude any{options.smooth_amplitude, options.smooth_amplitude_spread};
+  const double log_prior = std::log(options.something_else), half = std::log(0.5);
+  const double in_place = rest.log_odds(left(declared), any);
+  if (leading.kinds.empty()) return std::vector<double>{log_prior + of_nothing + shown(in_place, declared)};
+  const auto predicted = weighing.model.predict(leading.fit.settings);
+  if (!predicted) return failure(predicted.error());
+  const double change = in_noises(*predicted - declared);
+  const double mesh = weighing.systematic.indistinct / std::max(1e-12, in_noises(declared)) * change;
+  const double left_over =
+      shown(rest.log_odds(left(*predicted), {options.likeness_leaves * change, options.likeness_leaves_spread},
+                          {mesh, options.mesh_error_scale}),
+            *predicted);
+  const double of_leading = leading.log_prior + leading.log.evidence;
+  const double log_odds = log_prior - std::log(1 - options.something_else);
+  return std::vector<double>{half + log_prior + of_nothing + in_place,
+                             std::log(options.likeness) + of_leading + left_over,
+                             half + log_odds + of_leading + left_over};
 }
 
 // To a share of its rows, evenly from all.

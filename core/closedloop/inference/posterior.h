@@ -26,9 +26,10 @@ struct Weighing {
 // `considered` are sets of effects near where they fit best. A set may stand there several times and counts once; sets
 // that are not there count as impossible. Half of "something else" is a smooth function in place of all known causes.
 // The other half acts beside the likeliest of them, which keep their own prior probability. Where "nothing is missing"
-// is the likeliest, all of it is the smooth function. And what looks like the likeliest may be something else
-// (PosteriorOptions::look_alike). What lies within the prediction's own error (SystematicUncertainty::indistinct) is no
-// better evidence than the declared model. Fails where that cannot be solved, and when cancelled.
+// is the likeliest, all of it is the smooth function. Shapes that the model gives stand for that function where there
+// are any (shaped_rest.h). And what looks like the likeliest may be something else (PosteriorOptions::look_alike,
+// likeness). What lies within the prediction's own error (SystematicUncertainty::indistinct) is no better evidence than
+// the declared model. Fails where that cannot be solved, and when cancelled.
 Result<Posterior> posterior(const Weighing& weighing, std::vector<LocalFit> considered, const PosteriorOptions& options,
                             const Progress& progress = {});
 

@@ -45,6 +45,7 @@ class PalpationModel : public ForwardModel {
   [[nodiscard]] Result<Eigen::VectorXd> predict(const Settings& settings) const override;
   [[nodiscard]] Result<Linearisation> linearise(const Settings& settings) const override;
   [[nodiscard]] SystematicUncertainty systematic_uncertainty() const override;
+  [[nodiscard]] Eigen::MatrixXd unlisted_shapes() const override;
   [[nodiscard]] std::vector<Start> starts(const Effect& effect, const Settings& active,
                                           const Eigen::VectorXd& residual) const override;
 
@@ -182,6 +183,22 @@ SystematicUncertainty PalpationModel::systematic_uncertainty() const {
                               std::sqrt(static_cast<double>(markers_.observations.rows())) / experiment_.noise_mm;
   });
   return uncertainty_;
+}
+
+// In each trial and direction a linear function of the place that grows with the load, as an elastic body's answer
+// does.
+Eigen::MatrixXd PalpationModel::unlisted_shapes() const {
+  const Observations& all = markers_.observations;
+  const Eigen::RowVector3d middle = all.place_mm.colwise().mean();
+  const auto directions = static_cast<Eigen::Index>(all.directions.size());
+  Eigen::MatrixXd shapes = Eigen::MatrixXd::Zero(all.rows(), 4 * directions * all.trial_count());
+  for (Eigen::Index row = 0; row < all.rows(); ++row) {
+    const auto i = static_cast<std::size_t>(row);
+    const Eigen::Index first = 4 * (directions * all.trial[i] + all.direction[i]);
+    shapes(row, first) = all.load[row];
+    shapes.row(row).segment<3>(first + 1) = all.load[row] * (all.place_mm.row(row) - middle);
+  }
+  return shapes;
 }
 
 Result<Eigen::MatrixXd> PalpationModel::displacements(const Settings& settings) const {
