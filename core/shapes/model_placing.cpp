@@ -69,6 +69,13 @@ class Judge {
 
 std::vector<Candidate> searched(const std::vector<Judge>& judges, const std::vector<Vector3d>& middles_mm);
 std::vector<Vector3d> middles_over(const imaging::Grid& grid, double step_mm);
+// Best first, whatever their score.
+Result<std::vector<Candidate>> places_of(const Blocks& blocks, const Template& shape,
+                                         const std::vector<Vector3d>& seeds_mm, const PlacingOptions& options,
+                                         const Progress& progress);
+bool fits(const std::vector<Candidate>& found, const PlacingOptions& options) {
+  return !found.empty() && found.front().score >= options.least_score;
+}
 
 }  // namespace
 
@@ -78,22 +85,14 @@ Result<Placing> place_model(const imaging::Volume& image, const ShapeModel& mode
   progress.report(0, GLISSON_TEXT("Looking for the liver"));
   const Blocks blocks = blocks_of_image(image, options.spacing_mm);
   const Template shape = template_of(model.mean, options);
-  std::vector<Judge> judges;
-  for (const double scale : {0.85, 1.0, 1.15}) judges.emplace_back(blocks, shape, seeds_mm, scale, options);
-  std::vector<Candidate> found = searched(judges, middles_over(blocks.image.grid, options.step_mm));
-  for (const double step_mm : {options.step_mm / 2, options.step_mm / 4}) {
-    if (progress.cancelled()) return cancelled();
-    constexpr std::size_t pursued = 20;
-    if (found.size() > pursued) found.resize(pursued);
-    std::vector<Vector3d> near_mm;
-    for (const Candidate& candidate : found) {
-      for (int n = 0; n < 27; ++n) {
-        near_mm.push_back(candidate.middle_mm + step_mm * Vector3d(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1));
-      }
-    }
-    found = searched(judges, near_mm);
+  auto places = places_of(blocks, shape, seeds_mm, options, progress);
+  if (places && !fits(*places, options) && seeds_mm.size() > 1) {
+    // A further seed may lie where this liver goes and the mean does not.
+    places = places_of(blocks, shape, {seeds_mm.front()}, options, progress);
   }
-  if (found.empty() || found.front().score < options.least_score) {
+  if (!places) return failure(places.error());
+  const std::vector<Candidate>& found = *places;
+  if (!fits(found, options)) {
     return failure(Error{"shapes-no-liver-found",
                          GLISSON_TEXT("No place in the image looks like a liver of the model's shape."),
                          {},
@@ -111,6 +110,27 @@ Result<Placing> place_model(const imaging::Volume& image, const ShapeModel& mode
 }
 
 namespace {
+
+Result<std::vector<Candidate>> places_of(const Blocks& blocks, const Template& shape,
+                                         const std::vector<Vector3d>& seeds_mm, const PlacingOptions& options,
+                                         const Progress& progress) {
+  std::vector<Judge> judges;
+  for (const double scale : {0.85, 1.0, 1.15}) judges.emplace_back(blocks, shape, seeds_mm, scale, options);
+  std::vector<Candidate> found = searched(judges, middles_over(blocks.image.grid, options.step_mm));
+  for (const double step_mm : {options.step_mm / 2, options.step_mm / 4}) {
+    if (progress.cancelled()) return cancelled();
+    constexpr std::size_t pursued = 20;
+    if (found.size() > pursued) found.resize(pursued);
+    std::vector<Vector3d> near_mm;
+    for (const Candidate& candidate : found) {
+      for (int n = 0; n < 27; ++n) {
+        near_mm.push_back(candidate.middle_mm + step_mm * Vector3d(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1));
+      }
+    }
+    found = searched(judges, near_mm);
+  }
+  return found;
+}
 
 Blocks blocks_of_image(const imaging::Volume& image, double spacing_mm) {
   Blocks blocks;

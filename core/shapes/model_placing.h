@@ -32,7 +32,8 @@ struct Placing {
 };
 
 // Robust statistics inside against outside, at every shift and at three sizes. Seeds (patient LPS, mm), where there are
-// any, lie inside the liver placed, and the brightness around them is the liver's. In HU only soft tissue counts.
+// any, lie inside the liver placed (the first alone, where no place holds them all), and the brightness around them is
+// the liver's. In HU only soft tissue counts.
 // Fails with "shapes-no-liver-found" where the best place scores less than `least_score`; "cancelled".
 Result<Placing> place_model(const imaging::Volume& image, const ShapeModel& model,
                             const std::vector<Eigen::Vector3d>& seeds_mm = {}, const PlacingOptions& options = {},

@@ -8,6 +8,7 @@
 #include "anatomy/patient.h"
 #include "base/parallel.h"
 #include "segmentation/structures.h"
+#include "shapes/model_placing.h"
 #include "shapes/smooth_model.h"
 #include "simulated_abdomen.h"
 
@@ -67,6 +68,19 @@ TEST(FindLiver, HoldsThePointsGiven) {
   EXPECT_GT(overlap, 0.9);
   const Eigen::Vector3i at = abdomen().image.grid.index_of(seed_mm).array().round().cast<int>();
   EXPECT_EQ(found->liver.mask.at(at.x(), at.y(), at.z()), 1);
+}
+
+// No liver of the mean's shape reaches from a seed to the image's corner.
+TEST(FindLiver, IsPlacedByItsFirstPointWhereNoPlaceHoldsAll) {
+  const Vector3d seed_mm = segmentation::deepest_mm(abdomen().liver);
+  const auto& grid = abdomen().image.grid;
+  const Vector3d corner_mm = grid.position_mm(grid.size[0] - 2, grid.size[1] - 2, grid.size[2] - 2);
+  const auto by_first = place_model(abdomen().image, model(), {seed_mm});
+  const auto by_both = place_model(abdomen().image, model(), {seed_mm, corner_mm});
+  ASSERT_TRUE(by_first);
+  ASSERT_TRUE(by_both) << by_both.error().message();
+  EXPECT_EQ(by_both->shift_mm, by_first->shift_mm);
+  EXPECT_FALSE(place_model(abdomen().image, model(), {corner_mm, seed_mm}));  // what is first counts
 }
 
 TEST(FindLiver, IsTheSameWhateverTheNumberOfThreads) {
