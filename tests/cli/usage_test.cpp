@@ -25,7 +25,7 @@ TEST(Usage, WrongUsageExitsWithTwo) {
   EXPECT_EQ(glisson_cli({}).exit_code, 2);
   EXPECT_EQ(glisson_cli({"no-such-command"}).exit_code, 2);
   EXPECT_EQ(glisson_cli({"scan"}).exit_code, 2);
-  EXPECT_EQ(glisson_cli({"segment", "x.glisson", "--structure", "liver"}).exit_code, 2);
+  EXPECT_EQ(glisson_cli({"segment", "x.glisson", "--structure", "gallbladder"}).exit_code, 2);
   EXPECT_EQ(glisson_cli({"segment", "x.glisson", "--structure", "../liver", "--seed", "0,0,0"}).exit_code, 2);
 }
 
