@@ -175,7 +175,7 @@ Vector3d moment_uJ(const BodyState& state, const geometry::Surface& surface) {
 
 Vector3d place_mm(const ContactTool& tool, double advance_mm) {
   if (const auto* touching = std::get_if<TouchingTool>(&tool.what)) {
-    return touching->pose.position_mm + advance_mm * touching->pose.forward();
+    return touching->pose.advanced(advance_mm).position_mm;
   }
   if (const auto* patch = std::get_if<mechanics::ToolLoad>(&tool.what)) return patch->center_mm;
   const auto& grasp = std::get<Grasp>(tool.what);

@@ -214,24 +214,23 @@ SessionState SessionEngine::Impl::state_of(const Moment& moment) const {
           std::max(state.max_difference_mm, (state.patient.surface_mm[p] - state.reference->surface_mm[p]).norm());
     }
   }
-  state.beside_elements = beside_elements(moment, state.patient);
+  state.beside_elements = beside_elements(moment);
   state.digest = digest_of(moment);
   return state;
 }
 
-std::optional<BesideElements> SessionEngine::Impl::beside_elements(const Moment& moment,
-                                                                   const RehearsalBody& patient) const {
+std::optional<BesideElements> SessionEngine::Impl::beside_elements(const Moment& moment) const {
   if (!moment.elements) return {};
-  const RehearsalBody elements = shown(*moment.elements_body, *moment.elements);
-  BesideElements beside{0, 0, moment.patient_ms, moment.elements_ms};
-  for (std::size_t l = 0; l < landmarks.size(); ++l) {
-    const Vector3d apart_mm = patient.landmarks[l].displaced_mm - elements.landmarks[l].displaced_mm;
-    beside.landmarks_mm = std::max(beside.landmarks_mm, apart_mm.norm());
-  }
-  for (std::size_t p = 0; p < patient.surface_mm.size(); ++p) {
-    beside.surface_mm = std::max(beside.surface_mm, (patient.surface_mm[p] - elements.surface_mm[p]).norm());
-  }
-  return beside;
+  // Of displacements (mm) of the same places at rest.
+  const auto farthest_mm = [](const std::vector<Vector3d>& a, const std::vector<Vector3d>& b, std::size_t count) {
+    double farthest = 0;
+    for (std::size_t p = 0; p < count; ++p) farthest = std::max(farthest, (a[p] - b[p]).norm());
+    return farthest;
+  };
+  const std::vector<Vector3d>& surface = surface_mm(moment.patient);
+  return BesideElements{farthest_mm(watched_mm(moment.patient), watched_mm(*moment.elements), landmarks.size()),
+                        farthest_mm(surface, surface_mm(*moment.elements), surface.size()), moment.patient_ms,
+                        moment.elements_ms};
 }
 
 namespace {

@@ -62,7 +62,7 @@ std::vector<mechanics::ToolShape> solids_of(const rehearsal::SessionState& state
     if (touching == nullptr) continue;
     mechanics::Pose pose = touching->pose;
     for (const mechanics::ToolContact& contact : state.patient_step.tools) {
-      if (contact.id == tool.id) pose.position_mm += contact.advance_mm * pose.forward();
+      if (contact.id == tool.id) pose = pose.advanced(contact.advance_mm);
     }
     solid = mechanics::placed(touching->shape, pose);
   }

@@ -124,7 +124,7 @@ std::vector<ContactTool> tools_at(const std::vector<ScenarioTool>& tools, double
     }
     const auto& rigid = std::get<ScenarioRigidTool>(tool.what);
     TouchingTool touching{rigid.shape, pose_towards(rigid.position_mm, rigid.direction), {}};
-    touching.pose.position_mm += part * rigid.advance_mm * touching.pose.forward();
+    touching.pose = touching.pose.advanced(part * rigid.advance_mm);
     if (rigid.push_mN) touching.push_mN = part * *rigid.push_mN;
     touching.friction = rigid.friction;
     hands.push_back({tool.id, std::move(touching)});

@@ -31,6 +31,7 @@ struct Pose {
   Eigen::Vector3d position_mm{0, 0, 0};                    // of the tool's origin
 
   [[nodiscard]] Eigen::Vector3d forward() const { return rotation.col(2); }
+  [[nodiscard]] Pose advanced(double mm) const { return {rotation, position_mm + mm * forward()}; }
 };
 
 // At that place, its +z along `direction`; how it is turned about that is chosen, the same for the same direction.

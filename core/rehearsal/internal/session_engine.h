@@ -59,7 +59,7 @@ struct SessionEngine::Impl {
   void forget_the_oldest();
   [[nodiscard]] RehearsalBody shown(const SessionBody& body, const BodyState& state) const;
   [[nodiscard]] std::shared_ptr<const SessionCut> cut_of(const Moment& moment) const;
-  [[nodiscard]] std::optional<BesideElements> beside_elements(const Moment& moment, const RehearsalBody& patient) const;
+  [[nodiscard]] std::optional<BesideElements> beside_elements(const Moment& moment) const;
   [[nodiscard]] SessionState state_of(const Moment& moment) const;
 };
 

@@ -225,9 +225,7 @@ void AugmentedLagrangian::update_multipliers(const std::vector<ContactTool>& too
 }
 
 Pose AugmentedLagrangian::pose_of(std::size_t tool, const std::vector<ContactTool>& tools) const {
-  Pose pose = std::get<TouchingTool>(tools[tool].what).pose;
-  pose.position_mm += advance_mm_[static_cast<Eigen::Index>(tool)] * pose.forward();
-  return pose;
+  return std::get<TouchingTool>(tools[tool].what).pose.advanced(advance_mm_[static_cast<Eigen::Index>(tool)]);
 }
 
 Rod AugmentedLagrangian::rod_of(const ContactConstraint& place, const std::vector<ContactTool>& tools) const {

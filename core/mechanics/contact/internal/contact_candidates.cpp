@@ -40,9 +40,7 @@ std::vector<ContactCandidate> contact_candidates(const geometry::Surface& surfac
   for (std::size_t t = 0; t < tools.size(); ++t) {
     const auto* tool = std::get_if<TouchingTool>(&tools[t].what);
     if (tool == nullptr) continue;
-    Pose pose = tool->pose;
-    pose.position_mm += advance_mm[static_cast<Eigen::Index>(t)] * pose.forward();
-    const ToolShape rods = placed(tool->shape, pose);
+    const ToolShape rods = placed(tool->shape, tool->pose.advanced(advance_mm[static_cast<Eigen::Index>(t)]));
     for (std::size_t r = 0; r < rods.size(); ++r) {
       const Rod& rod = rods[r];
       const double reach_mm = rod.radius_mm + margin_mm;
@@ -84,8 +82,7 @@ std::vector<ContactCandidate> tracked_candidates(const geometry::Surface& surfac
   std::vector<ContactCandidate> places;
   for (const TrackedContact& place : kept) {
     const auto& tool = std::get<TouchingTool>(tools[place.tool].what);
-    Pose pose = tool.pose;
-    pose.position_mm += advance_mm[static_cast<Eigen::Index>(place.tool)] * pose.forward();
+    const Pose pose = tool.pose.advanced(advance_mm[static_cast<Eigen::Index>(place.tool)]);
     const Rod rod = placed({tool.shape[place.rod]}, pose).front();
     const std::array<Vector3d, 3> corners = corners_of(surface, place.points, moved_mm);
     const Vector3d at_mm =

@@ -66,9 +66,7 @@ std::vector<NearPoint> points_near(const Body& body, const std::vector<ContactTo
   for (std::size_t t = 0; t < tools.size(); ++t) {
     const auto* tool = std::get_if<TouchingTool>(&tools[t].what);
     if (tool == nullptr) continue;
-    Pose pose = tool->pose;
-    pose.position_mm += advance_mm[static_cast<Eigen::Index>(t)] * pose.forward();
-    const ToolShape rods = placed(tool->shape, pose);
+    const ToolShape rods = placed(tool->shape, tool->pose.advanced(advance_mm[static_cast<Eigen::Index>(t)]));
     for (const MovedFace& face : faces_around(body, rods, u_mm, margin_mm)) {
       std::vector<std::pair<int, Vector3d>> seen;  // of this face, with the normal
       for (std::size_t r = 0; r < rods.size(); ++r) {

@@ -165,7 +165,8 @@ class LiveStep {
   void go(const Eigen::VectorXd& step, const Eigen::VectorXd& r_mN);
   [[nodiscard]] double estimate(const SplineLevels::WithRows& levels) const;
   void press_harder();
-  void move_multipliers_on();
+  enum class Moves { all, all_but_smooth };
+  void move_multipliers_on(Moves which = Moves::all);
   [[nodiscard]] double deepest_mm() const;
   LiveState finished(const Stopwatch& watch);
 

@@ -186,9 +186,7 @@ void LiveStep::place_rods() {
 }
 
 Pose LiveStep::pose_of(std::size_t tool) const {
-  Pose pose = std::get<TouchingTool>(tools_[tool].what).pose;
-  pose.position_mm += advance_mm_[static_cast<Eigen::Index>(tool)] * pose.forward();
-  return pose;
+  return std::get<TouchingTool>(tools_[tool].what).pose.advanced(advance_mm_[static_cast<Eigen::Index>(tool)]);
 }
 
 VectorXd LiveStep::with_tools(const Unbalanced& balance, const VectorXd& u_mm) {
@@ -284,23 +282,17 @@ void LiveStep::press_harder() {
   const bool smooth_are_too_deep = std::any_of(places_.begin(), places_.end(), [&](const ContactConstraint& place) {
     return place.friction == 0 && -gap_of(place, state_.u_mm).mm > options_.penetration_tolerance_mm;
   });
-  if (!smooth_are_too_deep || state_.stiffer >= most) {
-    move_multipliers_on();
-    return;
+  const bool stiffens = smooth_are_too_deep && state_.stiffer < most;
+  if (stiffens) {
+    state_.stiffer *= times;
+    for (ContactConstraint& place : places_) place.k_mN_mm *= place.friction == 0 ? times : 1.0;
   }
-  state_.stiffer *= times;
-  for (ContactConstraint& place : places_) {
-    if (place.friction == 0) {
-      place.k_mN_mm *= times;
-    } else {
-      place.multiplier_mN = normal_force_mN(place, gap_of(place, state_.u_mm));
-    }
-  }
-  for (std::size_t w = 0; w < walls_.size(); ++w) walls_[w].multiplier_mN = pressing_mN(w, state_.u_mm);
+  move_multipliers_on(stiffens ? Moves::all_but_smooth : Moves::all);
 }
 
-void LiveStep::move_multipliers_on() {
+void LiveStep::move_multipliers_on(Moves which) {
   for (ContactConstraint& place : places_) {
+    if (which == Moves::all_but_smooth && place.friction == 0) continue;
     place.multiplier_mN = normal_force_mN(place, gap_of(place, state_.u_mm));
   }
   for (std::size_t w = 0; w < walls_.size(); ++w) walls_[w].multiplier_mN = pressing_mN(w, state_.u_mm);
