@@ -13,9 +13,9 @@
 #include "segmentation/internal/outline_border.h"
 #include "segmentation/internal/relaxed_cut.h"
 #include "segmentation/internal/seeds.h"
-#include "segmentation/internal/signed_distance.h"
 #include "segmentation/internal/tissue_model.h"
 #include "segmentation/resample.h"
+#include "segmentation/signed_distance.h"
 #include "segmentation/structures.h"
 #include "segmentation/unsure_border.h"
 

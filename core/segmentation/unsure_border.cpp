@@ -9,8 +9,8 @@
 #include "segmentation/grid_part.h"
 #include "segmentation/internal/half_step.h"
 #include "segmentation/internal/seeds.h"
-#include "segmentation/internal/signed_distance.h"
 #include "segmentation/internal/tissue_model.h"
+#include "segmentation/signed_distance.h"
 #include "segmentation/working_grid.h"
 
 namespace glisson::segmentation {

@@ -13,6 +13,7 @@
 #include "segmentation/grid_part.h"
 #include "segmentation/rasterise.h"
 #include "segmentation/resample.h"
+#include "segmentation/signed_distance.h"
 #include "segmentation/working_grid.h"
 #include "shapes/completion.h"
 
@@ -51,8 +52,6 @@ struct Following {
 Result<void> fit_to_borders(const ShapeModel& model, const imaging::Image<float>& outside,
                             const FindOptions::Round& round, const FindOptions& options, Following& following,
                             const Progress& progress);
-
-Error not_a_liver();
 
 }  // namespace
 
@@ -111,7 +110,10 @@ Result<void> fit_to_borders(const ShapeModel& model, const imaging::Image<float>
       following.fitting.pose = fit->pose;
     }
     seen = border_seen(following.shape, outside, reach_mm, options.clear);
-    if (seen.fraction < options.least_seen) return failure(not_a_liver());
+    if (seen.fraction < options.minimum_seen) {
+      return failure(
+          no_liver_found(GLISSON_TEXT("The image hardly shows a border where the model expects the liver's.")));
+    }
   }
   auto completed = complete(model, seen.surface, following.fitting);
   if (!completed) return failure(completed.error());
@@ -143,7 +145,7 @@ ExpectedBorder expected_border(const Surface& surface, const std::vector<double>
   box.min_mm.array() -= around_mm;
   box.max_mm.array() += around_mm;
   const imaging::Mask mask = segmentation::rasterise(surface, anatomy::grid_over(box, spacing_mm));
-  const std::vector<float> outside = imaging::squared_distances_mm2(mask), depth = imaging::squared_depths_mm2(mask);
+  const std::vector<float> to_other_side_mm = segmentation::signed_distances_mm(mask);
   const geometry::SurfaceDistance to_surface(surface);
   const double typical_sd_mm =
       std::accumulate(sd_mm.begin(), sd_mm.end(), 0.0) / static_cast<double>(std::max<std::size_t>(sd_mm.size(), 1));
@@ -156,7 +158,7 @@ ExpectedBorder expected_border(const Surface& surface, const std::vector<double>
       for (int i = 0; i < mask.grid.size[0]; ++i) {
         const std::size_t voxel = mask.grid.offset(i, j, k);
         const float sign = mask.values[voxel] != 0 ? -1.0F : 1.0F;
-        const float rough_mm = std::sqrt(std::max(outside[voxel], depth[voxel])) - static_cast<float>(spacing_mm) / 2;
+        const float rough_mm = std::abs(to_other_side_mm[voxel]) - static_cast<float>(spacing_mm) / 2;
         expected.distance_mm.values[voxel] = sign * rough_mm;
         expected.sd_mm.values[voxel] = static_cast<float>(std::hypot(typical_sd_mm, more_mm));
         if (rough_mm > near_mm) continue;
@@ -244,15 +246,6 @@ BorderSeen border_seen(const Surface& shape, const imaging::Image<float>& outsid
   }
   seen.surface.points_mm = std::move(points_mm);
   return seen;
-}
-
-Error not_a_liver() {
-  return Error{"shapes-no-liver-found",
-               GLISSON_TEXT("The image hardly shows a border where the model expects the liver's."),
-               {},
-               GLISSON_TEXT("Give a seed inside the liver; look whether the image shows one, and lies in the patient's "
-                            "frame (LPS)."),
-               {}};
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ struct FindOptions {
   double smoothing_mm = 2.5;  // standard deviation of the Gaussian in which a voxel is judged
   double placing_sd_mm = 12;  // of a border of the liver that was placed by the search
   double clear = 0.7;         // log-likelihood on either side of a border that the shape is fitted to
-  double least_seen = 0.1;    // share of such borders, else there is no liver
+  double minimum_seen = 0.1;  // share of such borders, else there is no liver
   // The shape is fitted once for each reach: how far from it a border is looked for. Then both are cut together, the
   // border expected with the fit's deviation and so much more.
   struct Round {

@@ -8,6 +8,7 @@
 #include "base/parallel.h"
 #include "imaging/filters.h"
 #include "meshing/image_end.h"
+#include "segmentation/signed_distance.h"
 #include "segmentation/structures.h"
 
 namespace glisson::shapes {
@@ -150,12 +151,10 @@ imaging::Mask padded(const imaging::Mask& mask) {
 }
 
 anatomy::Field distance_field(const imaging::Mask& mask, double spacing_mm) {
-  const std::vector<float> outside = imaging::squared_distances_mm2(mask), inside = imaging::squared_depths_mm2(mask);
   // In the frame of the image's own axes, which may run any way in the patient.
-  anatomy::Field distances{mask.grid, std::vector<float>(outside.size())};
+  anatomy::Field distances{mask.grid, segmentation::signed_distances_mm(mask)};
   distances.grid.origin_mm.setZero();
   distances.grid.direction.setIdentity();
-  for (std::size_t v = 0; v < outside.size(); ++v) distances.values[v] = std::sqrt(outside[v]) - std::sqrt(inside[v]);
   std::vector<Vector3d> corners;
   for (int c = 0; c < 8; ++c) {
     corners.push_back(mask.grid.position_mm((c & 1) * (mask.grid.size[0] - 1), ((c >> 1) & 1) * (mask.grid.size[1] - 1),

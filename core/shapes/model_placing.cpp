@@ -7,8 +7,8 @@
 
 #include "anatomy/level_surface.h"
 #include "base/parallel.h"
-#include "imaging/filters.h"
 #include "segmentation/rasterise.h"
+#include "segmentation/signed_distance.h"
 #include "segmentation/working_grid.h"
 
 namespace glisson::shapes {
@@ -74,7 +74,7 @@ Result<std::vector<Candidate>> places_of(const Blocks& blocks, const Template& s
                                          const std::vector<Vector3d>& seeds_mm, const PlacingOptions& options,
                                          const Progress& progress);
 bool fits(const std::vector<Candidate>& found, const PlacingOptions& options) {
-  return !found.empty() && found.front().score >= options.least_score;
+  return !found.empty() && found.front().score >= options.minimum_score;
 }
 
 }  // namespace
@@ -93,12 +93,7 @@ Result<Placing> place_model(const imaging::Volume& image, const ShapeModel& mode
   if (!places) return failure(places.error());
   const std::vector<Candidate>& found = *places;
   if (!fits(found, options)) {
-    return failure(Error{"shapes-no-liver-found",
-                         GLISSON_TEXT("No place in the image looks like a liver of the model's shape."),
-                         {},
-                         GLISSON_TEXT("Give a seed inside the liver; look whether the image shows one, and lies in the "
-                                      "patient's frame (LPS)."),
-                         {}});
+    return failure(no_liver_found(GLISSON_TEXT("No place in the image looks like a liver of the model's shape.")));
   }
   const Candidate& best = found.front();
   Placing placing{model.mean, best.scale, {}, best.score, best.brightness};
@@ -107,6 +102,15 @@ Result<Placing> place_model(const imaging::Volume& image, const ShapeModel& mode
   }
   placing.shift_mm = best.middle_mm - shape.middle_mm;
   return placing;
+}
+
+Error no_liver_found(std::string sentence) {
+  return Error{"shapes-no-liver-found",
+               std::move(sentence),
+               {},
+               GLISSON_TEXT("Give a seed inside the liver; look whether the image shows one, and lies in the patient's "
+                            "frame (LPS)."),
+               {}};
 }
 
 namespace {
@@ -178,17 +182,15 @@ Template template_of(const Surface& mean, const PlacingOptions& options) {
   box.min_mm.array() -= options.shell_mm + spacing_mm;
   box.max_mm.array() += options.shell_mm + spacing_mm;
   const imaging::Mask mask = segmentation::rasterise(mean, anatomy::grid_over(box, spacing_mm));
-  const std::vector<float> outside = imaging::squared_distances_mm2(mask), depth = imaging::squared_depths_mm2(mask);
   Template shape;
-  shape.distance_mm = {mask.grid, std::vector<float>(outside.size())};
+  shape.distance_mm = {mask.grid, segmentation::signed_distances_mm(mask)};
   shape.middle_mm = geometry::mean_point_mm(mean);
   for (int k = 0; k < mask.grid.size[2]; ++k) {
     for (int j = 0; j < mask.grid.size[1]; ++j) {
       for (int i = 0; i < mask.grid.size[0]; ++i) {
         const std::size_t voxel = mask.grid.offset(i, j, k);
         // From the border, which lies half a voxel before the next centre.
-        const double mm = mask.values[voxel] != 0 ? spacing_mm / 2 - std::sqrt(depth[voxel])
-                                                  : std::sqrt(outside[voxel]) - spacing_mm / 2;
+        const double mm = shape.distance_mm.values[voxel] + (mask.values[voxel] != 0 ? 0.5 : -0.5) * spacing_mm;
         shape.distance_mm.values[voxel] = static_cast<float>(mm);
         const Vector3d from_middle = mask.grid.position_mm(i, j, k) - shape.middle_mm;
         if (mm < -options.margin_mm) shape.inside_mm.push_back(from_middle);
@@ -266,7 +268,7 @@ Candidate Judge::at(const Vector3d& middle_mm) const {
   gather(inside_, middle_mm, inside);
   const double seen =
       static_cast<double>(inside.size()) / static_cast<double>(std::max<std::size_t>(inside_.size(), 1));
-  if (inside.empty() || seen < options_.least_seen) return candidate;
+  if (inside.empty() || seen < options_.minimum_seen) return candidate;
   const Known look = known_.value_or(spread_of(inside, blocks_.smallest_scatter));
   if (look.brightness < blocks_.lowest || look.brightness > blocks_.highest) return candidate;
   around.reserve(around_.size());

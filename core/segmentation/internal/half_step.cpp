@@ -5,7 +5,7 @@
 
 #include "imaging/filters.h"
 #include "segmentation/grid_part.h"
-#include "segmentation/internal/signed_distance.h"
+#include "segmentation/signed_distance.h"
 
 namespace glisson::segmentation {
 
@@ -23,7 +23,7 @@ std::vector<float> local_mean(const imaging::Image<float>& image, const std::vec
 }
 
 imaging::Mask at_half_step(imaging::Mask outline, const imaging::Volume& image, double organ_sd) {
-  constexpr double far_mm = 12, least_contrast_sd = 6;
+  constexpr double far_mm = 12, minimum_contrast_sd = 6;
   const double voxel_mm = image.grid.spacing_mm.maxCoeff();
   const Part part = part_around(outline, static_cast<int>(std::ceil(far_mm / image.grid.spacing_mm.minCoeff())));
   imaging::Mask mask = cut_out(outline, part);
@@ -37,9 +37,10 @@ imaging::Mask at_half_step(imaging::Mask outline, const imaging::Volume& image, 
     outer[voxel] = border_mm[voxel] > clear && border_mm[voxel] < distant ? 1.0F : 0.0F;
   }
   const std::vector<float> own = local_mean(seen, inner, far_mm / 3), other = local_mean(seen, outer, far_mm / 3);
-  const auto least = static_cast<float>(least_contrast_sd * organ_sd), at_border = static_cast<float>(1.01 * voxel_mm);
+  const auto minimum = static_cast<float>(minimum_contrast_sd * organ_sd),
+             at_border = static_cast<float>(1.01 * voxel_mm);
   for (std::size_t voxel = 0; voxel < border_mm.size(); ++voxel) {
-    if (std::abs(border_mm[voxel]) > at_border || !(std::abs(own[voxel] - other[voxel]) > least)) continue;
+    if (std::abs(border_mm[voxel]) > at_border || !(std::abs(own[voxel] - other[voxel]) > minimum)) continue;
     const float value = seen.values[voxel];
     if (std::isfinite(value)) mask.values[voxel] = std::abs(value - own[voxel]) < std::abs(value - other[voxel]);
   }

@@ -8,7 +8,7 @@
 #include "imaging/filters.h"
 #include "segmentation/grid_part.h"
 #include "segmentation/internal/relaxed_cut.h"
-#include "segmentation/internal/signed_distance.h"
+#include "segmentation/signed_distance.h"
 #include "segmentation/working_grid.h"
 
 namespace glisson::segmentation {

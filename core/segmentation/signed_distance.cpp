@@ -1,4 +1,4 @@
-#include "segmentation/internal/signed_distance.h"
+#include "segmentation/signed_distance.h"
 
 #include <cmath>
 
