@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <vector>
 
 #include "bodies.h"
@@ -13,9 +14,10 @@
 namespace glisson::mechanics::test {
 
 // Clamped at one end and resting on springs at a part of its bottom; an oblique cut from above opens. Not the block on
-// which the bridges' stiffness was chosen (opening.h).
+// which the bridges' stiffness was chosen (whole_walls.h).
 inline const Eigen::Vector3d size_mm(80, 24, 40);
 inline constexpr double youngs_kPa = 8.0;
+inline constexpr double bed_to_mm = 60;
 
 // Where the cut crosses the bar at a height.
 inline double cut_x_mm(double z_mm) { return 33.7 + 0.3 * z_mm; }
@@ -25,12 +27,13 @@ inline Eigen::Vector3d on_front_mm(double z_mm) { return {cut_x_mm(z_mm), 0, z_m
 
 inline void name_supports_of_bar(geometry::TetMesh& mesh) {
   name_points(mesh, "clamped", [](const Eigen::Vector3d& p) { return p.x() < 1e-6; });
-  name_points(mesh, "bed", [](const Eigen::Vector3d& p) { return p.z() < 1e-6 && p.x() < 60.0; });
+  name_points(mesh, "bed", [](const Eigen::Vector3d& p) { return p.z() < 1e-6 && p.x() < bed_to_mm + 1e-6; });
 }
 inline std::vector<Support> supports_of_bar() {
   return {{NamedPoints{"clamped"}, Fixed{}}, {NamedPoints{"bed"}, Foundation{0.05}}};
 }
 
+// Where points lie at the bed's end, as those meshed with the cut have them: else beds are not of one length.
 inline geometry::TetMesh bar(int nx, int ny, int nz) {
   geometry::TetMesh mesh = box(nx, ny, nz, size_mm);
   disturb_inner_points(mesh, 0.1 * size_mm.x() / nx);
@@ -44,11 +47,15 @@ struct MeshedCut {
 };
 inline MeshedCut meshed_with_the_cut(int nx, int ny, int nz, double front_z_mm) {
   const int left = nx / 2;
+  const double to_bed = bed_to_mm - cut_x_mm(0), right_mm = size_mm.x() - cut_x_mm(0);
+  const int bed = left + static_cast<int>(std::lround((nx - left) * to_bed / right_mm));
   const auto on_wall = [](const Eigen::Vector3d& p) { return std::abs(p.x() - cut_x_mm(p.z())) < 1e-6; };
   geometry::TetMesh mesh = bent_box(nx, ny, nz, [&](const Eigen::Vector3d& unit) {
     const double i = unit.x() * nx, z = unit.z() * size_mm.z(), cut = cut_x_mm(z);
-    return Eigen::Vector3d(i <= left ? cut * i / left : cut + (size_mm.x() - cut) * (i - left) / (nx - left),
-                           unit.y() * size_mm.y(), z);
+    const double x = i <= left  ? cut * i / left
+                     : i <= bed ? cut + (bed_to_mm - cut) * (i - left) / (bed - left)
+                                : bed_to_mm + (size_mm.x() - bed_to_mm) * (i - bed) / (nx - bed);
+    return Eigen::Vector3d(x, unit.y() * size_mm.y(), z);
   });
   std::vector<int> double_of(mesh.points_mm.size(), -1), wall_points;
   for (std::size_t p = 0, all = mesh.points_mm.size(); p < all; ++p) {

@@ -46,8 +46,9 @@ double farthest_mm(const LiveState& a, const LiveState& b) {
 }
 
 // Half through, by its own weight while it is tilted, in gas: loads that are alike on any mesh, as forces spread over a
-// patch of faces are not. The cut doubles how far the end sinks, by half of the bar's length. With the law
-// that stiffens it sinks too far, by 6.2 % (docs/performance.md); perhaps as springs that bridge the front do not.
+// patch of faces are not. The cut nearly doubles how far the end sinks, by half of the bar's length. It sinks too far,
+// by 4.1 %, and by 4.3 % in tissue that stiffens (docs/decisions/first-pictures.md): the front ends within cells of 5
+// mm.
 TEST(LiveOpening, HalfThroughByItsOwnWeightItRestsAsTheBarMeshedWithTheCut) {
   const Loads weight{PressureLoad{0.4}, GravityLoad{{4000, 0, -9000}}};
   for (const ChosenLaw& law : {neo_hookean_law, stiffening_law}) {
@@ -72,8 +73,7 @@ TEST(LiveOpening, HalfThroughByItsOwnWeightItRestsAsTheBarMeshedWithTheCut) {
     }
     EXPECT_EQ(state.report.inverted_cells, 0);
     EXPECT_GT((expected_mm - uncut_mm).norm(), 0.1 * expected_mm.norm());
-    const double close = law.law == MaterialLaw::neo_hookean ? 0.02 : 0.08;
-    EXPECT_LT((state.watched_mm[0] - expected_mm).norm(), close * expected_mm.norm())
+    EXPECT_LT((state.watched_mm[0] - expected_mm).norm(), 0.05 * expected_mm.norm())
         << state.watched_mm[0].transpose() << " and " << expected_mm.transpose() << " uncut " << uncut_mm.transpose();
     EXPECT_GT(state.report.largest_strain, 0.1);
     // Nothing is lost between what weighs and what holds.

@@ -36,7 +36,7 @@ JumpSprings Opening::springs() const {
   MatrixXd bridges = MatrixXd::Zero(3 * jumps, 3 * jumps);
   for (const PartlyCut& cut : state_->cuts) {
     const std::vector<int> number = state_->jumps_along(*cut.along);
-    add_bridges(bridge_stiffness, body, cut.along->crossing, cut.walls, number, bridges);
+    add_bridges(body, cut.along->crossing, cut.walls, number, bridges);
     add_foundation_springs(body, cut.along->crossing, number, with_nodes, between);
   }
   for (Index i = 0; i < jumps; ++i) {
@@ -50,6 +50,23 @@ JumpSprings Opening::springs() const {
   springs.with_nodes.setFromTriplets(with_nodes.begin(), with_nodes.end());
   springs.between.setFromTriplets(between.begin(), between.end());
   return springs;
+}
+
+std::vector<Bridge> Opening::bridges() const {
+  const geometry::TetMesh& mesh = state_->model.mesh();
+  std::vector<Bridge> bridges;
+  for (const PartlyCut& cut : state_->cuts) {
+    const std::vector<int> number = state_->jumps_along(*cut.along);
+    for (const CrossedCell& crossed : cut.along->crossing.cells) {
+      std::array<int, 4> jump{};
+      for (std::size_t i = 0; i < 4; ++i) jump[i] = number[mesh.cells[crossed.cell][i]];
+      if (std::all_of(jump.begin(), jump.end(), [](int j) { return j < 0; })) continue;
+      for (const auto& [at, area_mm2] : whole_places(mesh, crossed, cut.strips)) {
+        bridges.push_back({crossed.cell, jump, at, area_mm2, bridged_mm(mesh, crossed.cell)});
+      }
+    }
+  }
+  return bridges;
 }
 
 VectorXd Opening::force_on_jumps_mN(const Loads& loads) const {

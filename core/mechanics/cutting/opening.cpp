@@ -222,7 +222,7 @@ std::vector<int> Opening::State::jumps_along(const SurfaceInBody& along) const {
 Result<void> Opening::State::factorise() {
   MatrixXd bridged = stiffness;
   for (const PartlyCut& cut : cuts) {
-    add_bridges(bridge_stiffness, model.body(), cut.along->crossing, cut.walls, jumps_along(*cut.along), bridged);
+    add_bridges(model.body(), cut.along->crossing, cut.walls, jumps_along(*cut.along), bridged);
   }
   factor.emplace(bridged);
   // What nothing holds has no stiffness but rounding's.

@@ -9,7 +9,7 @@
 // else is solved again.
 //
 // The front runs through cells. Where part of a point's share of the wall is still whole, springs hold its jump back.
-// Per area of that part they are `bridge_stiffness` times Young's modulus over the mean edge.
+// Per area of that part they are 2.5 times Young's modulus over the cell's edge (internal/whole_walls.h).
 //
 // Lengths mm, forces mN, patient coordinates (LPS) at rest. A value: an advance gives a new one, and shares with the
 // old what is the same.
@@ -42,10 +42,6 @@ struct SeenPart {
   std::vector<Place> places;
 };
 
-// Chosen on a hanging block (60 x 30 x 30 mm) of five sizes of cells, with fronts at three depths. With 1.5 to 3 its
-// end comes within 2 % of the block meshed with the cut, in most of the fifteen.
-inline constexpr double bridge_stiffness = 2.0;
-
 // A cell that is open, wholly or in part. On the side `s` (1 above, 0 below) the corner i is displaced by u_i + (s -
 // H_i) times its jump. `jump` has that one's number in Opening::points(), -1 for none. H_i is 1 where the corner's
 // height is above zero.
@@ -61,6 +57,15 @@ struct OpenCell {
 struct JumpSprings {
   Eigen::SparseMatrix<double> with_nodes;  // one row a node and one column a jump
   Eigen::SparseMatrix<double> between;     // jumps
+};
+
+// A place of a wall that is still whole (mm2 of it). Springs resist the jump there, which is the sum of `share` of
+// jumps; it strains the tissue over `length_mm`.
+struct Bridge {
+  int cell;
+  std::array<int, 4> jump;  // -1: none
+  Eigen::Vector4d share;
+  double area_mm2, length_mm;
 };
 
 // How far the cut along one surface has come, by its last strip.
@@ -94,6 +99,7 @@ class Opening {
   // than the cells' own, `force_on_jumps_mN` the dead loads on them (mN, 3 a jump; gas as at rest). `jumps_at` gives,
   // of places, the jumps that are seen, with their values.
   [[nodiscard]] JumpSprings springs() const;
+  [[nodiscard]] std::vector<Bridge> bridges() const;  // of which springs() has the stiffness at rest
   [[nodiscard]] Eigen::VectorXd force_on_jumps_mN(const Loads& loads) const;
   using JumpValues = std::vector<std::pair<int, double>>;
   [[nodiscard]] std::vector<JumpValues> jumps_at(const std::vector<PointInMesh>& places) const;

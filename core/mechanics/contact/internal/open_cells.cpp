@@ -57,6 +57,13 @@ OpenCells::OpenCells(const Body& body, const std::vector<Material>& materials, c
     }
     cells_.push_back(cell);
   }
+  for (const Bridge& bridge : opening.bridges()) {
+    const auto* law = std::get_if<VerondaWestmann>(&materials[static_cast<std::size_t>(bridge.cell)]);
+    if (law == nullptr) continue;
+    const double youngs_kPa = body.youngs_kPa[static_cast<std::size_t>(bridge.cell)];
+    stiffening_.push_back({bridge.jump, bridge.share, bridge.area_mm2 * youngs_kPa / bridge.length_mm,
+                           3 * law->stiffening / (bridge.length_mm * bridge.length_mm)});
+  }
 }
 
 int OpenCells::add_force(const VectorXd& x_mm, VectorXd& force_mN) const {
@@ -104,7 +111,32 @@ int OpenCells::add_force(const VectorXd& x_mm, VectorXd& force_mN) const {
       on_nodes.col(spring.row()) -= spring.value() * a_mm.col(j);
     }
   }
+  add_stiffening(x_mm, force_mN);
   return inverted_points;
+}
+
+void OpenCells::add_stiffening(const VectorXd& x_mm, VectorXd& force_mN) const {
+  const auto first_jump = 3 * static_cast<Index>(body_.layout.nodes());
+  for (const Stiffening& bridge : stiffening_) {
+    const Vector3d a_mm = jump_at(bridge, x_mm);
+    // A step too far is taken back by whoever asks; its force must only be a number.
+    const double more = std::expm1(std::min(bridge.by_length2 * a_mm.squaredNorm(), 60.0));
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (bridge.jump[i] < 0) continue;
+      force_mN.segment<3>(first_jump + 3 * bridge.jump[i]) -=
+          bridge.share[static_cast<Index>(i)] * more * bridge.k_mN_mm * a_mm;
+    }
+  }
+}
+
+Vector3d OpenCells::jump_at(const Stiffening& bridge, const VectorXd& x_mm) const {
+  const auto first_jump = 3 * static_cast<Index>(body_.layout.nodes());
+  Vector3d a_mm = Vector3d::Zero();
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (bridge.jump[i] >= 0)
+      a_mm += bridge.share[static_cast<Index>(i)] * x_mm.segment<3>(first_jump + 3 * bridge.jump[i]);
+  }
+  return a_mm;
 }
 
 double OpenCells::largest_strain(const VectorXd& x_mm) const {
@@ -124,6 +156,10 @@ double OpenCells::energy_uJ(const VectorXd& x_mm) const {
   });
   const Eigen::Map<const Eigen::Matrix<double, 3, Eigen::Dynamic>> a_mm(
       x_mm.data() + 3 * static_cast<Index>(body_.layout.nodes()), 3, jumps());
+  for (const Stiffening& bridge : stiffening_) {
+    const double exponent = bridge.by_length2 * jump_at(bridge, x_mm).squaredNorm();
+    sum_uJ += 0.5 * bridge.k_mN_mm / bridge.by_length2 * (std::expm1(exponent) - exponent);
+  }
   return sum_uJ + 0.5 * a_mm.cwiseProduct(a_mm * springs_.between).sum();
 }
 

@@ -18,7 +18,9 @@ namespace glisson::mechanics {
 
 class OpenCells {
  public:
-  // What bridges the walls, and foundations under them, are springs beside the cells. Gas at `pressure_kPa` presses on
+  // What bridges the walls, and foundations under them, are springs beside the cells. Bridges stiffen as their tissue
+  // does: in Veronda and Westmann's, L E / (6 c2) (exp(3 c2 (a/L)^2) - 1) per area, where a jump a strains the length
+  // L, is what uniaxial strain of a/L stores there. Gas at `pressure_kPa` presses on
   // the walls too. Over a closed surface its energy is p times the volume inside. So it adds p cof F to the cells'
   // stress, less what the boundary's part of it counts of these cells. The body and its materials must outlive it.
   OpenCells(const Body& body, const std::vector<Material>& materials, const Opening& opening, double pressure_kPa);
@@ -65,6 +67,14 @@ class OpenCells {
   };
   [[nodiscard]] Nodes nodes_of(const Cell& cell, const Eigen::VectorXd& x_mm) const;
   [[nodiscard]] Eigen::Matrix3d of_jumps(const Cell& cell, const Side& side, const Eigen::VectorXd& x_mm) const;
+  // A bridge of tissue that stiffens: what it adds to the springs.
+  struct Stiffening {
+    std::array<int, 4> jump;
+    Eigen::Vector4d share;
+    double k_mN_mm, by_length2;  // at rest; 3 c2 / L^2
+  };
+  [[nodiscard]] Eigen::Vector3d jump_at(const Stiffening& bridge, const Eigen::VectorXd& x_mm) const;
+  void add_stiffening(const Eigen::VectorXd& x_mm, Eigen::VectorXd& force_mN) const;
   [[nodiscard]] Eigen::Matrix3d stress_kPa(std::size_t cell, const Eigen::Matrix3d& f) const;
   // F at every point of every side: `at(cell, side, point, F)`.
   template <typename At>
@@ -76,6 +86,7 @@ class OpenCells {
   std::vector<Cell> cells_;
   std::vector<Point> points_;
   JumpSprings springs_;
+  std::vector<Stiffening> stiffening_;
   std::vector<Eigen::Vector3d> rest_normals_;
 };
 

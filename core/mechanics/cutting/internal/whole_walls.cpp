@@ -8,20 +8,42 @@ namespace glisson::mechanics {
 
 using Eigen::Vector3d;
 
+namespace {
+
+using Corners = Eigen::Matrix<double, 3, 4>;
+Corners corners_of(const geometry::TetMesh& mesh, int cell) {
+  Corners corner_mm;
+  for (int i = 0; i < 4; ++i) corner_mm.col(i) = mesh.points_mm[mesh.cells[cell][i]];
+  return corner_mm;
+}
+
+}  // namespace
+
+double bridged_mm(const geometry::TetMesh& mesh, int cell) {
+  return regular_edge_mm(geometry::cell_volume_mm3(mesh, static_cast<std::size_t>(cell))) / bridge_stiffness;
+}
+
+std::vector<std::pair<Eigen::Vector4d, double>> whole_places(const geometry::TetMesh& mesh, const CrossedCell& crossed,
+                                                             const std::vector<CutStrip>& strips) {
+  const Corners corner_mm = corners_of(mesh, crossed.cell);
+  auto places = places_on_wall(crossed, corner_mm);
+  std::erase_if(places, [&](const auto& place) {
+    const Vector3d place_mm = corner_mm * place.first;
+    return std::any_of(strips.begin(), strips.end(),
+                       [&](const CutStrip& strip) { return lies_within(strip, place_mm); });
+  });
+  return places;
+}
+
 std::vector<WholeWall> whole_walls(const geometry::TetMesh& mesh, const Crossing& crossing,
                                    const std::vector<CutStrip>& strips) {
   std::vector<WholeWall> walls;
   for (const CrossedCell& crossed : crossing.cells) {
-    Eigen::Matrix<double, 3, 4> corner_mm;
-    for (int i = 0; i < 4; ++i) corner_mm.col(i) = mesh.points_mm[mesh.cells[crossed.cell][i]];
     WholeWall wall;
-    for (const auto& [at, area_mm2] : places_on_wall(crossed, corner_mm)) {
+    for (const auto& [at, area_mm2] : places_on_wall(crossed, corners_of(mesh, crossed.cell))) {
       wall.all_mm2 += area_mm2 * at;
-      const Vector3d place_mm = corner_mm * at;
-      if (std::any_of(strips.begin(), strips.end(),
-                      [&](const CutStrip& strip) { return lies_within(strip, place_mm); })) {
-        continue;
-      }
+    }
+    for (const auto& [at, area_mm2] : whole_places(mesh, crossed, strips)) {
       wall.whole_mm2 += area_mm2 * at;
       wall.products_mm2 += area_mm2 * at * at.transpose();
     }
@@ -54,11 +76,11 @@ double cut_share(const geometry::TetMesh& mesh, const Crossing& crossing, const 
   return 1.0 - whole_mm2 / all_mm2;
 }
 
-void add_bridges(double times, const Body& body, const Crossing& crossing, const std::vector<WholeWall>& walls,
+void add_bridges(const Body& body, const Crossing& crossing, const std::vector<WholeWall>& walls,
                  const std::vector<int>& number, Eigen::MatrixXd& stiffness) {
   for (std::size_t c = 0; c < walls.size(); ++c) {
     const auto cell = static_cast<std::size_t>(crossing.cells[c].cell);
-    const double bridge = times * body.youngs_kPa[cell] / regular_edge_mm(geometry::cell_volume_mm3(body.mesh, cell));
+    const double bridge = body.youngs_kPa[cell] / bridged_mm(body.mesh, crossing.cells[c].cell);
     for (int i = 0; i < 4; ++i) {
       for (int j = 0; j < 4; ++j) {
         const int row = number[body.mesh.cells[cell][i]], column = number[body.mesh.cells[cell][j]];
