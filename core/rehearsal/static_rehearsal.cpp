@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <future>
 #include <mutex>
 
+#include "base/stopwatch.h"
 #include "base/units.h"
 #include "mechanics/meshfree/meshfree_model.h"
+#include "mechanics/statics/displacements.h"
 #include "mechanics/statics/live_strain.h"
 
 namespace glisson::rehearsal {
@@ -17,11 +18,6 @@ using Eigen::Vector3d;
 using mechanics::PointInMesh;
 using mechanics::StaticModel;
 using mechanics::StaticResult;
-using Clock = std::chrono::steady_clock;
-
-double milliseconds_since(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 // Displacements are linear in the tool's force: u = standing + per_N * force_N, 12 numbers a point.
 struct Response {
@@ -42,7 +38,7 @@ struct BodyResponse {
   double relative_residual = 0;
 };
 
-Responses responses_from(const std::vector<Vector3d>& standing, const std::array<std::vector<Vector3d>, 3>& per_N);
+Responses responses_from(const Eigen::MatrixXd& standing_mm, const Eigen::MatrixXd& per_N_mm);
 std::vector<Vector3d> displaced(const std::vector<Vector3d>& rest_mm, const Responses& responses,
                                 const Vector3d& force_N);
 Result<void> usable(const StaticResult& result);
@@ -61,7 +57,9 @@ struct StaticRehearsal::Impl {
 
   struct Body {
     StaticModel model;
-    StaticResult standing;
+    Eigen::VectorXd standing_mm;  // of all nodes, under the standing loads
+    double relative_residual = 0;
+    std::optional<mechanics::LiveStrain> strain;  // of the patient, which alone is asked for it
   };
   std::shared_ptr<const RehearsalModels> models;
   mechanics::Loads standing_loads;
@@ -155,7 +153,7 @@ Result<StaticModel> ReferenceBody::model(const Progress& progress) const {
 }
 
 Result<StaticRehearsal> StaticRehearsal::create(RehearsalSetup setup, const Progress& progress) {
-  const auto start = Clock::now();
+  const Stopwatch watch;
   auto parts = std::make_shared<Impl>();
   auto models = rehearsal_models(setup, progress.part(0.0, 0.95));
   if (!models) return failure(std::move(models.error()));
@@ -164,6 +162,7 @@ Result<StaticRehearsal> StaticRehearsal::create(RehearsalSetup setup, const Prog
   auto patient = parts->standing(parts->models->patient);
   if (!patient) return failure(std::move(patient.error()));
   parts->patient = std::move(*patient);
+  parts->patient->strain.emplace(parts->patient->model, parts->patient->standing_mm);
   parts->reference_is_made = !parts->models->reference;
 
   progress.report(0.95, GLISSON_TEXT("Placing landmarks and structures"));
@@ -180,7 +179,7 @@ Result<StaticRehearsal> StaticRehearsal::create(RehearsalSetup setup, const Prog
   for (const double p : geometry::find_field(parts->surface.point_fields, "mesh_point")->values) {
     parts->mesh_point.push_back(static_cast<std::size_t>(p));
   }
-  parts->setup_s = 1e-3 * milliseconds_since(start);
+  parts->setup_s = watch.seconds();
   progress.report(1.0, GLISSON_TEXT("Ready"));
   return StaticRehearsal(std::move(parts));
 }
@@ -189,7 +188,7 @@ Result<StaticRehearsal::Impl::Body> StaticRehearsal::Impl::standing(const Static
   auto standing = model.solve(standing_loads);
   if (!standing) return failure(std::move(standing.error()));
   if (auto checked = usable(*standing); !checked) return failure(std::move(checked.error()));
-  return Body{model, std::move(*standing)};
+  return Body{model, mechanics::nodal_displacements(model.nodes(), *standing), standing->relative_residual, {}};
 }
 
 Result<void> StaticRehearsal::Impl::make_reference(const Progress& progress) const {
@@ -206,7 +205,7 @@ Result<void> StaticRehearsal::Impl::make_reference(const Progress& progress) con
 }
 
 Result<PlacedTool> StaticRehearsal::place_tool(const Vector3d& center_mm, double radius_mm, On bodies) const {
-  const auto start = Clock::now();
+  const Stopwatch watch;
   const auto touched = impl_->patient->model.faces_touched_by(center_mm, radius_mm);
   if (!touched) return failure(touched.error());
 
@@ -232,7 +231,7 @@ Result<PlacedTool> StaticRehearsal::place_tool(const Vector3d& center_mm, double
   }
   if (!patient) return failure(std::move(patient.error()));
   placed->patient = std::move(*patient);
-  placed->solve_ms = milliseconds_since(start);
+  placed->solve_ms = 1e3 * watch.seconds();
   return PlacedTool(std::move(placed));
 }
 
@@ -244,28 +243,29 @@ Result<BodyResponse> StaticRehearsal::Impl::response_to_tool(const Body& body, c
   for (int axis = 0; axis < 3; ++axis) {
     unit_loads.push_back({mechanics::ToolLoad{center_mm, radius_mm, units::mN_from_N(1.0) * Vector3d::Unit(axis)}});
   }
-  const auto solved = body.model.solve_each(unit_loads);
+  auto solved = body.model.respond_each(unit_loads);
   if (!solved) return failure(solved.error());
+  if (auto usable = solved->usable(); !usable) return failure(std::move(usable.error()));
 
   BodyResponse response;
-  response.relative_residual = body.standing.relative_residual;
-  for (int axis = 0; axis < 3; ++axis) {
-    if (auto checked = usable((*solved)[axis]); !checked) return failure(std::move(checked.error()));
-    response.relative_residual = std::max(response.relative_residual, (*solved)[axis].relative_residual);
-  }
+  response.relative_residual = std::max(body.relative_residual, solved->relative_residual);
+  const mechanics::NodeLayout& layout = body.model.nodes();
+  const Eigen::MatrixXd& per_N_mm = solved->displacement_mm;
   const auto responses_at = [&](const std::vector<PointInMesh>& places) {
-    const auto at = [&](const StaticResult& result) { return body.model.displacement_at(result, places); };
-    return responses_from(at(body.standing), {at((*solved)[0]), at((*solved)[1]), at((*solved)[2])});
+    return responses_from(mechanics::displacements_at(layout, body.standing_mm, places),
+                          mechanics::displacements_at(layout, per_N_mm, places));
   };
-  response.points =
-      responses_from(body.standing.displacement_mm,
-                     {(*solved)[0].displacement_mm, (*solved)[1].displacement_mm, (*solved)[2].displacement_mm});
-  if (&body == &*patient) {
-    response.strain.emplace(body.model, body.standing, std::array{&(*solved)[0], &(*solved)[1], &(*solved)[2]});
+  for (const int node : layout.node_of_point) {
+    if (node < 0) {
+      response.points.push_back({Vector3d::Zero(), Eigen::Matrix3d::Zero()});
+    } else {
+      response.points.push_back({body.standing_mm.segment<3>(3 * node), per_N_mm.middleRows<3>(3 * node)});
+    }
   }
   for (const std::size_t p : mesh_point) response.surface.push_back(response.points[p]);
   for (const auto& places : structure_places) response.structures.push_back(responses_at(places));
   response.landmarks = responses_at(landmark_places);
+  if (body.strain) response.strain = body.strain->with_force(std::move(solved->displacement_mm));
   return response;
 }
 
@@ -288,7 +288,7 @@ RehearsalBody StaticRehearsal::Impl::body_under(const BodyResponse& response, co
 
 RehearsalState PlacedTool::answer(const Vector3d& force_N) const {
   GLISSON_ASSERT(force_N.allFinite());
-  const auto start = Clock::now();
+  const Stopwatch watch;
   RehearsalState state;
   state.force_N = force_N;
   state.patient = impl_->rehearsal->body_under(impl_->patient, force_N);
@@ -305,7 +305,7 @@ RehearsalState PlacedTool::answer(const Vector3d& force_N) const {
     }
     state.max_difference_mm = std::sqrt(squared_mm2);
   }
-  state.answer_ms = milliseconds_since(start);
+  state.answer_ms = 1e3 * watch.seconds();
   return state;
 }
 
@@ -347,11 +347,11 @@ double StaticRehearsal::setup_s() const { return impl_->setup_s; }
 
 namespace {
 
-Responses responses_from(const std::vector<Vector3d>& standing, const std::array<std::vector<Vector3d>, 3>& per_N) {
-  Responses responses(standing.size());
-  for (std::size_t i = 0; i < responses.size(); ++i) {
-    responses[i].standing_mm = standing[i];
-    for (int axis = 0; axis < 3; ++axis) responses[i].per_N_mm.col(axis) = per_N[axis][i];
+// Three rows a place.
+Responses responses_from(const Eigen::MatrixXd& standing_mm, const Eigen::MatrixXd& per_N_mm) {
+  Responses responses;
+  for (Eigen::Index row = 0; row < standing_mm.rows(); row += 3) {
+    responses.push_back({standing_mm.col(0).segment<3>(row), per_N_mm.middleRows<3>(row)});
   }
   return responses;
 }

@@ -16,6 +16,7 @@
 #include "benchmarks/exact_contact.h"
 #include "casefile/model.h"
 #include "rehearsal/session.h"
+#include "rehearsal/static_rehearsal.h"
 #include "rehearsal/tool_presets.h"
 
 namespace glisson {
@@ -29,6 +30,31 @@ Result<casefile::PatientModel> model_of_case() {
       .and_then([](const casefile::Case& patient) { return casefile::read_model(patient); });
 }
 
+// A force spread over a patch, put at one place of the surface after the other: of the patient alone, or of the
+// reference body beside it.
+void PlacingATool(benchmark::State& state) {
+  auto model = model_of_case();
+  if (!model) {
+    state.SkipWithError(model.error().message().c_str());
+    return;
+  }
+  using rehearsal::StaticRehearsal;
+  const auto rehearsal = StaticRehearsal::create(casefile::live_rehearsal_setup(*model).setup).value();
+  const bool both = state.range(0) == 2;
+  if (both && !rehearsal.make_reference()) {
+    state.SkipWithError("there is no reference body");
+    return;
+  }
+  const auto& points_mm = rehearsal.surface().points_mm;
+  std::size_t at = 0;
+  for (auto _ : state) {
+    const auto placed = rehearsal.place_tool(points_mm[at % points_mm.size()], 15,
+                                             both ? StaticRehearsal::On::both : StaticRehearsal::On::patient);
+    benchmark::DoNotOptimize(placed.value().answer({0, 0, -0.5}));
+    at += 37;
+  }
+}
+
 // A retractor is pushed at segment VI with 2 N and held, and a probe of 0.3 N drawn over the front, half
 // a millimetre a step, 80 steps there and back. `place_ms` is the retractor's first touch, `first_ms` a step of the
 // probe's first way, on which each new place is solved for once; `error_mm` how far the last state's landmarks are from
@@ -40,7 +66,7 @@ void SessionOnACase(benchmark::State& state) {
     state.SkipWithError(model.error().message().c_str());
     return;
   }
-  auto setup = casefile::rehearsal_setup(*model);
+  auto setup = casefile::live_rehearsal_setup(*model).setup;
   const auto nodes = static_cast<int>(state.range(0));
   if (nodes > 0) setup = rehearsal::by_meshfree(std::move(setup), {.nodes = nodes});
   const geometry::Surface surface = geometry::boundary_surface(setup.mesh);
@@ -204,6 +230,7 @@ void paths(benchmark::internal::Benchmark* run) {
   }
 }
 
+BENCHMARK(PlacingATool)->ArgName("bodies")->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(SessionAtLargeStrain)
     ->ArgNames({"path", "law"})
     ->Apply(paths)

@@ -77,6 +77,8 @@ POSES = [
         for k, what in enumerate(("wolf 0 to 1", "wolf 0 to 2", "wolf 1 to 2", "cat 0 to 1", "cat 0 to 2", "cat 1 to 2"))])]
 REHEARSAL = [
     ("bench_casefile", 1, [
+        ("PlacingATool/bodies:1/real_time", "a force put at another place of the demo patient's surface", [(TIME, MS)]),
+        ("PlacingATool/bodies:2/real_time", "the same, the reference body beside it", [(TIME, MS)]),
         ("SessionOnACase/nodes:0/iterations:160/real_time",
          "the demo patient and the reference body: retractor held, probe drawn over the front",
          [("steps_per_s", "{:.0f} a second".format), ("slowest_ms", "slowest {:.0f} ms".format),

@@ -129,9 +129,13 @@ TEST(CholeskyFactor, InSinglePrecisionTakesLessThanHalfTheMemoryAndIsRefinedToTh
     EXPECT_LT(refined[column].relative_residual, 1e-10);
     EXPECT_LT((refined[column].u - wanted.col(column)).norm(), 1e-8 * wanted.col(column).norm());
   }
-  EXPECT_LT((single->respond(loads).u - full->respond(loads).u).norm(), 1e-8 * wanted.norm());
+  EXPECT_LT((single->respond(loads, Digits::all).u - full->respond(loads, Digits::all).u).norm(), 1e-8 * wanted.norm());
+  const auto seen = single->respond(loads, Digits::seen);
+  EXPECT_TRUE(seen.is_seen_right);
+  EXPECT_EQ(seen.u, unrefined);
+  EXPECT_LT((seen.u - wanted).norm(), 1e-5 * wanted.norm());
   // Far from one, where single precision alone would overflow or vanish.
-  EXPECT_LT((single->respond(1e60 * loads).u - 1e60 * wanted).norm(), 1e-8 * 1e60 * wanted.norm());
+  EXPECT_LT((single->respond(1e60 * loads, Digits::all).u - 1e60 * wanted).norm(), 1e-8 * 1e60 * wanted.norm());
 }
 
 }  // namespace

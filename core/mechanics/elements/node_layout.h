@@ -16,6 +16,10 @@ enum class ElementOrder { linear = 1, quadratic = 2 };
 // quadratic tetrahedron and of C3D10 in CalculiX.
 inline constexpr std::array<std::array<int, 2>, 6> edges_of_cell{{{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}}};
 
+// By corners: the node in the middle of the edge between two; on the diagonal the corner's own.
+inline constexpr std::array<std::array<int, 4>, 4> node_between{
+    {{0, 4, 6, 7}, {4, 1, 5, 8}, {6, 5, 2, 9}, {7, 8, 9, 3}}};
+
 struct NodeLayout {
   ElementOrder order = ElementOrder::quadratic;
   std::vector<Eigen::Vector3d> positions_mm;  // rest position of every node

@@ -1,11 +1,13 @@
 #pragma once
 // Strain and stress of a displaced body, and how far beyond small strain it has gone.
 
+#include <array>
 #include <Eigen/Core>
 #include <vector>
 
 #include "geometry/tetrahedra.h"
 #include "mechanics/elements/node_layout.h"
+#include "mechanics/elements/shape_functions.h"
 #include "mechanics/materials/deformation.h"
 #include "mechanics/materials/linear_elasticity.h"
 
@@ -15,6 +17,12 @@ namespace glisson::mechanics {
 [[nodiscard]] Eigen::Matrix3d displacement_gradient(const geometry::TetMesh& mesh, const NodeLayout& layout,
                                                     std::size_t cell, const Eigen::Vector4d& barycentric,
                                                     const Eigen::VectorXd& u_mm);
+
+// The same at its four corners, of a cell of that geometry (shape_functions.h). There the quadratic shape functions'
+// derivatives by L_k are 3 at the corner itself and -1 at another, 4 at the middle between, and 0 elsewhere.
+[[nodiscard]] std::array<Eigen::Matrix3d, 4> corner_gradients(const CellGeometry& shape, const NodeLayout& layout,
+                                                              std::size_t cell,
+                                                              const Eigen::Ref<const Eigen::VectorXd>& u_mm);
 
 // Small strain, or how much the principal stretches differ from 1, which a turned body does not count as strain.
 enum class StrainMeasure { small, stretch };

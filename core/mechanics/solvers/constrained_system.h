@@ -11,6 +11,7 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "mechanics/solvers/cholesky_factor.h"
+#include "mechanics/solvers/digits.h"
 
 namespace glisson::mechanics {
 
@@ -48,14 +49,15 @@ class ConstrainedSystem {
   // Halves the factor's memory: solutions are the same to the refinement's target, by more passes of half the cost.
   void keep_factor_in_single_precision();
 
-  // By the factor alone (refined where that is in single precision), nothing given. `relative_residual` is of a sum of
-  // the columns with signs that look random. It costs one product, not one a column. No column's error hides in it but
-  // by chance.
+  // By the factor alone, nothing given. `relative_residual` is of a sum of the columns with signs that look random. It
+  // costs one product, not one a column. No column's error hides in it but by chance. A factor in single precision is
+  // refined for all digits; for those that are seen only where its answers are off by more than 1e-5.
   struct Response {
     Eigen::MatrixXd u;
     double relative_residual = 0;
+    bool is_seen_right = false;  // unrefined, to 1e-5
   };
-  [[nodiscard]] Response respond(const Eigen::MatrixXd& f) const;
+  [[nodiscard]] Response respond(const Eigen::MatrixXd& f, Digits digits = Digits::all) const;
 
   // How each of `mutual` moves (rows) by a unit force on each (columns), nothing given; zeros where u is.
   [[nodiscard]] Eigen::MatrixXd mutual_compliance() const;
@@ -70,6 +72,7 @@ class ConstrainedSystem {
   Eigen::SparseMatrix<double> lower_;
   std::vector<int> free_;  // the unknowns that are not given, ascending
   std::vector<int> mutual_;
+  bool answers_as_seen_ = false;  // in single precision, unrefined
   std::optional<CholeskyFactor> factor_;
 };
 

@@ -36,18 +36,26 @@ Eigen::VectorXd nodal_displacements(const NodeLayout& layout, const StaticResult
 std::vector<Eigen::Vector3d> displacement_at(const Body& body, const StaticResult& result,
                                              const std::vector<PointInMesh>& places) {
   GLISSON_ASSERT(result.displacement_mm.size() == body.mesh.points_mm.size());
-  const NodeLayout& layout = body.layout;
-  std::vector<Eigen::Vector3d> displacements(places.size(), Eigen::Vector3d::Zero());
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const auto cell = static_cast<std::size_t>(places[i].cell);
-    const TetValues values = tet_values(layout.order, places[i].barycentric);
-    for (int k = 0; k < layout.nodes_per_cell(); ++k) {
-      displacements[i] +=
-          values[k] * (k < 4 ? result.displacement_mm[body.mesh.cells[cell][k]]
-                             : result.mid_side_displacement_mm[layout.cells[cell][k] - layout.corner_nodes]);
-    }
-  }
+  const Eigen::MatrixXd rows_mm = displacements_at(body.layout, nodal_displacements(body.layout, result), places);
+  std::vector<Eigen::Vector3d> displacements;
+  for (Eigen::Index row = 0; row < rows_mm.rows(); row += 3) displacements.emplace_back(rows_mm.col(0).segment<3>(row));
   return displacements;
+}
+
+Eigen::MatrixXd displacements_at(const NodeLayout& layout, const Eigen::Ref<const Eigen::MatrixXd>& u_mm,
+                                 const std::vector<PointInMesh>& places) {
+  Eigen::MatrixXd rows_mm = Eigen::MatrixXd::Zero(3 * static_cast<Eigen::Index>(places.size()), u_mm.cols());
+  Eigen::Index row = 0;
+  for (const PointInMesh& place : places) {
+    const TetValues values = tet_values(layout.order, place.barycentric);
+    const auto& nodes = layout.cells[static_cast<std::size_t>(place.cell)];
+    for (int k = 0; k < layout.nodes_per_cell(); ++k) {
+      rows_mm.middleRows<3>(row) +=
+          values[k] * u_mm.middleRows<3>(3 * Eigen::Index{nodes[static_cast<std::size_t>(k)]});
+    }
+    row += 3;
+  }
+  return rows_mm;
 }
 
 }  // namespace glisson::mechanics

@@ -1,12 +1,12 @@
 #include "mechanics/statics/live_strain.h"
 
+#include <array>
 #include <cmath>
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include "base/parallel.h"
 #include "mechanics/materials/linear_elasticity.h"
-#include "mechanics/statics/displacements.h"
 
 namespace glisson::mechanics {
 namespace {
@@ -23,37 +23,64 @@ Eigen::Matrix3d gradient_at(const StaticModel& model, Eigen::Index corner, const
                                Eigen::Vector4d::Unit(corner % 4), u_mm);
 }
 
-}  // namespace
-
-LiveStrain::LiveStrain(const StaticModel& model, const StaticResult& standing,
-                       const std::array<const StaticResult*, 3>& per_N)
-    : model_(model),
-      standing_mm_(nodal_displacements(model.nodes(), standing)),
-      standing_bound_(4 * static_cast<Eigen::Index>(model.mesh().cells.size())),
-      per_N_bound_(standing_bound_.size()) {
-  for (std::size_t axis = 0; axis < 3; ++axis) per_N_mm_[axis] = nodal_displacements(model.nodes(), *per_N[axis]);
+// `take(k, gradients)` at every corner k, of each column of displacements.
+template <int columns, typename Take>
+void for_corners(const StaticModel& model, const Eigen::Ref<const Eigen::MatrixXd>& u_mm, const Take& take) {
   parallel_for(model.mesh().cells.size(), 512, [&](std::size_t begin, std::size_t end) {
-    for (auto k = static_cast<Eigen::Index>(4 * begin); k < static_cast<Eigen::Index>(4 * end); ++k) {
-      Eigen::Matrix3d products;
-      std::array<Eigen::Matrix3d, 3> strain_per_N;
-      for (int a = 0; a < 3; ++a) {
-        strain_per_N[a] = small_strain(gradient_at(model_, k, per_N_mm_[a]));
-        for (int b = 0; b <= a; ++b) {
-          products(a, b) = products(b, a) = strain_per_N[a].cwiseProduct(strain_per_N[b]).sum();
-        }
+    for (std::size_t cell = begin; cell < end; ++cell) {
+      const CellGeometry shape = cell_geometry(model.mesh(), cell);
+      std::array<std::array<Eigen::Matrix3d, 4>, columns> of_column;
+      for (int a = 0; a < columns; ++a) {
+        of_column[static_cast<std::size_t>(a)] = corner_gradients(shape, model.nodes(), cell, u_mm.col(a));
       }
-      standing_bound_[k] = largest_principal(small_strain(gradient_at(model_, k, standing_mm_)));
-      per_N_bound_[k] = std::sqrt(largest_principal(products));
+      for (std::size_t corner = 0; corner < 4; ++corner) {
+        std::array<Eigen::Matrix3d, columns> gradients;
+        for (std::size_t a = 0; a < columns; ++a) gradients[a] = of_column[a][corner];
+        take(static_cast<Eigen::Index>(4 * cell + corner), gradients);
+      }
     }
   });
 }
 
+}  // namespace
+
+LiveStrain::LiveStrain(StaticModel model, Eigen::VectorXd standing_mm) {
+  const auto corners = 4 * static_cast<Eigen::Index>(model.mesh().cells.size());
+  Standing standing{std::move(model), std::move(standing_mm), Eigen::ArrayXd(corners)};
+  for_corners<1>(standing.model, standing.mm, [&](Eigen::Index k, const std::array<Eigen::Matrix3d, 1>& gradient) {
+    standing.bound[k] = largest_principal(small_strain(gradient[0]));
+  });
+  per_N_mm_ = Eigen::MatrixXd::Zero(standing.mm.size(), 3);
+  per_N_bound_ = Eigen::ArrayXd::Zero(corners);
+  standing_ = std::make_shared<const Standing>(std::move(standing));
+}
+
+LiveStrain LiveStrain::with_force(Eigen::MatrixXd per_N_mm) const {
+  LiveStrain with = *this;
+  with.per_N_mm_ = std::move(per_N_mm);
+  for_corners<3>(standing_->model, with.per_N_mm_,
+                 [&](Eigen::Index k, const std::array<Eigen::Matrix3d, 3>& gradients) {
+                   Eigen::Matrix3d products;
+                   std::array<Eigen::Matrix3d, 3> strain_per_N;
+                   for (std::size_t a = 0; a < 3; ++a) {
+                     strain_per_N[a] = small_strain(gradients[a]);
+                     for (std::size_t b = 0; b <= a; ++b) {
+                       const double product = strain_per_N[a].cwiseProduct(strain_per_N[b]).sum();
+                       products(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b)) = product;
+                       products(static_cast<Eigen::Index>(b), static_cast<Eigen::Index>(a)) = product;
+                     }
+                   }
+                   with.per_N_bound_[k] = std::sqrt(largest_principal(products));
+                 });
+  return with;
+}
+
 Eigen::ArrayXd LiveStrain::bounds(const Eigen::Vector3d& force_N) const {
-  return standing_bound_ + force_N.norm() * per_N_bound_;
+  return standing_->bound + force_N.norm() * per_N_bound_;
 }
 
 double LiveStrain::largest(const Eigen::Vector3d& force_N) const {
-  if (standing_bound_.size() == 0) return 0;
+  if (per_N_bound_.size() == 0) return 0;
   const Eigen::ArrayXd bound = bounds(force_N);
   const auto largest_at = [&](Eigen::Index k) { return largest_principal(small_strain(gradient(k, force_N))); };
   Eigen::Index worst = 0;
@@ -80,8 +107,10 @@ StrainRange LiveStrain::under(const Eigen::Vector3d& force_N) const {
 }
 
 Eigen::Matrix3d LiveStrain::gradient(Eigen::Index corner, const Eigen::Vector3d& force_N) const {
-  Eigen::Matrix3d sum = gradient_at(model_, corner, standing_mm_);
-  for (int axis = 0; axis < 3; ++axis) sum += force_N[axis] * gradient_at(model_, corner, per_N_mm_[axis]);
+  Eigen::Matrix3d sum = gradient_at(standing_->model, corner, standing_->mm);
+  for (int axis = 0; axis < 3; ++axis) {
+    sum += force_N[axis] * gradient_at(standing_->model, corner, per_N_mm_.col(axis));
+  }
   return sum;
 }
 

@@ -7,31 +7,36 @@
 // of corners a few hundred may be the worst. Only their eigenvalues are computed. Nor can a cell be turned inside out
 // where no strain reaches 1.
 
-#include <array>
 #include <Eigen/Core>
+#include <memory>
 
 #include "mechanics/elements/strain.h"
 #include "mechanics/statics/static_model.h"
-#include "mechanics/statics/static_result.h"
 
 namespace glisson::mechanics {
 
 class LiveStrain {
  public:
-  // Of a body under `standing` and, for each 1 N along an axis, `per_N` more.
-  LiveStrain(const StaticModel& model, const StaticResult& standing, const std::array<const StaticResult*, 3>& per_N);
+  // Of a body under its standing loads alone: displacements of all nodes (mm, 3 each).
+  LiveStrain(StaticModel model, Eigen::VectorXd standing_mm);
+  // And for each 1 N along an axis so much more, a column an axis.
+  [[nodiscard]] LiveStrain with_force(Eigen::MatrixXd per_N_mm) const;
 
   [[nodiscard]] StrainRange under(const Eigen::Vector3d& force_N) const;
   [[nodiscard]] double largest(const Eigen::Vector3d& force_N) const;
 
  private:
+  struct Standing {
+    StaticModel model;
+    Eigen::VectorXd mm;
+    Eigen::ArrayXd bound;  // |eps_0| of each corner, 4 a cell
+  };
   [[nodiscard]] Eigen::Matrix3d gradient(Eigen::Index corner, const Eigen::Vector3d& force_N) const;
   [[nodiscard]] Eigen::ArrayXd bounds(const Eigen::Vector3d& force_N) const;
 
-  StaticModel model_;  // shared with whoever else has it
-  Eigen::VectorXd standing_mm_;
-  std::array<Eigen::VectorXd, 3> per_N_mm_;      // of the nodes, 3 each
-  Eigen::ArrayXd standing_bound_, per_N_bound_;  // |eps_0| and k of each corner, 4 a cell
+  std::shared_ptr<const Standing> standing_;  // of every force that the body meets
+  Eigen::MatrixXd per_N_mm_;
+  Eigen::ArrayXd per_N_bound_;  // k of each corner
 };
 
 }  // namespace glisson::mechanics

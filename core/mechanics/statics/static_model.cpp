@@ -19,6 +19,7 @@ struct StaticModel::Impl : Body {
   std::shared_ptr<const DisplacementSolver> solver;  // in its place
   Cost cost;
 
+  [[nodiscard]] Result<Eigen::MatrixXd> forces_of(const std::vector<Loads>& cases) const;
   [[nodiscard]] std::vector<ConstrainedSolution> solutions(const Eigen::MatrixXd& force_mN,
                                                            const Eigen::MatrixXd& fixed_mm) const;
   [[nodiscard]] std::vector<StaticResult> solve(const Eigen::MatrixXd& force_mN, const Eigen::MatrixXd& fixed_mm) const;
@@ -92,16 +93,34 @@ Result<StaticResult> StaticModel::solve(const Loads& loads) const {
 }
 
 Result<std::vector<StaticResult>> StaticModel::solve_each(const std::vector<Loads>& cases) const {
-  Eigen::MatrixXd force_mN(3 * static_cast<Eigen::Index>(impl_->layout.nodes()),
-                           static_cast<Eigen::Index>(cases.size()));
+  const auto force_mN = impl_->forces_of(cases);
+  if (!force_mN) return failure(force_mN.error());
+  const Eigen::VectorXd& prescribed_mm = impl_->resolved.prescribed_mm;
+  if (prescribed_mm.size() == 0) return impl_->solve(*force_mN, {});
+  return impl_->solve(*force_mN, prescribed_mm.replicate(1, force_mN->cols()));
+}
+
+Result<void> StaticModel::Responses::usable() const {
+  if (converged) return {};
+  return failure("not-converged",
+                 GLISSON_TEXT("The body's answer to a force on its surface was not found: the relative residual "
+                              "stayed at {0}."),
+                 {fmt::format("{:.1e}", relative_residual)});
+}
+
+Result<StaticModel::Responses> StaticModel::respond_each(const std::vector<Loads>& cases) const {
+  return impl_->forces_of(cases).map([&](const Eigen::MatrixXd& force_mN) { return respond(force_mN, Digits::seen); });
+}
+
+// On the nodes, a column a case.
+Result<Eigen::MatrixXd> StaticModel::Impl::forces_of(const std::vector<Loads>& cases) const {
+  Eigen::MatrixXd force_mN(3 * static_cast<Eigen::Index>(layout.nodes()), static_cast<Eigen::Index>(cases.size()));
   for (std::size_t i = 0; i < cases.size(); ++i) {
-    auto column = load_vector(impl_->mesh, impl_->layout, impl_->boundary, impl_->options.density_kg_mm3, cases[i]);
-    if (!column) return failure(std::move(column.error()));
+    const auto column = load_vector(mesh, layout, boundary, options.density_kg_mm3, cases[i]);
+    if (!column) return failure(column.error());
     force_mN.col(static_cast<Eigen::Index>(i)) = *column;
   }
-  const Eigen::VectorXd& prescribed_mm = impl_->resolved.prescribed_mm;
-  if (prescribed_mm.size() == 0) return impl_->solve(force_mN, {});
-  return impl_->solve(force_mN, prescribed_mm.replicate(1, force_mN.cols()));
+  return force_mN;
 }
 
 Result<StaticResult> StaticModel::solve_nodal(const NodalLoad& load) const {
@@ -117,19 +136,21 @@ Result<StaticResult> StaticModel::solve_nodal(const NodalLoad& load) const {
   return std::move(impl_->solve(load.force_mN, load.prescribed_displacement_mm).front());
 }
 
-StaticModel::Responses StaticModel::respond(const Eigen::MatrixXd& force_mN) const {
+StaticModel::Responses StaticModel::respond(const Eigen::MatrixXd& force_mN, Digits digits) const {
   Eigen::MatrixXd u;
   double relative_residual = 0;
+  bool is_seen_right = false;
   if (impl_->solver) {
     auto solution = impl_->solver->solve(force_mN);
     u = std::move(solution.displacement_mm);
     relative_residual = solution.relative_residual;
   } else {
-    auto response = impl_->system->respond(force_mN);
+    auto response = impl_->system->respond(force_mN, digits);
     u = std::move(response.u);
     relative_residual = response.relative_residual;
+    is_seen_right = response.is_seen_right;
   }
-  const bool converged = relative_residual <= impl_->options.relative_tolerance && u.allFinite();
+  const bool converged = (is_seen_right || relative_residual <= impl_->options.relative_tolerance) && u.allFinite();
   return {std::move(u), relative_residual, converged};
 }
 

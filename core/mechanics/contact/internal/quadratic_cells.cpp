@@ -22,8 +22,6 @@ struct Point {
 };
 
 constexpr double a = 0.58541019662496845446, b = 0.13819660112501051518;  // quadrature.h
-// The edge k-q of a cell, by its corners: node_layout.h.
-constexpr int node_of[4][4] = {{0, 4, 6, 7}, {4, 1, 5, 8}, {6, 5, 2, 9}, {7, 8, 9, 3}};
 
 HWY_INLINE Vector squared_norm(const Matrix& x) {
   Vector sum = hn::Zero(Tag());
@@ -124,7 +122,7 @@ HWY_INLINE Seen add_forces(const QuadraticBatch* begin, const QuadraticBatch* en
         for (int k = 0; k < 4; ++k) {
           Vector edges = hn::Zero(tag);
           for (int q = 0; q < 4; ++q) {
-            if (q != k) edges = hn::Add(edges, moved[node_of[k][q]].v[d]);
+            if (q != k) edges = hn::Add(edges, moved[node_between[k][q]].v[d]);
           }
           const Vector by_k = hn::MulAdd(corner, moved[k].v[d], hn::Mul(edge, edges));
           for (int axis = 0; axis < 3; ++axis) {
@@ -149,7 +147,7 @@ HWY_INLINE Seen add_forces(const QuadraticBatch* begin, const QuadraticBatch* en
         Matrix f = common;
         for (int k = 0; k < 4; ++k) {
           for (int d = 0; d < 3; ++d) {
-            const Vector w = hn::Mul(own, moved[node_of[k][q]].v[d]);
+            const Vector w = hn::Mul(own, moved[node_between[k][q]].v[d]);
             for (int axis = 0; axis < 3; ++axis) f.m[d][axis] = hn::MulAdd(w, gradient[k].v[axis], f.m[d][axis]);
           }
         }
@@ -168,7 +166,7 @@ HWY_INLINE Seen add_forces(const QuadraticBatch* begin, const QuadraticBatch* en
             const Vector t = hn::Mul(
                 volume, dot3(p.m[d][0], gradient[k].v[0], p.m[d][1], gradient[k].v[1], p.m[d][2], gradient[k].v[2]));
             total[k].v[d] = hn::Add(total[k].v[d], t);
-            sum[node_of[k][q]].v[d] = hn::MulAdd(own, t, sum[node_of[k][q]].v[d]);
+            sum[node_between[k][q]].v[d] = hn::MulAdd(own, t, sum[node_between[k][q]].v[d]);
           }
         }
       }
@@ -176,7 +174,7 @@ HWY_INLINE Seen add_forces(const QuadraticBatch* begin, const QuadraticBatch* en
         for (int d = 0; d < 3; ++d) {
           sum[k].v[d] = hn::MulAdd(corner, total[k].v[d], sum[k].v[d]);
           for (int q = k + 1; q < 4; ++q) {
-            Vector& at = sum[node_of[k][q]].v[d];
+            Vector& at = sum[node_between[k][q]].v[d];
             at = hn::MulAdd(edge, hn::Add(total[k].v[d], total[q].v[d]), at);
           }
         }

@@ -1,6 +1,5 @@
 #include "mechanics/contact/internal/surface_responses.h"
 
-#include <fmt/format.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,6 +9,7 @@
 #include "base/parallel.h"
 #include "mechanics/elements/shape_functions.h"
 #include "mechanics/materials/linear_elasticity.h"
+#include "mechanics/statics/displacements.h"
 
 namespace glisson::mechanics {
 
@@ -73,23 +73,36 @@ void SurfaceResponses::make_groups() {
   }
 }
 
+// Groups side by side: what each answers is its own, whatever the order.
 Result<int> SurfaceResponses::remember(const std::vector<int>& points) const {
   const std::lock_guard lock(memory_->mutex);
   auto& responses = memory_->responses;
-  int solves = 0;
+  std::vector<int> unknown;
   for (const int asked : points) {
-    if (responses[asked] || mutual_of_point_[asked] >= 0) continue;
-    const std::vector<int>& group = groups_[group_of_point_[asked]];
-    Eigen::MatrixXd unit = Eigen::MatrixXd::Zero(3 * static_cast<Eigen::Index>(model_.nodes().nodes()),
-                                                 3 * static_cast<Eigen::Index>(group.size()));
-    for (std::size_t i = 0; i < group.size(); ++i) {
-      unit.block<3, 3>(3 * node(group[i]), 3 * static_cast<Eigen::Index>(i)).setIdentity();
+    if (!responses[asked] && mutual_of_point_[asked] < 0) unknown.push_back(group_of_point_[asked]);
+  }
+  std::sort(unknown.begin(), unknown.end());
+  unknown.erase(std::unique(unknown.begin(), unknown.end()), unknown.end());
+  std::vector<StaticModel::Responses> solved(unknown.size());
+  parallel_for(unknown.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t u = begin; u < end; ++u) {
+      const std::vector<int>& group = groups_[unknown[u]];
+      Eigen::MatrixXd unit = Eigen::MatrixXd::Zero(3 * static_cast<Eigen::Index>(model_.nodes().nodes()),
+                                                   3 * static_cast<Eigen::Index>(group.size()));
+      for (std::size_t i = 0; i < group.size(); ++i) {
+        unit.block<3, 3>(3 * node(group[i]), 3 * static_cast<Eigen::Index>(i)).setIdentity();
+      }
+      solved[u] = model_.respond(unit, Digits::seen);
+      solved[u].displacement_mm = seen_part(solved[u].displacement_mm);
     }
-    const StaticModel::Responses solved = model_.respond(unit);
-    if (auto accepted = accept(solved); !accepted) return failure(std::move(accepted.error()));
-    solves += static_cast<int>(unit.cols());
+  });
+  int solves = 0;
+  for (std::size_t u = 0; u < unknown.size(); ++u) {
+    if (auto accepted = accept(solved[u]); !accepted) return failure(std::move(accepted.error()));
+    const std::vector<int>& group = groups_[unknown[u]];
+    solves += 3 * static_cast<int>(group.size());
     for (std::size_t i = 0; i < group.size(); ++i) {
-      responses[group[i]] = seen_part(solved.displacement_mm.middleCols<3>(3 * static_cast<Eigen::Index>(i)));
+      responses[group[i]] = solved[u].displacement_mm.middleCols<3>(3 * static_cast<Eigen::Index>(i));
     }
   }
   return solves;
@@ -155,12 +168,7 @@ Result<VectorXd> SurfaceResponses::seen_under(const PointForces& force_mN, const
 }
 
 Result<void> SurfaceResponses::accept(const StaticModel::Responses& solved) const {
-  if (!solved.converged) {
-    return failure("not-converged",
-                   GLISSON_TEXT("The body's answer to a force on its surface was not found: the relative residual "
-                                "stayed at {0}."),
-                   {fmt::format("{:.1e}", solved.relative_residual)});
-  }
+  if (auto usable = solved.usable(); !usable) return usable;
   memory_->relative_residual = std::max(memory_->relative_residual, solved.relative_residual);
   return {};
 }
@@ -177,13 +185,8 @@ Eigen::MatrixXd SurfaceResponses::seen_part(const Eigen::MatrixXd& displacement_
     part.middleRows<3>(row) = displacement_mm.middleRows<3>(3 * layout.node_of_point[p]);
     row += 3;
   }
-  for (const PointInMesh& place : watched_) {
-    const TetValues values = tet_values(layout.order, place.barycentric);
-    for (int i = 0; i < layout.nodes_per_cell(); ++i) {
-      part.middleRows<3>(row) += values[i] * displacement_mm.middleRows<3>(3 * layout.cells[place.cell][i]);
-    }
-    row += 3;
-  }
+  part.middleRows(row, watched_values()) = displacements_at(layout, displacement_mm, watched_);
+  row += watched_values();
   for (const int p : inner_) {
     if (layout.node_of_point[p] >= 0) {
       part.middleRows<3>(row) = displacement_mm.middleRows<3>(3 * layout.node_of_point[p]);

@@ -15,12 +15,50 @@ void strsm_(const char* side, const char* triangle, const char* transposed, cons
 void sgemm_(const char* transposed_a, const char* transposed_b, const int* rows, const int* columns, const int* inner,
             const float* scale, const float* a, const int* leading_a, const float* b, const int* leading_b,
             const float* scale_c, float* c, const int* leading_c);
+void strsv_(const char* triangle, const char* transposed, const char* unit, const int* size, const float* a,
+            const int* leading_a, float* x, const int* step_x);
+void sgemv_(const char* transposed, const int* rows, const int* columns, const float* scale, const float* a,
+            const int* leading_a, const float* x, const int* step_x, const float* scale_y, float* y, const int* step_y);
 }
 
 namespace glisson::mechanics {
 namespace {
 
-constexpr float zero = 0, one = 1, minus_one = -1;
+// Of so few sides one after the other: numbers are read as they lie, where BLAS copies them first for several.
+constexpr int few_sides = 6;
+constexpr int next = 1;
+constexpr float one = 1;
+
+struct Panel {
+  const float* values;
+  int rows, columns, leading;
+};
+
+// y = scale A x + kept y, of A or its transpose; a column a side, whose first numbers lie `step` apart.
+void multiply(const char* transposed, const Panel& a, int sides, float scale, const float* x, int step_x, float kept,
+              float* y, int step_y) {
+  if (sides > few_sides) {
+    const bool turned = *transposed == 'T';
+    const int rows = turned ? a.columns : a.rows, inner = turned ? a.rows : a.columns;
+    sgemm_(transposed, "N", &rows, &sides, &inner, &scale, a.values, &a.leading, x, &step_x, &kept, y, &step_y);
+    return;
+  }
+  for (int side = 0; side < sides; ++side) {
+    sgemv_(transposed, &a.rows, &a.columns, &scale, a.values, &a.leading, x + std::ptrdiff_t{side} * step_x, &next,
+           &kept, y + std::ptrdiff_t{side} * step_y, &next);
+  }
+}
+
+// x = A^-1 x of a lower triangle, or of its transpose.
+void divide(const char* transposed, const Panel& a, int sides, float* x, int step_x) {
+  if (sides > few_sides) {
+    strsm_("L", "L", transposed, "N", &a.columns, &sides, &one, a.values, &a.leading, x, &step_x);
+    return;
+  }
+  for (int side = 0; side < sides; ++side) {
+    strsv_("L", transposed, "N", &a.columns, a.values, &a.leading, x + std::ptrdiff_t{side} * step_x, &next);
+  }
+}
 
 // Columns that share their rows. Of a square of them half is zeros.
 constexpr int widest = 64;
@@ -89,12 +127,11 @@ void SinglePrecisionFactor::solve_forward(Eigen::MatrixXf& x) const {
   for (const Supernode& node : supernodes_) {
     const float* values = values_.get() + node.first_value;
     float* own = x.data() + node.first_column;
-    strsm_("L", "L", "N", "N", &node.columns, &sides, &one, values, &node.rows, own, &n);
     const int count = node.rows - node.columns;
+    divide("N", {values, node.columns, node.columns, node.rows}, sides, own, n);
     if (count == 0) continue;
     below.resize(count, sides);
-    sgemm_("N", "N", &count, &sides, &node.columns, &one, values + node.columns, &node.rows, own, &n, &zero,
-           below.data(), &count);
+    multiply("N", {values + node.columns, count, node.columns, node.rows}, sides, 1, own, n, 0, below.data(), count);
     const int* row = rows_.data() + node.first_row + node.columns;
     for (int side = 0; side < sides; ++side) {
       for (int i = 0; i < count; ++i) x(row[i], side) -= below(i, side);
@@ -116,10 +153,10 @@ void SinglePrecisionFactor::solve_backward(Eigen::MatrixXf& x) const {
       for (int side = 0; side < sides; ++side) {
         for (int i = 0; i < count; ++i) below(i, side) = x(row[i], side);
       }
-      sgemm_("T", "N", &node->columns, &sides, &count, &minus_one, values + node->columns, &node->rows, below.data(),
-             &count, &one, own, &n);
+      multiply("T", {values + node->columns, count, node->columns, node->rows}, sides, -1, below.data(), count, 1, own,
+               n);
     }
-    strsm_("L", "L", "T", "N", &node->columns, &sides, &one, values, &node->rows, own, &n);
+    divide("T", {values, node->columns, node->columns, node->rows}, sides, own, n);
   }
 }
 
