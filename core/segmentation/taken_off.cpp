@@ -47,6 +47,7 @@ Mask without_cut_off(Mask outline, const Vector3d& middle_mm, double radius_mm, 
 Mask taken_off(Mask outline, const imaging::Volume& image, const GivenPoints& points) {
   GLISSON_ASSERT(imaging::same_grid(outline.grid, image.grid));
   constexpr double smallest_mm = 3, largest_mm = 30;
+  constexpr double past_border = 1.3;  // so that no rim is left of what is as wide as the ball
   for (const Vector3d& point_mm : points.outside_mm) {
     const auto clicked = nearest_voxel(point_mm, outline.grid.spacing_mm.maxCoeff(), outline);
     if (!clicked) continue;
@@ -54,7 +55,7 @@ Mask taken_off(Mask outline, const imaging::Volume& image, const GivenPoints& po
     const Mask held = cut_out(outline, all);
     const std::size_t middle = *nearest_voxel(point_mm, outline.grid.spacing_mm.maxCoeff(), held);
     const double depth_mm = -static_cast<double>(signed_distances_mm(held)[middle]);
-    const double radius_mm = std::clamp(depth_mm, smallest_mm, largest_mm);
+    const double radius_mm = std::clamp(past_border * depth_mm, smallest_mm, largest_mm);
     // Enough of the organ to know its brightness by.
     const Part part = part_around({point_mm}, 2 * radius_mm + 20, outline.grid);
     put_back(without(cut_out(outline, part), cut_out<float>(image, part), point_mm, radius_mm), part, outline);
@@ -102,7 +103,9 @@ Near near_to(const Mask& outline, const imaging::Image<float>& seen, const Vecto
 }
 
 std::vector<float> costs(const Near& near, double radius_mm) {
-  constexpr double likelihood_per_mm = 0.2, prior_per_mm = 0.15, most = 3;
+  constexpr double most = 3;
+  // A border around a ball costs the more of what the ball gains the smaller it is.
+  const double prior_per_mm = std::max(0.15, 2 / radius_mm), likelihood_per_mm = prior_per_mm * 4 / 3;
   const double around_mm = std::max(0.5 * radius_mm, near.seen.grid.spacing_mm.maxCoeff());
   std::vector<float> of_point, of_organ;
   for (std::size_t voxel = 0; voxel < near.from_point_mm.size(); ++voxel) {
@@ -112,15 +115,17 @@ std::vector<float> costs(const Near& near, double radius_mm) {
     if (from_mm > 2 * radius_mm) of_organ.push_back(near.seen.values[voxel]);
   }
   const bool known = !of_point.empty() && !of_organ.empty();
-  const double point = known ? mode_of(of_point) : 0, organ = known ? mode_of(of_organ) : 0;
+  const double point = known ? static_cast<double>(upper_median(std::move(of_point))) : 0;
+  const double organ = known ? mode_of(of_organ) : 0;
   for (float& value : of_organ) value = std::abs(value - static_cast<float>(organ));
   const double sd = known ? 1.4826 * static_cast<double>(upper_median(std::move(of_organ))) : 0;
+  const bool differ = sd > 0 && std::abs(point - organ) > sd;  // less is noise
   std::vector<float> cost(near.from_point_mm.size());
   for (std::size_t voxel = 0; voxel < cost.size(); ++voxel) {
     const double odds = log_odds_at((radius_mm - static_cast<double>(near.from_point_mm[voxel])) / (radius_mm / 3));
     const auto value = static_cast<double>(near.seen.values[voxel]);
     double ratio = 0;
-    if (sd > 0 && near.held.values[voxel] != 0 && std::isfinite(value)) {
+    if (differ && near.held.values[voxel] != 0 && std::isfinite(value)) {
       ratio = (std::pow(value - organ, 2) - std::pow(value - point, 2)) / (2 * sd * sd);
     }
     cost[voxel] = static_cast<float>(prior_per_mm * odds + likelihood_per_mm * std::clamp(ratio, -most, most));

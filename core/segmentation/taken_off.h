@@ -14,10 +14,10 @@ struct GivenPoints {
 };
 
 // The outline without what lies around each point that it holds. A point in the middle of something is as far from the
-// outline's border as from the organ. So a ball of that radius, 3 to 30 mm, goes: where brightness tells the point's
-// tissue from the organ's, by the relaxed cut (internal/relaxed_cut.h), less of it or more, up to twice as far. Pieces
-// that it cuts off go too, unless they hold a point inside. All else stays, voxel for voxel. The image lies on the
-// outline's grid (asserts). Deterministic.
+// outline's border as from the organ. So a ball of 1.3 times that radius, 3 to 30 mm, goes: where brightness tells the
+// point's tissue from the organ's, by the relaxed cut (internal/relaxed_cut.h), less of it or more, up to twice as far.
+// Pieces that it cuts off go too, unless they hold a point inside. All else stays, voxel for voxel. The image lies on
+// the outline's grid (asserts). Deterministic.
 [[nodiscard]] imaging::Mask taken_off(imaging::Mask outline, const imaging::Volume& image, const GivenPoints& points);
 
 }  // namespace glisson::segmentation
