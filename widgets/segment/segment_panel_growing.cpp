@@ -3,6 +3,7 @@
 #include "casefile/found_liver.h"
 #include "casefile/structures.h"
 #include "widgets/segment/segment_panel.h"
+#include "widgets/session/load_patient.h"
 #include "widgets/settings/settings.h"
 #include "widgets/words/translated.h"
 
