@@ -7167,6 +7167,10 @@
         <source>No place in the image looks like a liver of the model&apos;s shape.</source>
         <translation>Keine Stelle des Bildes sieht aus wie eine Leber von der Form des Modells.</translation>
     </message>
+    <message>
+        <source>The liver is what grew from the points: no shape made its border surer.</source>
+        <translation>Die Leber ist, was aus den Punkten gewachsen ist: Keine Form machte ihren Rand sicherer.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>
@@ -11767,6 +11771,14 @@ sicher %</translation>
         <source>Finding: %1</source>
         <translation>Wird gesucht: %1</translation>
     </message>
+    <message>
+        <source>Points outside count for Find alone.</source>
+        <translation>Punkte außerhalb zählen nur für „Finden“.</translation>
+    </message>
+    <message>
+        <source>Click into the liver, away from large vessels; Ctrl and click into what is wrongly taken for it. A click on a point takes it away. Points so far: %1 inside, %2 outside</source>
+        <translation>Klicken Sie in die Leber, abseits großer Gefäße; mit Strg in das, was fälschlich für sie gehalten wird. Ein Klick auf einen Punkt nimmt ihn weg. Punkte bisher: %1 innerhalb, %2 außerhalb</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::SequenceReportView</name>
@@ -12025,6 +12037,10 @@ sicher %</translation>
     <message>
         <source>One moment: the last change is being worked off.</source>
         <translation>Einen Moment: Die letzte Änderung wird noch ausgeführt.</translation>
+    </message>
+    <message>
+        <source>Points outside count for the liver alone.</source>
+        <translation>Punkte außerhalb zählen nur für die Leber.</translation>
     </message>
 </context>
 <context>

@@ -7167,6 +7167,10 @@
         <source>No place in the image looks like a liver of the model&apos;s shape.</source>
         <translation>Ningún lugar de la imagen se parece a un hígado con la forma del modelo.</translation>
     </message>
+    <message>
+        <source>The liver is what grew from the points: no shape made its border surer.</source>
+        <translation>El hígado es lo que creció desde los puntos: ninguna forma hizo más seguro su borde.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>
@@ -11770,6 +11774,14 @@ seguro %</translation>
         <source>Finding: %1</source>
         <translation>Buscando: %1</translation>
     </message>
+    <message>
+        <source>Points outside count for Find alone.</source>
+        <translation>Los puntos de fuera solo cuentan para «Buscar».</translation>
+    </message>
+    <message>
+        <source>Click into the liver, away from large vessels; Ctrl and click into what is wrongly taken for it. A click on a point takes it away. Points so far: %1 inside, %2 outside</source>
+        <translation>Haga clic en el hígado, lejos de los grandes vasos; con Ctrl, en lo que se toma por él por error. Un clic en un punto lo quita. Puntos hasta ahora: %1 dentro, %2 fuera</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::SequenceReportView</name>
@@ -12028,6 +12040,10 @@ seguro %</translation>
     <message>
         <source>One moment: the last change is being worked off.</source>
         <translation>Un momento: se está aplicando el último cambio.</translation>
+    </message>
+    <message>
+        <source>Points outside count for the liver alone.</source>
+        <translation>Los puntos de fuera solo cuentan para el hígado.</translation>
     </message>
 </context>
 <context>

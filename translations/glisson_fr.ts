@@ -7167,6 +7167,10 @@
         <source>No place in the image looks like a liver of the model&apos;s shape.</source>
         <translation>Aucun endroit de l&apos;image ne ressemble à un foie de la forme du modèle.</translation>
     </message>
+    <message>
+        <source>The liver is what grew from the points: no shape made its border surer.</source>
+        <translation>Le foie est ce qui a grandi à partir des points : aucune forme n’a rendu son bord plus sûr.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>
@@ -11770,6 +11774,14 @@ sûr %</translation>
         <source>Finding: %1</source>
         <translation>Recherche : %1</translation>
     </message>
+    <message>
+        <source>Points outside count for Find alone.</source>
+        <translation>Les points extérieurs ne comptent que pour « Trouver ».</translation>
+    </message>
+    <message>
+        <source>Click into the liver, away from large vessels; Ctrl and click into what is wrongly taken for it. A click on a point takes it away. Points so far: %1 inside, %2 outside</source>
+        <translation>Cliquez dans le foie, loin des gros vaisseaux ; avec Ctrl, dans ce qui est pris à tort pour lui. Un clic sur un point l’enlève. Points jusqu’ici : %1 à l’intérieur, %2 à l’extérieur</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::SequenceReportView</name>
@@ -12028,6 +12040,10 @@ sûr %</translation>
     <message>
         <source>One moment: the last change is being worked off.</source>
         <translation>Un instant&#xa0;: la dernière modification est en cours.</translation>
+    </message>
+    <message>
+        <source>Points outside count for the liver alone.</source>
+        <translation>Les points extérieurs ne comptent que pour le foie.</translation>
     </message>
 </context>
 <context>

@@ -1,4 +1,5 @@
-// glisson-cli segment CASE --structure NAME (--seed X,Y,Z ... | --shapes MODEL | --tubes | --labels FILE |
+// glisson-cli segment CASE --structure NAME (--seed X,Y,Z ... | --shapes MODEL [--not X,Y,Z ...] | --tubes | --labels
+// FILE |
 // --range LOW,HIGH | --unite OTHER | --intersect OTHER | --subtract OTHER): one labelled structure; or
 // glisson-cli segment CASE --with COMMAND: all that another program outlines.
 
@@ -19,7 +20,7 @@ namespace {
 struct SegmentCommand {
   std::string case_folder;
   std::string structure;
-  std::vector<std::string> seeds;
+  std::vector<std::string> seeds, outside;
   std::optional<std::string> labels;
   std::optional<int> label_value;
   std::vector<double> range;
@@ -30,6 +31,16 @@ struct SegmentCommand {
   std::string with;
   std::vector<std::string> named;  // "1=liver"
 };
+
+Result<std::vector<Eigen::Vector3d>> positions(const std::vector<std::string>& texts, const char* option) {
+  std::vector<Eigen::Vector3d> positions_mm;
+  for (const std::string& text : texts) {
+    const auto position = parse_position(text, option);
+    if (!position) return failure(position.error());
+    positions_mm.push_back(*position);
+  }
+  return positions_mm;
+}
 
 Result<casefile::SavedStructure> change(casefile::Case& patient, const SegmentCommand& options,
                                         const Progress& progress) {
@@ -45,20 +56,18 @@ Result<casefile::SavedStructure> change(casefile::Case& patient, const SegmentCo
     const segmentation::GreyRange range{options.range.at(0), options.range.at(1)};
     return casefile::threshold_structure(patient, name, range, options.inside);
   }
-  std::vector<Eigen::Vector3d> seeds_mm;
-  for (const std::string& seed : options.seeds) {
-    const auto position = parse_position(seed, "--seed");
-    if (!position) return failure(position.error());
-    seeds_mm.push_back(*position);
-  }
-  if (options.shapes || (seeds_mm.empty() && !options.tubes)) {
-    return casefile::find_liver(patient, seeds_mm, options.shapes.value_or(casefile::simulated_shapes), progress);
+  const auto seeds_mm = positions(options.seeds, "--seed"), outside_mm = positions(options.outside, "--not");
+  if (!seeds_mm) return failure(seeds_mm.error());
+  if (!outside_mm) return failure(outside_mm.error());
+  if (options.shapes || !outside_mm->empty() || (seeds_mm->empty() && !options.tubes)) {
+    return casefile::find_liver(patient, {*seeds_mm, *outside_mm}, options.shapes.value_or(casefile::simulated_shapes),
+                                progress);
   }
   if (options.tubes) {
     const std::string within = options.inside.value_or("liver");
-    return casefile::segment_vessels(patient, name, seeds_mm, within, options.brightness, progress);
+    return casefile::segment_vessels(patient, name, *seeds_mm, within, options.brightness, progress);
   }
-  return casefile::grow_structure(patient, name, seeds_mm, progress, options.inside);
+  return casefile::grow_structure(patient, name, *seeds_mm, progress, options.inside);
 }
 
 Result<Outcome> segment(const SegmentCommand& options, const Progress& progress) {
@@ -116,6 +125,10 @@ void add_segment(CLI::App& app, Action& chosen) {
   ways.push_back(command->add_option("--seed", options->seeds, "X,Y,Z in mm (LPS) inside it; may be repeated")
                      ->allow_extra_args(false));
   const CLI::Option* seed = ways.back();
+  CLI::Option* outside = command
+                             ->add_option("--not", options->outside,
+                                          "X,Y,Z in mm (LPS) in what was wrongly taken for the liver; may be repeated")
+                             ->allow_extra_args(false);
   CLI::Option* tubes = command->add_flag("--tubes", options->tubes,
                                          "Vessels by their shape, without a click; with --seed those that hang on it");
   command->add_option("--brightness", options->brightness, "Of the tubes (default: what more of them are)")
@@ -150,10 +163,11 @@ void add_segment(CLI::App& app, Action& chosen) {
   for (std::size_t k = 0; k < ways.size(); ++k) {
     for (std::size_t n = 0; n < k; ++n) ways[k]->excludes(ways[n]);
     if (k > 0) tubes->excludes(ways[k]);
-    if (ways[k] != seed) shapes->excludes(ways[k]);
+    if (ways[k] == seed) continue;
+    for (CLI::Option* of_liver : {shapes, outside}) of_liver->excludes(ways[k]);
   }
-  shapes->excludes(tubes);
-  command->callback([&chosen, options, ways, with, structure, tubes, shapes] {
+  for (CLI::Option* of_liver : {shapes, outside}) of_liver->excludes(tubes);
+  command->callback([&chosen, options, ways, with, structure, tubes, shapes, outside] {
     if (with->count() > 0) {
       chosen = [options](const Progress& progress) { return outline(*options, progress); };
       return;
@@ -161,6 +175,9 @@ void add_segment(CLI::App& app, Action& chosen) {
     if (structure->count() == 0) throw CLI::RequiredError("--structure");
     if (shapes->count() > 0 && options->structure != "liver") {
       throw CLI::ValidationError("--shapes", "says what livers are like: give --structure liver");
+    }
+    if (outside->count() > 0 && options->structure != "liver") {
+      throw CLI::ValidationError("--not", "says what is not liver: give --structure liver");
     }
     if (options->structure != "liver" && tubes->count() == 0 &&
         std::none_of(ways.begin(), ways.end(), [](const CLI::Option* way) { return way->count() > 0; })) {

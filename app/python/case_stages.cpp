@@ -82,16 +82,18 @@ void add_stages(py::class_<Case>& bound) {
               .c_str())
       .def(
           "find_liver",
-          [](Case& self, const Numbers& seeds_mm, const std::string& shapes, const py::object& progress) {
-            const auto seeds = points_or_none(seeds_mm, "seeds_mm");
+          [](Case& self, const Numbers& seeds_mm, const Numbers& outside_mm, const std::string& shapes,
+             const py::object& progress) {
+            const segmentation::GivenPoints points{points_or_none(seeds_mm, "seeds_mm"),
+                                                   points_or_none(outside_mm, "outside_mm")};
             return dict_of(
-                long_call(progress, [&](const Progress& told) { return find_liver(self, seeds, shapes, told); }));
+                long_call(progress, [&](const Progress& told) { return find_liver(self, points, shapes, told); }));
           },
-          py::arg("seeds_mm") = py::list(), py::kw_only(), py::arg("shapes") = simulated_shapes,
-          py::arg("progress") = py::none(),
+          py::arg("seeds_mm") = py::list(), py::kw_only(), py::arg("outside_mm") = py::list(),
+          py::arg("shapes") = simulated_shapes, py::arg("progress") = py::none(),
           (std::string("Finds the liver of the anatomy by brightness and shape together, from points inside it (n x 3, "
-                       "LPS, mm) or from none, and saves it. shapes: the file of a shape model, or \"simulated\", "
-                       "nobody's.") +
+                       "LPS, mm) or from none, and saves it. outside_mm: points in what was wrongly taken for it. "
+                       "shapes: the file of a shape model, or \"simulated\", nobody's.") +
            stage_note +
            "\nRaises glisson.Error: shapes-not-a-model, shapes-no-liver-found, shapes-outside, grow-seed-outside.")
               .c_str())

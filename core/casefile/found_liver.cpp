@@ -24,6 +24,10 @@ std::vector<Sentence> notes_on(const shapes::FoundLiver& found, const imaging::V
   for (const auto& doubt : found.liver.doubts) {
     if (!odd || doubt.kind != segmentation::GrowthDoubt::too_small) notes.push_back(doubt.sentence);
   }
+  if (found.by_brightness_alone) {
+    notes.push_back({GLISSON_TEXT("The liver is what grew from the points: no shape made its border surer."), {}});
+    return notes;
+  }
   constexpr double half = 0.5;
   if (found.seen_fraction < half) {
     notes.push_back({GLISSON_TEXT("The image shows {0} % of the liver's border; elsewhere the shape leads."),
@@ -34,24 +38,25 @@ std::vector<Sentence> notes_on(const shapes::FoundLiver& found, const imaging::V
 
 }  // namespace
 
-Result<SavedStructure> find_liver(Case& patient, const std::vector<Eigen::Vector3d>& seeds_mm,
-                                  const std::string& shapes, const Progress& progress) {
+Result<SavedStructure> find_liver(Case& patient, const segmentation::GivenPoints& points, const std::string& shapes,
+                                  const Progress& progress) {
   const auto anatomy = patient.volume("volumes/anatomy");
   if (!anatomy) return failure(anatomy.error());
   const bool simulated = shapes == simulated_shapes;
   const auto model = simulated ? shapes::smooth_model() : shapes::read_model(shapes);
   if (!model) return failure(model.error());
-  auto found = shapes::find_liver(*anatomy, *model, seeds_mm, {}, progress);
+  auto found = shapes::find_liver(*anatomy, *model, points, {}, progress);
   if (!found) return failure(found.error());
 
-  Provenance made = made_from_seeds("shape", seeds_mm);
+  Provenance made = made_from_seeds("shape", points.inside_mm);
+  keep_points(made, "not", points.outside_mm);
   if (simulated) {
     made.options["shapes"] = simulated_shapes;
   } else {
     const std::filesystem::path file = shapes;
     made.sources[file.filename().string()] = sha256_of_file(file).value_or("unreadable");
   }
-  std::vector<Sentence> notes = notes_on(*found, *anatomy, !seeds_mm.empty());
+  std::vector<Sentence> notes = notes_on(*found, *anatomy, !points.inside_mm.empty());
   auto whole = with_known_lesions(patient, std::move(found->liver.mask), made, notes);
   if (!whole) return failure(whole.error());
   made.notes = notes;

@@ -126,6 +126,20 @@ std::string position_in(const std::string& text) {
   return numbers == 3 ? position : std::string();
 }
 
+// The points kept as "NAME-1_mm" and so on, for Python; each follows "--NAME" among the words. Nothing where one is
+// none.
+std::optional<std::vector<std::string>> points_in(const Options& options, const std::string& name,
+                                                  std::vector<std::string>& words) {
+  std::vector<std::string> points;
+  for (std::size_t n = 1; options.count(fmt::format("{}-{}_mm", name, n)) != 0; ++n) {
+    const std::string point = position_in(option(options, fmt::format("{}-{}_mm", name, n)));
+    if (point.empty()) return {};
+    words.insert(words.end(), {"--" + name, point});
+    points.push_back("[" + point + "]");
+  }
+  return points;
+}
+
 // Nothing where how the entry was made does not say all that the command needs.
 std::optional<Command> segment(const std::string& id, const Provenance& made) {
   const std::string method = option(made.options, "method");
@@ -135,19 +149,17 @@ std::optional<Command> segment(const std::string& id, const Provenance& made) {
   if ((method != "seeds" && !by_shape && !found) || made.options.count("edited") != 0) return {};
   const std::string name = id.substr(std::string("labels/").size());
   Command command{{"segment", the_case, "--structure", name}, {}};
-  std::vector<std::string> seeds;
-  for (std::size_t n = 1; made.options.count(fmt::format("seed-{}_mm", n)) != 0; ++n) {
-    const std::string seed = position_in(option(made.options, fmt::format("seed-{}_mm", n)));
-    if (seed.empty()) return {};
-    command.words.insert(command.words.end(), {"--seed", seed});
-    seeds.push_back("[" + seed + "]");
-  }
+  const auto seeds = points_in(made.options, "seed", command.words);
+  if (!seeds) return {};
   if (found) {
+    const auto outside = points_in(made.options, "not", command.words);
+    if (!outside) return {};
     command.words.insert(command.words.end(), {"--shapes", simulated_shapes});
-    command.python = fmt::format("patient.find_liver([{}])", fmt::join(seeds, ", "));
+    const std::string more = outside->empty() ? "" : fmt::format(", outside_mm=[{}]", fmt::join(*outside, ", "));
+    command.python = fmt::format("patient.find_liver([{}]{})", fmt::join(*seeds, ", "), more);
     return command;
   }
-  if (seeds.empty() && !by_shape) return {};
+  if (seeds->empty() && !by_shape) return {};
   const std::string within = option(made.options, "within");
   if (!within.empty()) command.words.insert(command.words.end(), {"--inside", within});
   std::string more = within.empty() ? "" : ", within=" + in_python(within);
@@ -160,7 +172,7 @@ std::optional<Command> segment(const std::string& id, const Provenance& made) {
     }
   }
   command.python = fmt::format("patient.{}({}, [{}]{})", by_shape ? "segment_vessels" : "grow_structure",
-                               in_python(name), fmt::join(seeds, ", "), more);
+                               in_python(name), fmt::join(*seeds, ", "), more);
   return command;
 }
 

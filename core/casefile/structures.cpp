@@ -202,11 +202,15 @@ Result<std::vector<Structure>> read_structures(const Case& patient) {
 
 Provenance made_from_seeds(const std::string& method, const std::vector<Eigen::Vector3d>& seeds_mm) {
   Provenance made{"segment", {{"method", method}}, {"volumes/anatomy"}, {}, {}};
-  for (std::size_t i = 0; i < seeds_mm.size(); ++i) {
-    const Eigen::Vector3d& seed = seeds_mm[i];
-    made.options[fmt::format("seed-{}_mm", i + 1)] = fmt::format("{},{},{}", seed.x(), seed.y(), seed.z());
-  }
+  keep_points(made, "seed", seeds_mm);
   return made;
+}
+
+void keep_points(Provenance& made, const std::string& name, const std::vector<Eigen::Vector3d>& points_mm) {
+  for (std::size_t i = 0; i < points_mm.size(); ++i) {
+    const Eigen::Vector3d& point = points_mm[i];
+    made.options[fmt::format("{}-{}_mm", name, i + 1)] = fmt::format("{},{},{}", point.x(), point.y(), point.z());
+  }
 }
 
 Result<imaging::Mask> with_known_lesions(const Case& patient, imaging::Mask liver, Provenance& made,

@@ -14,6 +14,8 @@
 #include "segmentation/rasterise.h"
 #include "segmentation/resample.h"
 #include "segmentation/signed_distance.h"
+#include "segmentation/structures.h"
+#include "segmentation/unsure_border.h"
 #include "segmentation/working_grid.h"
 #include "shapes/completion.h"
 
@@ -23,6 +25,7 @@ namespace {
 using Eigen::Vector3d;
 using geometry::Surface;
 using segmentation::ExpectedBorder;
+using segmentation::GivenPoints;
 
 // The image in blocks, as far as the placed liver reaches, smoothed; what is no number is as dark as the darkest.
 imaging::Volume working_part(const imaging::Volume& image, const Surface& placed, double spacing_mm,
@@ -53,49 +56,158 @@ Result<void> fit_to_borders(const ShapeModel& model, const imaging::Image<float>
                             const FindOptions::Round& round, const FindOptions& options, Following& following,
                             const Progress& progress);
 
+// All that the rounds begin with.
+struct Start {
+  Placing placing;
+  imaging::Volume working;
+  ExpectedBorder expected;  // about the shape placed
+  segmentation::OrganBrightness organ;
+};
+Result<Start> start_of(const imaging::Volume& image, const ShapeModel& model, const std::vector<Vector3d>& seeds_mm,
+                       const FindOptions& options, const Progress& progress);
+
+struct Followed {
+  FoundLiver found;
+  ExpectedBorder expected;  // about the shape that was fitted
+};
+// What is liver is learnt at first from `outline`, on the working grid; without one, from how bright the liver is.
+Result<Followed> followed(const imaging::Volume& image, const ShapeModel& model, const std::vector<Vector3d>& seeds_mm,
+                          const Start& start, std::optional<imaging::Mask> outline, const FindOptions& options,
+                          const Progress& progress);
+
+// As much of what grew as a liver placed there can hold.
+imaging::Mask held_by(const Start& start, const imaging::Mask& grown, const FindOptions& options);
+
+// By the shape alone, and with what grew where there is that; of all the one whose border is surest.
+Result<FoundLiver> found_by_shape(const imaging::Volume& image, const ShapeModel& model,
+                                  const std::vector<Vector3d>& seeds_mm,
+                                  const std::optional<segmentation::GrowResult>& grown, const FindOptions& options,
+                                  const Progress& progress);
+// The share of an outline's border that cannot be seen or, with a shape, that this expects elsewhere.
+double unsure_share(const imaging::Mask& outline, const imaging::Volume& image, const Start& start,
+                    const ExpectedBorder* expected = nullptr);
+
 }  // namespace
 
-Result<FoundLiver> find_liver(const imaging::Volume& image, const ShapeModel& model,
-                              const std::vector<Vector3d>& seeds_mm, const FindOptions& options,
-                              const Progress& progress) {
-  if (auto checked = segmentation::check_points(image, seeds_mm); !checked) return failure(checked.error());
-  auto placing = place_model(image, model, seeds_mm, options.placing, progress.part(0, 0.2));
+Result<FoundLiver> find_liver(const imaging::Volume& image, const ShapeModel& model, const GivenPoints& points,
+                              const FindOptions& options, const Progress& progress) {
+  for (const auto* given_mm : {&points.inside_mm, &points.outside_mm}) {
+    if (auto checked = segmentation::check_points(image, *given_mm); !checked) return failure(checked.error());
+  }
+  std::optional<segmentation::GrowResult> grown;
+  if (!points.inside_mm.empty()) {
+    auto growth = segmentation::grow_from_seeds(image, points.inside_mm, {}, progress.part(0, 0.2));
+    if (growth) grown = *std::move(growth);
+  }
+  if (progress.cancelled()) return cancelled();
+  auto found = found_by_shape(image, model, points.inside_mm, grown, options, progress.part(0.2, 1));
+  if (progress.cancelled()) return cancelled();
+  if (!found) {
+    if (!grown) return found;
+    found = FoundLiver{*std::move(grown), true, {}, 0, 0};
+  }
+  if (!points.outside_mm.empty()) {
+    found->liver.mask = segmentation::taken_off(std::move(found->liver.mask), image, points);
+    found->liver.volume_ml = segmentation::volume_ml(found->liver.mask);
+  }
+  return found;
+}
+
+namespace {
+
+Result<FoundLiver> found_by_shape(const imaging::Volume& image, const ShapeModel& model,
+                                  const std::vector<Vector3d>& seeds_mm,
+                                  const std::optional<segmentation::GrowResult>& grown, const FindOptions& options,
+                                  const Progress& progress) {
+  auto start = start_of(image, model, seeds_mm, options, progress.part(0, 0.3));
+  if (!start) return failure(start.error());
+  const auto found_of = [](Followed&& followed) { return std::move(followed.found); };
+  // A shape that is placed badly holds much else than what grew.
+  if (grown) start->organ.sd = std::min(start->organ.sd, grown->tissue_sd);
+  auto best = followed(image, model, seeds_mm, *start, {}, options, progress.part(0.3, grown ? 0.6 : 1));
+  if (!grown || progress.cancelled()) return std::move(best).map(found_of);
+  auto other =
+      followed(image, model, seeds_mm, *start, held_by(*start, grown->mask, options), options, progress.part(0.6, 1));
+  if (!other) return std::move(best).map(found_of);
+  // Each lies where its own shape expects it: what the image shows tells which is better.
+  const auto seen_less = [&](const FoundLiver& found) { return unsure_share(found.liver.mask, image, *start); };
+  if (!best || seen_less(other->found) < seen_less(best->found)) best = std::move(other);
+  // A growth that leaked ends at borders that are seen well, where no shape expects them.
+  if (unsure_share(grown->mask, image, *start, &best->expected) <
+      unsure_share(best->found.liver.mask, image, *start, &best->expected)) {
+    best->found.liver = *grown;
+    best->found.by_brightness_alone = true;
+  }
+  return std::move(best).map(found_of);
+}
+
+Result<Start> start_of(const imaging::Volume& image, const ShapeModel& model, const std::vector<Vector3d>& seeds_mm,
+                       const FindOptions& options, const Progress& progress) {
+  auto placing = place_model(image, model, seeds_mm, options.placing, progress);
   if (!placing) return failure(placing.error());
-  const imaging::Volume working =
-      working_part(image, placing->surface, options.working_spacing_mm, options.smoothing_mm);
-  Following following{placing->surface, {}, options.fit, 0};
-  following.fitting.pose = Eigen::Isometry3d(Eigen::Translation3d(placing->shift_mm));
-  const std::size_t points = placing->surface.points_mm.size();
-  ExpectedBorder expected = expected_border(placing->surface, std::vector<double>(points, options.placing_sd_mm), 0);
-  const auto organ = segmentation::brightness_of(working, expected, seeds_mm);
+  Start start{*std::move(placing), {}, {}, {}};
+  const Surface& placed = start.placing.surface;
+  start.working = working_part(image, placed, options.working_spacing_mm, options.smoothing_mm);
+  start.expected = expected_border(placed, std::vector<double>(placed.points_mm.size(), options.placing_sd_mm), 0);
+  const auto organ = segmentation::brightness_of(start.working, start.expected, seeds_mm);
   if (!organ) return failure(organ.error());
-  imaging::Mask cut;
+  start.organ = *organ;
+  return start;
+}
+
+double unsure_share(const imaging::Mask& outline, const imaging::Volume& image, const Start& start,
+                    const ExpectedBorder* expected) {
+  segmentation::UnsureBorderOptions looking;
+  looking.expected = expected;
+  return segmentation::unsure_border(outline, image, start.organ.mean, start.organ.sd, looking).share;
+}
+
+Result<Followed> followed(const imaging::Volume& image, const ShapeModel& model, const std::vector<Vector3d>& seeds_mm,
+                          const Start& start, std::optional<imaging::Mask> outline, const FindOptions& options,
+                          const Progress& progress) {
+  Following following{start.placing.surface, {}, options.fit, 0};
+  following.fitting.pose = Eigen::Isometry3d(Eigen::Translation3d(start.placing.shift_mm));
+  ExpectedBorder expected;
   for (std::size_t round = 0; round < options.rounds.size(); ++round) {
-    progress.report(0.2 + 0.6 * static_cast<double>(round) / static_cast<double>(options.rounds.size()),
+    progress.report(0.8 * static_cast<double>(round) / static_cast<double>(options.rounds.size()),
                     GLISSON_TEXT("Fitting the shape to the image"));
     const imaging::Image<float> outside =
-        segmentation::outside_ratio(working, *organ, round == 0 ? nullptr : &cut, options.cut);
+        segmentation::outside_ratio(start.working, start.organ, outline ? &*outline : nullptr, options.cut);
     if (auto fitted = fit_to_borders(model, outside, options.rounds[round], options, following, progress); !fitted) {
       return failure(fitted.error());
     }
     expected = expected_border(following.shape, geometry::find_field(following.shape.point_fields, "sd_mm")->values,
                                options.rounds[round].more_mm);
-    cut = segmentation::cut_by_shape(outside, expected, seeds_mm, options.cut);
+    outline = segmentation::cut_by_shape(outside, expected, seeds_mm, options.cut);
   }
   if (auto inside = check_inside(model, following.fit); !inside) return failure(inside.error());
   if (progress.cancelled()) return cancelled();
   progress.report(0.85, GLISSON_TEXT("Smoothing the outline"));
   FoundLiver found;
-  found.liver = segmentation::finished_by_shape(cut, image, expected, *organ, seeds_mm, options.cut);
+  found.liver = segmentation::finished_by_shape(*outline, image, expected, start.organ, seeds_mm, options.cut);
   found.liver.rounds = static_cast<int>(options.rounds.size());
   found.fit = std::move(following.fit);
-  found.placing_score = placing->score;
+  found.placing_score = start.placing.score;
   found.seen_fraction = following.seen_fraction;
   progress.report(1, GLISSON_TEXT("Smoothing the outline"));
-  return found;
+  return Followed{std::move(found), std::move(expected)};
 }
 
-namespace {
+imaging::Mask held_by(const Start& start, const imaging::Mask& grown, const FindOptions& options) {
+  constexpr float farthest_mm = 20;  // from the shape placed
+  const imaging::Image<float> level{grown.grid, {grown.values.begin(), grown.values.end()}};
+  const imaging::Grid& grid = start.working.grid;
+  const imaging::Image<float> share =
+      segmentation::resample(segmentation::block_means(level.grid, level.values,
+                                                       segmentation::blocks_of(level.grid, options.working_spacing_mm)),
+                             grid);
+  const imaging::Image<float> from_shape_mm = segmentation::resample(start.expected.distance_mm, grid);
+  imaging::Mask held{grid, std::vector<std::uint8_t>(grid.voxels())};
+  for (std::size_t voxel = 0; voxel < held.values.size(); ++voxel) {
+    held.values[voxel] = share.values[voxel] >= 0.5F && from_shape_mm.values[voxel] < farthest_mm ? 1 : 0;
+  }
+  return held;
+}
 
 Result<void> fit_to_borders(const ShapeModel& model, const imaging::Image<float>& outside,
                             const FindOptions::Round& round, const FindOptions& options, Following& following,

@@ -1,5 +1,5 @@
 #pragma once
-// The liver found in an image by brightness and shape together: from points inside it, or from none.
+// The liver found in an image by brightness and shape together: from points inside and outside it, or from none.
 
 #include <Eigen/Core>
 #include <vector>
@@ -9,6 +9,7 @@
 #include "imaging/image.h"
 #include "segmentation/cut_by_shape.h"
 #include "segmentation/grow.h"
+#include "segmentation/taken_off.h"
 #include "shapes/model_placing.h"
 #include "shapes/shape_fit.h"
 #include "shapes/shape_model.h"
@@ -35,21 +36,24 @@ struct FindOptions {
 
 struct FoundLiver {
   segmentation::GrowResult liver;
-  ShapeFit fit;
-  double placing_score = 0;  // Placing::score
-  double seen_fraction = 0;  // of the shape's surface: where the image shows a border by itself
+  bool by_brightness_alone = false;  // it is what grew from the points: no shape had a surer border
+  ShapeFit fit;                      // without points where no shape was found
+  double placing_score = 0;          // Placing::score
+  double seen_fraction = 0;          // of the shape's surface: where the image shows a border by itself
 };
 
 // The model's mean is placed by a search (model_placing.h). In rounds: the shape is fitted to the borders that the
 // image shows by itself near it (shape_fit.h; searched along normals, Cootes et al. 1995). Brightness and the border
 // that the shape expects, with its deviation, are cut together (segmentation/cut_by_shape.h), from which both sides'
-// brightness is learnt anew. At last the border is put on the image's own grid. Seeds are patient LPS, mm.
-// Deterministic, whatever the number of threads.
+// brightness is learnt anew. At last the border is put on the image's own grid. Where a point inside is given, what
+// grows from it (grow.h) is a second start, and a third answer; that with the surest border (unsure_border.h) is taken.
+// What lies around points outside is taken off it at last (taken_off.h). Deterministic, whatever the number of threads.
 //
-// Fails as place_model(), fit_model() and grow_from_seeds() (of its seeds) do. Fails with "shapes-no-liver-found" also
-// where the shape that comes out is not as the model's, or the image shows less than a tenth of its border.
+// Fails with "grow-seed-outside" (a point beside the image). Where nothing grows, fails as place_model() and
+// fit_model() do, with "shapes-no-liver-found" also where the shape that comes out is not as the model's, or the image
+// shows less than a tenth of its border.
 Result<FoundLiver> find_liver(const imaging::Volume& image, const ShapeModel& model,
-                              const std::vector<Eigen::Vector3d>& seeds_mm = {}, const FindOptions& options = {},
+                              const segmentation::GivenPoints& points = {}, const FindOptions& options = {},
                               const Progress& progress = {});
 
 }  // namespace glisson::shapes

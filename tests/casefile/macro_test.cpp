@@ -133,7 +133,8 @@ TEST_F(MacroTest, WhatWasComputedIsComputedAgainWithTheSameOptions) {
           {{"method", "seeds"}, {"seed-1_mm", "-1.125,2,30.0625"}, {"seed-2_mm", "4,5,6"}, {"within", "body"}});
   compute("labels/vessels", "segment",
           {{"method", "tubes"}, {"within", "liver"}, {"brightness", "dark"}, {"seed-1_mm", "1,2,3"}});
-  compute("labels/liver", "segment", {{"method", "shape"}, {"shapes", "simulated"}, {"seed-1_mm", "1,2,3"}});
+  compute("labels/liver", "segment",
+          {{"method", "shape"}, {"shapes", "simulated"}, {"seed-1_mm", "1,2,3"}, {"not-1_mm", "4,5,6"}});
   compute("meshes/liver", "mesh", {{"target-cells", "20000"}});
   compute("meshes/model", "stiffness", {{"uniform_kPa", "6.1"}});
   compute("meshes/model", "stiffness", {{"atlas_kPa", "6.09"}});
@@ -151,7 +152,7 @@ TEST_F(MacroTest, WhatWasComputedIsComputedAgainWithTheSameOptions) {
   EXPECT_THAT(words(),
               ElementsAre("segment {case} --structure liver --seed -1.125,2,30.0625 --seed 4,5,6 --inside body",
                           "segment {case} --structure vessels --seed 1,2,3 --inside liver --tubes --brightness dark",
-                          "segment {case} --structure liver --seed 1,2,3 --shapes simulated",
+                          "segment {case} --structure liver --seed 1,2,3 --not 4,5,6 --shapes simulated",
                           "mesh {case} --target-cells 20000", "stiffness {case} --uniform-kPa 6.1",
                           "stiffness {case} --atlas 2.1", "stiffness {case}",
                           "vessels {case} --structure vessels --click right-hepatic-vein=1,2,3",

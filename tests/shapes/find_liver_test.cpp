@@ -7,6 +7,7 @@
 #include "../segmentation/deepest.h"
 #include "anatomy/patient.h"
 #include "base/parallel.h"
+#include "segmentation/edit.h"
 #include "segmentation/structures.h"
 #include "shapes/model_placing.h"
 #include "shapes/smooth_model.h"
@@ -61,7 +62,7 @@ TEST(FindLiver, NeedsNoPoint) {
 
 TEST(FindLiver, HoldsThePointsGiven) {
   const Vector3d seed_mm = segmentation::deepest_mm(abdomen().liver);
-  const auto found = find_liver(abdomen().image, model(), {seed_mm});
+  const auto found = find_liver(abdomen().image, model(), {{seed_mm}, {}});
   ASSERT_TRUE(found) << found.error().message();
   const double overlap = dice(found->liver.mask, abdomen().liver);
   std::cout << "one point: Dice " << overlap << "\n";
@@ -70,12 +71,48 @@ TEST(FindLiver, HoldsThePointsGiven) {
   EXPECT_EQ(found->liver.mask.at(at.x(), at.y(), at.z()), 1);
 }
 
+// A click into the heart or the stomach takes away what was held of it, and nothing else.
+TEST(FindLiver, LeavesOutThePointsGivenOutside) {
+  const Vector3d seed_mm = segmentation::deepest_mm(abdomen().liver);
+  const auto before = find_liver(abdomen().image, model(), {{seed_mm}, {}});
+  ASSERT_TRUE(before);
+  const imaging::Mask wrong = segmentation::keep_largest(segmentation::subtracted(before->liver.mask, abdomen().liver));
+  const Vector3d click_mm = segmentation::deepest_mm(wrong);
+  const auto after = find_liver(abdomen().image, model(), {{seed_mm}, {click_mm}});
+  ASSERT_TRUE(after) << after.error().message();
+  const Eigen::Vector3i at = abdomen().image.grid.index_of(click_mm).array().round().cast<int>();
+  EXPECT_EQ(before->liver.mask.at(at.x(), at.y(), at.z()), 1);
+  EXPECT_EQ(after->liver.mask.at(at.x(), at.y(), at.z()), 0);
+  EXPECT_GE(dice(after->liver.mask, abdomen().liver), dice(before->liver.mask, abdomen().liver) - 0.005);
+  // Also in the middle of the liver, where every hole would be filled.
+  const auto hole = find_liver(abdomen().image, model(), {{}, {seed_mm}});
+  ASSERT_TRUE(hole) << hole.error().message();
+  const Eigen::Vector3i middle = abdomen().image.grid.index_of(seed_mm).array().round().cast<int>();
+  EXPECT_EQ(hole->liver.mask.at(middle.x(), middle.y(), middle.z()), 0);
+}
+
+// The shape of three slices is no liver's.
+TEST(FindLiver, IsWhatGrowsWhereNoShapeFits) {
+  imaging::Volume slab{abdomen().image};
+  const Vector3d seed_mm = segmentation::deepest_mm(abdomen().liver);
+  const int middle = static_cast<int>(std::round(slab.grid.index_of(seed_mm).z()));
+  slab.grid.origin_mm = slab.grid.position_mm(0, 0, middle - 1);
+  const auto slice = static_cast<std::size_t>(slab.grid.size[0]) * static_cast<std::size_t>(slab.grid.size[1]);
+  slab.grid.size[2] = 3;
+  const auto first = abdomen().image.values.begin() + static_cast<std::ptrdiff_t>(slice) * (middle - 1);
+  slab.values.assign(first, first + 3 * static_cast<std::ptrdiff_t>(slice));
+  EXPECT_FALSE(find_liver(slab, model()));
+  const auto found = find_liver(slab, model(), {{seed_mm}, {}});
+  ASSERT_TRUE(found) << found.error().message();
+  EXPECT_TRUE(found->by_brightness_alone);
+}
+
 // No liver of the mean's shape reaches from a seed to the image's corner.
 TEST(FindLiver, IsPlacedByItsFirstPointWhereNoPlaceHoldsAll) {
   const Vector3d seed_mm = segmentation::deepest_mm(abdomen().liver);
   const auto& grid = abdomen().image.grid;
   const Vector3d corner_mm = grid.position_mm(grid.size[0] - 2, grid.size[1] - 2, grid.size[2] - 2);
-  const auto by_first = place_model(abdomen().image, model(), {seed_mm});
+  const auto by_first = place_model(abdomen().image, model(), {{seed_mm}, {}});
   const auto by_both = place_model(abdomen().image, model(), {seed_mm, corner_mm});
   ASSERT_TRUE(by_first);
   ASSERT_TRUE(by_both) << by_both.error().message();
@@ -112,7 +149,7 @@ TEST(FindLiver, SaysThatThereIsNone) {
 }
 
 TEST(FindLiver, RefusesAPointOutsideTheImage) {
-  const auto found = find_liver(abdomen().image, model(), {Vector3d(5000, 0, 0)});
+  const auto found = find_liver(abdomen().image, model(), {{Vector3d(5000, 0, 0)}, {}});
   ASSERT_FALSE(found);
   EXPECT_EQ(found.error().code, "grow-seed-outside");
 }

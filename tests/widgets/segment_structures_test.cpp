@@ -214,6 +214,38 @@ class SegmentStructuresTest : public SegmentWorkspace {
     QCOMPARE(test::voxels_of(folder, "portal-vein"), std::size_t(0));
   }
 
+  void points_outside_count_for_the_liver_and_stay_until_taken_away() {
+    panel_->editor().set_active(0);
+    settle();
+    QCOMPARE(panel_->editor().active_structure()->name, std::string("liver"));
+    key(Qt::Key_G);
+    const auto click = [&](const QPointF& place_mm, Qt::KeyboardModifiers with) {
+      QTest::mouseClick(&transverse(), Qt::LeftButton, with, at(place_mm).toPoint());
+    };
+    const segmentation::GivenPoints& points = panel_->tools().points();
+    auto* grow = child<QPushButton>("grow");
+    click({0, 0}, Qt::NoModifier);
+    QVERIFY(grow->isEnabled());
+    click({12, 0}, Qt::ControlModifier);
+    QCOMPARE(points.inside_mm.size(), std::size_t(1));
+    QCOMPARE(points.outside_mm.size(), std::size_t(1));
+    QVERIFY(!grow->isEnabled());
+    click({12, 0}, Qt::NoModifier);
+    QVERIFY(points.outside_mm.empty() && points.inside_mm.size() == 1);
+    QVERIFY(grow->isEnabled());
+    grow->click();
+    settle();
+    QCOMPARE(points.inside_mm.size(), std::size_t(1));  // so that another point mends what has grown
+    undo();
+    panel_->editor().add("tumour-9");
+    settle();
+    QVERIFY(points.inside_mm.empty());
+    click({12, 0}, Qt::ControlModifier);
+    QVERIFY(points.outside_mm.empty());
+    undo();
+    key(Qt::Key_N);
+  }
+
   void cleanupTestCase() { close(); }
 };
 

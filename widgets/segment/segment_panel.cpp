@@ -86,7 +86,7 @@ void SegmentPanel::connect_parts() {
   connect(&context_.undo, &Undo::entries_moved, this, [this] { has_drawn_ = true; });
   connect(&tools_, &SliceTools::refused, this, context_.tell_status);
   connect(&tools_, &SliceTools::radius_changed, radius_, &NumberSlider::set_value);
-  connect(&tools_, &SliceTools::seeds_changed, this, &SegmentPanel::show_state);
+  connect(&tools_, &SliceTools::points_changed, this, &SegmentPanel::show_state);
 
   connect(list_, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
     if (item != nullptr) editor_.set_active(list_->indexOfTopLevelItem(item));
@@ -123,7 +123,7 @@ void SegmentPanel::connect_parts() {
   cut_depth_->setCurrentIndex(static_cast<int>(tools_.options().depth));
   connect(grow_, &QPushButton::clicked, this, &SegmentPanel::grow);
   connect(find_, &QPushButton::clicked, this, &SegmentPanel::find);
-  connect(forget_seeds_, &QPushButton::clicked, &tools_, &SliceTools::clear_seeds);
+  connect(forget_seeds_, &QPushButton::clicked, &tools_, &SliceTools::clear_points);
 
   connect_operations();
   // What the controls say is read when the button is pressed; the filter itself runs on a worker.
@@ -209,7 +209,7 @@ void SegmentPanel::filter(QAbstractButton* button, const char* what,
 void SegmentPanel::show_patient(const Patient& patient) {
   const bool same = patient.folder == patient_.folder;
   patient_ = patient;
-  if (!same) tools_.clear_seeds();
+  if (!same) tools_.clear_points();
   has_drawn_ = false;
   to_open_ = true;
   if (isVisible()) {
@@ -335,12 +335,18 @@ void SegmentPanel::show_state() {
     button->setToolTip(has_active ? button->property("about").toString() : why);
   }
   operations_->list(editor_.structures(), editor_.active());
-  const auto seeds = tools_.seeds_mm().size();
-  grow_->setEnabled(has_active && seeds > 0);
-  grow_->setToolTip(!has_active  ? why
-                    : seeds == 0 ? tr("Click into the structure first, in any slice.")
-                                 : tr("Replaces the outline by the tissue around the points"));
-  forget_seeds_->setEnabled(seeds > 0);
+  if (has_active && points_of_ != editor_.active_structure()->name) {
+    points_of_ = editor_.active_structure()->name;
+    tools_.clear_points();  // comes back here
+    return;
+  }
+  const auto seeds = tools_.points().inside_mm.size(), outside = tools_.points().outside_mm.size();
+  grow_->setEnabled(has_active && seeds > 0 && outside == 0);
+  grow_->setToolTip(!has_active   ? why
+                    : outside > 0 ? tr("Points outside count for Find alone.")
+                    : seeds == 0  ? tr("Click into the structure first, in any slice.")
+                                  : tr("Replaces the outline by the tissue around the points"));
+  forget_seeds_->setEnabled(seeds + outside > 0);
   const auto kind = has_active ? segmentation::contrast_of(editor_.active_structure()->name) : std::nullopt;
   using segmentation::Contrast;
   const bool is_vessel = kind.value_or(Contrast::lesion) == Contrast::vessel,
@@ -352,12 +358,15 @@ void SegmentPanel::show_state() {
                     : !has_liver ? tr("Outline the liver first.")
                     : seeds == 0 ? tr("Replaces the outline by all that is shaped like a vessel in the liver")
                                  : tr("Replaces the outline by the vessels in the liver that hang on the points"));
-  seeds_text_->setText(
-      (!kind ? tr("Click into the tissue, away from large vessels. Points so far: %1")
-       : is_vessel
-           ? tr("Click into the vessel where it stands out best, or let all vessels be found. Points so far: %1")
-           : tr("Click into the middle of it. Points so far: %1"))
-          .arg(seeds));
+  seeds_text_->setText((
+      is_liver ? tr("Click into the liver, away from large vessels; Ctrl and click into what is wrongly taken for it. "
+                    "A click on a point takes it away. Points so far: %1 inside, %2 outside")
+                     .arg(seeds)
+                     .arg(outside)
+      : !kind     ? tr("Click into the tissue, away from large vessels. Points so far: %1").arg(seeds)
+      : is_vessel ? tr("Click into the vessel where it stands out best, or let all vessels be found. Points so far: %1")
+                        .arg(seeds)
+                  : tr("Click into the middle of it. Points so far: %1").arg(seeds)));
   option_hint_->setText(
       tools_.tool() == Tool::piece
           ? tr("Click on the piece that is to stay; all others go. Ctrl and click: the part under the "

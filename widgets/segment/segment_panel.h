@@ -71,6 +71,7 @@ class SegmentPanel : public QWidget {
   SliceOverlay overlay_;
   SliceTools tools_;
   Patient patient_;
+  std::string points_of_;   // the structure that was clicked into
   bool to_open_ = false;    // the patient has not been read here yet
   bool has_drawn_ = false;  // so that the others see it when this one is left
 

@@ -3,13 +3,14 @@
 #include "casefile/found_liver.h"
 #include "casefile/structures.h"
 #include "widgets/segment/segment_panel.h"
+#include "widgets/session/load_patient.h"
 #include "widgets/settings/settings.h"
 #include "widgets/words/translated.h"
 
 namespace glisson::widgets {
 
 void SegmentPanel::grow() {
-  replace_active(tr("Growing: %1"), [within = operations_->within(), seeds_mm = tools_.seeds_mm()](
+  replace_active(tr("Growing: %1"), [within = operations_->within(), seeds_mm = tools_.points().inside_mm](
                                         casefile::Case& patient, const std::string& name, const Progress& progress) {
     const auto inside = within.empty() ? std::nullopt : std::optional(within);
     return casefile::grow_structure(patient, name, seeds_mm, progress, inside);
@@ -20,15 +21,15 @@ void SegmentPanel::find() {
   const EditedStructure* active = editor_.active_structure();
   if (active != nullptr && active->name == "liver") {
     const std::string shapes = kept_shapes().isEmpty() ? casefile::simulated_shapes : kept_shapes().toStdString();
-    replace_active(tr("Finding: %1"), [shapes, seeds_mm = tools_.seeds_mm()](
-                                          casefile::Case& patient, const std::string&, const Progress& progress) {
-      return casefile::find_liver(patient, seeds_mm, shapes, progress);
+    replace_active(tr("Finding: %1"), [shapes, points = tools_.points()](casefile::Case& patient, const std::string&,
+                                                                         const Progress& progress) {
+      return casefile::find_liver(patient, points, shapes, progress);
     });
     return;
   }
   const std::string within = operations_->within();
   replace_active(tr("Finding vessels: %1"),
-                 [within = within.empty() ? "liver" : within, seeds_mm = tools_.seeds_mm()](
+                 [within = within.empty() ? "liver" : within, seeds_mm = tools_.points().inside_mm](
                      casefile::Case& patient, const std::string& name, const Progress& progress) {
                    return casefile::segment_vessels(patient, name, seeds_mm, within, std::nullopt, progress);
                  });
@@ -49,7 +50,6 @@ void SegmentPanel::replace_active(const QString& what, Make make) {
                       return patient;
                     });
                   });
-  tools_.clear_seeds();
 }
 
 }  // namespace glisson::widgets

@@ -12,8 +12,26 @@
 namespace glisson::widgets {
 namespace {
 
-constexpr scene::Colour pencil{1.0, 0.93, 0.35};
+constexpr scene::Colour pencil{1.0, 0.93, 0.35}, refusing{1.0, 0.45, 0.35};
+constexpr double near_mm = 3, arm_mm = 3.5;  // of a point: from how near a slice it is seen, and how large its mark is
 constexpr std::size_t minimum_outline = 3;
+
+// At the points that the slice shows, or that lie near it.
+scene::DrawnLines crosses(const SliceView& view, const std::vector<Eigen::Vector3d>& points_mm,
+                          const scene::Colour& colour) {
+  scene::DrawnLines lines{{}, colour, 2.0};
+  const Eigen::Vector3d normal = view.normal(), across = normal.unitOrthogonal(), along = normal.cross(across);
+  for (const Eigen::Vector3d& point_mm : points_mm) {
+    const double off_mm = normal.dot(point_mm - view.crosshair_mm());
+    if (std::abs(off_mm) > near_mm) continue;
+    const Eigen::Vector3d here_mm = point_mm - off_mm * normal;
+    for (const Eigen::Vector3d& arm : {across, along}) {
+      lines.ends_mm.push_back(here_mm - arm_mm * arm);
+      lines.ends_mm.push_back(here_mm + arm_mm * arm);
+    }
+  }
+  return lines;
+}
 
 }  // namespace
 
@@ -33,9 +51,9 @@ void SliceTools::set_tool(Tool tool) {
   }
 }
 
-void SliceTools::clear_seeds() {
-  seeds_mm_.clear();
-  Q_EMIT seeds_changed();
+void SliceTools::clear_points() {
+  points_ = {};
+  Q_EMIT points_changed();
   if (tool_ != Tool::seeds) return;
   for (SliceView* view : views_.slices()) sketch(view, {});
 }
@@ -84,9 +102,12 @@ bool SliceTools::eventFilter(QObject* watched, QEvent* event) {
 bool SliceTools::press(SliceView* view, const QPointF& at, bool opposite) {
   const Eigen::Vector3d place_mm = view->place_at(at);
   if (tool_ == Tool::seeds) {
-    seeds_mm_.push_back(place_mm);
-    Q_EMIT seeds_changed();
-    for (SliceView* each : views_.slices()) sketch(each, {});
+    const EditedStructure* into = editor_.active_structure();
+    if (opposite && (into == nullptr || into->name != "liver")) {
+      Q_EMIT refused(tr("Points outside count for the liver alone."));
+    } else {
+      click(*view, place_mm, opposite);
+    }
     return true;
   }
   const EditedStructure* active = editor_.active_structure();
@@ -126,6 +147,19 @@ bool SliceTools::press(SliceView* view, const QPointF& at, bool opposite) {
   last_mm_ = place_mm;
   dab(view, place_mm);
   return true;
+}
+
+void SliceTools::click(const SliceView& view, const Eigen::Vector3d& place_mm, bool outside) {
+  std::size_t taken_away = 0;
+  for (auto* points_mm : {&points_.inside_mm, &points_.outside_mm}) {
+    taken_away += std::erase_if(*points_mm, [&](const Eigen::Vector3d& point_mm) {
+      const Eigen::Vector3d off_mm = point_mm - place_mm;
+      return std::abs(view.normal().dot(off_mm)) <= near_mm && off_mm.norm() <= std::hypot(near_mm, arm_mm);
+    });
+  }
+  if (taken_away == 0) (outside ? points_.outside_mm : points_.inside_mm).push_back(place_mm);
+  Q_EMIT points_changed();
+  for (SliceView* each : views_.slices()) sketch(each, {});
 }
 
 void SliceTools::drag(SliceView* view, const QPointF& at) {
@@ -217,19 +251,12 @@ void SliceTools::sketch(SliceView* view, const QPointF& at) {
     lines.push_back(std::move(path));
   }
   if (tool_ == Tool::seeds) {
-    constexpr double near_mm = 3, arm_mm = 3.5;
-    scene::DrawnLines crosses{{}, pencil, 2.0};
-    const Eigen::Vector3d normal = view->normal(), across = normal.unitOrthogonal(), along = normal.cross(across);
-    for (const Eigen::Vector3d& seed_mm : seeds_mm_) {
-      const double off_mm = normal.dot(seed_mm - view->crosshair_mm());
-      if (std::abs(off_mm) > near_mm) continue;
-      const Eigen::Vector3d here_mm = seed_mm - off_mm * normal;
-      for (const Eigen::Vector3d& arm : {across, along}) {
-        crosses.ends_mm.push_back(here_mm - arm_mm * arm);
-        crosses.ends_mm.push_back(here_mm + arm_mm * arm);
+    for (auto& [points_mm, colour] :
+         {std::pair(&points_.inside_mm, pencil), std::pair(&points_.outside_mm, refusing)}) {
+      if (scene::DrawnLines marks = crosses(*view, *points_mm, colour); !marks.ends_mm.empty()) {
+        lines.push_back(std::move(marks));
       }
     }
-    if (!crosses.ends_mm.empty()) lines.push_back(std::move(crosses));
   }
   overlay_.set_sketch(view, std::move(lines));
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "segmentation/edit.h"
+#include "segmentation/taken_off.h"
 #include "widgets/segment/slice_overlay.h"
 
 namespace glisson::widgets {
@@ -37,12 +38,13 @@ class SliceTools : public QObject {
   void set_tool(Tool tool);
   [[nodiscard]] Tool tool() const { return tool_; }
   [[nodiscard]] ToolOptions& options() { return options_; }
-  [[nodiscard]] const std::vector<Eigen::Vector3d>& seeds_mm() const { return seeds_mm_; }
-  void clear_seeds();
+  // Clicks inside, by Ctrl outside; a click on one takes it away.
+  [[nodiscard]] const segmentation::GivenPoints& points() const { return points_; }
+  void clear_points();
 
  Q_SIGNALS:
   void radius_changed(double radius_mm);  // by the wheel
-  void seeds_changed();
+  void points_changed();
   void refused(const QString& why);
 
  protected:
@@ -56,6 +58,7 @@ class SliceTools : public QObject {
   void cut(SliceView* view);
   [[nodiscard]] segmentation::Outline outline_in(const SliceView& view) const;
   void sketch(SliceView* view, const QPointF& at);
+  void click(const SliceView& view, const Eigen::Vector3d& place_mm, bool outside);
   [[nodiscard]] bool is_brush() const;
 
   LinkedViews& views_;
@@ -68,7 +71,7 @@ class SliceTools : public QObject {
   std::optional<segmentation::GreyRange> only_;
   Eigen::Vector3d last_mm_{0, 0, 0};
   std::vector<Eigen::Vector3d> outline_mm_;
-  std::vector<Eigen::Vector3d> seeds_mm_;
+  segmentation::GivenPoints points_;
 };
 
 }  // namespace glisson::widgets

@@ -57,8 +57,8 @@ class Case:
 
         Raises glisson.Error: case-lacks-entry."""
 
-    def find_liver(self, seeds_mm: numpy.typing.ArrayLike = ..., *, shapes: str = ..., progress: Optional[Callable[[float, str], Any]] = ...) -> Dict[str, Any]:
-        """Finds the liver of the anatomy by brightness and shape together, from points inside it (n x 3, LPS, mm) or from none, and saves it. shapes: the file of a shape model, or "simulated", nobody's.
+    def find_liver(self, seeds_mm: numpy.typing.ArrayLike = ..., *, outside_mm: numpy.typing.ArrayLike = ..., shapes: str = ..., progress: Optional[Callable[[float, str], Any]] = ...) -> Dict[str, Any]:
+        """Finds the liver of the anatomy by brightness and shape together, from points inside it (n x 3, LPS, mm) or from none, and saves it. outside_mm: points in what was wrongly taken for it. shapes: the file of a shape model, or "simulated", nobody's.
 
         progress(fraction, stage) is told how far it is; KeyboardInterrupt cancels.
         Raises glisson.Error: shapes-not-a-model, shapes-no-liver-found, shapes-outside, grow-seed-outside."""
