@@ -96,7 +96,7 @@ double mean_square_beside_shapes(const ForwardModel& model) {
 TEST(WaveModel, HasShapesForAStiffnessThatChangesFromPlaceToPlaceAndNotForOneThatDoesNot) {
   const std::array<int, 3> size{56, 52, 1};
   Elastography graded = experiment(size, 2.0, 2.0);
-  const auto shear_kPa = [&](int i) { return 2.0 * (1 + 0.4 * (double(i) / size[0] - 0.5)); };
+  const auto shear_kPa = [&](int i) { return 2.0 * (1 + 0.25 * (double(i) / size[0] - 0.5)); };
   for (WaveTrial& trial : graded.trials) {  // by Wentzel, Kramers and Brillouin: its noise stays, the wave is another
     const auto wave_number = [&](double kPa) {
       return 2 * std::numbers::pi * trial.frequency_Hz * std::sqrt(density_kg_mm3 / kPa);
@@ -112,8 +112,8 @@ TEST(WaveModel, HasShapesForAStiffnessThatChangesFromPlaceToPlaceAndNotForOneTha
   }
   const auto model = wave_model(graded), softer = wave_model(experiment(size, 2.0, 1.7));
   ASSERT_TRUE(model.has_value() && softer.has_value());
-  // A patch sees the middle of what changes across it.
-  EXPECT_LT(mean_square_beside_shapes(**model) - 1, 0.3 * (mean_square_left(**model, {}) - 1));
+  EXPECT_GT(mean_square_left(**model, {}), 1.5);
+  EXPECT_LT(mean_square_beside_shapes(**model), 1.3);
   // One that is another throughout is in the catalogue.
   EXPECT_GT(mean_square_left(**softer, {}), 1.5);
   EXPECT_GT(mean_square_beside_shapes(**softer), 0.7 * mean_square_left(**softer, {}));
