@@ -1,11 +1,8 @@
 #include "closedloop/waves/model.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numbers>
 #include <utility>
-#include <vector>
 
 #include "closedloop/waves/internal/wave_effects.h"
 #include "closedloop/waves/internal/wave_residual.h"
@@ -26,7 +23,6 @@ class WaveModel : public ForwardModel {
   // A prediction takes a hundredth of a second at most, but an inclusion's fit some hundred of them.
   [[nodiscard]] bool predicts_quickly() const override { return false; }
   [[nodiscard]] SystematicUncertainty systematic_uncertainty() const override { return systematic_; }
-  [[nodiscard]] Eigen::MatrixXd unlisted_shapes() const override;
   [[nodiscard]] std::vector<Start> starts(const Effect& effect, const Settings& active,
                                           const Eigen::VectorXd& residual) const override;
   [[nodiscard]] std::vector<Sentence> remarks() const override { return remarks_; }
@@ -34,7 +30,6 @@ class WaveModel : public ForwardModel {
  private:
   void make_observations();
   void doubt_sums();
-  [[nodiscard]] Eigen::MatrixXd changes_by_modulus() const;
 
   WaveResidual residual_;
   Observations observations_;
@@ -105,10 +100,19 @@ void WaveModel::make_observations() {
 
 // Sums over voxels stand for integrals: of each frequency the modulus seen is off by so much, and its loss.
 void WaveModel::doubt_sums() {
-  constexpr double off = 0.002, off_where_coarse = 0.02;
-  const Eigen::MatrixXd changes = changes_by_modulus();
+  constexpr double step = 1e-3, off = 0.002, off_where_coarse = 0.02;
+  const Eigen::VectorXd here = residual_.left({});
+  WaveState stiffer, lossy;
+  stiffer.factor += step;
+  lossy.viscosity = Setting{"viscosity", "structural", Eigen::VectorXd::Constant(1, step)};
+  const bool elastic = residual_.waves().declared.law == WaveLaw::elastic;
+  const Eigen::MatrixXd changes =
+      (Eigen::MatrixXd(here.size(), elastic ? 2 : 1) << residual_.left(stiffer) - here,
+       elastic ? Eigen::MatrixXd(residual_.left(lossy) - here) : Eigen::MatrixXd(here.size(), 0))
+          .finished() /
+      step;
   systematic_.directions =
-      Eigen::MatrixXd::Zero(changes.rows(), changes.cols() * static_cast<Eigen::Index>(residual_.trials().size()));
+      Eigen::MatrixXd::Zero(here.size(), changes.cols() * static_cast<Eigen::Index>(residual_.trials().size()));
   Eigen::Index column = 0;
   for (const TrialForms& trial : residual_.trials()) {
     const auto& radius = trial.functions.radius();
@@ -118,45 +122,6 @@ void WaveModel::doubt_sums() {
       systematic_.directions.col(column++).segment(trial.first_row, rows) =
           (coarse ? off_where_coarse : off) * change.segment(trial.first_row, rows);
   }
-}
-
-// Of what is left, by the modulus throughout and, where the declared law has none, by its loss.
-Eigen::MatrixXd WaveModel::changes_by_modulus() const {
-  constexpr double step = 1e-3;
-  const Eigen::VectorXd here = residual_.left({});
-  WaveState stiffer, lossy;
-  stiffer.factor += step;
-  lossy.viscosity = Setting{"viscosity", "structural", Eigen::VectorXd::Constant(1, step)};
-  const bool elastic = residual_.waves().declared.law == WaveLaw::elastic;
-  return (Eigen::MatrixXd(here.size(), elastic ? 2 : 1) << residual_.left(stiffer) - here,
-          elastic ? Eigen::MatrixXd(residual_.left(lossy) - here) : Eigen::MatrixXd(here.size(), 0))
-             .finished() /
-         step;
-}
-
-// A modulus and a loss that change from place to place: by cosines of one half wave and of two along each axis, and by
-// their products.
-Eigen::MatrixXd WaveModel::unlisted_shapes() const {
-  constexpr int waves = 3;
-  const Eigen::MatrixXd changes = changes_by_modulus(), &place = observations_.place_mm;
-  const Eigen::RowVectorXd low = place.colwise().minCoeff(), high = place.colwise().maxCoeff();
-  std::vector<Eigen::VectorXd> shapes;
-  for (int wave = 1; wave < waves * waves * waves; ++wave) {
-    const std::array<int, 3> along{wave % waves, wave / waves % waves, wave / (waves * waves)};
-    Eigen::VectorXd cosines = Eigen::VectorXd::Ones(place.rows());
-    for (int axis = 0; axis < 3; ++axis) {
-      const int halves = along[static_cast<std::size_t>(axis)];
-      const double extent = high[axis] - low[axis];
-      if (halves > 0 && !(extent > 0)) cosines.setZero();
-      if (halves == 0 || !(extent > 0)) continue;
-      cosines.array() *= (std::numbers::pi * halves * (place.col(axis).array() - low[axis]) / extent).cos();
-    }
-    if (cosines.isZero()) continue;
-    for (const auto& change : changes.colwise()) shapes.push_back(cosines.cwiseProduct(change));
-  }
-  Eigen::MatrixXd all(place.rows(), static_cast<Eigen::Index>(shapes.size()));
-  for (std::size_t i = 0; i < shapes.size(); ++i) all.col(static_cast<Eigen::Index>(i)) = shapes[i];
-  return all;
 }
 
 // Balls about patches that would take most of the residual to first order, each with the ratio that does.
