@@ -1,6 +1,5 @@
-// glisson-cli segment CASE --structure NAME (--seed X,Y,Z ... | --shapes MODEL [--not X,Y,Z ...] | --tubes | --labels
-// FILE |
-// --range LOW,HIGH | --unite OTHER | --intersect OTHER | --subtract OTHER): one labelled structure; or
+// glisson-cli segment CASE --structure NAME (--seed X,Y,Z ... | --shapes MODEL [--not X,Y,Z ...] | --tubes |
+// --labels FILE | --range LOW,HIGH | --unite OTHER | --intersect OTHER | --subtract OTHER): one labelled structure; or
 // glisson-cli segment CASE --with COMMAND: all that another program outlines.
 
 #include <fmt/format.h>
