@@ -79,18 +79,12 @@ HardwareBehaviour declared_behaviour(const Hardware& hardware) {
 
 namespace {
 
-// A recording that begins in a room's temperature begins there, whatever the first reading's noise. It does so too
-// where the readings after a wild one lead back to it.
+// A recording that begins in a room's temperature begins there, whatever the first reading's noise.
 double first_temperature_C(const Hardware& hardware, const HardwareTrial& trial) {
   constexpr double clearly = 4;
-  const Eigen::VectorXd& read = trial.temperature_C;
-  if (read.size() == 0) return trial.ambient_C;
-  const auto in_the_room = [&](double temperature_C, double noises) {
-    return std::abs(temperature_C - trial.ambient_C) < clearly * noises * hardware.noise_C.value_or(0);
-  };
-  if (in_the_room(read[0], 1)) return trial.ambient_C;
-  const double of_a_line = std::sqrt(5);  // times the noise: its value a sample before
-  return read.size() > 2 && in_the_room(2 * read[1] - read[2], of_a_line) ? trial.ambient_C : read[0];
+  if (trial.temperature_C.size() == 0) return trial.ambient_C;
+  const double first = trial.temperature_C[0];
+  return std::abs(first - trial.ambient_C) < clearly * hardware.noise_C.value_or(0) ? trial.ambient_C : first;
 }
 
 double between_samples(const Eigen::VectorXd& heating, Eigen::Index i, double now, Hold hold) {

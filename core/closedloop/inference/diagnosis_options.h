@@ -83,11 +83,6 @@ struct PosteriorOptions {
   // state it: a shape that lies below the stated noise is no sign of anything.
   double unknown_noise_scale = 0.5;
   double noise_alone = 0.2;  // of something else: noise of that size, and no shape
-  // That some values in a row of them are wild, which nobody states: how many, before any was seen, and how many times
-  // as large their noise is. The share itself has a beta distribution of that mean, falling from 0 on.
-  double wild_values = 0.2;  // probability that there are some
-  double wild_share = 0.01;
-  double wild_times = 10;
   // That errors repeat themselves from sample to sample, which nobody states; and how much of each the next one keeps.
   double noise_repeats = 0.2;
   std::array<double, 4> noise_kept{0.3, 0.5, 0.7, 0.9};

@@ -2,7 +2,6 @@
 // A probability for each explanation, by the evidence of each (laplace.h, smooth_rest.h) and what was believed before
 // anything was measured (PosteriorOptions). The verdict follows from it (verdict.h).
 
-#include <Eigen/Core>
 #include <functional>
 #include <string>
 #include <vector>
@@ -22,8 +21,6 @@ struct Weighing {
   const SystematicUncertainty& systematic;
   const Whitening& whitening;  // over all rows
   double correlation = 1;
-  // What each row counts beside the others: less where it may be wild. Empty: all the same.
-  Eigen::VectorXd worth = {};
 };
 
 // `considered` are sets of effects near where they fit best. A set may stand there several times and counts once; sets
@@ -32,8 +29,7 @@ struct Weighing {
 // is the likeliest, all of it is the smooth function. Shapes that the model gives stand for that function where there
 // are any (shaped_rest.h). And what looks like the likeliest may be something else (PosteriorOptions::look_alike,
 // likeness). What lies within the prediction's own error (SystematicUncertainty::indistinct) is no better evidence than
-// the declared model. Where values are measured one after the other, some may be wild (PosteriorOptions::wild_values).
-// Fails where that cannot be solved, and when cancelled.
+// the declared model. Fails where that cannot be solved, and when cancelled.
 Result<Posterior> posterior(const Weighing& weighing, std::vector<LocalFit> considered, const PosteriorOptions& options,
                             const Progress& progress = {});
 

@@ -203,9 +203,9 @@ double log_evidence_from(std::vector<double> x, const ceres::GradientProblem& pr
 
 SmoothEvidence smooth_evidence(const Observations& observations, const SystematicUncertainty& systematic,
                                const Eigen::VectorXd& residual, const PosteriorOptions& options,
-                               const Eigen::VectorXd& worth, const Progress& progress) {
+                               const Progress& progress) {
   const Grouping groups = grouped(observations, options.smooth_rows);
-  const std::vector<RestBlock> white = blocks_of(observations, systematic, residual, groups, worth, 0);
+  const std::vector<RestBlock> white = blocks_of(observations, systematic, residual, groups, 0);
   SmoothEvidence evidence;
   std::vector<double> as_stated{evidence_of_noise(white, false, options, progress)};
   std::vector<double> of_any_size{evidence_of_noise(white, true, options, progress)};
@@ -219,7 +219,7 @@ SmoothEvidence smooth_evidence(const Observations& observations, const Systemati
     of_any_size.front() += std::log(1 - options.noise_repeats);
     const double log_share = std::log(options.noise_repeats / double(options.noise_kept.size()));
     for (const double kept : options.noise_kept) {
-      const std::vector<RestBlock> blocks = blocks_of(observations, systematic, residual, groups, worth, kept);
+      const std::vector<RestBlock> blocks = blocks_of(observations, systematic, residual, groups, kept);
       as_stated.push_back(log_share + evidence_of_noise(blocks, false, options, progress));
       of_any_size.push_back(log_share + evidence_of_noise(blocks, true, options, progress));
     }

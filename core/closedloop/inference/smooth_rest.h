@@ -24,10 +24,9 @@ struct SmoothEvidence {
   double share_of_rows = 1;
 };
 
-// `residual`: measured - predicted. `worth`: what each row counts beside the others (Weighing::worth). Where the search
-// is cancelled, its best so far.
+// `residual`: measured - predicted. Where the search is cancelled, its best so far.
 [[nodiscard]] SmoothEvidence smooth_evidence(const Observations& observations, const SystematicUncertainty& systematic,
                                              const Eigen::VectorXd& residual, const PosteriorOptions& options,
-                                             const Eigen::VectorXd& worth = {}, const Progress& progress = {});
+                                             const Progress& progress = {});
 
 }  // namespace glisson::closedloop

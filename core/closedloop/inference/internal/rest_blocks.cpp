@@ -14,19 +14,16 @@ namespace {
 
 std::size_t feature_of_time(const Observations& observations, const Eigen::MatrixXd& features);
 Eigen::MatrixXd covariance_of_means(const Observations& observations, const Grouping& groups,
-                                    const std::vector<std::size_t>& own, const Eigen::VectorXd& worth, double kept);
+                                    const std::vector<std::size_t>& own, double kept);
 
 }  // namespace
 
 std::vector<RestBlock> blocks_of(const Observations& observations, const SystematicUncertainty& systematic,
-                                 const Eigen::VectorXd& residual, const Grouping& groups,
-                                 const Eigen::VectorXd& given_worth, double kept) {
-  const Eigen::VectorXd worth = given_worth.size() > 0 ? given_worth : Eigen::VectorXd::Ones(observations.rows());
+                                 const Eigen::VectorXd& residual, const Grouping& groups, double kept) {
   const auto averaged = [&](const Eigen::MatrixXd& columns, const std::vector<std::size_t>& which) {
     Eigen::MatrixXd mean(static_cast<Eigen::Index>(which.size()), columns.cols());
     for (std::size_t i = 0; i < which.size(); ++i)
-      mean.row(static_cast<Eigen::Index>(i)) =
-          worth(groups[which[i]]).transpose() * columns(groups[which[i]], Eigen::all) / worth(groups[which[i]]).sum();
+      mean.row(static_cast<Eigen::Index>(i)) = columns(groups[which[i]], Eigen::all).colwise().mean();
     return mean;
   };
   const Eigen::MatrixXd features = varying_features(observations);
@@ -41,7 +38,7 @@ std::vector<RestBlock> blocks_of(const Observations& observations, const Systema
     RestBlock block;
     block.residual = averaged(inverse_noise.cwiseProduct(residual), own);
     const auto n = static_cast<Eigen::Index>(own.size());
-    block.noise = covariance_of_means(observations, groups, own, worth, kept);
+    block.noise = covariance_of_means(observations, groups, own, kept);
     block.time = time;
     if (systematic.directions.cols() > 0 || systematic.shared.size() > 0) block.mesh = Eigen::MatrixXd::Zero(n, n);
     if (systematic.directions.cols() > 0) {
@@ -139,16 +136,15 @@ std::size_t feature_of_time(const Observations& observations, const Eigen::Matri
   return static_cast<std::size_t>(f);
 }
 
-// Of weighted means over groups of samples, each of which has the variance of its weight's inverse and keeps a share of
-// the error before it.
+// Of means over groups of samples, each of which has a variance of 1 and keeps a share of the error before it.
 Eigen::MatrixXd covariance_of_means(const Observations& observations, const Grouping& groups,
-                                    const std::vector<std::size_t>& own, const Eigen::VectorXd& worth, double kept) {
+                                    const std::vector<std::size_t>& own, double kept) {
   const auto n = static_cast<Eigen::Index>(own.size());
   Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(n, n);
   for (Eigen::Index i = 0; i < n; ++i) {
     const auto& first = groups[own[static_cast<std::size_t>(i)]];
     if (kept <= 0) {
-      covariance(i, i) = 1 / worth(first).sum();
+      covariance(i, i) = 1 / double(first.size());
       continue;
     }
     for (Eigen::Index j = 0; j <= i; ++j) {
@@ -158,10 +154,9 @@ Eigen::MatrixXd covariance_of_means(const Observations& observations, const Grou
       double sum = 0;
       for (const Eigen::Index row : first)
         for (const Eigen::Index other : second)
-          sum += std::sqrt(worth[row] * worth[other]) *
-                 std::pow(kept, std::abs(observations.sample[static_cast<std::size_t>(row)] -
+          sum += std::pow(kept, std::abs(observations.sample[static_cast<std::size_t>(row)] -
                                          observations.sample[static_cast<std::size_t>(other)]));
-      covariance(i, j) = covariance(j, i) = sum / (worth(first).sum() * worth(second).sum());
+      covariance(i, j) = covariance(j, i) = sum / double(first.size() * second.size());
     }
   }
   return covariance;

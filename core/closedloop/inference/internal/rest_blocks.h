@@ -24,11 +24,10 @@ struct RestBlock {
 using Grouping = std::vector<std::vector<Eigen::Index>>;
 // Neighbours in time, of one trial, direction and place; at most so many groups.
 [[nodiscard]] Grouping grouped(const Observations& observations, std::size_t maximum);
-// `worth`: the precision of each row beside the others; empty where all are the same. `kept`: the share of each error
-// that the next sample of its series repeats.
+// `kept`: the share of each error that the next sample of its series repeats.
 [[nodiscard]] std::vector<RestBlock> blocks_of(const Observations& observations,
                                                const SystematicUncertainty& systematic, const Eigen::VectorXd& residual,
-                                               const Grouping& groups, const Eigen::VectorXd& worth, double kept);
+                                               const Grouping& groups, double kept);
 // Root mean square of what is left, in units of what is to be expected of its rows.
 [[nodiscard]] double size_of(const std::vector<RestBlock>& blocks);
 [[nodiscard]] inline bool has_mesh_error(const std::vector<RestBlock>& blocks) {
