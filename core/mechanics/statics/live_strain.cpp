@@ -17,12 +17,6 @@ double largest_principal(const Eigen::Matrix3d& strain) {
   return principal.eigenvalues().cwiseAbs().maxCoeff();
 }
 
-// Corner k of the list: of cell k / 4.
-Eigen::Matrix3d gradient_at(const StaticModel& model, Eigen::Index corner, const Eigen::VectorXd& u_mm) {
-  return displacement_gradient(model.mesh(), model.nodes(), static_cast<std::size_t>(corner / 4),
-                               Eigen::Vector4d::Unit(corner % 4), u_mm);
-}
-
 // `take(k, gradients)` at every corner k, of each column of displacements.
 template <int columns, typename Take>
 void for_corners(const StaticModel& model, const Eigen::Ref<const Eigen::MatrixXd>& u_mm, const Take& take) {
@@ -106,10 +100,14 @@ StrainRange LiveStrain::under(const Eigen::Vector3d& force_N) const {
   return range;
 }
 
+// Corner k is of cell k / 4.
 Eigen::Matrix3d LiveStrain::gradient(Eigen::Index corner, const Eigen::Vector3d& force_N) const {
-  Eigen::Matrix3d sum = gradient_at(standing_->model, corner, standing_->mm);
+  const StaticModel& model = standing_->model;
+  const auto cell = static_cast<std::size_t>(corner / 4), at = static_cast<std::size_t>(corner % 4);
+  const CellGeometry shape = cell_geometry(model.mesh(), cell);
+  Eigen::Matrix3d sum = corner_gradients(shape, model.nodes(), cell, standing_->mm)[at];
   for (int axis = 0; axis < 3; ++axis) {
-    sum += force_N[axis] * gradient_at(standing_->model, corner, per_N_mm_.col(axis));
+    sum += force_N[axis] * corner_gradients(shape, model.nodes(), cell, per_N_mm_.col(axis))[at];
   }
   return sum;
 }
