@@ -112,7 +112,7 @@ TEST(FindLiver, IsPlacedByItsFirstPointWhereNoPlaceHoldsAll) {
   const Vector3d seed_mm = segmentation::deepest_mm(abdomen().liver);
   const auto& grid = abdomen().image.grid;
   const Vector3d corner_mm = grid.position_mm(grid.size[0] - 2, grid.size[1] - 2, grid.size[2] - 2);
-  const auto by_first = place_model(abdomen().image, model(), {{seed_mm}, {}});
+  const auto by_first = place_model(abdomen().image, model(), {seed_mm});
   const auto by_both = place_model(abdomen().image, model(), {seed_mm, corner_mm});
   ASSERT_TRUE(by_first);
   ASSERT_TRUE(by_both) << by_both.error().message();
