@@ -17,7 +17,7 @@ const TouchingTool* pushed(const ContactTool& tool) {
   return touching != nullptr && touching->push_mN ? touching : nullptr;
 }
 
-double largest_change(const VectorXd& a, const VectorXd& b, Eigen::Index values);
+double largest_change(const VectorXd& a, const VectorXd& b);
 
 // Adds a share of forces to others.
 void add(const PointForces& forces, double share, PointForces& sum) {
@@ -62,9 +62,9 @@ Result<void> ContactSearch::hold(const ContactState& before) {
   const auto solves = responses_.remember(asked);
   if (!solves) return failure(solves.error());
   report_.new_solves += *solves;
-  auto seen_mm = responses_.seen_under(force_mN_, wall_mN_, SurfaceResponses::Part::surface);
-  if (!seen_mm) return failure(std::move(seen_mm.error()));
-  seen_mm_ = std::move(*seen_mm);
+  auto surface_mm = responses_.seen_under(force_mN_, wall_mN_, SurfaceResponses::Part::surface);
+  if (!surface_mm) return failure(std::move(surface_mm.error()));
+  surface_mm_ = std::move(*surface_mm);
   for (std::size_t t = 0; t < tools_.size(); ++t) {
     const TouchingTool* tool = pushed(tools_[t]);
     if (tool == nullptr) continue;
@@ -74,7 +74,7 @@ Result<void> ContactSearch::hold(const ContactState& before) {
       advance_mm_[static_cast<Eigen::Index>(t)] = known->advance_mm;
       continue;
     }
-    const auto way_mm = way_to_surface(responses_.surface(), *tool, seen_mm_);
+    const auto way_mm = way_to_surface(responses_.surface(), *tool, surface_mm_);
     if (!way_mm) return failure(way_mm.error());
     advance_mm_[static_cast<Eigen::Index>(t)] = *way_mm;
   }
@@ -127,13 +127,12 @@ Result<bool> ContactSearch::round() {
   for (std::size_t t = 0; t < tools_.size(); ++t) {
     if (pushed(tools_[t]) != nullptr) next_advance_mm[static_cast<Eigen::Index>(t)] = forces_.advance[drive++];
   }
-  auto next_seen_mm = responses_.seen_under(next_mN, next_wall_mN, SurfaceResponses::Part::surface);
-  if (!next_seen_mm) return failure(std::move(next_seen_mm.error()));
+  auto next_surface_mm = responses_.seen_under(next_mN, next_wall_mN, SurfaceResponses::Part::surface);
+  if (!next_surface_mm) return failure(std::move(next_surface_mm.error()));
 
-  const Eigen::Index surface_values = responses_.surface_values();
-  report_.movement_mm = std::max(largest_change(*next_seen_mm, seen_mm_, surface_values),
+  report_.movement_mm = std::max(largest_change(*next_surface_mm, surface_mm_),
                                  tools_.empty() ? 0.0 : (next_advance_mm - advance_mm_).cwiseAbs().maxCoeff());
-  VectorXd way_mm = (*next_seen_mm - seen_mm_).head(surface_values);
+  VectorXd way_mm = *next_surface_mm - surface_mm_;
   if (last_way_mm_.size() > 0) {
     const double along = way_mm.dot(last_way_mm_) / std::max(way_mm.norm() * last_way_mm_.norm(), 1e-300);
     share_ = std::clamp(along < -0.2 ? 0.5 * share_ : along > 0.2 ? 1.5 * share_ : share_, 0.05, 1.0);
@@ -151,15 +150,15 @@ Result<bool> ContactSearch::round() {
     add(next_mN, part, force_mN_);
     for (auto& [wall, force] : wall_mN_) force *= 1.0 - part;
     for (const auto& [wall, force] : next_wall_mN) wall_mN_[wall] += part * force;
-    seen_mm_ += part * (*next_seen_mm - seen_mm_);
+    surface_mm_ += part * (*next_surface_mm - surface_mm_);
   } else {
     force_mN_ = std::move(next_mN);
     wall_mN_ = std::move(next_wall_mN);
-    seen_mm_ = std::move(*next_seen_mm);
+    surface_mm_ = std::move(*next_surface_mm);
   }
   advance_mm_ += part * (next_advance_mm - advance_mm_);
   if (!at_rest) return false;
-  report_.overlap_mm = std::max(walls_.find(seen_mm_, CutSelfContact::Search::more), live_overlap_mm());
+  report_.overlap_mm = std::max(walls_.find(surface_mm_, CutSelfContact::Search::more), live_overlap_mm());
   report_.penetration_mm = std::max(report_.overlap_mm, deepest_mm());
   report_.converged = forces_.converged && report_.penetration_mm <= options_.penetration_tolerance_mm;
   return report_.converged;
@@ -179,7 +178,8 @@ double ContactSearch::live_overlap_mm() const {
 
 double ContactSearch::deepest_mm() {
   double deepest_mm = 0;
-  for (const ContactCandidate& place : contact_candidates(responses_.surface(), tools_, advance_mm_, seen_mm_, 0.0)) {
+  for (const ContactCandidate& place :
+       contact_candidates(responses_.surface(), tools_, advance_mm_, surface_mm_, 0.0)) {
     deepest_mm = std::max(deepest_mm, -place.gap_mm);
   }
   return deepest_mm;
@@ -188,15 +188,15 @@ double ContactSearch::deepest_mm() {
 Result<bool> ContactSearch::find_places() {
   constexpr double margin_mm = 1.0;  // what is farther is found when it comes nearer: no round moves through a tool
   constexpr int rounds_that_wander = 6;
-  walls_.find(from_rest_ ? VectorXd::Zero(seen_mm_.size()) : seen_mm_,
+  walls_.find(from_rest_ ? VectorXd::Zero(surface_mm_.size()) : surface_mm_,
               report_.rounds == 0                   ? CutSelfContact::Search::anew
               : report_.rounds < rounds_that_wander ? CutSelfContact::Search::again
                                                     : CutSelfContact::Search::more);
   for (const ContactCandidate& near :
-       contact_candidates(responses_.surface(), tools_, advance_mm_, seen_mm_, margin_mm)) {
+       contact_candidates(responses_.surface(), tools_, advance_mm_, surface_mm_, margin_mm)) {
     keep({near.tool, near.rod, near.points, near.weights}, responses_.surface(), kept_);
   }
-  places_ = tracked_candidates(responses_.surface(), kept_, tools_, advance_mm_, seen_mm_, options_.largest_move_mm);
+  places_ = tracked_candidates(responses_.surface(), kept_, tools_, advance_mm_, surface_mm_, options_.largest_move_mm);
   bool all_there = true;
   for (std::size_t t = 0; t < tools_.size(); ++t) {
     const TouchingTool* tool = pushed(tools_[t]);
@@ -204,7 +204,7 @@ Result<bool> ContactSearch::find_places() {
         std::any_of(places_.begin(), places_.end(), [&](const ContactCandidate& p) { return p.tool == t; })) {
       continue;
     }
-    const auto way_mm = way_to_surface(responses_.surface(), *tool, seen_mm_);
+    const auto way_mm = way_to_surface(responses_.surface(), *tool, surface_mm_);
     if (!way_mm) return failure(way_mm.error());
     advance_mm_[static_cast<Eigen::Index>(t)] = *way_mm;
     all_there = false;
@@ -229,8 +229,8 @@ Result<void> ContactSearch::set_up_columns() {
           *pull_mN * (gripped.weights[i] * unit_or_zero(grasp.direction));
     }
   }
-  const auto seen_given_mm = responses_.seen_under(given_mN_, {}, SurfaceResponses::Part::surface);
-  if (!seen_given_mm) return failure(seen_given_mm.error());
+  const auto surface_given_mm = responses_.seen_under(given_mN_, {}, SurfaceResponses::Part::surface);
+  if (!surface_given_mm) return failure(surface_given_mm.error());
   const auto work = [](const Column& column, const VectorXd& moved_mm) {
     double sum = 0;
     for (const auto& [point, force] : column.on) sum += force.dot(moved_mm.segment<3>(3 * point));
@@ -243,7 +243,7 @@ Result<void> ContactSearch::set_up_columns() {
     for (int i = 0; i < 3; ++i) {
       if (place.weights[i] > 0) column.on.emplace_back(place.points[i], place.weights[i] * place.normal);
     }
-    column.start_mm = place.gap_mm + work(column, *seen_given_mm) - work(column, seen_mm_);
+    column.start_mm = place.gap_mm + work(column, *surface_given_mm) - work(column, surface_mm_);
     if (const TouchingTool* tool = pushed(tools_[place.tool])) {
       column.pushed_by = place.tool;
       column.along = place.normal.dot(tool->pose.forward());
@@ -254,7 +254,7 @@ Result<void> ContactSearch::set_up_columns() {
   for (const CutContact& cut_contact : walls_.cut_contacts()) {
     Column column;
     for (const auto& [point, share] : cut_contact.shares()) column.on.emplace_back(point, share * cut_contact.normal);
-    column.start_mm = cut_contact.gap_mm(*seen_given_mm);
+    column.start_mm = cut_contact.gap_mm(*surface_given_mm);
     columns_.push_back(std::move(column));
   }
   // Of a live cut's walls those that are near each other or push now. One that another round brings near joins then.
@@ -280,7 +280,8 @@ Result<void> ContactSearch::set_up_columns() {
       for (std::size_t i = 0; i < gripped.points.size(); ++i) {
         column.on.emplace_back(gripped.points[i], gripped.weights[i] * Vector3d::Unit(axis));
       }
-      column.start_mm = work(column, *seen_given_mm) - work(column, responses_.standing_seen_mm()) - (*drawn_mm)[axis];
+      column.start_mm =
+          work(column, *surface_given_mm) - work(column, responses_.standing_seen_mm()) - (*drawn_mm)[axis];
       columns_.push_back(std::move(column));
     }
   }
@@ -351,20 +352,19 @@ void ContactSearch::add_opening(ContactProblem& problem) const {
 }
 
 Result<ContactState> ContactSearch::state() const {
-  const auto seen = responses_.seen_under(force_mN_, wall_mN_);
-  if (!seen) return failure(seen.error());
-  const VectorXd& seen_mm = *seen;
+  const auto seen_mm = responses_.seen_under(force_mN_, wall_mN_);
+  if (!seen_mm) return failure(seen_mm.error());
+  const VectorXd jumps_mm = responses_.jumps_under(force_mN_, wall_mN_);
   ContactState state;
   state.force_mN = force_mN_;
   state.wall_mN = wall_mN_;
   std::erase_if(state.wall_mN, [](const auto& item) { return item.second == 0; });
-  const VectorXd jumps_mm = responses_.jumps_under(force_mN_, wall_mN_);
-  for (Eigen::Index i = 0; i < jumps_mm.size(); i += 3) state.jumps_mm.emplace_back(jumps_mm.segment<3>(i));
-  std::erase_if(state.force_mN, [](const auto& item) { return item.second.norm() == 0; });
-  const Eigen::Index surface_values = responses_.surface_values();
-  for (Eigen::Index i = 0; i < surface_values + responses_.watched_values(); i += 3) {
-    (i < surface_values ? state.surface_mm : state.watched_mm).emplace_back(seen_mm.segment<3>(i));
+  for (Eigen::Index i = 0; i < jumps_mm.size(); i += 3) {
+    state.jumps_mm.emplace_back(jumps_mm.segment<3>(i));
   }
+  std::erase_if(state.force_mN, [](const auto& item) { return item.second.norm() == 0; });
+  state.surface_mm = responses_.surface_mm(*seen_mm);
+  state.watched_mm = responses_.watched_mm(*seen_mm, jumps_mm);
   for (std::size_t t = 0; t < tools_.size(); ++t) {
     state.tools.push_back({tools_[t].id, Vector3d::Zero(), 0, advance_mm_[static_cast<Eigen::Index>(t)], 0});
   }
@@ -377,7 +377,7 @@ Result<ContactState> ContactSearch::state() const {
     ++contact.contacts;
     state.touched.push_back({contact.id, places_[c].rod, places_[c].points, places_[c].weights});
   }
-  for (const ContactCandidate& place : contact_candidates(responses_.surface(), tools_, advance_mm_, seen_mm, 0.0)) {
+  for (const ContactCandidate& place : contact_candidates(responses_.surface(), tools_, advance_mm_, *seen_mm, 0.0)) {
     state.tools[place.tool].penetration_mm = std::max(state.tools[place.tool].penetration_mm, -place.gap_mm);
   }
   Eigen::Index two_sided = forces_.force.size() - two_sided_;
@@ -393,7 +393,7 @@ Result<ContactState> ContactSearch::state() const {
     }
   }
   state.report = report_;
-  const StrainRange strains = responses_.strain_range(seen_mm, jumps_mm);
+  const StrainRange strains = responses_.strain_range(*seen_mm, jumps_mm);
   state.report.largest_strain = strains.largest_strain;
   state.report.inverted_cells = strains.inverted_cells;
   state.report.relative_residual = responses_.relative_residual();
@@ -406,9 +406,11 @@ Result<ContactState> ContactSearch::state() const {
 
 namespace {
 
-double largest_change(const VectorXd& a, const VectorXd& b, Eigen::Index values) {
+double largest_change(const VectorXd& a, const VectorXd& b) {
   double squared = 0;
-  for (Eigen::Index i = 0; i < values; i += 3) squared = std::max(squared, (a - b).segment<3>(i).squaredNorm());
+  for (Eigen::Index i = 0; i < a.size(); i += 3) {
+    squared = std::max(squared, (a.segment<3>(i) - b.segment<3>(i)).squaredNorm());
+  }
   return std::sqrt(squared);
 }
 

@@ -55,7 +55,7 @@ class ContactSearch {
   PointForces force_mN_;
   WallForces wall_mN_;
   Eigen::VectorXd advance_mm_;  // one a tool; 0 for one that is held
-  Eigen::VectorXd seen_mm_;     // up to date for the surface alone
+  Eigen::VectorXd surface_mm_;  // displacement, 3 values a point
   bool from_rest_ = false;
   std::set<int> walls_met_;  // of a live cut; they stay in the problem until the state is found
   std::vector<Gripped> grips_;

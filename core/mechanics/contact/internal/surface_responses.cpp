@@ -23,33 +23,49 @@ SurfaceResponses::SurfaceResponses(StaticModel model, const StaticResult& standi
       watched_(std::move(watched)),
       mutual_compliance_(model_.mutual_compliance()) {
   memory_->relative_residual = standing.relative_residual;
-  std::vector<Vector3d> seen_mm;
-  seen_of_mesh_point_.assign(model_.mesh().points_mm.size(), -1);
-  const auto see = [&](int mesh_point) {
-    seen_of_mesh_point_[mesh_point] = static_cast<Eigen::Index>(seen_mm.size());
-    seen_mm.push_back(standing.displacement_mm[mesh_point]);
-  };
+  std::vector<int> point_of_mesh_point(model_.mesh().points_mm.size(), -1);
   for (const double p : geometry::find_field(surface_.point_fields, "mesh_point")->values) {
+    point_of_mesh_point[static_cast<std::size_t>(p)] = static_cast<int>(mesh_point_.size());
     mesh_point_.push_back(static_cast<int>(p));
-    see(mesh_point_.back());
   }
-  for (const Vector3d& u_mm : model_.displacement_at(standing, watched_)) seen_mm.push_back(u_mm);
-  for (std::size_t p = 0; p < seen_of_mesh_point_.size(); ++p) {
-    if (seen_of_mesh_point_[p] >= 0) continue;
-    inner_.push_back(static_cast<int>(p));
-    see(inner_.back());
-  }
-  standing_seen_mm_ = Eigen::Map<const VectorXd>(seen_mm.front().data(), 3 * static_cast<Eigen::Index>(seen_mm.size()));
+  see_nodes();
+  standing_seen_mm_ = seen_part(nodal_displacements(model_.nodes(), standing));
 
   mutual_of_point_.assign(mesh_point_.size(), -1);
   for (const int p : model_.mutual_points()) {
-    const auto point = static_cast<int>(seen_of_mesh_point_[p]);
-    GLISSON_ASSERT(static_cast<std::size_t>(point) < mesh_point_.size());
+    const int point = point_of_mesh_point[p];
+    GLISSON_ASSERT(point >= 0);
     mutual_of_point_[point] = static_cast<int>(mutual_points_.size());
     mutual_points_.push_back(point);
   }
   memory_->responses.resize(mesh_point_.size());
   make_groups();
+}
+
+void SurfaceResponses::see_nodes() {
+  const NodeLayout& layout = model_.nodes();
+  seen_of_node_.assign(static_cast<std::size_t>(layout.nodes()), -1);
+  const auto see = [&](int node) {
+    int& seen = seen_of_node_[static_cast<std::size_t>(node)];
+    if (seen >= 0) return seen;
+    seen = static_cast<int>(seen_nodes_.size());
+    seen_nodes_.push_back(node);
+    return seen;
+  };
+  for (std::size_t p = 0; p < mesh_point_.size(); ++p) see(node(static_cast<int>(p)));
+  std::vector<Eigen::Triplet<double>> values;
+  for (std::size_t w = 0; w < watched_.size(); ++w) {
+    const auto& nodes = layout.cells[static_cast<std::size_t>(watched_[w].cell)];
+    const TetValues of_nodes = tet_values(layout.order, watched_[w].barycentric);
+    for (int k = 0; k < layout.nodes_per_cell(); ++k) {
+      values.emplace_back(static_cast<int>(w), see(nodes[static_cast<std::size_t>(k)]), of_nodes[k]);
+    }
+  }
+  for (const int node : layout.node_of_point) {
+    if (node >= 0) see(node);
+  }
+  watched_of_seen_.resize(static_cast<Eigen::Index>(watched_.size()), static_cast<Eigen::Index>(seen_nodes_.size()));
+  watched_of_seen_.setFromTriplets(values.begin(), values.end());
 }
 
 // Neighbours share a group: who needs one will soon need the others, and several right-hand sides cost little more than
@@ -73,36 +89,40 @@ void SurfaceResponses::make_groups() {
   }
 }
 
-// Groups side by side: what each answers is its own, whatever the order.
 Result<int> SurfaceResponses::remember(const std::vector<int>& points) const {
   const std::lock_guard lock(memory_->mutex);
-  auto& responses = memory_->responses;
   std::vector<int> unknown;
   for (const int asked : points) {
-    if (!responses[asked] && mutual_of_point_[asked] < 0) unknown.push_back(group_of_point_[asked]);
+    if (!memory_->responses[asked] && mutual_of_point_[asked] < 0) unknown.push_back(group_of_point_[asked]);
   }
   std::sort(unknown.begin(), unknown.end());
   unknown.erase(std::unique(unknown.begin(), unknown.end()), unknown.end());
-  std::vector<StaticModel::Responses> solved(unknown.size());
-  parallel_for(unknown.size(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t u = begin; u < end; ++u) {
-      const std::vector<int>& group = groups_[unknown[u]];
+  return remember_groups(unknown);
+}
+
+// Groups side by side: what each answers is its own, whatever the order.
+Result<int> SurfaceResponses::remember_groups(const std::vector<int>& groups) const {
+  std::vector<StaticModel::Responses> solved(groups.size());
+  parallel_for(groups.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t g = begin; g < end; ++g) {
+      const std::vector<int>& group = groups_[groups[g]];
       Eigen::MatrixXd unit = Eigen::MatrixXd::Zero(3 * static_cast<Eigen::Index>(model_.nodes().nodes()),
                                                    3 * static_cast<Eigen::Index>(group.size()));
       for (std::size_t i = 0; i < group.size(); ++i) {
         unit.block<3, 3>(3 * node(group[i]), 3 * static_cast<Eigen::Index>(i)).setIdentity();
       }
-      solved[u] = model_.respond(unit, Digits::seen);
-      solved[u].displacement_mm = seen_part(solved[u].displacement_mm);
+      solved[g] = model_.respond(unit, Digits::seen);
+      solved[g].displacement_mm = seen_part(solved[g].displacement_mm);
     }
   });
   int solves = 0;
-  for (std::size_t u = 0; u < unknown.size(); ++u) {
-    if (auto accepted = accept(solved[u]); !accepted) return failure(std::move(accepted.error()));
-    const std::vector<int>& group = groups_[unknown[u]];
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    if (auto accepted = accept(solved[g]); !accepted) return failure(std::move(accepted.error()));
+    const std::vector<int>& group = groups_[groups[g]];
     solves += 3 * static_cast<int>(group.size());
     for (std::size_t i = 0; i < group.size(); ++i) {
-      responses[group[i]] = solved[u].displacement_mm.middleCols<3>(3 * static_cast<Eigen::Index>(i));
+      memory_->responses[group[i]] =
+          solved[g].displacement_mm.middleCols<3>(3 * static_cast<Eigen::Index>(i)).cast<float>();
     }
   }
   return solves;
@@ -110,8 +130,8 @@ Result<int> SurfaceResponses::remember(const std::vector<int>& points) const {
 
 Matrix3d SurfaceResponses::compliance(int at, int of) const {
   const int at_mutual = mutual_of_point_[at], of_mutual = mutual_of_point_[of];
-  if (of_mutual < 0) return memory_->responses[of]->middleRows<3>(3 * at);
-  if (at_mutual < 0) return memory_->responses[at]->middleRows<3>(3 * of).transpose();
+  if (of_mutual < 0) return memory_->responses[of]->middleRows<3>(3 * at).cast<double>();
+  if (at_mutual < 0) return memory_->responses[at]->middleRows<3>(3 * of).transpose().cast<double>();
   return mutual_compliance_.block<3, 3>(3 * at_mutual, 3 * of_mutual);
 }
 
@@ -123,9 +143,6 @@ Result<SurfaceResponses> SurfaceResponses::opened(const CutStrip& strip, const L
   if (!next.opening_) {
     SeenPart seen{[body = *this](const Eigen::MatrixXd& displacement_mm) { return body.seen_part(displacement_mm); },
                   {}};
-    for (std::size_t w = 0; w < watched_.size(); ++w) {
-      seen.places.push_back({surface_values() + 3 * static_cast<Eigen::Index>(w), watched_[w]});
-    }
     auto closed = Opening::of(model_, standing_loads, std::move(seen));
     if (!closed) return failure(std::move(closed.error()));
     next.opening_ = std::move(*closed);
@@ -134,6 +151,7 @@ Result<SurfaceResponses> SurfaceResponses::opened(const CutStrip& strip, const L
   if (!advanced) return failure(std::move(advanced.error()));
   next.opening_ = std::move(*advanced);
   next.open_cells_ = next.opening_->cells();
+  next.jumps_at_watched_ = next.opening_->jumps_at(watched_);
   return next;
 }
 
@@ -148,23 +166,45 @@ VectorXd SurfaceResponses::jumps_under(const PointForces& force_mN, const WallFo
 }
 
 Result<VectorXd> SurfaceResponses::seen_under(const PointForces& force_mN, const WallForces& wall_mN, Part part) const {
-  VectorXd seen_mm = standing_seen_mm_;
-  const Eigen::Index rows = part == Part::surface ? surface_values() : seen_values();
-  if (opening_) seen_mm.head(rows) += opening_->seen_mm(jumps_under(force_mN, wall_mN), rows);
+  const Eigen::Index rows = part == Part::surface ? surface_values() : standing_seen_mm_.size();
+  VectorXd seen_mm = standing_seen_mm_.head(rows);
+  if (opening_) seen_mm += opening_->seen_mm(jumps_under(force_mN, wall_mN), rows);
+  Eigen::VectorXf moved_mm = Eigen::VectorXf::Zero(rows);
   VectorXd of_mutual_mN;
   for (const auto& [point, force] : force_mN) {
     if (mutual_of_point_[point] < 0) {
-      seen_mm.head(rows) += memory_->responses[point]->topRows(rows) * force;
+      moved_mm += memory_->responses[point]->topRows(rows) * force.cast<float>();
       continue;
     }
     if (of_mutual_mN.size() == 0) of_mutual_mN = VectorXd::Zero(3 * static_cast<Eigen::Index>(model_.nodes().nodes()));
     of_mutual_mN.segment<3>(3 * node(point)) += force;
   }
+  seen_mm += moved_mm.cast<double>();
   if (of_mutual_mN.size() == 0) return seen_mm;
   const std::lock_guard lock(memory_->mutex);
   const StaticModel::Responses solved = model_.respond(of_mutual_mN);
   if (auto accepted = accept(solved); !accepted) return failure(std::move(accepted.error()));
-  return seen_mm + seen_part(solved.displacement_mm);
+  return seen_mm + seen_part(solved.displacement_mm).col(0).head(rows);
+}
+
+std::vector<Vector3d> SurfaceResponses::surface_mm(const VectorXd& seen_mm) const {
+  std::vector<Vector3d> displacement_mm;
+  for (Eigen::Index row = 0; row < surface_values(); row += 3) displacement_mm.emplace_back(seen_mm.segment<3>(row));
+  return displacement_mm;
+}
+
+std::vector<Vector3d> SurfaceResponses::watched_mm(const VectorXd& seen_mm, const VectorXd& jumps_mm) const {
+  using Rows = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
+  const Rows rows_mm = watched_of_seen_ * Eigen::Map<const Rows>(seen_mm.data(), seen_mm.size() / 3, 3);
+  std::vector<Vector3d> displacement_mm(watched_.size());
+  for (std::size_t w = 0; w < watched_.size(); ++w) {
+    displacement_mm[w] = rows_mm.row(static_cast<Eigen::Index>(w));
+    if (jumps_at_watched_.empty()) continue;
+    for (const auto& [jump, value] : jumps_at_watched_[w]) {
+      displacement_mm[w] += value * jumps_mm.segment<3>(3 * Eigen::Index{jump});
+    }
+  }
+  return displacement_mm;
 }
 
 Result<void> SurfaceResponses::accept(const StaticModel::Responses& solved) const {
@@ -178,19 +218,10 @@ double SurfaceResponses::relative_residual() const {
 }
 
 Eigen::MatrixXd SurfaceResponses::seen_part(const Eigen::MatrixXd& displacement_mm) const {
-  const NodeLayout& layout = model_.nodes();
-  Eigen::MatrixXd part = Eigen::MatrixXd::Zero(seen_values(), displacement_mm.cols());
+  Eigen::MatrixXd part(3 * static_cast<Eigen::Index>(seen_nodes_.size()), displacement_mm.cols());
   Eigen::Index row = 0;
-  for (const int p : mesh_point_) {
-    part.middleRows<3>(row) = displacement_mm.middleRows<3>(3 * layout.node_of_point[p]);
-    row += 3;
-  }
-  part.middleRows(row, watched_values()) = displacements_at(layout, displacement_mm, watched_);
-  row += watched_values();
-  for (const int p : inner_) {
-    if (layout.node_of_point[p] >= 0) {
-      part.middleRows<3>(row) = displacement_mm.middleRows<3>(3 * layout.node_of_point[p]);
-    }
+  for (const int node : seen_nodes_) {
+    part.middleRows<3>(row) = displacement_mm.middleRows<3>(3 * Eigen::Index{node});
     row += 3;
   }
   return part;
@@ -198,7 +229,9 @@ Eigen::MatrixXd SurfaceResponses::seen_part(const Eigen::MatrixXd& displacement_
 
 std::vector<Vector3d> SurfaceResponses::mesh_points_mm(const VectorXd& seen_mm) const {
   std::vector<Vector3d> displacement_mm;
-  for (const Eigen::Index place : seen_of_mesh_point_) displacement_mm.emplace_back(seen_mm.segment<3>(3 * place));
+  for (const int node : model_.nodes().node_of_point) {
+    displacement_mm.push_back(node < 0 ? Vector3d(0, 0, 0) : Vector3d(seen_mm.segment<3>(3 * seen_of_node_[node])));
+  }
   return displacement_mm;
 }
 
@@ -207,7 +240,7 @@ StrainRange SurfaceResponses::strain_range(const VectorXd& seen_mm, const Vector
   using Corners = Eigen::Matrix<double, 3, 4>;
   const auto corners_of = [&](std::size_t c) {
     Corners u_mm;
-    for (int i = 0; i < 4; ++i) u_mm.col(i) = seen_mm.segment<3>(3 * seen_of_mesh_point_[mesh.cells[c][i]]);
+    for (int i = 0; i < 4; ++i) u_mm.col(i) = seen_mm.segment<3>(3 * seen_of_node_[model_.nodes().cells[c][i]]);
     return u_mm;
   };
   const auto count = [&](std::size_t c, const Corners& u_mm, StrainRange& range) {

@@ -1,15 +1,17 @@
 #pragma once
 // What a linear body answers to forces on its surface. A unit force on a point is solved for once by the kept factor
-// and remembered. That is done in fixed groups of neighbours, so that what is remembered does not depend on who asked
-// first. What the model's mutual points (of the walls of cuts) answer to each other is known from the start. Forces on
-// them are solved for anew each time that all is seen under them.
+// and remembered, in single precision. That is done in fixed groups of neighbours, so that what is remembered does not
+// depend on who asked first. What the model's mutual points (of the walls of cuts) answer to each other is known from
+// the start. Forces on them are solved for anew each time that all is seen under them.
 //
 // Where a cut has opened, what the opening adds is kept apart from what is remembered of the whole body (opening.h).
 // That is the loads that forces put on its jumps, and what follows from those.
 //
-// What is seen: the surface, the watched places, and the inner points of the mesh, in this order, 3 values each (mm).
+// What is seen: the nodes of the surface's points, in their order, then those that the watched places lie between, and
+// all corners; 3 values each (mm). Places are many where structures are drawn, nodes are not.
 
 #include <Eigen/Core>
+#include <Eigen/SparseCore>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -55,19 +57,20 @@ class SurfaceResponses {
   // Between all mutual points, 3 a point, in their order.
   [[nodiscard]] const Eigen::MatrixXd& mutual_compliance() const { return mutual_compliance_; }
 
-  // Of the whole body.
+  // Of the whole body under the standing loads.
   [[nodiscard]] const Eigen::VectorXd& standing_seen_mm() const { return standing_seen_mm_; }
   // The jumps of the opening (mm, 3 a point) under such forces; none: without values.
   [[nodiscard]] Eigen::VectorXd jumps_under(const PointForces& force_mN, const WallForces& wall_mN) const;
-  // Where what is seen lies under forces on points that are remembered or mutual, and on walls. For the surface alone
-  // it costs a fraction, and the other values are those of the standing loads. Failure: "not-converged".
+  // Where what is seen lies under forces on points that are remembered or mutual, and on walls: all of it, or the
+  // surface's rows alone. Failure: "not-converged".
   enum class Part { surface, all };
   [[nodiscard]] Result<Eigen::VectorXd> seen_under(const PointForces& force_mN, const WallForces& wall_mN,
                                                    Part part = Part::all) const;
-  [[nodiscard]] Eigen::Index surface_values() const { return 3 * static_cast<Eigen::Index>(mesh_point_.size()); }
-  [[nodiscard]] Eigen::Index watched_values() const { return 3 * static_cast<Eigen::Index>(watched_.size()); }
 
-  // Of what is seen, the displacement of each point of the mesh.
+  // Of all that is seen, displacements of the surface's points, the watched places and the mesh's points.
+  [[nodiscard]] std::vector<Eigen::Vector3d> surface_mm(const Eigen::VectorXd& seen_mm) const;
+  [[nodiscard]] std::vector<Eigen::Vector3d> watched_mm(const Eigen::VectorXd& seen_mm,
+                                                        const Eigen::VectorXd& jumps_mm) const;
   [[nodiscard]] std::vector<Eigen::Vector3d> mesh_points_mm(const Eigen::VectorXd& seen_mm) const;
   // By the cells' corners alone: the largest mean strain of any cell, and the cells turned inside out.
   // An open cell counts by both of its sides.
@@ -75,18 +78,21 @@ class SurfaceResponses {
   [[nodiscard]] double relative_residual() const;  // the worst so far
 
  private:
-  using Response = Eigen::Matrix<double, Eigen::Dynamic, 3>;
-  [[nodiscard]] Eigen::Index seen_values() const { return standing_seen_mm_.size(); }
-  [[nodiscard]] Eigen::MatrixXd seen_part(const Eigen::MatrixXd& displacement_mm) const;  // of all nodes
+  using Response = Eigen::Matrix<float, Eigen::Dynamic, 3>;  // of what is seen, to a unit force along each axis
+  [[nodiscard]] Eigen::Index surface_values() const { return 3 * static_cast<Eigen::Index>(mesh_point_.size()); }
+  // Of several displacements of all nodes, one a column.
+  [[nodiscard]] Eigen::MatrixXd seen_part(const Eigen::MatrixXd& displacement_mm) const;
+  [[nodiscard]] Result<int> remember_groups(const std::vector<int>& groups) const;
   Result<void> accept(const StaticModel::Responses& solved) const;
+  void see_nodes();
   void make_groups();
 
   StaticModel model_;
   geometry::Surface surface_;
   std::vector<int> mesh_point_;  // of each point of the surface
   std::vector<PointInMesh> watched_;
-  std::vector<int> inner_;  // points of the mesh that are not of the surface
-  std::vector<Eigen::Index> seen_of_mesh_point_;
+  std::vector<int> seen_nodes_, seen_of_node_;                    // -1: not seen
+  Eigen::SparseMatrix<double, Eigen::RowMajor> watched_of_seen_;  // shape functions: a row a place, a column a node
   Eigen::VectorXd standing_seen_mm_;
   std::vector<std::vector<int>> groups_;  // of points of the surface
   std::vector<int> group_of_point_;
@@ -96,6 +102,7 @@ class SurfaceResponses {
 
   std::optional<Opening> opening_;
   std::vector<OpenCell> open_cells_;
+  std::vector<Opening::JumpValues> jumps_at_watched_;
 
   struct Memory {
     std::mutex mutex;  // it grows behind it

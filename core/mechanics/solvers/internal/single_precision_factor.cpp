@@ -120,7 +120,8 @@ Eigen::MatrixXd SinglePrecisionFactor::solve(const Eigen::MatrixXd& right_hand_s
   return solution;
 }
 
-// L y = b: each supernode's own unknowns, then what they add to the rows below it.
+// L y = b: each supernode's own unknowns, then what they add to the rows below it. A load on few unknowns reaches few
+// supernodes: the others stay zero.
 void SinglePrecisionFactor::solve_forward(Eigen::MatrixXf& x) const {
   const int n = static_cast<int>(x.rows()), sides = static_cast<int>(x.cols());
   Eigen::MatrixXf below;
@@ -128,6 +129,7 @@ void SinglePrecisionFactor::solve_forward(Eigen::MatrixXf& x) const {
     const float* values = values_.get() + node.first_value;
     float* own = x.data() + node.first_column;
     const int count = node.rows - node.columns;
+    if (x.middleRows(node.first_column, node.columns).isZero(0)) continue;
     divide("N", {values, node.columns, node.columns, node.rows}, sides, own, n);
     if (count == 0) continue;
     below.resize(count, sides);
