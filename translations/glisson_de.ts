@@ -7171,6 +7171,10 @@
         <source>The liver is what grew from the points: no shape made its border surer.</source>
         <translation>Die Leber ist, was aus den Punkten gewachsen ist: Keine Form machte ihren Rand sicherer.</translation>
     </message>
+    <message>
+        <source>There is nothing to undo.</source>
+        <translation>Es gibt nichts rückgängig zu machen.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

@@ -7171,6 +7171,10 @@
         <source>The liver is what grew from the points: no shape made its border surer.</source>
         <translation>El hígado es lo que creció desde los puntos: ninguna forma hizo más seguro su borde.</translation>
     </message>
+    <message>
+        <source>There is nothing to undo.</source>
+        <translation>No hay nada que deshacer.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

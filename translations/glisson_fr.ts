@@ -7171,6 +7171,10 @@
         <source>The liver is what grew from the points: no shape made its border surer.</source>
         <translation>Le foie est ce qui a grandi à partir des points : aucune forme n’a rendu son bord plus sûr.</translation>
     </message>
+    <message>
+        <source>There is nothing to undo.</source>
+        <translation>Il n’y a rien à annuler.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

@@ -74,7 +74,7 @@ void LiveSession::Impl::run(const std::stop_token& closing, RehearsalSetup setup
     });
   }
   int settles = 0;  // since the last command
-  bool may_prepare = false;
+  bool may_prepare = true;
   for (;;) {
     const auto may_settle = [&] { return !latest->settled && settles < SessionEngine::most_settles; };
     const auto may_compare = [&] { return reference == Reference::made; };
@@ -88,7 +88,7 @@ void LiveSession::Impl::run(const std::stop_token& closing, RehearsalSetup setup
     }
     if (waiting.empty() && !may_settle()) {
       lock.unlock();
-      may_prepare = engine->prepare_the_next_cut();
+      may_prepare = engine->prepare();
       lock.lock();
       continue;
     }
@@ -117,7 +117,7 @@ void LiveSession::Impl::run(const std::stop_token& closing, RehearsalSetup setup
     is_stepping = false;
     if (engine->shared_state() == latest) continue;  // a Settle that was given up
     latest = engine->shared_state();
-    may_prepare = latest->cut != nullptr;
+    may_prepare = true;
     recording.emplace_back(std::move(command), latest->digest);
   }
 }

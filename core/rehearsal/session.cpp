@@ -86,11 +86,10 @@ const SessionState& SessionEngine::step(const SessionCommand& command, const Pro
       tools.erase(held);
     }
   } else if (std::holds_alternative<Undo>(command)) {
-    if (parts.moments.size() > 1) {
-      parts.moments.pop_back();
-      if (parts.compares) parts.compare_the_last();
-    } else {
-      refused = "There is nothing to undo.";
+    if (auto back = parts.go_back(); !back) {
+      refused = back.error().message();
+    } else if (parts.compares) {
+      parts.compare_the_last();
     }
   }
   if (std::holds_alternative<Compare>(command)) {
@@ -108,8 +107,7 @@ const SessionState& SessionEngine::step(const SessionCommand& command, const Pro
     } else if (settles) {
       parts.moments.back() = std::move(*moment);
     } else {
-      parts.moments.push_back(std::move(*moment));
-      parts.forget_the_oldest();
+      parts.go_on_to(std::move(*moment));
       if (parts.compares) parts.compare_the_last();
     }
   }
@@ -144,18 +142,27 @@ SessionState SessionEngine::settled_state() const {
   state.step_ms = 1e3 * watch.seconds();
   return state;
 }
-bool SessionEngine::prepare_the_next_cut() const {
+
+bool SessionEngine::prepare() const {
   const Moment& now = impl_->moments.back();
-  if (now.cuts.empty()) return false;
-  constexpr double back_mm = 15.0, ahead_mm = 20.0;  // points open a cell before the front comes to them
-  const mechanics::CutStrip& last = now.cuts.back();
-  const Vector3d forward = (last.to_mm - last.from_mm).normalized();
-  const mechanics::CutStrip ahead{last.surface, last.to_mm - back_mm * forward, last.to_mm + ahead_mm * forward};
-  std::future<Result<bool>> beside;
-  if (now.reference_body) beside = std::async(std::launch::async, [&] { return now.reference_body->prepare(ahead); });
-  const auto patient = now.patient_body.prepare(ahead);
-  const auto reference = now.reference_body ? beside.get() : Result<bool>(false);
-  return (patient && *patient) || (reference && *reference);
+  std::optional<mechanics::CutStrip> ahead;
+  if (!now.cuts.empty()) {
+    constexpr double back_mm = 15.0, ahead_mm = 20.0;  // points open a cell before the front comes to them
+    const mechanics::CutStrip& last = now.cuts.back();
+    const Vector3d forward = (last.to_mm - last.from_mm).normalized();
+    ahead = {last.surface, last.to_mm - back_mm * forward, last.to_mm + ahead_mm * forward};
+  }
+  const auto next = [&](const SessionBody& body, const BodyState& state) {
+    const auto of_cut = ahead ? body.prepare(*ahead) : Result<bool>(false);
+    if (of_cut && *of_cut) return true;
+    const auto of_touch = body.prepare_touch(state, now.tools);
+    return of_touch && *of_touch;
+  };
+  std::future<bool> beside;
+  if (now.reference) beside = std::async(std::launch::async, [&] { return next(*now.reference_body, *now.reference); });
+  bool more = next(now.patient_body, now.patient);
+  if (now.elements) more = next(*now.elements_body, *now.elements) || more;
+  return (now.reference && beside.get()) || more;
 }
 
 Result<void> SessionEngine::make_reference(const Progress& progress) const { return impl_->make_reference(progress); }

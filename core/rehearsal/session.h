@@ -95,7 +95,9 @@ struct SessionState {
   // and says so here. A shape that did not converge is never shown.
   std::string refused;
   double step_ms = 0;
-  std::string digest;  // SHA-256 of every displacement and force: two states of the same digest are the same bits
+  // SHA-256 of forces and displacements, at small strain of the surface and the landmarks: two states of the same
+  // digest are the same bits there.
+  std::string digest;
 };
 
 class SessionEngine {
@@ -120,9 +122,9 @@ class SessionEngine {
   // The present state at rest, as Settle after Settle makes it; the session stays where it is.
   [[nodiscard]] SessionState settled_state() const;
 
-  // A tenth of a second's work for what a cut would open next if it went on; no state changes by it, nor its bits.
-  // False where there is nothing to do.
-  [[nodiscard]] bool prepare_the_next_cut() const;
+  // A tenth of a second's work for what may be asked next: what a cut would open if it went on, and what tools would
+  // touch near where they are. No state changes by it, nor its bits. False where there is nothing to do.
+  [[nodiscard]] bool prepare() const;
 
   [[nodiscard]] const SessionState& state() const;
   [[nodiscard]] std::shared_ptr<const SessionState> shared_state() const;

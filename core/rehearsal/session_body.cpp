@@ -25,7 +25,7 @@ Vector3d place_mm(const ContactTool& tool, double advance_mm);
 Result<SessionBody> SessionBody::create(const mechanics::StaticModel& model, const RehearsalSetup& setup,
                                         const std::vector<mechanics::PointInMesh>& watched, std::size_t judged) {
   if (setup.law.law == mechanics::MaterialLaw::linear) {
-    return ContactBody::create(model, setup.standing_loads, watched).map([](ContactBody body) {
+    return ContactBody::create(model, setup.standing_loads, watched, judged).map([](ContactBody body) {
       return SessionBody(std::move(body));
     });
   }
@@ -40,13 +40,15 @@ BodyState SessionBody::untouched() const {
   return std::make_shared<const LiveState>(std::get<LiveBody>(body_).untouched());
 }
 
-Result<BodyState> SessionBody::moved(const BodyState& from, const std::vector<ContactTool>& tools) const {
+Result<BodyState> SessionBody::moved(const BodyState& from, const std::vector<ContactTool>& tools, Shown shown) const {
   if (const auto* large = std::get_if<LiveBody>(&body_)) {
     return large->step(*std::get<LargeState>(from), tools).map([](LiveState state) {
       return BodyState(std::make_shared<const LiveState>(std::move(state)));
     });
   }
-  auto next = std::get<ContactBody>(body_).solve(*std::get<SmallState>(from), tools);
+  mechanics::ContactOptions options;
+  options.on_the_way = shown == Shown::no;
+  auto next = std::get<ContactBody>(body_).solve(*std::get<SmallState>(from), tools, options);
   if (!next) return failure(std::move(next.error()));
   if (!next->report.converged) {
     return failure("not-converged",
@@ -69,6 +71,19 @@ Result<BodyState> SessionBody::settled(const BodyState& from, const std::vector<
   });
 }
 
+BodyState SessionBody::without_shape(const BodyState& state) {
+  const auto* small = std::get_if<SmallState>(&state);
+  if (small == nullptr) return state;
+  return std::make_shared<const ContactState>(ContactBody::without_shape(**small));
+}
+
+Result<BodyState> SessionBody::with_shape(const BodyState& state) const {
+  const auto* small = std::get_if<SmallState>(&state);
+  if (small == nullptr) return state;
+  return std::get<ContactBody>(body_).with_shape(**small).map(
+      [](ContactState shown) { return BodyState(std::make_shared<const ContactState>(std::move(shown))); });
+}
+
 Result<SessionBody> SessionBody::opened(const mechanics::CutStrip& strip) const {
   return std::visit(
       [&](const auto& body) -> Result<SessionBody> {
@@ -79,6 +94,11 @@ Result<SessionBody> SessionBody::opened(const mechanics::CutStrip& strip) const 
 
 Result<bool> SessionBody::prepare(const mechanics::CutStrip& ahead) const {
   return std::visit([&](const auto& body) { return body.prepare(ahead); }, body_);
+}
+
+Result<bool> SessionBody::prepare_touch(const BodyState& state, const std::vector<ContactTool>& tools) const {
+  const auto* small = std::get_if<ContactBody>(&body_);
+  return small == nullptr ? Result<bool>(false) : small->prepare_touch(*std::get<SmallState>(state), tools);
 }
 
 std::optional<SessionCut> SessionBody::cut(const BodyState& state) const {
@@ -137,7 +157,7 @@ SessionStep step_of(const BodyState& state, const std::vector<ContactTool>& tool
   return step;
 }
 
-std::string bits_of(const BodyState& state) {
+std::string bits_of(const BodyState& state, std::size_t judged) {
   std::string bits;
   const auto add = [&](const double* values, std::size_t count) {
     bits.append(reinterpret_cast<const char*>(values), count * sizeof(double));
@@ -153,7 +173,7 @@ std::string bits_of(const BodyState& state) {
   }
   const ContactState& small = *std::get<SmallState>(state);
   for (const Vector3d& u : small.surface_mm) add(u.data(), 3);
-  for (const Vector3d& u : small.watched_mm) add(u.data(), 3);
+  for (std::size_t w = 0; w < judged; ++w) add(small.watched_mm[w].data(), 3);
   for (const auto& [point, force] : small.force_mN) add(force.data(), 3);
   for (const Vector3d& jump : small.jumps_mm) add(jump.data(), 3);
   return bits;

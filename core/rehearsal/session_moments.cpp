@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-std::string digest_of(const Moment& moment);
+std::string digest_of(const Moment& moment, std::size_t judged);
 
 }  // namespace
 
@@ -76,7 +76,8 @@ SessionEngine::Impl::Next SessionEngine::Impl::way_to(const Tools& from, const T
   return [from, tools, steps](const SessionBody& body, const BodyState& before) -> Result<BodyState> {
     BodyState state = before;
     for (int step = 1; step <= steps; ++step) {
-      auto next = body.moved(state, between(from, tools, double(step) / steps));
+      auto next = body.moved(state, between(from, tools, double(step) / steps),
+                             step == steps ? SessionBody::Shown::yes : SessionBody::Shown::no);
       if (!next) return next;
       state = std::move(*next);
     }
@@ -154,9 +155,29 @@ Result<Moment> SessionEngine::Impl::cut(const Moment& from, const mechanics::Cut
 }
 
 // A moment at large strain holds every node of both bodies, some 2 MB; the first, untouched, stays.
-void SessionEngine::Impl::forget_the_oldest() {
+void SessionEngine::Impl::go_on_to(Moment moment) {
+  Moment& before = moments.back();
+  before.patient = SessionBody::without_shape(before.patient);
+  if (before.reference) before.reference = SessionBody::without_shape(*before.reference);
+  if (before.elements) before.elements = SessionBody::without_shape(*before.elements);
+  moments.push_back(std::move(moment));
   const std::size_t most = law.law == mechanics::MaterialLaw::linear ? 10001 : 101;
   if (moments.size() > most) moments.erase(moments.begin() + 1);
+}
+
+Result<void> SessionEngine::Impl::go_back() {
+  if (moments.size() == 1) return failure("nothing-to-undo", GLISSON_TEXT("There is nothing to undo."));
+  Moment shown = moments[moments.size() - 2];
+  const auto show = [](const SessionBody& body, BodyState& state) -> Result<void> {
+    return body.with_shape(state).map([&](BodyState whole) { state = std::move(whole); });
+  };
+  auto found = show(shown.patient_body, shown.patient);
+  if (found && shown.reference) found = show(*shown.reference_body, *shown.reference);
+  if (found && shown.elements) found = show(*shown.elements_body, *shown.elements);
+  if (!found) return found;
+  moments.pop_back();
+  moments.back() = std::move(shown);
+  return {};
 }
 
 RehearsalBody SessionEngine::Impl::shown(const SessionBody& body, const BodyState& state) const {
@@ -215,7 +236,7 @@ SessionState SessionEngine::Impl::state_of(const Moment& moment) const {
     }
   }
   state.beside_elements = beside_elements(moment);
-  state.digest = digest_of(moment);
+  state.digest = digest_of(moment, landmarks.size());
   return state;
 }
 
@@ -235,9 +256,9 @@ std::optional<BesideElements> SessionEngine::Impl::beside_elements(const Moment&
 
 namespace {
 
-std::string digest_of(const Moment& moment) {
-  std::string bits = bits_of(moment.patient);
-  if (moment.reference) bits += bits_of(*moment.reference);
+std::string digest_of(const Moment& moment, std::size_t judged) {
+  std::string bits = bits_of(moment.patient, judged);
+  if (moment.reference) bits += bits_of(*moment.reference, judged);
   return sha256_of_text(bits);
 }
 

@@ -179,6 +179,37 @@ TEST_F(Block, TheSameBeginningAndToolsGiveTheSameBitsWhateverWasRemembered) {
   EXPECT_EQ(again.report.new_solves, 0);
 }
 
+// What is seen elsewhere agrees to the digits of single precision.
+TEST_F(Block, WhatWasPreparedIsTouchedWithoutASolveAndToTheSameBits) {
+  const ContactBody fresh = block(), prepared = block();
+  const std::vector<ContactTool> tools{ball(8, {40, 40, 45})};
+  int groups = 0;
+  while (prepared.prepare_touch(prepared.untouched(), tools).value()) ++groups;
+  EXPECT_GT(groups, 10);
+  const auto a = fresh.solve(fresh.untouched(), tools).value();
+  ContactState b = prepared.untouched();
+  for (int again = 0; again < 3; ++again) {  // what was prepared of a point is completed when it is shown again
+    b = prepared.solve(prepared.untouched(), tools).value();
+    EXPECT_EQ(b.report.new_solves, 0);
+    EXPECT_EQ(a.surface_mm, b.surface_mm);
+    EXPECT_NEAR(a.report.largest_strain, b.report.largest_strain, 1e-5 * a.report.largest_strain);
+    EXPECT_LT((a.watched_mm[0] - b.watched_mm[0]).norm(), 1e-5 * a.watched_mm[0].norm());
+  }
+}
+
+TEST_F(Block, AStateIsKeptWithoutItsShapeAndShownAgainToTheSameBits) {
+  const ContactBody body = block();
+  const std::vector<ContactTool> tools{ball(8, {40, 40, 45})};
+  const auto shown = body.solve(body.untouched(), tools).value();
+  const ContactState kept = ContactBody::without_shape(shown);
+  EXPECT_TRUE(kept.surface_mm.empty() && kept.watched_mm.empty());
+  const auto again = body.with_shape(kept).value();
+  EXPECT_EQ(again.surface_mm, shown.surface_mm);
+  EXPECT_EQ(again.watched_mm, shown.watched_mm);
+  const std::vector<ContactTool> next{ball(8, {42, 40, 45})};
+  EXPECT_EQ(body.solve(kept, next)->surface_mm, body.solve(shown, next)->surface_mm);
+}
+
 TEST_F(Block, WhatCannotBeMeantIsRefused) {
   const ContactBody body = block();
   const auto why = [&](const ContactTool& tool) { return body.solve(body.untouched(), {tool}).error().code; };

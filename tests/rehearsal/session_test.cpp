@@ -294,7 +294,7 @@ TEST(SessionAtLargeStrain, ACutOpensUnderTractionStepByStepAndBackAgain) {
     EXPECT_LE((picture.patient.landmarks[l].displaced_mm - first.patient.landmarks[l].displaced_mm).norm(),
               *picture.error_bound_mm);
   }
-  while (engine.prepare_the_next_cut()) continue;
+  while (engine.prepare()) continue;
   carry_out(advance(55, 25));
   const SessionState second = come_to_rest();
   ASSERT_TRUE(first.cut && second.cut);

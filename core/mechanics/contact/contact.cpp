@@ -15,12 +15,12 @@ struct ContactBody::Impl {
   CutSelfContact walls;
   ContactState untouched;
 
-  Impl(StaticModel model, const StaticResult& standing, std::vector<PointInMesh> watched)
-      : responses(std::move(model), standing, std::move(watched)) {}
+  Impl(StaticModel model, const StaticResult& standing, std::vector<PointInMesh> watched, std::size_t judged)
+      : responses(std::move(model), standing, std::move(watched), judged) {}
 };
 
 Result<ContactBody> ContactBody::create(StaticModel model, const Loads& standing_loads,
-                                        std::vector<PointInMesh> watched) {
+                                        std::vector<PointInMesh> watched, std::size_t judged) {
   const auto standing = model.solve(standing_loads);
   if (!standing) return failure(standing.error());
   if (!standing->converged()) {
@@ -30,7 +30,7 @@ Result<ContactBody> ContactBody::create(StaticModel model, const Loads& standing
   auto force_mN = load_vector(model.mesh(), model.nodes(), boundary, model.options().density_kg_mm3, standing_loads);
   if (!force_mN) return failure(std::move(force_mN.error()));
 
-  auto parts = std::make_shared<Impl>(std::move(model), *standing, std::move(watched));
+  auto parts = std::make_shared<Impl>(std::move(model), *standing, std::move(watched), judged);
   parts->standing_loads = standing_loads;
   parts->standing_force_mN = std::move(*force_mN);
   const SurfaceResponses& responses = parts->responses;
@@ -78,7 +78,31 @@ Result<bool> ContactBody::prepare(const CutStrip& ahead) const {
   return opening() == nullptr ? Result<bool>(false) : opening()->prepare(ahead);
 }
 
+Result<bool> ContactBody::prepare_touch(const ContactState& state, const std::vector<ContactTool>& tools) const {
+  std::vector<Eigen::Vector3d> places_mm;
+  for (std::size_t t = 0; t < tools.size(); ++t) {
+    if (const auto* grasp = std::get_if<Grasp>(&tools[t].what)) places_mm.push_back(grasp->at_rest_mm);
+    const auto* touching = std::get_if<TouchingTool>(&tools[t].what);
+    if (touching == nullptr) continue;
+    const double advance_mm = t < state.tools.size() ? state.tools[t].advance_mm : 0.0;
+    places_mm.push_back(touching->pose.advanced(advance_mm).position_mm);
+  }
+  return impl_->responses.remember_ahead(state.force_mN, places_mm);
+}
+
 const Opening* ContactBody::opening() const { return impl_->responses.opening(); }
+
+ContactState ContactBody::without_shape(ContactState state) {
+  state.surface_mm = {};
+  state.watched_mm = {};
+  return state;
+}
+
+Result<ContactState> ContactBody::with_shape(ContactState state) const {
+  return show(impl_->responses, SurfaceResponses::Part::all, state).map([&](const Eigen::VectorXd&) {
+    return std::move(state);
+  });
+}
 
 Result<StaticResult> ContactBody::whole_result(const ContactState& state) const {
   Eigen::VectorXd force_mN = impl_->standing_force_mN;

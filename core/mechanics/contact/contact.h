@@ -57,6 +57,8 @@ struct ContactOptions {
   double movement_tolerance_mm = 0.05;    // of the surface, between the last two rounds
   int max_rounds = 60;
   double largest_move_mm = 3.0;  // of the surface or a tool in a round, so that none passes through the other
+  // Of a state that only leads to the next: watched places and the largest strain are left out.
+  bool on_the_way = false;
 };
 
 // What one tool does in a state.
@@ -107,7 +109,10 @@ class ContactBody {
   // The model's mutual points are those on walls of cuts (points_on), which slide along each other and do not pass
   // through. Without any, nothing keeps walls apart. Failures: those of StaticModel::solve; "not-converged" where that
   // may not be used.
-  static Result<ContactBody> create(StaticModel model, const Loads& standing_loads, std::vector<PointInMesh> watched);
+  // The first `judged` watched places have the same bits in a state, whatever was solved for before; the others differ
+  // by rounding in single precision.
+  static Result<ContactBody> create(StaticModel model, const Loads& standing_loads, std::vector<PointInMesh> watched,
+                                    std::size_t judged = 0);
 
   // Under the standing loads alone. With walls it may not have converged.
   [[nodiscard]] const ContactState& untouched() const;
@@ -126,6 +131,9 @@ class ContactBody {
   [[nodiscard]] const Opening* opening() const;  // nullptr: nothing is cut
   // Opening::prepare; false where nothing is cut.
   [[nodiscard]] Result<bool> prepare(const CutStrip& ahead) const;
+  // Solves for what tools may touch next, nearest to where they are, so that a touch need not: less than a tenth of a
+  // second's work on a liver. False where there is nothing more. No state changes by it. Failure: "not-converged".
+  [[nodiscard]] Result<bool> prepare_touch(const ContactState& state, const std::vector<ContactTool>& tools) const;
 
   // The outer surface at rest.
   [[nodiscard]] const geometry::Surface& surface() const;
@@ -133,6 +141,11 @@ class ContactBody {
 
   // The surface as it lies, divided where a cut has opened, with the cut's walls (opened_surface.h).
   [[nodiscard]] Result<geometry::Surface> opened_surface(const ContactState& state) const;
+
+  // A state without its displacements, which are a thousand times what forces take: what is kept of many. It begins a
+  // solve as the whole state does, and `with_shape` gives its displacements back. Failure: "not-converged".
+  [[nodiscard]] static ContactState without_shape(ContactState state);
+  [[nodiscard]] Result<ContactState> with_shape(ContactState state) const;
 
   // Every mesh point's displacement (mm), and the whole result, by one more solve with the state's forces.
   [[nodiscard]] Result<StaticResult> whole_result(const ContactState& state) const;

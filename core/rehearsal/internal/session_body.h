@@ -24,14 +24,23 @@ class SessionBody {
                                     const std::vector<mechanics::PointInMesh>& watched, std::size_t judged);
 
   [[nodiscard]] BodyState untouched() const;
-  // A small move of the tools. Failures: "not-converged" and those of the tools.
-  [[nodiscard]] Result<BodyState> moved(const BodyState& from, const std::vector<mechanics::ContactTool>& tools) const;
+  // A small move of the tools, to a state that is shown or one that only leads to the next. Failures: "not-converged"
+  // and those of the tools.
+  enum class Shown { yes, no };
+  [[nodiscard]] Result<BodyState> moved(const BodyState& from, const std::vector<mechanics::ContactTool>& tools,
+                                        Shown shown = Shown::yes) const;
   // Some rounds nearer to rest; nothing changes where it rests. Failures: those of LiveBody::settle.
   [[nodiscard]] Result<BodyState> settled(const BodyState& from, const std::vector<mechanics::ContactTool>& tools,
                                           const Progress& progress) const;
+  // What is kept of a state that is shown no more, and that state again, to the bit. Failure: "not-converged".
+  [[nodiscard]] static BodyState without_shape(const BodyState& state);
+  [[nodiscard]] Result<BodyState> with_shape(const BodyState& state) const;
   // With a cut opened further. Failures: those of ContactBody::opened and LiveBody::opened.
   [[nodiscard]] Result<SessionBody> opened(const mechanics::CutStrip& strip) const;
   [[nodiscard]] Result<bool> prepare(const mechanics::CutStrip& ahead) const;  // as ContactBody's
+  // ContactBody::prepare_touch; at large strain there is nothing to do.
+  [[nodiscard]] Result<bool> prepare_touch(const BodyState& state,
+                                           const std::vector<mechanics::ContactTool>& tools) const;
   // What its cut has come to in that state; nothing where none is open.
   [[nodiscard]] std::optional<SessionCut> cut(const BodyState& state) const;
   [[nodiscard]] Result<mechanics::StaticResult> whole_result(const BodyState& state) const;
@@ -48,7 +57,7 @@ class SessionBody {
 // Of the tools where they are: forces, torques about their own places, the bound.
 [[nodiscard]] SessionStep step_of(const BodyState& state, const std::vector<mechanics::ContactTool>& tools,
                                   const geometry::Surface& surface);
-// Every displacement and force, bit for bit.
-[[nodiscard]] std::string bits_of(const BodyState& state);
+// Displacements and forces, bit for bit; at small strain those of the surface and the `judged` places.
+[[nodiscard]] std::string bits_of(const BodyState& state, std::size_t judged);
 
 }  // namespace glisson::rehearsal

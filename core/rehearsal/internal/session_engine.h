@@ -30,7 +30,7 @@ struct SessionEngine::Impl {
   std::vector<mechanics::Landmark> landmarks;
   std::vector<mechanics::PointInMesh> landmark_places;
   std::vector<geometry::Surface> structures;
-  std::vector<Moment> moments;  // the first untouched, the last the present
+  std::vector<Moment> moments;  // the first untouched, the last the present; only that one has its shape
   std::uint64_t commands = 0, settles = 0;
   std::shared_ptr<const SessionState> latest;
   bool compares = false;  // every moment has its reference body
@@ -56,7 +56,8 @@ struct SessionEngine::Impl {
   [[nodiscard]] Result<Moment> moved(const Moment& from, const Tools& tools) const;
   [[nodiscard]] Result<Moment> nearer_to_rest(const Moment& from, const Progress& progress = {}) const;
   [[nodiscard]] Result<Moment> cut(const Moment& from, const mechanics::CutStrip& strip) const;
-  void forget_the_oldest();
+  void go_on_to(Moment moment);
+  [[nodiscard]] Result<void> go_back();
   [[nodiscard]] RehearsalBody shown(const SessionBody& body, const BodyState& state) const;
   [[nodiscard]] std::shared_ptr<const SessionCut> cut_of(const Moment& moment) const;
   [[nodiscard]] std::optional<BesideElements> beside_elements(const Moment& moment) const;

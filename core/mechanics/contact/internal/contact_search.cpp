@@ -351,20 +351,26 @@ void ContactSearch::add_opening(ContactProblem& problem) const {
   problem.compliance += load.transpose() * opening.jumps_mm(load);
 }
 
+Result<VectorXd> show(const SurfaceResponses& responses, SurfaceResponses::Part part, ContactState& state) {
+  auto seen_mm = responses.seen_under(state.force_mN, state.wall_mN, part);
+  if (!seen_mm) return seen_mm;
+  const VectorXd jumps_mm = responses.jumps_under(state.force_mN, state.wall_mN);
+  state.jumps_mm.clear();
+  for (Eigen::Index i = 0; i < jumps_mm.size(); i += 3) state.jumps_mm.emplace_back(jumps_mm.segment<3>(i));
+  state.surface_mm = responses.surface_mm(*seen_mm);
+  if (part == SurfaceResponses::Part::all) state.watched_mm = responses.watched_mm(*seen_mm, jumps_mm);
+  return seen_mm;
+}
+
 Result<ContactState> ContactSearch::state() const {
-  const auto seen_mm = responses_.seen_under(force_mN_, wall_mN_);
-  if (!seen_mm) return failure(seen_mm.error());
-  const VectorXd jumps_mm = responses_.jumps_under(force_mN_, wall_mN_);
   ContactState state;
   state.force_mN = force_mN_;
   state.wall_mN = wall_mN_;
-  std::erase_if(state.wall_mN, [](const auto& item) { return item.second == 0; });
-  for (Eigen::Index i = 0; i < jumps_mm.size(); i += 3) {
-    state.jumps_mm.emplace_back(jumps_mm.segment<3>(i));
-  }
   std::erase_if(state.force_mN, [](const auto& item) { return item.second.norm() == 0; });
-  state.surface_mm = responses_.surface_mm(*seen_mm);
-  state.watched_mm = responses_.watched_mm(*seen_mm, jumps_mm);
+  std::erase_if(state.wall_mN, [](const auto& item) { return item.second == 0; });
+  using Part = SurfaceResponses::Part;
+  const auto seen_mm = show(responses_, options_.on_the_way ? Part::surface : Part::all, state);
+  if (!seen_mm) return failure(seen_mm.error());
   for (std::size_t t = 0; t < tools_.size(); ++t) {
     state.tools.push_back({tools_[t].id, Vector3d::Zero(), 0, advance_mm_[static_cast<Eigen::Index>(t)], 0});
   }
@@ -393,9 +399,11 @@ Result<ContactState> ContactSearch::state() const {
     }
   }
   state.report = report_;
-  const StrainRange strains = responses_.strain_range(*seen_mm, jumps_mm);
-  state.report.largest_strain = strains.largest_strain;
-  state.report.inverted_cells = strains.inverted_cells;
+  if (!options_.on_the_way) {
+    const StrainRange strains = responses_.strain_range(*seen_mm, responses_.jumps_under(force_mN_, wall_mN_));
+    state.report.largest_strain = strains.largest_strain;
+    state.report.inverted_cells = strains.inverted_cells;
+  }
   state.report.relative_residual = responses_.relative_residual();
   for (const auto& [point, force] : state.force_mN) {
     state.report.energy_uJ +=

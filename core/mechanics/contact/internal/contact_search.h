@@ -13,6 +13,11 @@
 
 namespace glisson::mechanics {
 
+// Gives a state the displacements that its forces make, of the surface alone or of the watched places too; and gives
+// back what was seen. Failure: "not-converged".
+[[nodiscard]] Result<Eigen::VectorXd> show(const SurfaceResponses& responses, SurfaceResponses::Part part,
+                                           ContactState& state);
+
 class ContactSearch {
  public:
   // `walls`, of cuts that are kept apart, speak of the points of the surface as their nodes.

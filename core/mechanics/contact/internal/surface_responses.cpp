@@ -12,12 +12,18 @@
 #include "mechanics/statics/displacements.h"
 
 namespace glisson::mechanics {
+namespace {
+
+constexpr std::size_t most_surface_bytes = std::size_t{160} << 20, most_rest_bytes = std::size_t{128} << 20;
+
+}  // namespace
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-SurfaceResponses::SurfaceResponses(StaticModel model, const StaticResult& standing, std::vector<PointInMesh> watched)
+SurfaceResponses::SurfaceResponses(StaticModel model, const StaticResult& standing, std::vector<PointInMesh> watched,
+                                   std::size_t judged)
     : model_(std::move(model)),
       surface_(geometry::boundary_surface(model_.mesh())),
       watched_(std::move(watched)),
@@ -28,7 +34,7 @@ SurfaceResponses::SurfaceResponses(StaticModel model, const StaticResult& standi
     point_of_mesh_point[static_cast<std::size_t>(p)] = static_cast<int>(mesh_point_.size());
     mesh_point_.push_back(static_cast<int>(p));
   }
-  see_nodes();
+  see_nodes(judged);
   standing_seen_mm_ = seen_part(nodal_displacements(model_.nodes(), standing));
 
   mutual_of_point_.assign(mesh_point_.size(), -1);
@@ -39,10 +45,11 @@ SurfaceResponses::SurfaceResponses(StaticModel model, const StaticResult& standi
     mutual_points_.push_back(point);
   }
   memory_->responses.resize(mesh_point_.size());
+  memory_->lacked_rest.assign(mesh_point_.size(), 0);
   make_groups();
 }
 
-void SurfaceResponses::see_nodes() {
+void SurfaceResponses::see_nodes(std::size_t judged) {
   const NodeLayout& layout = model_.nodes();
   seen_of_node_.assign(static_cast<std::size_t>(layout.nodes()), -1);
   const auto see = [&](int node) {
@@ -54,12 +61,14 @@ void SurfaceResponses::see_nodes() {
   };
   for (std::size_t p = 0; p < mesh_point_.size(); ++p) see(node(static_cast<int>(p)));
   std::vector<Eigen::Triplet<double>> values;
+  judged_values_ = 3 * static_cast<Eigen::Index>(seen_nodes_.size());
   for (std::size_t w = 0; w < watched_.size(); ++w) {
     const auto& nodes = layout.cells[static_cast<std::size_t>(watched_[w].cell)];
     const TetValues of_nodes = tet_values(layout.order, watched_[w].barycentric);
     for (int k = 0; k < layout.nodes_per_cell(); ++k) {
       values.emplace_back(static_cast<int>(w), see(nodes[static_cast<std::size_t>(k)]), of_nodes[k]);
     }
+    if (w < judged) judged_values_ = 3 * static_cast<Eigen::Index>(seen_nodes_.size());
   }
   for (const int node : layout.node_of_point) {
     if (node >= 0) see(node);
@@ -69,10 +78,10 @@ void SurfaceResponses::see_nodes() {
 }
 
 // Neighbours share a group: who needs one will soon need the others, and several right-hand sides cost little more than
-// one. Cells of a grid, cut into runs of at most eight.
+// one. Cells of a grid, cut into runs of at most four.
 void SurfaceResponses::make_groups() {
   constexpr double cell_mm = 15.0;
-  constexpr std::size_t maximum = 8;
+  constexpr std::size_t maximum = 4;  // a dozen right-hand sides, less than a tenth of a second on a liver
   std::map<std::array<long, 3>, std::vector<int>> cells;
   for (std::size_t p = 0; p < surface_.points_mm.size(); ++p) {
     if (mutual_of_point_[p] >= 0) continue;
@@ -89,6 +98,7 @@ void SurfaceResponses::make_groups() {
   }
 }
 
+// Groups side by side: what each answers is its own, whatever the order.
 Result<int> SurfaceResponses::remember(const std::vector<int>& points) const {
   const std::lock_guard lock(memory_->mutex);
   std::vector<int> unknown;
@@ -97,35 +107,82 @@ Result<int> SurfaceResponses::remember(const std::vector<int>& points) const {
   }
   std::sort(unknown.begin(), unknown.end());
   unknown.erase(std::unique(unknown.begin(), unknown.end()), unknown.end());
-  return remember_groups(unknown);
-}
-
-// Groups side by side: what each answers is its own, whatever the order.
-Result<int> SurfaceResponses::remember_groups(const std::vector<int>& groups) const {
-  std::vector<StaticModel::Responses> solved(groups.size());
-  parallel_for(groups.size(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t g = begin; g < end; ++g) {
-      const std::vector<int>& group = groups_[groups[g]];
-      Eigen::MatrixXd unit = Eigen::MatrixXd::Zero(3 * static_cast<Eigen::Index>(model_.nodes().nodes()),
-                                                   3 * static_cast<Eigen::Index>(group.size()));
-      for (std::size_t i = 0; i < group.size(); ++i) {
-        unit.block<3, 3>(3 * node(group[i]), 3 * static_cast<Eigen::Index>(i)).setIdentity();
-      }
-      solved[g] = model_.respond(unit, Digits::seen);
-      solved[g].displacement_mm = seen_part(solved[g].displacement_mm);
-    }
+  std::vector<StaticModel::Responses> solved(unknown.size());
+  parallel_for(unknown.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t u = begin; u < end; ++u) solved[u] = solve_group(unknown[u]);
   });
   int solves = 0;
-  for (std::size_t g = 0; g < groups.size(); ++g) {
-    if (auto accepted = accept(solved[g]); !accepted) return failure(std::move(accepted.error()));
-    const std::vector<int>& group = groups_[groups[g]];
-    solves += 3 * static_cast<int>(group.size());
-    for (std::size_t i = 0; i < group.size(); ++i) {
-      memory_->responses[group[i]] =
-          solved[g].displacement_mm.middleCols<3>(3 * static_cast<Eigen::Index>(i)).cast<float>();
-    }
+  for (std::size_t u = 0; u < unknown.size(); ++u) {
+    const Part part = memory_->rest_bytes < most_rest_bytes ? Part::all : Part::surface;
+    if (auto kept = keep(unknown[u], solved[u], part); !kept) return failure(std::move(kept.error()));
+    solves += 3 * static_cast<int>(groups_[unknown[u]].size());
   }
   return solves;
+}
+
+Result<bool> SurfaceResponses::remember_ahead(const PointForces& bearing_mN,
+                                              const std::vector<Vector3d>& places_mm) const {
+  const std::lock_guard lock(memory_->mutex);
+  Part part = Part::surface;
+  const int group = group_ahead(bearing_mN, places_mm, part);
+  if (group < 0) return false;
+  return keep(group, solve_group(group), part).map([] { return true; });
+}
+
+int SurfaceResponses::group_ahead(const PointForces& bearing_mN, const std::vector<Vector3d>& places_mm,
+                                  Part& part) const {
+  if (memory_->rest_bytes < most_rest_bytes) {
+    for (const auto& [point, force] : bearing_mN) {
+      if (mutual_of_point_[point] >= 0 || knows_all(point)) continue;
+      part = Part::all;
+      return group_of_point_[point];
+    }
+  }
+  if (memory_->surface_bytes >= most_surface_bytes) return -1;
+  int nearest = -1;
+  double nearest_mm = 0;
+  for (std::size_t p = 0; p < mesh_point_.size(); ++p) {
+    if (mutual_of_point_[p] >= 0 || memory_->responses[p]) continue;
+    double away_mm = 0;
+    for (std::size_t i = 0; i < places_mm.size(); ++i) {
+      const double this_mm = (surface_.points_mm[p] - places_mm[i]).norm();
+      away_mm = i == 0 ? this_mm : std::min(away_mm, this_mm);
+    }
+    if (nearest >= 0 && away_mm >= nearest_mm) continue;
+    nearest = group_of_point_[p];
+    nearest_mm = away_mm;
+  }
+  part = Part::surface;
+  return nearest;
+}
+
+StaticModel::Responses SurfaceResponses::solve_group(int group) const {
+  const std::vector<int>& points = groups_[group];
+  Eigen::MatrixXd unit = Eigen::MatrixXd::Zero(3 * static_cast<Eigen::Index>(model_.nodes().nodes()),
+                                               3 * static_cast<Eigen::Index>(points.size()));
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    unit.block<3, 3>(3 * node(points[i]), 3 * static_cast<Eigen::Index>(i)).setIdentity();
+  }
+  StaticModel::Responses solved = model_.respond(unit, Digits::seen);
+  solved.displacement_mm = seen_part(solved.displacement_mm);
+  return solved;
+}
+
+Result<void> SurfaceResponses::keep(int group, const StaticModel::Responses& solved, Part part) const {
+  if (auto accepted = accept(solved); !accepted) return accepted;
+  const Eigen::Index rows = part == Part::surface ? judged_values_ : solved.displacement_mm.rows();
+  for (std::size_t i = 0; i < groups_[group].size(); ++i) {
+    auto& known = memory_->responses[groups_[group][i]];
+    const std::size_t bytes_a_row = 3 * sizeof(float);
+    if (!known) memory_->surface_bytes += bytes_a_row * static_cast<std::size_t>(judged_values_);
+    memory_->rest_bytes += bytes_a_row * static_cast<std::size_t>(rows - judged_values_);
+    known = solved.displacement_mm.block(0, 3 * static_cast<Eigen::Index>(i), rows, 3).cast<float>();
+  }
+  return {};
+}
+
+bool SurfaceResponses::knows_all(int point) const {
+  return memory_->responses[point] && memory_->responses[point]->rows() == standing_seen_mm_.size();
 }
 
 Matrix3d SurfaceResponses::compliance(int at, int of) const {
@@ -165,31 +222,80 @@ VectorXd SurfaceResponses::jumps_under(const PointForces& force_mN, const WallFo
   return opening_->jumps_mm(load_mN);
 }
 
+// The rows of surface and judged places are sums of what is remembered, so that their bits do not depend on whether the
+// others are, or are solved for.
 Result<VectorXd> SurfaceResponses::seen_under(const PointForces& force_mN, const WallForces& wall_mN, Part part) const {
-  const Eigen::Index rows = part == Part::surface ? surface_values() : standing_seen_mm_.size();
+  const Eigen::Index rows = part == Part::surface ? judged_values_ : standing_seen_mm_.size();
   VectorXd seen_mm = standing_seen_mm_.head(rows);
   if (opening_) seen_mm += opening_->seen_mm(jumps_under(force_mN, wall_mN), rows);
   Eigen::VectorXf moved_mm = Eigen::VectorXf::Zero(rows);
-  VectorXd of_mutual_mN;
+  PointForces of_mutual_mN, unknown_mN;
   for (const auto& [point, force] : force_mN) {
-    if (mutual_of_point_[point] < 0) {
-      moved_mm += memory_->responses[point]->topRows(rows) * force.cast<float>();
+    if (mutual_of_point_[point] >= 0) {
+      of_mutual_mN.emplace(point, force);
       continue;
     }
-    if (of_mutual_mN.size() == 0) of_mutual_mN = VectorXd::Zero(3 * static_cast<Eigen::Index>(model_.nodes().nodes()));
-    of_mutual_mN.segment<3>(3 * node(point)) += force;
+    const Response& response = *memory_->responses[point];
+    moved_mm.head(judged_values_) += response.topRows(judged_values_) * force.cast<float>();
+    if (part == Part::surface) continue;
+    if (knows_all(point)) {
+      moved_mm.tail(rows - judged_values_) += response.bottomRows(rows - judged_values_) * force.cast<float>();
+    } else {
+      unknown_mN.emplace(point, force);
+    }
   }
   seen_mm += moved_mm.cast<double>();
-  if (of_mutual_mN.size() == 0) return seen_mm;
+  if (!unknown_mN.empty()) {
+    const auto rest_mm = rest_under(unknown_mN);
+    if (!rest_mm) return rest_mm;
+    seen_mm.tail(rows - judged_values_) += *rest_mm;
+  }
+  if (of_mutual_mN.empty()) return seen_mm;
   const std::lock_guard lock(memory_->mutex);
-  const StaticModel::Responses solved = model_.respond(of_mutual_mN);
+  const StaticModel::Responses solved = model_.respond(force_on_nodes_mN(of_mutual_mN));
   if (auto accepted = accept(solved); !accepted) return failure(std::move(accepted.error()));
   return seen_mm + seen_part(solved.displacement_mm).col(0).head(rows);
 }
 
+Result<VectorXd> SurfaceResponses::rest_under(const PointForces& force_mN) const {
+  const std::lock_guard lock(memory_->mutex);
+  int again = -1;  // that lacks it again, and bears most
+  for (const auto& [point, force] : force_mN) {
+    auto& lacked = memory_->lacked_rest[point];
+    if (lacked != 0 && (again < 0 || force.norm() > force_mN.at(again).norm())) again = point;
+    lacked = 1;
+  }
+  if (memory_->rest_bytes >= most_rest_bytes) again = -1;
+  Eigen::MatrixXd loads_mN = force_on_nodes_mN(force_mN);
+  if (again >= 0) {
+    loads_mN.conservativeResize(Eigen::NoChange, 4);
+    loads_mN.rightCols<3>().setZero();
+    loads_mN.block<3, 3>(3 * node(again), 1).setIdentity();
+  }
+  StaticModel::Responses solved = model_.respond(loads_mN, Digits::seen);
+  if (auto accepted = accept(solved); !accepted) return failure(std::move(accepted.error()));
+  const Eigen::Index rest = standing_seen_mm_.size() - judged_values_;
+  const Eigen::MatrixXd rest_mm = seen_part(solved.displacement_mm).bottomRows(rest);
+  if (again >= 0) {
+    Response& known = *memory_->responses[again];
+    known.conservativeResize(judged_values_ + rest, 3);
+    known.bottomRows(rest) = rest_mm.rightCols<3>().cast<float>();
+    memory_->rest_bytes += 3 * sizeof(float) * static_cast<std::size_t>(rest);
+  }
+  return VectorXd(rest_mm.col(0));
+}
+
+VectorXd SurfaceResponses::force_on_nodes_mN(const PointForces& force_mN) const {
+  VectorXd on_nodes_mN = VectorXd::Zero(3 * static_cast<Eigen::Index>(model_.nodes().nodes()));
+  for (const auto& [point, force] : force_mN) on_nodes_mN.segment<3>(3 * node(point)) += force;
+  return on_nodes_mN;
+}
+
 std::vector<Vector3d> SurfaceResponses::surface_mm(const VectorXd& seen_mm) const {
   std::vector<Vector3d> displacement_mm;
-  for (Eigen::Index row = 0; row < surface_values(); row += 3) displacement_mm.emplace_back(seen_mm.segment<3>(row));
+  for (std::size_t p = 0; p < mesh_point_.size(); ++p) {
+    displacement_mm.emplace_back(seen_mm.segment<3>(3 * static_cast<Eigen::Index>(p)));
+  }
   return displacement_mm;
 }
 

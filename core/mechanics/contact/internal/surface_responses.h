@@ -7,8 +7,11 @@
 // Where a cut has opened, what the opening adds is kept apart from what is remembered of the whole body (opening.h).
 // That is the loads that forces put on its jumps, and what follows from those.
 //
-// What is seen: the nodes of the surface's points, in their order, then those that the watched places lie between, and
-// all corners; 3 values each (mm). Places are many where structures are drawn, nodes are not.
+// What is seen: the nodes of the surface's points, in their order, and those that the judged places lie between. Then
+// those that the other watched places lie between, and all corners. 3 values each (mm). Places are many where
+// structures are drawn, nodes are not; still they are most of what a point's answer takes. So answers that are solved
+// for ahead are of the surface and the judged places alone. What they lack is solved for when it is shown, for all
+// together, and remembered for one of those that lacked it before.
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -34,8 +37,10 @@ using WallForces = std::map<int, double>;
 
 class SurfaceResponses {
  public:
-  // `standing` is the body's state without further forces.
-  SurfaceResponses(StaticModel model, const StaticResult& standing, std::vector<PointInMesh> watched);
+  // `standing` is the body's state without further forces. The first `judged` of the watched places have the same bits
+  // whatever was remembered.
+  SurfaceResponses(StaticModel model, const StaticResult& standing, std::vector<PointInMesh> watched,
+                   std::size_t judged);
 
   [[nodiscard]] const StaticModel& model() const { return model_; }
   [[nodiscard]] const geometry::Surface& surface() const { return surface_; }
@@ -51,6 +56,11 @@ class SurfaceResponses {
 
   // Solves for what is not known of the points yet; gives back for how many right-hand sides. Failure: "not-converged".
   [[nodiscard]] Result<int> remember(const std::vector<int>& points) const;
+  // Solves ahead for one group: what the points that bear force now lack, then the unknown one that is nearest to any
+  // of the places at rest (without places, any). False where there is none, or memory for it is full (160 MB of the
+  // surface, 128 MB of the rest). Failure: "not-converged".
+  [[nodiscard]] Result<bool> remember_ahead(const PointForces& bearing_mN,
+                                            const std::vector<Eigen::Vector3d>& places_mm) const;
 
   // How a point of the whole body moves by a force on another, both remembered or mutual.
   [[nodiscard]] Eigen::Matrix3d compliance(int at, int of) const;
@@ -62,7 +72,7 @@ class SurfaceResponses {
   // The jumps of the opening (mm, 3 a point) under such forces; none: without values.
   [[nodiscard]] Eigen::VectorXd jumps_under(const PointForces& force_mN, const WallForces& wall_mN) const;
   // Where what is seen lies under forces on points that are remembered or mutual, and on walls: all of it, or the
-  // surface's rows alone. Failure: "not-converged".
+  // rows of surface and judged places alone. Failure: "not-converged".
   enum class Part { surface, all };
   [[nodiscard]] Result<Eigen::VectorXd> seen_under(const PointForces& force_mN, const WallForces& wall_mN,
                                                    Part part = Part::all) const;
@@ -79,12 +89,18 @@ class SurfaceResponses {
 
  private:
   using Response = Eigen::Matrix<float, Eigen::Dynamic, 3>;  // of what is seen, to a unit force along each axis
-  [[nodiscard]] Eigen::Index surface_values() const { return 3 * static_cast<Eigen::Index>(mesh_point_.size()); }
   // Of several displacements of all nodes, one a column.
   [[nodiscard]] Eigen::MatrixXd seen_part(const Eigen::MatrixXd& displacement_mm) const;
-  [[nodiscard]] Result<int> remember_groups(const std::vector<int>& groups) const;
+  [[nodiscard]] StaticModel::Responses solve_group(int group) const;
+  // The rest of what is seen moves by that under forces on points whose answers lack it.
+  [[nodiscard]] Result<Eigen::VectorXd> rest_under(const PointForces& force_mN) const;
+  [[nodiscard]] Result<void> keep(int group, const StaticModel::Responses& solved, Part part) const;
+  [[nodiscard]] bool knows_all(int point) const;
+  [[nodiscard]] int group_ahead(const PointForces& bearing_mN, const std::vector<Eigen::Vector3d>& places_mm,
+                                Part& part) const;  // -1: none
+  [[nodiscard]] Eigen::VectorXd force_on_nodes_mN(const PointForces& force_mN) const;
   Result<void> accept(const StaticModel::Responses& solved) const;
-  void see_nodes();
+  void see_nodes(std::size_t judged);
   void make_groups();
 
   StaticModel model_;
@@ -92,6 +108,7 @@ class SurfaceResponses {
   std::vector<int> mesh_point_;  // of each point of the surface
   std::vector<PointInMesh> watched_;
   std::vector<int> seen_nodes_, seen_of_node_;                    // -1: not seen
+  Eigen::Index judged_values_ = 0;                                // rows of the surface and the judged places
   Eigen::SparseMatrix<double, Eigen::RowMajor> watched_of_seen_;  // shape functions: a row a place, a column a node
   Eigen::VectorXd standing_seen_mm_;
   std::vector<std::vector<int>> groups_;  // of points of the surface
@@ -105,8 +122,10 @@ class SurfaceResponses {
   std::vector<Opening::JumpValues> jumps_at_watched_;
 
   struct Memory {
-    std::mutex mutex;  // it grows behind it
-    std::vector<std::optional<Response>> responses;
+    std::mutex mutex;                                // it grows behind it
+    std::vector<std::optional<Response>> responses;  // of all rows, or of the first judged_values_
+    std::vector<std::uint8_t> lacked_rest;           // of points that were shown
+    std::size_t surface_bytes = 0, rest_bytes = 0;
     double relative_residual = 0;
   };
   std::shared_ptr<Memory> memory_ = std::make_shared<Memory>();
