@@ -112,7 +112,10 @@ void LiveSession::Impl::run(const std::stop_token& closing, RehearsalSetup setup
     settling = std::stop_source();
     const Progress given_up({}, settling.get_token());
     lock.unlock();
-    engine->step(command, given_up);
+    engine->step(command, given_up, [this](std::shared_ptr<const SessionState> on_the_way) {
+      const std::lock_guard told(mutex);
+      latest = std::move(on_the_way);
+    });
     lock.lock();
     is_stepping = false;
     if (engine->shared_state() == latest) continue;  // a Settle that was given up

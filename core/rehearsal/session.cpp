@@ -63,7 +63,7 @@ Result<SessionEngine> SessionEngine::create(RehearsalSetup setup, const Progress
   return SessionEngine(std::move(parts));
 }
 
-const SessionState& SessionEngine::step(const SessionCommand& command, const Progress& progress) {
+const SessionState& SessionEngine::step(const SessionCommand& command, const Progress& progress, const Told& told) {
   const Stopwatch watch;
   Impl& parts = *impl_;
   std::string refused;
@@ -98,9 +98,17 @@ const SessionState& SessionEngine::step(const SessionCommand& command, const Pro
     const bool settles = std::holds_alternative<Settle>(command);
     const auto* advance = std::get_if<AdvanceCut>(&command);
     const Moment& now = parts.moments.back();
+    const auto tell = [&](const Moment& moment, int moves) {
+      SessionState state = parts.state_of(moment);
+      state.number = parts.commands;
+      state.on_the_way = moves;
+      state.step_ms = 1e3 * watch.seconds();
+      told(std::make_shared<const SessionState>(std::move(state)));
+    };
+    const Impl::OnTheWay on_the_way = told ? Impl::OnTheWay(tell) : Impl::OnTheWay();
     auto moment = settles              ? parts.nearer_to_rest(now, progress)
                   : advance != nullptr ? parts.cut(now, advance->strip)
-                                       : parts.moved(now, tools);
+                                       : parts.moved(now, tools, on_the_way);
     if (!moment && settles && progress.cancelled()) return *parts.latest;
     if (!moment) {
       refused = moment.error().message();

@@ -23,6 +23,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -78,6 +79,7 @@ struct BesideElements {
 struct SessionState {
   std::uint64_t number = 0;   // of the commands that led here
   std::uint64_t settles = 0;  // of them, those since the last that was no Settle
+  int on_the_way = 0;         // small moves that the next command has made; 0 where none is under way
   std::vector<mechanics::ContactTool> tools;
   RehearsalBody patient;
   std::optional<RehearsalBody> reference;
@@ -118,7 +120,9 @@ class SessionEngine {
 
   // One step. Large moves are made in small ones, which only the last shows. Undo reaches back over 10,000 steps, at
   // large strain over 100. A Settle that is cancelled has never been: state, number and digest are as before.
-  const SessionState& step(const SessionCommand& command, const Progress& progress = {});
+  // `told`, at large strain, gets the states on the way.
+  using Told = std::function<void(std::shared_ptr<const SessionState>)>;
+  const SessionState& step(const SessionCommand& command, const Progress& progress = {}, const Told& told = {});
   // The present state at rest, as Settle after Settle makes it; the session stays where it is.
   [[nodiscard]] SessionState settled_state() const;
 

@@ -62,7 +62,7 @@ std::string SessionEngine::Impl::begin_to_compare() {
   return {};
 }
 
-SessionEngine::Impl::Next SessionEngine::Impl::way_to(const Tools& from, const Tools& tools) const {
+int SessionEngine::Impl::small_moves(const Tools& from, const Tools& tools) const {
   // A force that grows at once carries the surface past the tool that it should meet, and at large strain farther than
   // one picture follows; a quarter of a newton moves a liver by some millimetres.
   constexpr double push_in_a_step_mN = 250.0;
@@ -72,8 +72,12 @@ SessionEngine::Impl::Next SessionEngine::Impl::way_to(const Tools& from, const T
                (law.law == mechanics::MaterialLaw::linear ? largest_change_of_push_mN(from, tools)
                                                           : largest_change_of_force_mN(from, tools)) /
                    push_in_a_step_mN);
-  const int steps = static_cast<int>(std::clamp(std::ceil(steps_wanted), 1.0, double{maximum_steps}));
-  return [from, tools, steps](const SessionBody& body, const BodyState& before) -> Result<BodyState> {
+  return static_cast<int>(std::clamp(std::ceil(steps_wanted), 1.0, double{maximum_steps}));
+}
+
+SessionEngine::Impl::Next SessionEngine::Impl::way_to(const Tools& from, const Tools& tools) const {
+  return [from, tools, steps = small_moves(from, tools)](const SessionBody& body,
+                                                         const BodyState& before) -> Result<BodyState> {
     BodyState state = before;
     for (int step = 1; step <= steps; ++step) {
       auto next = body.moved(state, between(from, tools, double(step) / steps),
@@ -85,8 +89,19 @@ SessionEngine::Impl::Next SessionEngine::Impl::way_to(const Tools& from, const T
   };
 }
 
-Result<Moment> SessionEngine::Impl::moved(const Moment& from, const Tools& tools) const {
-  return both(from, tools, way_to(from.tools, tools));
+Result<Moment> SessionEngine::Impl::moved(const Moment& from, const Tools& tools, const OnTheWay& told) const {
+  if (!told || law.law == mechanics::MaterialLaw::linear) return both(from, tools, way_to(from.tools, tools));
+  const int moves = small_moves(from.tools, tools);
+  Moment moment = from;
+  for (int move = 1; move <= moves; ++move) {
+    const Tools there = between(from.tools, tools, double(move) / moves);
+    auto next = both(moment, there,
+                     [&](const SessionBody& body, const BodyState& before) { return body.moved(before, there); });
+    if (!next) return next;
+    moment = std::move(*next);
+    if (move < moves) told(moment, move);
+  }
+  return moment;
 }
 
 Result<Moment> SessionEngine::Impl::nearer_to_rest(const Moment& from, const Progress& progress) const {

@@ -420,6 +420,29 @@ TEST(SessionAtLargeStrain, ASettleThatIsGivenUpHasNeverBeen) {
   EXPECT_EQ(other.step(Settle{}).digest, nearer);
 }
 
+TEST(SessionAtLargeStrain, AToolIsShownOnItsWayAndComesToTheSameBits) {
+  const auto pressed = [](double push_mN) {
+    return HoldTool{{"probe", mechanics::TouchingTool{mechanics::palpation_probe(),
+                                                      mechanics::pose_towards({35, 40, 70}, {0, 0, -1}), push_mN}}};
+  };
+  auto engine = SessionEngine::create(soft_block()).value(), alone = SessionEngine::create(soft_block()).value();
+  std::vector<std::shared_ptr<const SessionState>> on_the_way;
+  const SessionState there =
+      engine.step(pressed(600), {}, [&](std::shared_ptr<const SessionState> state) { on_the_way.push_back(state); });
+  ASSERT_EQ(there.refused, "");
+  EXPECT_EQ(there.on_the_way, 0);
+  EXPECT_EQ(there.digest, alone.step(pressed(600)).digest);
+  ASSERT_EQ(on_the_way.size(), 2u);
+  for (std::size_t move = 0; move < on_the_way.size(); ++move) {
+    EXPECT_EQ(on_the_way[move]->on_the_way, static_cast<int>(move) + 1);
+    EXPECT_EQ(on_the_way[move]->number, there.number - 1);
+    EXPECT_TRUE(on_the_way[move]->error_bound_mm);
+    const double before_mm = move == 0 ? 0 : on_the_way[move - 1]->patient.max_displacement_mm;
+    EXPECT_GT(on_the_way[move]->patient.max_displacement_mm, before_mm);
+    EXPECT_LT(on_the_way[move]->patient.max_displacement_mm, there.patient.max_displacement_mm);
+  }
+}
+
 TEST(SessionAtLargeStrain, StatesSayHowOftenTheyWereSettled) {
   auto engine = SessionEngine::create(soft_block()).value();
   EXPECT_EQ(engine.step(HoldTool{probe({35, 40, 44})}).settles, 0u);

@@ -177,7 +177,7 @@ class LiveRehearsal : public QObject {
   mutable std::optional<Within> within_;
 
   std::unique_ptr<rehearsal::LiveSession> session_;
-  std::optional<std::uint64_t> session_number_;  // of the last state seen
+  std::optional<std::pair<std::uint64_t, int>> session_number_;  // and moves on the way, of the last state seen
   std::shared_ptr<const rehearsal::SessionState> contact_;
   std::string session_name_;
   int cut_steps_ = 0;

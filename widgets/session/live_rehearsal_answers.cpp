@@ -146,16 +146,17 @@ void LiveRehearsal::look_for_contact() {
   const rehearsal::SessionPhase phase = session_->phase();
   const auto state = session_->latest();
   if (!state) return;
-  const bool is_new = state->number != session_number_.value_or(0);
+  const std::pair number(state->number, state->on_the_way);
+  const bool is_new = number != session_number_.value_or(std::pair<std::uint64_t, int>(0, 0));
   if (!session_number_) Q_EMIT solving_changed();  // prepared
-  session_number_ = state->number;
+  session_number_ = number;
   if (is_new) {
     const int steps = state->cut ? static_cast<int>(state->cut->advances) : 0;
     if (!state->refused.empty() && cuts_since_tool_ > 0 && steps == cut_steps_) --cuts_since_tool_;
     cut_steps_ = steps;
   }
   const bool holds_something = !tools_.empty() || state->cut;
-  if (is_new && holds_something && state->refused.empty()) record(state);
+  if (is_new && holds_something && state->refused.empty() && state->on_the_way == 0) record(state);
   if (shown_moment_) return;
   if (!holds_something) {
     if (!state_) return;

@@ -51,9 +51,12 @@ struct SessionEngine::Impl {
   using Next = std::function<Result<BodyState>(const SessionBody&, const BodyState&)>;
   [[nodiscard]] Result<Moment> both(const Moment& from, const Tools& tools, const Next& next) const;
   void answer_by_elements(Moment& moment, const Next& next) const;
-  // The tools go from there to there, in small moves.
+  // The tools go from there to there, in so many small moves.
+  [[nodiscard]] int small_moves(const Tools& from, const Tools& tools) const;
   [[nodiscard]] Next way_to(const Tools& from, const Tools& tools) const;
-  [[nodiscard]] Result<Moment> moved(const Moment& from, const Tools& tools) const;
+  // At large strain `told` gets each moment on the way, and how many moves led to it.
+  using OnTheWay = std::function<void(const Moment&, int)>;
+  [[nodiscard]] Result<Moment> moved(const Moment& from, const Tools& tools, const OnTheWay& told = {}) const;
   [[nodiscard]] Result<Moment> nearer_to_rest(const Moment& from, const Progress& progress = {}) const;
   [[nodiscard]] Result<Moment> cut(const Moment& from, const mechanics::CutStrip& strip) const;
   void go_on_to(Moment moment);
