@@ -4960,14 +4960,6 @@
         <translation>Der Abstand um {0} muss 0 bis {1} mm sein.</translation>
     </message>
     <message>
-        <source>A curved cut cannot be led through the liver step by step.</source>
-        <translation>Ein gekrümmter Schnitt lässt sich nicht Schritt für Schritt durch die Leber führen.</translation>
-    </message>
-    <message>
-        <source>Plan a plane in Resect.</source>
-        <translation>Planen Sie in Resektion eine Ebene.</translation>
-    </message>
-    <message>
         <source>The planned cut passes the liver by.</source>
         <translation>Der geplante Schnitt geht an der Leber vorbei.</translation>
     </message>

@@ -4960,14 +4960,6 @@
         <translation>El margen alrededor de {0} debe ser de 0 a {1} mm.</translation>
     </message>
     <message>
-        <source>A curved cut cannot be led through the liver step by step.</source>
-        <translation>Un corte curvo no se puede llevar paso a paso por el hígado.</translation>
-    </message>
-    <message>
-        <source>Plan a plane in Resect.</source>
-        <translation>Planifique un plano en Resección.</translation>
-    </message>
-    <message>
         <source>The planned cut passes the liver by.</source>
         <translation>El corte planificado no toca el hígado.</translation>
     </message>

@@ -4960,14 +4960,6 @@
         <translation>La marge autour de {0} doit être de 0 à {1} mm.</translation>
     </message>
     <message>
-        <source>A curved cut cannot be led through the liver step by step.</source>
-        <translation>Une coupe courbe ne peut pas être menée pas à pas à travers le foie.</translation>
-    </message>
-    <message>
-        <source>Plan a plane in Resect.</source>
-        <translation>Planifiez un plan de coupe dans Résection.</translation>
-    </message>
-    <message>
         <source>The planned cut passes the liver by.</source>
         <translation>La coupe prévue passe à côté du foie.</translation>
     </message>

@@ -65,6 +65,7 @@ Result<CutSurface> CutSurface::through(const std::vector<Vector3d>& points_mm) {
   surface.normal_ = modes.eigenvectors().col(0).normalized();
   surface.plane_ = axes_across(surface.normal_);
   if (points_mm.size() == 3) return surface;  // they lie in their plane
+  surface.through_mm_ = points_mm;
 
   const auto count = static_cast<Eigen::Index>(points_mm.size());
   surface.centers_mm_.resize(2, count);
@@ -104,6 +105,11 @@ Vector2d CutSurface::across_mm(const Vector3d& position_mm) const { return plane
 Vector3d CutSurface::on_surface_mm(const Vector2d& across_mm) const {
   const Vector3d in_plane_mm = point_mm_ + plane_.transpose() * across_mm;
   return in_plane_mm - height_mm(in_plane_mm) * normal_;
+}
+
+bool CutSurface::is_same(const CutSurface& other) const {
+  if (!is_plane() || !other.is_plane()) return through_mm_ == other.through_mm_;
+  return normal_.isApprox(other.normal_, 1e-9) && std::abs(height_mm(other.point_mm_)) < 1e-6;
 }
 
 double CutSurface::height_mm(const Vector3d& position_mm) const {

@@ -32,8 +32,13 @@ class CutSurface {
   [[nodiscard]] const Eigen::Vector3d& point_mm() const { return point_mm_; }
   [[nodiscard]] const Eigen::Vector3d& normal() const { return normal_; }
   [[nodiscard]] bool is_plane() const { return centers_mm_.cols() == 0; }
+  [[nodiscard]] const std::vector<Eigen::Vector3d>& through_mm() const { return through_mm_; }  // none: a plane
+
+  // Planes to rounding, sheets through the same points.
+  [[nodiscard]] bool is_same(const CutSurface& other) const;
 
  private:
+  std::vector<Eigen::Vector3d> through_mm_;
   Eigen::Vector3d point_mm_{0, 0, 0}, normal_{0, 0, 1};
   Eigen::Matrix<double, 2, 3> plane_;  // rows: two axes of the plane
   Eigen::Matrix2Xd centers_mm_;

@@ -8,13 +8,6 @@ namespace glisson::rehearsal {
 using Eigen::Vector3d;
 
 Result<CutCourse> course_of(const geometry::TetMesh& liver, const geometry::CutSurface& surface) {
-  if (!surface.is_plane()) {
-    return failure(Error{"cut-curved",
-                         GLISSON_TEXT("A curved cut cannot be led through the liver step by step."),
-                         {},
-                         GLISSON_TEXT("Plan a plane in Resect."),
-                         {}});
-  }
   // To the back and the head; of a plane that lies across that way, to the left.
   const Vector3d wanted = Vector3d(0, 1, 1).normalized();
   const Vector3d& normal = surface.normal();

@@ -1,6 +1,6 @@
 #pragma once
-// How a planned cut is led through the liver while it is rehearsed. Its front goes straight along the plane, from the
-// liver's lower front edge towards the upper back. A way of ours that suits most resections from the front and below;
+// How a planned cut is led through the liver while it is rehearsed. Its front goes straight along the plane, or along
+// that which fits a sheet best, from the liver's lower front edge towards the upper back. A way of ours that suits most resections from the front and below;
 // nothing is computed with it but where each advance begins and ends.
 
 #include <Eigen/Core>
@@ -24,7 +24,7 @@ struct CutCourse {
   }
 };
 
-// At rest, patient LPS. Failures: "cut-misses" where the plane passes the liver by; "cut-curved" for a sheet.
+// At rest, patient LPS. Failure: "cut-misses" where the surface passes the liver by.
 Result<CutCourse> course_of(const geometry::TetMesh& liver, const geometry::CutSurface& surface);
 
 }  // namespace glisson::rehearsal

@@ -121,15 +121,25 @@ ContactTool tool_from(const Json& json) {
 }
 
 Json json_of(const mechanics::CutStrip& strip) {
-  Json plane = json_of(strip.surface.point_mm());
-  for (const double n : {strip.surface.normal().x(), strip.surface.normal().y(), strip.surface.normal().z()}) {
-    plane.push_back(n);
+  Json cut{{"from_mm", json_of(strip.from_mm)}, {"to_mm", json_of(strip.to_mm)}};
+  if (!strip.surface.is_plane()) {
+    for (const Vector3d& point : strip.surface.through_mm()) cut["points_mm"].push_back(json_of(point));
+    return cut;
   }
-  return {{"plane", std::move(plane)}, {"from_mm", json_of(strip.from_mm)}, {"to_mm", json_of(strip.to_mm)}};
+  cut["plane"] = json_of(strip.surface.point_mm());
+  for (const double n : strip.surface.normal()) cut["plane"].push_back(n);
+  return cut;
 }
 
-mechanics::CutStrip strip_from(const Json& json) {
-  check_keys(json, {"plane", "from_mm", "to_mm"});
+geometry::CutSurface surface_from(const Json& json) {
+  if (json.contains("points_mm")) {
+    std::vector<Vector3d> points_mm;
+    for (const Json& point : list_under(json, "points_mm", "the cut"))
+      points_mm.push_back(vector_in(point, "points_mm"));
+    auto sheet = geometry::CutSurface::through(points_mm);
+    if (!sheet) refuse_at("points_mm", "{0}: {1}", {sheet.error().message()});
+    return std::move(*sheet);
+  }
   const std::vector<Json> plane = list_under(json, "plane", "the cut");
   if (plane.size() != 6) refuse_at("plane", "{0} must be six numbers: a point on it, then its normal.");
   Vector3d point_mm, normal;
@@ -139,7 +149,12 @@ mechanics::CutStrip strip_from(const Json& json) {
   }
   auto surface = geometry::CutSurface::plane(point_mm, normal);
   if (!surface) refuse_at("plane", "{0} needs a normal with a length.");
-  return {std::move(*surface), vector_under(json, "from_mm", "the cut"), vector_under(json, "to_mm", "the cut")};
+  return std::move(*surface);
+}
+
+mechanics::CutStrip strip_from(const Json& json) {
+  check_keys(json, {"plane", "points_mm", "from_mm", "to_mm"});
+  return {surface_from(json), vector_under(json, "from_mm", "the cut"), vector_under(json, "to_mm", "the cut")};
 }
 
 std::pair<SessionCommand, std::string> command_from(const Json& json) {

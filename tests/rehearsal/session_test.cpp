@@ -113,6 +113,34 @@ TEST(Session, ARecordingReplaysToTheBitThroughItsFile) {
   EXPECT_EQ(replay(other, altered), std::optional<std::size_t>(1));
 }
 
+// Along a sheet the walls open step by step; its points go through the file to the bit.
+TEST(Session, ACurvedCutAdvancesAndReplaysThroughItsFile) {
+  const auto sheet = geometry::CutSurface::through(
+                         {{5, 40.7, 0}, {40, 43.1, 2}, {75, 41.3, 0}, {5, 40.2, 38}, {40, 44, 41}, {75, 41, 40}})
+                         .value();
+  auto engine = SessionEngine::create(whole_block()).value();
+  Recording recording;
+  const std::vector<SessionCommand> commands{HoldTool{jaws({0, 0, 4})}, AdvanceCut{{sheet, {0, 41, 20}, {12, 41, 20}}},
+                                             AdvanceCut{{sheet, {12, 41, 20}, {20, 41, 20}}}};
+  double open_mm2 = 0;
+  for (const SessionCommand& command : commands) {
+    const SessionState& state = engine.step(command);
+    ASSERT_EQ(state.refused, "");
+    recording.emplace_back(command, state.digest);
+    if (!state.cut) continue;
+    EXPECT_GT(state.cut->open_mm2, open_mm2 + 100);
+    open_mm2 = state.cut->open_mm2;
+  }
+  const auto read = parse_recording(recording_text(recording)).value();
+  auto again = SessionEngine::create(whole_block()).value();
+  EXPECT_FALSE(replay(again, read).has_value());
+  EXPECT_THAT(parse_recording(R"({"format": "glisson-session/1", "commands": [{"cut": {"points_mm": [[0, 0, 0]],
+                               "from_mm": [0, 0, 0], "to_mm": [1, 0, 0]}}]})")
+                  .error()
+                  .message(),
+              HasSubstr("needs 3 to 2000 points; there are 1"));
+}
+
 TEST(CutCourse, LeadsFromTheLowerFrontEdgeOfThePlaneThroughTheBody) {
   const geometry::TetMesh body = mechanics::test::box(6, 6, 3, {80, 80, 40});
   const auto plane = geometry::CutSurface::plane({31, 99, 7}, {1, 0, 0}).value();
@@ -129,7 +157,9 @@ TEST(CutCourse, LeadsFromTheLowerFrontEdgeOfThePlaneThroughTheBody) {
   EXPECT_NEAR(course_of(body, across)->forward.x(), 1, 1e-12);
   EXPECT_EQ(course_of(body, geometry::CutSurface::plane({90, 0, 0}, {1, 0, 0}).value()).error().code, "cut-misses");
   const auto sheet = geometry::CutSurface::through({{10, 10, 10}, {70, 10, 12}, {10, 70, 12}, {70, 70, 20}}).value();
-  EXPECT_EQ(course_of(body, sheet).error().code, "cut-curved");
+  const CutCourse along_sheet = course_of(body, sheet).value();
+  EXPECT_NEAR(along_sheet.forward.dot(sheet.normal()), 0, 1e-12);
+  EXPECT_GT(along_sheet.length_mm, 80);
 }
 
 AdvanceCut advance(double from_x_mm, double to_x_mm) {

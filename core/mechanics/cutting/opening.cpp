@@ -22,7 +22,6 @@ namespace {
 
 constexpr std::size_t points_in_a_group = 4;  // a dozen right-hand sides, a tenth of a second on a liver
 
-bool same(const geometry::CutSurface& a, const geometry::CutSurface& b);
 }  // namespace
 
 Result<Opening> Opening::of(StaticModel model, Loads standing_loads, SeenPart seen) {
@@ -47,7 +46,7 @@ Result<Opening> Opening::advanced(const CutStrip& strip) const {
   }
   auto next = std::make_shared<State>(*state_);
   auto cut = std::find_if(next->cuts.begin(), next->cuts.end(),
-                          [&](const PartlyCut& known) { return same(known.along->surface, strip.surface); });
+                          [&](const PartlyCut& known) { return known.along->surface.is_same(strip.surface); });
   if (cut == next->cuts.end()) cut = next->cuts.insert(cut, {surface_in_body(body, strip), {}, {}});
   const std::vector<WholeWall> before = std::exchange(cut->walls, {});
   cut->strips.push_back(strip);
@@ -239,7 +238,7 @@ Result<void> Opening::State::factorise() {
 
 Result<bool> Opening::prepare(const CutStrip& ahead) const {
   const auto cut = std::find_if(state_->cuts.begin(), state_->cuts.end(),
-                                [&](const PartlyCut& known) { return same(known.along->surface, ahead.surface); });
+                                [&](const PartlyCut& known) { return known.along->surface.is_same(ahead.surface); });
   if (cut == state_->cuts.end()) return false;
   const SurfaceInBody& along = *cut->along;
   const double from_mm = (ahead.from_mm - along.begin_mm).dot(along.forward);
@@ -313,12 +312,4 @@ VectorXd Opening::force_on_nodes_mN(const VectorXd& jumps_mm) const {
   return force_mN;
 }
 
-namespace {
-
-bool same(const geometry::CutSurface& a, const geometry::CutSurface& b) {
-  if (!a.is_plane() || !b.is_plane()) return false;
-  return a.normal().isApprox(b.normal(), 1e-9) && std::abs(a.height_mm(b.point_mm())) < 1e-6;
-}
-
-}  // namespace
 }  // namespace glisson::mechanics
