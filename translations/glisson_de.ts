@@ -3336,14 +3336,6 @@
         <translation>{0} enthält keinen Effekt {1}.</translation>
     </message>
     <message>
-        <source>The organ stiffens with strain, which this linear rehearsal cannot hold; a scenario can, with the material &quot;veronda-westmann&quot; and &quot;strain_stiffening&quot;: {0}.</source>
-        <translation>Das Organ versteift mit der Dehnung, was diese lineare Probe nicht fassen kann; ein Szenario kann es, mit dem Material &quot;veronda-westmann&quot; und &quot;strain_stiffening&quot;: {0}.</translation>
-    </message>
-    <message>
-        <source>The organ stiffens with strain, which this linear rehearsal cannot hold.</source>
-        <translation>Das Organ versteift mit der Dehnung, was diese lineare Probe nicht fassen kann.</translation>
-    </message>
-    <message>
         <source>What loaded the specimen while it was measured does not load the organ.</source>
         <translation>Was den Prüfkörper während der Messung belastet hat, belastet das Organ nicht.</translation>
     </message>
@@ -7166,6 +7158,22 @@
     <message>
         <source>There is nothing to undo.</source>
         <translation>Es gibt nichts rückgängig zu machen.</translation>
+    </message>
+    <message>
+        <source>The scenario says itself how soon the organ stiffens: the effect {0} is left out.</source>
+        <translation>Das Szenario sagt selbst, wie bald sich das Organ versteift: Der Effekt {0} bleibt weg.</translation>
+    </message>
+    <message>
+        <source>Only the material veronda-westmann stiffens with strain: the effect {0} is left out.</source>
+        <translation>Nur das Material veronda-westmann versteift sich mit der Dehnung: Der Effekt {0} bleibt weg.</translation>
+    </message>
+    <message>
+        <source>That the specimen stiffens with strain is not carried to the organ.</source>
+        <translation>Dass die Probe sich mit der Dehnung versteift, wird nicht auf das Organ übertragen.</translation>
+    </message>
+    <message>
+        <source>With large deformations the organ stiffens as it is strained (Veronda and Westmann&apos;s law, strain_stiffening {0}); with small ones it does not.</source>
+        <translation>Bei großen Verformungen versteift sich das Organ mit der Dehnung (Gesetz von Veronda und Westmann, strain_stiffening {0}), bei kleinen nicht.</translation>
     </message>
 </context>
 <context>

@@ -3336,14 +3336,6 @@
         <translation>{0} no tiene ningún efecto {1}.</translation>
     </message>
     <message>
-        <source>The organ stiffens with strain, which this linear rehearsal cannot hold; a scenario can, with the material &quot;veronda-westmann&quot; and &quot;strain_stiffening&quot;: {0}.</source>
-        <translation>El órgano se rigidiza con la deformación, lo que este ensayo lineal no puede recoger; un escenario sí puede, con el material &quot;veronda-westmann&quot; y &quot;strain_stiffening&quot;: {0}.</translation>
-    </message>
-    <message>
-        <source>The organ stiffens with strain, which this linear rehearsal cannot hold.</source>
-        <translation>El órgano se rigidiza con la deformación, lo que este ensayo lineal no puede recoger.</translation>
-    </message>
-    <message>
         <source>What loaded the specimen while it was measured does not load the organ.</source>
         <translation>Lo que cargaba la muestra durante la medición no carga el órgano.</translation>
     </message>
@@ -7166,6 +7158,22 @@
     <message>
         <source>There is nothing to undo.</source>
         <translation>No hay nada que deshacer.</translation>
+    </message>
+    <message>
+        <source>The scenario says itself how soon the organ stiffens: the effect {0} is left out.</source>
+        <translation>El escenario dice él mismo cuándo se endurece el órgano: el efecto {0} se omite.</translation>
+    </message>
+    <message>
+        <source>Only the material veronda-westmann stiffens with strain: the effect {0} is left out.</source>
+        <translation>Solo el material veronda-westmann se endurece con la deformación: el efecto {0} se omite.</translation>
+    </message>
+    <message>
+        <source>That the specimen stiffens with strain is not carried to the organ.</source>
+        <translation>Que la probeta se endurece con la deformación no se traslada al órgano.</translation>
+    </message>
+    <message>
+        <source>With large deformations the organ stiffens as it is strained (Veronda and Westmann&apos;s law, strain_stiffening {0}); with small ones it does not.</source>
+        <translation>Con deformaciones grandes el órgano se endurece al deformarse (ley de Veronda y Westmann, strain_stiffening {0}); con pequeñas, no.</translation>
     </message>
 </context>
 <context>

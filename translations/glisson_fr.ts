@@ -3336,14 +3336,6 @@
         <translation>{0} n’a pas d’effet {1}.</translation>
     </message>
     <message>
-        <source>The organ stiffens with strain, which this linear rehearsal cannot hold; a scenario can, with the material &quot;veronda-westmann&quot; and &quot;strain_stiffening&quot;: {0}.</source>
-        <translation>L’organe se rigidifie avec la déformation, ce que cette répétition linéaire ne peut pas rendre&#xa0;; un scénario le peut, avec le matériau &quot;veronda-westmann&quot; et &quot;strain_stiffening&quot;: {0}.</translation>
-    </message>
-    <message>
-        <source>The organ stiffens with strain, which this linear rehearsal cannot hold.</source>
-        <translation>L’organe se rigidifie avec la déformation, ce que cette répétition linéaire ne peut pas rendre.</translation>
-    </message>
-    <message>
         <source>What loaded the specimen while it was measured does not load the organ.</source>
         <translation>Ce qui chargeait l’échantillon pendant la mesure ne charge pas l’organe.</translation>
     </message>
@@ -7166,6 +7158,22 @@
     <message>
         <source>There is nothing to undo.</source>
         <translation>Il n’y a rien à annuler.</translation>
+    </message>
+    <message>
+        <source>The scenario says itself how soon the organ stiffens: the effect {0} is left out.</source>
+        <translation>Le scénario dit lui-même à quel point l’organe se raidit : l’effet {0} est laissé de côté.</translation>
+    </message>
+    <message>
+        <source>Only the material veronda-westmann stiffens with strain: the effect {0} is left out.</source>
+        <translation>Seul le matériau veronda-westmann se raidit avec la déformation : l’effet {0} est laissé de côté.</translation>
+    </message>
+    <message>
+        <source>That the specimen stiffens with strain is not carried to the organ.</source>
+        <translation>Que l’éprouvette se raidisse avec la déformation n’est pas reporté sur l’organe.</translation>
+    </message>
+    <message>
+        <source>With large deformations the organ stiffens as it is strained (Veronda and Westmann&apos;s law, strain_stiffening {0}); with small ones it does not.</source>
+        <translation>Avec de grandes déformations, l’organe se raidit (loi de Veronda et Westmann, strain_stiffening {0}) ; avec de petites, non.</translation>
     </message>
 </context>
 <context>

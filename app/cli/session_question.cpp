@@ -52,7 +52,14 @@ Result<SessionQuestion> question_of(const SessionSource& source, bool with_struc
   if (source.nodes && question->setup.meshfree) question->setup.meshfree->nodes = *source.nodes;
   mechanics::ChosenLaw& law = question->setup.law;
   if (source.material) law.law = *source.material;
-  if (source.strain_stiffening) law.strain_stiffening = *source.strain_stiffening;
+  if (source.strain_stiffening) {
+    law.strain_stiffening = *source.strain_stiffening;
+    question->setup.patient_stiffening.reset();
+  }
+  if (law.law == mechanics::MaterialLaw::veronda_westmann && law.strain_stiffening == 0 &&
+      question->setup.patient_stiffening) {
+    law.strain_stiffening = *question->setup.patient_stiffening;
+  }
   if (law.law == mechanics::MaterialLaw::veronda_westmann && law.strain_stiffening == 0) {
     law.strain_stiffening = 3;
     question->remarks.emplace_back(

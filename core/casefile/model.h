@@ -63,8 +63,9 @@ struct PatientModel {
   std::optional<Sentence> assumed = {};
   double reference_youngs_kPa = 0;  // of the reference body that it is compared with
   std::vector<mechanics::Support> supports;
-  std::optional<mechanics::Capsule> capsule;  // these three by evidence alone
+  std::optional<mechanics::Capsule> capsule;  // these four by evidence alone
   std::optional<mechanics::TransverseIsotropy> anisotropy;
+  std::optional<double> strain_stiffening = {};  // Veronda and Westmann's c2
   mechanics::Loads standing_loads;
   Evidence evidence;  // that is in all of this
   std::vector<mechanics::Landmark> landmarks;

@@ -13,7 +13,8 @@ const std::vector<double>& youngs_kPa(const PatientModel& model) {
 }
 
 closedloop::OrganModel organ_of(const PatientModel& model) {
-  return {youngs_kPa(model), model.supports, model.capsule, model.anisotropy, model.standing_loads};
+  return {youngs_kPa(model), model.supports,       model.capsule,
+          model.anisotropy,  model.standing_loads, model.strain_stiffening};
 }
 
 rehearsal::RehearsalSetup rehearsal_setup(PatientModel model) {
@@ -27,6 +28,7 @@ rehearsal::RehearsalSetup rehearsal_setup(PatientModel model) {
   setup.landmarks = std::move(model.landmarks);
   setup.options.capsule = model.capsule;
   setup.options.anisotropy = model.anisotropy;
+  setup.patient_stiffening = model.strain_stiffening;
   return setup;
 }
 
@@ -47,7 +49,10 @@ LiveSetup live_rehearsal_setup(PatientModel model) {
 
 std::vector<Sentence> put_into(mechanics::Scenario& scenario, const PatientModel& model) {
   const bool own_supports = !scenario.supports.empty(), own_modulus = scenario.youngs_modulus.has_value(),
-             own_capsule = scenario.capsule.has_value(), stays_isotropic = !mechanics::may_be_anisotropic(scenario);
+             own_capsule = scenario.capsule.has_value(),
+             stiffens = scenario.material == mechanics::MaterialLaw::veronda_westmann,
+             own_stiffening = stiffens && scenario.strain_stiffening != 0,
+             stays_isotropic = !mechanics::may_be_anisotropic(scenario);
   const auto why_not = [&](const std::string& kind) -> std::string {
     const bool holds = kind == "support-compliance" || kind == "undeclared-attachment" || kind == "missing-attachment";
     if (own_supports && holds) {
@@ -55,6 +60,12 @@ std::vector<Sentence> put_into(mechanics::Scenario& scenario, const PatientModel
     }
     if (own_modulus && (kind == "stiffness-scale" || kind == "viscoelastic-creep" || kind == "stiff-inclusion")) {
       return GLISSON_TEXT("The scenario says itself how stiff the organ is: the effect {0} is left out.");
+    }
+    if (kind == "strain-stiffening" && own_stiffening) {
+      return GLISSON_TEXT("The scenario says itself how soon the organ stiffens: the effect {0} is left out.");
+    }
+    if (kind == "strain-stiffening" && !stiffens) {
+      return GLISSON_TEXT("Only the material veronda-westmann stiffens with strain: the effect {0} is left out.");
     }
     if (own_capsule && kind == "capsule") {
       return GLISSON_TEXT("The scenario says itself what skin the organ has: the effect {0} is left out.");
@@ -75,6 +86,7 @@ std::vector<Sentence> put_into(mechanics::Scenario& scenario, const PatientModel
   if (!own_supports) scenario.supports = model.supports;
   if (scenario.landmarks.empty()) scenario.landmarks = model.landmarks;
   if (!own_capsule) scenario.capsule = model.capsule;
+  if (stiffens && !own_stiffening) scenario.strain_stiffening = model.strain_stiffening.value_or(0);
   if (!stays_isotropic && !scenario.anisotropy) scenario.anisotropy = model.anisotropy;
   scenario.loads.insert(scenario.loads.end(), model.standing_loads.begin(), model.standing_loads.end());
   return said;
@@ -83,6 +95,7 @@ std::vector<Sentence> put_into(mechanics::Scenario& scenario, const PatientModel
 void leave_stiffness_to_data(PatientModel& model) {
   model.capsule.reset();
   model.anisotropy.reset();
+  model.strain_stiffening.reset();
   std::erase_if(model.evidence.effects, [](const closedloop::LearntEffect& effect) {
     return effect.kind != "support-compliance" && effect.kind != "preload";
   });

@@ -209,16 +209,48 @@ LearntEffect left_out(const Learnt& effect, std::string text, std::vector<std::s
   return {effect.kind, false, {std::move(text), std::move(arguments)}};
 }
 
-// Linear elasticity cannot stiffen. Fung's law, exp(b q) with q the square of a pulled bar's strain, is Veronda and
-// Westmann's at small strain with c2 = b / 3, for there I1 - 3 is three times that square.
-LearntEffect stiffening(const Learnt& effect, const Circumstances& about) {
-  if (effect.form == palpation::form_exponential && !about.material_test) {
-    return left_out(effect,
-                    GLISSON_TEXT("The organ stiffens with strain, which this linear rehearsal cannot hold; a scenario "
-                                 "can, with the material \"veronda-westmann\" and \"strain_stiffening\": {0}."),
-                    {shown(effect.number("coefficient") / 3)});
+// Nominal stress per Young's modulus of a bar by that stretch: state.h's laws and stretch.h's, incompressible.
+double found_stress(const Learnt& effect, double stretch) {
+  const double strain = stretch - 1, neo_hookean = (stretch - 1 / (stretch * stretch)) / 3;
+  if (effect.form == palpation::form_ogden) {
+    const double a = effect.above_zero("exponent");
+    return 2 / (3 * a) * (std::pow(stretch, a - 1) - std::pow(stretch, -a / 2 - 1));
   }
-  return left_out(effect, GLISSON_TEXT("The organ stiffens with strain, which this linear rehearsal cannot hold."));
+  const double b = effect.number("coefficient");
+  if (b < 0) throw Misfit{"coefficient"};
+  if (effect.form == palpation::form_yeoh) {
+    return neo_hookean * (1 + b * (stretch * stretch + 2 / stretch - 3));
+  }
+  return strain * (effect.form == palpation::form_linear ? 1 + b * std::abs(strain) : std::exp(b * strain * strain));
+}
+
+// The same of Veronda and Westmann's law: 2 (l - l^-2) (dw/dI1 + dw/dI2 / l).
+double veronda_westmann_stress(double c2, double stretch) {
+  return 2.0 / 3 * (stretch - 1 / (stretch * stretch)) *
+         (std::exp(c2 * (stretch * stretch + 2 / stretch - 3)) - 1 / (2 * stretch));
+}
+
+// Where a bar that is pressed by a fifth resists alike: a palpation presses. Nothing where even the softest resists
+// more.
+std::optional<double> equally_stiffening(const Learnt& effect) {
+  constexpr double pressed = 0.8, stiffest = 100;
+  const double found = found_stress(effect, pressed);
+  const auto lacks = [&](double c2) { return veronda_westmann_stress(c2, pressed) > found; };  // both below zero
+  if (!lacks(0)) return {};
+  double below = 0, above = stiffest;
+  for (int halving = 0; halving < 60; ++halving) (lacks((below + above) / 2) ? below : above) = (below + above) / 2;
+  return above;
+}
+
+LearntEffect stiffening(const Learnt& effect, const Circumstances& about, OrganModel& organ) {
+  const std::optional<double> c2 = about.material_test ? std::nullopt : equally_stiffening(effect);
+  if (!c2) return left_out(effect, GLISSON_TEXT("That the specimen stiffens with strain is not carried to the organ."));
+  organ.strain_stiffening = c2;
+  return carried(
+      effect,
+      GLISSON_TEXT("With large deformations the organ stiffens as it is strained (Veronda and Westmann's law, "
+                   "strain_stiffening {0}); with small ones it does not."),
+      {shown(*c2)});
 }
 
 LearntEffect preloaded(const Learnt& effect, const Circumstances& about, OrganModel& organ) {
@@ -323,7 +355,7 @@ LearntEffect take(const Learnt& effect, const Circumstances& about, OrganModel& 
     return carried(effect, GLISSON_TEXT("A skin of {0} N/mm lies around the organ."), {shown(stiffness_N_per_mm)});
   }
   if (effect.kind == palpation::anisotropy) return anisotropic(effect, about, organ);
-  if (effect.kind == palpation::strain_stiffening) return stiffening(effect, about);
+  if (effect.kind == palpation::strain_stiffening) return stiffening(effect, about, organ);
   if (effect.kind == palpation::preload) return preloaded(effect, about, organ);
   if (effect.kind == palpation::force_bias) {
     return left_out(effect, GLISSON_TEXT("The load cell was off: that is of the measurement, and leaves the organ as "

@@ -10,9 +10,12 @@
 // - missing-attachment: the support of that point array holds by what is left of it alone, where it was this organ.
 // - capsule: a membrane (mechanics/materials/capsule.h), besides one that there is.
 // - preload: acts always, where the specimen was this organ.
+// - strain-stiffening of a palpation: at large strain the organ is Veronda and Westmann's, with the c2 by which a bar
+//   that is pressed by a fifth resists as by the law that was found.
 //
 // Nothing is dropped in silence: each effect of the model is listed with a sentence, carried over or not. Not carried:
-// strain-stiffening, softening, hysteresis and tension-compression-asymmetry, which linear elasticity cannot hold.
+// a material test's strain-stiffening, softening, hysteresis and tension-compression-asymmetry, which no rehearsal
+// holds.
 // Force-bias and frame-misalignment are faults of the measurement, and leave the organ alone. A preload of a material
 // test is of the machine.
 //
@@ -37,6 +40,7 @@ struct OrganModel {
   std::optional<mechanics::Capsule> capsule;
   std::optional<mechanics::TransverseIsotropy> anisotropy;
   mechanics::Loads standing_loads;
+  std::optional<double> strain_stiffening = {};  // Veronda and Westmann's c2 (mechanics/materials/isochoric.h)
 };
 
 struct LearntEffect {

@@ -27,8 +27,8 @@ Result<SessionEngine> SessionEngine::create(RehearsalSetup setup, const Progress
   const bool at_once = setup.reference_youngs_kPa && reference == WithReference::at_once;
   auto models = rehearsal_models(setup, progress.part(0.0, at_once ? 0.5 : 1.0));
   if (!models) return failure(std::move(models.error()));
-  parts->law = setup.law;
-  auto patient = SessionBody::create((*models)->patient, setup, watched, parts->landmarks.size());
+  parts->law = law_of_patient(setup);
+  auto patient = SessionBody::create((*models)->patient, parts->law, setup, watched, parts->landmarks.size());
   if (!patient) return failure(std::move(patient.error()));
   BodyState at_rest = patient->untouched();
   Moment untouched{{}, std::move(*patient), {}, std::move(at_rest), {}};
@@ -37,7 +37,7 @@ Result<SessionEngine> SessionEngine::create(RehearsalSetup setup, const Progress
     by_elements.meshfree.reset();
     by_elements.models = std::move(by_elements.elements);
     auto body = rehearsal_models(by_elements).and_then([&](const auto& made) {
-      return SessionBody::create(made->patient, by_elements, watched, parts->landmarks.size());
+      return SessionBody::create(made->patient, parts->law, by_elements, watched, parts->landmarks.size());
     });
     if (!body) return failure(std::move(body.error()));
     untouched.elements = body->untouched();
@@ -48,7 +48,7 @@ Result<SessionEngine> SessionEngine::create(RehearsalSetup setup, const Progress
                               judged = parts->landmarks.size()](const Progress& told) -> Result<SessionBody> {
       const auto model = reference.model(told);
       if (!model) return failure(model.error());
-      return SessionBody::create(*model, setup, watched, judged);
+      return SessionBody::create(*model, setup.law, setup, watched, judged);
     };
   }
   if (at_once) {

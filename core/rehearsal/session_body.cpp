@@ -22,15 +22,17 @@ Vector3d place_mm(const ContactTool& tool, double advance_mm);
 
 }  // namespace
 
-Result<SessionBody> SessionBody::create(const mechanics::StaticModel& model, const RehearsalSetup& setup,
-                                        const std::vector<mechanics::PointInMesh>& watched, std::size_t judged) {
-  if (setup.law.law == mechanics::MaterialLaw::linear) {
+Result<SessionBody> SessionBody::create(const mechanics::StaticModel& model, const mechanics::ChosenLaw& law,
+                                        const RehearsalSetup& setup, const std::vector<mechanics::PointInMesh>& watched,
+                                        std::size_t judged) {
+  if (law.law == mechanics::MaterialLaw::linear) {
     return ContactBody::create(model, setup.standing_loads, watched, judged).map([](ContactBody body) {
       return SessionBody(std::move(body));
     });
   }
-  return LiveBody::create(model, setup.law, setup.supports, setup.standing_loads, watched, judged)
-      .map([](LiveBody body) { return SessionBody(std::move(body)); });
+  return LiveBody::create(model, law, setup.supports, setup.standing_loads, watched, judged).map([](LiveBody body) {
+    return SessionBody(std::move(body));
+  });
 }
 
 BodyState SessionBody::untouched() const {

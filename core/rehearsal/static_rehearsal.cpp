@@ -88,6 +88,12 @@ struct PlacedTool::Impl {
   std::optional<BodyResponse> reference;
 };
 
+mechanics::ChosenLaw law_of_patient(const RehearsalSetup& setup) {
+  using mechanics::MaterialLaw;
+  const bool stiffens = setup.patient_stiffening && setup.law.law == MaterialLaw::neo_hookean;
+  return stiffens ? mechanics::ChosenLaw(MaterialLaw::veronda_westmann, *setup.patient_stiffening) : setup.law;
+}
+
 RehearsalSetup with_law(RehearsalSetup setup, const mechanics::ChosenLaw& law) {
   const bool was_small = setup.law.law == mechanics::MaterialLaw::linear;
   const bool same_strain = was_small == (law.law == mechanics::MaterialLaw::linear);

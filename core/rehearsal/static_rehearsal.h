@@ -39,6 +39,9 @@ struct RehearsalSetup {
   double landmark_tolerance_mm = 10.0;
   // Of a session's bodies; linear is small strain. StaticRehearsal is linear whatever it says.
   mechanics::ChosenLaw law = mechanics::MaterialLaw::linear;
+  // How soon the patient stiffens with strain, where that was found (Veronda and Westmann's c2): at large strain that
+  // is the patient's law in place of a neo-Hookean one. The reference body keeps `law`.
+  std::optional<double> patient_stiffening = std::nullopt;
   // By the meshfree engine, at small strain alone; absent: by finite elements.
   std::optional<mechanics::MeshfreeOptions> meshfree = std::nullopt;
   // Of this very setup, where they were made before: seconds and a factor each are spared.
@@ -47,6 +50,7 @@ struct RehearsalSetup {
   std::shared_ptr<const RehearsalModels> elements = nullptr;
 };
 
+[[nodiscard]] mechanics::ChosenLaw law_of_patient(const RehearsalSetup& setup);
 // The same by another law, with its models where they serve that law.
 [[nodiscard]] RehearsalSetup with_law(RehearsalSetup setup, const mechanics::ChosenLaw& law);
 

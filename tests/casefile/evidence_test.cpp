@@ -11,6 +11,7 @@
 #include "geometry/mesh_file.h"
 #include "mechanics/bodies.h"
 #include "mechanics/simulation.h"
+#include "rehearsal/session.h"
 
 namespace glisson::casefile {
 namespace {
@@ -89,6 +90,38 @@ TEST_F(EvidenceTest, AcceptedItChangesTheRehearsalByTheRightAmountTakenBackNotAt
   ASSERT_TRUE(take_back_evidence(again));
   EXPECT_EQ(retracted(open()), before);  // to the bit
   EXPECT_FALSE(fs::exists(folder_ / "evidence/model.json"));
+}
+
+// The patient alone, and with large deformations alone.
+TEST_F(EvidenceTest, StrainStiffeningComesIntoTheSessionAtLargeStrain) {
+  Case patient = open();
+  const Json stiffens{{"kind", "strain-stiffening"}, {"law", "yeoh"}, {"parameters", {{"coefficient", 30.0}}}};
+  ASSERT_TRUE(accept(patient, model({stiffens})));
+  const auto largest_mm = [&](mechanics::MaterialLaw law, bool stiffened) {
+    auto setup = rehearsal::with_law(rehearsal_setup(read_model(patient).value()), law);
+    EXPECT_TRUE(setup.patient_stiffening);
+    if (!stiffened) setup.patient_stiffening.reset();
+    setup.reference_youngs_kPa = 6.0;
+    auto engine = rehearsal::SessionEngine::create(std::move(setup)).value();
+    const mechanics::ContactTool probe{
+        "probe", mechanics::TouchingTool{mechanics::palpation_probe(10),
+                                         mechanics::pose_towards({20, 30, 90}, {0, 0, -1}), 2500.0}};
+    const rehearsal::SessionState state = engine.step(rehearsal::HoldTool{probe});
+    EXPECT_EQ(state.refused, "");
+    return std::pair(state.patient.max_displacement_mm, state.reference->max_displacement_mm);
+  };
+  const auto with = largest_mm(mechanics::MaterialLaw::neo_hookean, true);
+  const auto without = largest_mm(mechanics::MaterialLaw::neo_hookean, false);
+  EXPECT_LT(with.first, 0.95 * without.first);
+  EXPECT_EQ(with.second, without.second);
+  EXPECT_EQ(largest_mm(mechanics::MaterialLaw::linear, true), largest_mm(mechanics::MaterialLaw::linear, false));
+  mechanics::Scenario scenario;
+  scenario.material = mechanics::MaterialLaw::veronda_westmann;
+  put_into(scenario, read_model(patient).value());
+  EXPECT_GT(scenario.strain_stiffening, 1);
+  mechanics::Scenario linear;
+  const auto said = put_into(linear, read_model(patient).value());
+  EXPECT_THAT(said.front().message(), testing::HasSubstr("Only the material veronda-westmann stiffens"));
 }
 
 TEST_F(EvidenceTest, TheCaseSaysWhereItIsFrom) {

@@ -20,8 +20,9 @@ class SessionBody {
  public:
   // At small strain where the law is linear. The first `judged` watched places are those that a bound is of. Failures:
   // those of ContactBody and LiveBody.
-  static Result<SessionBody> create(const mechanics::StaticModel& model, const RehearsalSetup& setup,
-                                    const std::vector<mechanics::PointInMesh>& watched, std::size_t judged);
+  static Result<SessionBody> create(const mechanics::StaticModel& model, const mechanics::ChosenLaw& law,
+                                    const RehearsalSetup& setup, const std::vector<mechanics::PointInMesh>& watched,
+                                    std::size_t judged);
 
   [[nodiscard]] BodyState untouched() const;
   // A small move of the tools, to a state that is shown or one that only leads to the next. Failures: "not-converged"
