@@ -4852,10 +4852,6 @@
         <translation>El corte cruza otro anterior, cuyas paredes también habría que dividir.</translation>
     </message>
     <message>
-        <source>Go on along the earlier cut, or keep a cell&apos;s distance from it.</source>
-        <translation>Continúe el corte anterior o manténgase a una celda de distancia.</translation>
-    </message>
-    <message>
         <source>The cut opens nothing: all that lies along it is open already, held, or outside of the body.</source>
         <translation>El corte no abre nada: todo a lo largo de él ya está abierto, está fijo o queda fuera del cuerpo.</translation>
     </message>
@@ -7128,14 +7124,6 @@
         <translation>Tome menos nodos, o deje que `simulate` los resuelva.</translation>
     </message>
     <message>
-        <source>By the meshfree engine nothing is cut in the hand.</source>
-        <translation>Con el método sin malla no se corta en la mano.</translation>
-    </message>
-    <message>
-        <source>Take finite elements, or let `simulate` cut.</source>
-        <translation>Tome elementos finitos, o deje que `simulate` corte.</translation>
-    </message>
-    <message>
         <source>The liver was found without a point: look at it before you trust it, and give a point inside it where it is wrong.</source>
         <translation>El hígado se ha encontrado sin ningún punto: mírelo antes de fiarse de él y, donde esté mal, indique un punto en su interior.</translation>
     </message>
@@ -7170,6 +7158,10 @@
     <message>
         <source>The liver is what grew from the points: no shape made its border surer.</source>
         <translation>El hígado es lo que creció desde los puntos: ninguna forma hizo más seguro su borde.</translation>
+    </message>
+    <message>
+        <source>Go on along the earlier cut, or keep farther away from it.</source>
+        <translation>Continúe por el corte anterior o manténgase más lejos de él.</translation>
     </message>
 </context>
 <context>
@@ -7270,8 +7262,8 @@
         <translation>Planifique un plano en Resección y conserve el plan para cortar aquí según él.</translation>
     </message>
     <message>
-        <source>By the meshfree engine nothing is cut in the hand: choose other deformations above.</source>
-        <translation>Con el método sin malla no se corta en la mano: elija otras deformaciones arriba.</translation>
+        <source>By finite elements: %1 mm.</source>
+        <translation>Por elementos finitos: %1 mm.</translation>
     </message>
 </context>
 <context>

@@ -4852,10 +4852,6 @@
         <translation>La coupe croise une coupe précédente, dont les parois devraient aussi être divisées.</translation>
     </message>
     <message>
-        <source>Go on along the earlier cut, or keep a cell&apos;s distance from it.</source>
-        <translation>Poursuivez la coupe précédente, ou restez à une cellule de distance.</translation>
-    </message>
-    <message>
         <source>The cut opens nothing: all that lies along it is open already, held, or outside of the body.</source>
         <translation>La coupe n’ouvre rien : tout ce qui s’y trouve est déjà ouvert, fixé ou hors du corps.</translation>
     </message>
@@ -7128,14 +7124,6 @@
         <translation>Prenez moins de nœuds, ou laissez `simulate` les résoudre.</translation>
     </message>
     <message>
-        <source>By the meshfree engine nothing is cut in the hand.</source>
-        <translation>Avec la méthode sans maillage, on ne coupe pas en main.</translation>
-    </message>
-    <message>
-        <source>Take finite elements, or let `simulate` cut.</source>
-        <translation>Prenez les éléments finis, ou laissez `simulate` couper.</translation>
-    </message>
-    <message>
         <source>The liver was found without a point: look at it before you trust it, and give a point inside it where it is wrong.</source>
         <translation>Le foie a été trouvé sans point : regardez-le avant de vous y fier et, là où il est faux, indiquez un point à l&apos;intérieur.</translation>
     </message>
@@ -7170,6 +7158,10 @@
     <message>
         <source>The liver is what grew from the points: no shape made its border surer.</source>
         <translation>Le foie est ce qui a grandi à partir des points : aucune forme n’a rendu son bord plus sûr.</translation>
+    </message>
+    <message>
+        <source>Go on along the earlier cut, or keep farther away from it.</source>
+        <translation>Poursuivez la coupe précédente, ou restez plus loin d’elle.</translation>
     </message>
 </context>
 <context>
@@ -7270,8 +7262,8 @@
         <translation>Planifiez un plan de coupe dans Résection et gardez-le, pour couper ici en le suivant.</translation>
     </message>
     <message>
-        <source>By the meshfree engine nothing is cut in the hand: choose other deformations above.</source>
-        <translation>Avec la méthode sans maillage, on ne coupe pas en main : choisissez d&apos;autres déformations ci-dessus.</translation>
+        <source>By finite elements: %1 mm.</source>
+        <translation>Par éléments finis : %1 mm.</translation>
     </message>
 </context>
 <context>

@@ -151,11 +151,15 @@ bool SessionEngine::prepare_the_next_cut() const {
   const mechanics::CutStrip& last = now.cuts.back();
   const Vector3d forward = (last.to_mm - last.from_mm).normalized();
   const mechanics::CutStrip ahead{last.surface, last.to_mm - back_mm * forward, last.to_mm + ahead_mm * forward};
-  std::future<Result<bool>> beside;
-  if (now.reference_body) beside = std::async(std::launch::async, [&] { return now.reference_body->prepare(ahead); });
-  const auto patient = now.patient_body.prepare(ahead);
-  const auto reference = now.reference_body ? beside.get() : Result<bool>(false);
-  return (patient && *patient) || (reference && *reference);
+  std::future<bool> beside;
+  const auto prepares = [&](const std::optional<SessionBody>& body) {
+    const auto prepared = body ? body->prepare(ahead) : Result<bool>(false);
+    return prepared && *prepared;
+  };
+  if (now.reference_body) beside = std::async(std::launch::async, [&] { return prepares(now.reference_body); });
+  const bool patient = prepares(now.patient_body), elements = prepares(now.elements_body);
+  const bool reference = beside.valid() && beside.get();
+  return patient || elements || reference;
 }
 
 Result<void> SessionEngine::make_reference(const Progress& progress) const { return impl_->make_reference(progress); }

@@ -5,6 +5,7 @@
 #include "mechanics/contact/internal/contact_search.h"
 #include "mechanics/cutting/opened_surface.h"
 #include "mechanics/elements/load_vector.h"
+#include "mechanics/statics/displacements.h"
 
 namespace glisson::mechanics {
 
@@ -83,11 +84,15 @@ const Opening* ContactBody::opening() const { return impl_->responses.opening();
 Result<StaticResult> ContactBody::whole_result(const ContactState& state) const {
   Eigen::VectorXd force_mN = impl_->standing_force_mN;
   for (const auto& [point, force] : state.force_mN) force_mN.segment<3>(3 * impl_->responses.node(point)) += force;
-  if (const Opening* cut = opening()) {
-    force_mN += cut->force_on_nodes_mN(Eigen::Map<const Eigen::VectorXd>(
-        state.jumps_mm.front().data(), 3 * static_cast<Eigen::Index>(state.jumps_mm.size())));
-  }
-  return model().solve_nodal({std::move(force_mN), {}});
+  const Opening* cut = opening();
+  if (cut == nullptr) return model().solve_nodal({std::move(force_mN), {}});
+  const Eigen::VectorXd amplitudes_mm = impl_->responses.amplitudes_under(state.force_mN, state.wall_mN);
+  force_mN += cut->force_on_nodes_mN(amplitudes_mm);
+  return model().solve_nodal({std::move(force_mN), {}}).map([&](StaticResult result) {
+    const Eigen::VectorXd u_mm = nodal_displacements(model().nodes(), result) + cut->of_nodes_mm(amplitudes_mm);
+    set_displacements(model().body(), u_mm, result);
+    return result;
+  });
 }
 
 const ContactState& ContactBody::untouched() const { return impl_->untouched; }

@@ -347,7 +347,7 @@ void ContactSearch::add_opening(ContactProblem& problem) const {
     if (columns_[c].wall < 0) continue;
     of_column += opening.load_of_push(columns_[c].wall, opening.normals()[columns_[c].wall]);
   }
-  problem.compliance += load.transpose() * opening.jumps_mm(load);
+  problem.compliance += load.transpose() * opening.amplitudes_mm(load);
 }
 
 Result<ContactState> ContactSearch::state() const {

@@ -123,9 +123,12 @@ Result<SurfaceResponses> SurfaceResponses::opened(const CutStrip& strip, const L
   if (!next.opening_) {
     SeenPart seen{[body = *this](const Eigen::MatrixXd& displacement_mm) { return body.seen_part(displacement_mm); },
                   {}};
+    seen.points = mesh_point_;
     for (std::size_t w = 0; w < watched_.size(); ++w) {
       seen.places.push_back({surface_values() + 3 * static_cast<Eigen::Index>(w), watched_[w]});
+      seen.points.push_back(-1);
     }
+    seen.points.insert(seen.points.end(), inner_.begin(), inner_.end());
     auto closed = Opening::of(model_, standing_loads, std::move(seen));
     if (!closed) return failure(std::move(closed.error()));
     next.opening_ = std::move(*closed);
@@ -137,20 +140,24 @@ Result<SurfaceResponses> SurfaceResponses::opened(const CutStrip& strip, const L
   return next;
 }
 
-VectorXd SurfaceResponses::jumps_under(const PointForces& force_mN, const WallForces& wall_mN) const {
+VectorXd SurfaceResponses::amplitudes_under(const PointForces& force_mN, const WallForces& wall_mN) const {
   if (!opening_) return {};
   VectorXd load_mN = opening_->standing_load();
   for (const auto& [point, force] : force_mN) load_mN += opening_->load_of_force(3 * point, force);
   for (const auto& [wall, force] : wall_mN) {
     load_mN += opening_->load_of_push(static_cast<std::size_t>(wall), force * opening_->normals()[wall]);
   }
-  return opening_->jumps_mm(load_mN);
+  return opening_->amplitudes_mm(load_mN);
+}
+
+VectorXd SurfaceResponses::jumps_under(const PointForces& force_mN, const WallForces& wall_mN) const {
+  return opening_ ? opening_->jumps_mm(amplitudes_under(force_mN, wall_mN)) : VectorXd();
 }
 
 Result<VectorXd> SurfaceResponses::seen_under(const PointForces& force_mN, const WallForces& wall_mN, Part part) const {
   VectorXd seen_mm = standing_seen_mm_;
   const Eigen::Index rows = part == Part::surface ? surface_values() : seen_values();
-  if (opening_) seen_mm.head(rows) += opening_->seen_mm(jumps_under(force_mN, wall_mN), rows);
+  if (opening_) seen_mm.head(rows) += opening_->seen_mm(amplitudes_under(force_mN, wall_mN), rows);
   VectorXd of_mutual_mN;
   for (const auto& [point, force] : force_mN) {
     if (mutual_of_point_[point] < 0) {

@@ -57,7 +57,8 @@ class SurfaceResponses {
 
   // Of the whole body.
   [[nodiscard]] const Eigen::VectorXd& standing_seen_mm() const { return standing_seen_mm_; }
-  // The jumps of the opening (mm, 3 a point) under such forces; none: without values.
+  // The opening's amplitudes and its jumps (mm, 3 a point) under such forces; none: without values.
+  [[nodiscard]] Eigen::VectorXd amplitudes_under(const PointForces& force_mN, const WallForces& wall_mN) const;
   [[nodiscard]] Eigen::VectorXd jumps_under(const PointForces& force_mN, const WallForces& wall_mN) const;
   // Where what is seen lies under forces on points that are remembered or mutual, and on walls. For the surface alone
   // it costs a fraction, and the other values are those of the standing loads. Failure: "not-converged".
