@@ -97,6 +97,7 @@ Json json_of(const rehearsal::SessionState& state) {
                                {"surface_mm", beside->surface_mm},
                                {"meshfree_ms", beside->meshfree_ms},
                                {"ms", beside->elements_ms}};
+    if (beside->largest_opening_mm) json["finite_elements"]["largest_opening_mm"] = *beside->largest_opening_mm;
   }
   if (state.cut) {
     json["cut"] = {{"open_mm2", state.cut->open_mm2},
@@ -131,6 +132,12 @@ std::string in_words(const rehearsal::SessionState& state) {
   if (const auto& beside = state.beside_elements) {
     moved += fmt::format(", finite elements apart by {:.2f} mm (landmarks {:.2f})", beside->surface_mm,
                          beside->landmarks_mm);
+  }
+  if (state.cut) {
+    moved += fmt::format(", open by {:.2f} mm", state.cut->largest_opening_mm);
+    if (state.beside_elements && state.beside_elements->largest_opening_mm) {
+      moved += fmt::format(" (by finite elements {:.2f})", *state.beside_elements->largest_opening_mm);
+    }
   }
   if (state.error_bound_mm) {
     moved += fmt::format(", landmarks within {:.2f} mm{}", *state.error_bound_mm,

@@ -236,6 +236,7 @@ void add_session(py::module_& module) {
             dict["surface_mm"] = beside->surface_mm;
             dict["meshfree_ms"] = beside->meshfree_ms;
             dict["ms"] = beside->elements_ms;
+            if (beside->largest_opening_mm) dict["largest_opening_mm"] = *beside->largest_opening_mm;
             return dict;
           },
           "Of the meshfree engine: how far finite elements are apart at most, and what both took; None otherwise.")

@@ -10,8 +10,8 @@
 // LiveSession settles by itself while nobody asks for more, and records that it did. A Settle under way is given up for
 // what is asked, and is in no recording.
 //
-// A meshfree session (RehearsalSetup::meshfree) is of small strain and is not cut. Beside its patient the same stands
-// by finite elements, so that each state says how far they are apart.
+// A meshfree session (RehearsalSetup::meshfree) is of small strain. Beside its patient the same stands by finite
+// elements, under the same tools and cut alike, so that each state says how far they are apart.
 //
 // A LiveSession answers of the patient alone while the reference body is still being made, and then compares.
 //
@@ -45,7 +45,7 @@ struct HoldTool {
 struct ReleaseTool {
   std::string id;
 };
-// Opens a cut further, in both bodies (mechanics/cutting/opening.h).
+// Opens a cut further, in every body (mechanics/cutting/opening.h).
 struct AdvanceCut {
   mechanics::CutStrip strip;
 };
@@ -72,8 +72,9 @@ struct SessionStep {
 // The patient by the meshfree engine and by finite elements, under the same tools: what a few hundred nodes cost, and
 // what they cannot follow.
 struct BesideElements {
-  double landmarks_mm = 0, surface_mm = 0;  // how far they are apart at most; without landmarks 0
-  double meshfree_ms = 0, elements_ms = 0;  // that the last command took
+  double landmarks_mm = 0, surface_mm = 0;        // how far they are apart at most; without landmarks 0
+  std::optional<double> largest_opening_mm = {};  // of a cut, by finite elements; by nodes: SessionCut
+  double meshfree_ms = 0, elements_ms = 0;        // that the last command took
 };
 
 struct SessionState {

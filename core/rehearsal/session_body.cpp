@@ -106,21 +106,34 @@ Result<bool> SessionBody::prepare_touch(const BodyState& state, const std::vecto
 std::optional<SessionCut> SessionBody::cut(const BodyState& state) const {
   const mechanics::Opening* opening = std::visit([](const auto& body) { return body.opening(); }, body_);
   if (opening == nullptr) return {};
-  SessionCut cut{{}, 0, opening->open_mm2(), opening->whole_mm2(), 0, {}};
-  std::vector<Vector3d> jumps_mm;
+  SessionCut cut{{}, 0, opening->open_mm2(), opening->whole_mm2(), *largest_opening_mm(state), {}};
   if (const auto* large = std::get_if<LiveBody>(&body_)) {
-    const LiveState& now = *std::get<LargeState>(state);
-    cut.patient = large->opened_surface(now);
-    jumps_mm = large->jumps_mm(now);
+    cut.patient = large->opened_surface(*std::get<LargeState>(state));
   } else {
-    const ContactState& now = *std::get<SmallState>(state);
-    auto surface = std::get<ContactBody>(body_).opened_surface(now);
+    auto surface = std::get<ContactBody>(body_).opened_surface(*std::get<SmallState>(state));
     if (!surface) return {};
     cut.patient = std::move(*surface);
-    jumps_mm = now.jumps_mm;
   }
-  for (const Vector3d& jump_mm : jumps_mm) cut.largest_opening_mm = std::max(cut.largest_opening_mm, jump_mm.norm());
   return cut;
+}
+
+std::optional<double> SessionBody::largest_opening_mm(const BodyState& state) const {
+  const mechanics::Opening* opening = std::visit([](const auto& body) { return body.opening(); }, body_);
+  if (opening == nullptr) return {};
+  const auto* large = std::get_if<LiveBody>(&body_);
+  const std::vector<Vector3d> jumps_mm =
+      large != nullptr ? large->jumps_mm(*std::get<LargeState>(state)) : std::get<SmallState>(state)->jumps_mm;
+  double largest_mm = 0;
+  for (const mechanics::OpenCell& cell : opening->cells()) {
+    for (const Eigen::Vector4d& place : cell.wall) {
+      Vector3d jump_mm = Vector3d::Zero();
+      for (int i = 0; i < 4; ++i) {
+        if (cell.jump[i] >= 0) jump_mm += place[i] * jumps_mm[static_cast<std::size_t>(cell.jump[i])];
+      }
+      largest_mm = std::max(largest_mm, jump_mm.norm());
+    }
+  }
+  return largest_mm;
 }
 
 Result<mechanics::StaticResult> SessionBody::whole_result(const BodyState& state) const {

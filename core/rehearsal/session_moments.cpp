@@ -146,22 +146,28 @@ void SessionEngine::Impl::answer_by_elements(Moment& moment, const Next& next) c
   moment.elements_ms = 1e3 * watch.seconds();
 }
 
+// Every body by the same strip, side by side. Where finite elements beside a meshfree patient have nothing to open,
+// which is a matter of where their points lie, they stay as they are.
 Result<Moment> SessionEngine::Impl::cut(const Moment& from, const mechanics::CutStrip& strip) const {
+  std::future<Result<SessionBody>> of_reference, of_elements;
+  if (from.reference) of_reference = std::async(std::launch::async, [&] { return from.reference_body->opened(strip); });
   if (from.elements_body) {
-    return failure(Error{"not-available",
-                         GLISSON_TEXT("By the meshfree engine nothing is cut in the hand."),
-                         {},
-                         GLISSON_TEXT("Take finite elements, or let `simulate` cut."),
-                         {}});
+    of_elements = std::async(std::launch::async, [&] { return from.elements_body->opened(strip); });
   }
-  std::future<Result<SessionBody>> beside;
-  if (from.reference) beside = std::async(std::launch::async, [&] { return from.reference_body->opened(strip); });
   auto patient_body = from.patient_body.opened(strip);
   Moment opened = from;
-  if (from.reference) {
-    auto reference_body = beside.get();
+  if (of_reference.valid()) {
+    auto reference_body = of_reference.get();
     if (!reference_body) return failure(std::move(reference_body.error()));
     opened.reference_body = std::move(*reference_body);
+  }
+  if (of_elements.valid()) {
+    auto elements_body = of_elements.get();
+    if (elements_body) {
+      opened.elements_body = std::move(*elements_body);
+    } else if (elements_body.error().code != "cut-misses") {
+      return failure(std::move(elements_body.error()));
+    }
   }
   if (!patient_body) return failure(std::move(patient_body.error()));
   opened.patient_body = std::move(*patient_body);
@@ -265,7 +271,8 @@ std::optional<BesideElements> SessionEngine::Impl::beside_elements(const Moment&
   };
   const std::vector<Vector3d>& surface = surface_mm(moment.patient);
   return BesideElements{farthest_mm(watched_mm(moment.patient), watched_mm(*moment.elements), landmarks.size()),
-                        farthest_mm(surface, surface_mm(*moment.elements), surface.size()), moment.patient_ms,
+                        farthest_mm(surface, surface_mm(*moment.elements), surface.size()),
+                        moment.elements_body->largest_opening_mm(*moment.elements), moment.patient_ms,
                         moment.elements_ms};
 }
 

@@ -123,7 +123,7 @@ TEST(LiveOpening, UnderLittleLoadItMovesAsAtSmallStrain) {
   const Opening alike =
       Opening::of(cut.model(), little, nothing).value().advanced({wall, on_front_mm(40), on_front_mm(17)}).value();
   ASSERT_EQ(alike.points(), opening.points());
-  const VectorXd jumps_mm = alike.jumps_mm(alike.standing_load());
+  const VectorXd jumps_mm = alike.amplitudes_mm(alike.standing_load());
   const VectorXd live_mm = state.u_mm.tail(jumps_mm.size());
   EXPECT_LT((live_mm - jumps_mm).norm(), 0.03 * jumps_mm.norm());
 }

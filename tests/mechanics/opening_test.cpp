@@ -10,6 +10,7 @@
 #include "mechanics/cutting/opened_surface.h"
 #include "mechanics/cutting/opening.h"
 #include "mechanics/statics/static_model.h"
+#include "opened_bar.h"
 
 namespace glisson::mechanics {
 namespace {
@@ -20,14 +21,15 @@ using Eigen::VectorXd;
 using test::at_corner;
 using test::bar;
 using test::cut_x_mm;
+using test::displaced;
+using test::loads;
 using test::meshed_with_the_cut;
 using test::MeshedCut;
+using test::nothing_open;
 using test::on_front_mm;
 using test::size_mm;
 using test::wall;
 using test::youngs_kPa;
-
-const Loads loads{ToolLoad{{80, 12, 40}, 12, {-150, 40, 260}}, PressureLoad{0.4}, GravityLoad{{0, 0, -9810}}};
 
 StaticModel model_of(geometry::TetMesh mesh, const std::vector<int>& wall_points = {}) {
   test::name_supports_of_bar(mesh);
@@ -36,30 +38,6 @@ StaticModel model_of(geometry::TetMesh mesh, const std::vector<int>& wall_points
                              wall_points)
       .value();
 }
-
-// All corners are seen.
-SeenPart corners_of(const StaticModel& model) {
-  return {[&model](const MatrixXd& u) {
-            MatrixXd part(3 * static_cast<Eigen::Index>(model.mesh().points_mm.size()), u.cols());
-            for (std::size_t p = 0; p < model.mesh().points_mm.size(); ++p) {
-              part.middleRows<3>(3 * static_cast<Eigen::Index>(p)) =
-                  u.middleRows<3>(3 * model.nodes().node_of_point[p]);
-            }
-            return part;
-          },
-          {}};
-}
-
-std::vector<Vector3d> displaced(const StaticModel& model, const Opening& opening) {
-  std::vector<Vector3d> u_mm = model.solve(loads)->displacement_mm;
-  const VectorXd by_cut_mm = opening.seen_mm(opening.jumps_mm(opening.standing_load()));
-  for (std::size_t p = 0; p < u_mm.size() && by_cut_mm.size() > 0; ++p) {
-    u_mm[p] += by_cut_mm.segment<3>(3 * static_cast<Eigen::Index>(p));
-  }
-  return u_mm;
-}
-
-Opening nothing_open(const StaticModel& model) { return Opening::of(model, loads, corners_of(model)).value(); }
 
 TEST(Opening, ACutInStepsMovesTheBarAsAMeshWithTheCutDoes) {
   const StaticModel whole = model_of(bar(20, 6, 9));
@@ -119,7 +97,7 @@ TEST(Opening, WhatWasPreparedOpensToTheSameBitsAndIsNotSolvedAgain) {
   while (first.prepare(next).value()) ++groups;
   EXPECT_GT(groups, 0);
   const Opening prepared = first.advanced(next).value();
-  EXPECT_EQ(prepared.jumps_mm(prepared.standing_load()), unprepared.jumps_mm(unprepared.standing_load()));
+  EXPECT_EQ(prepared.amplitudes_mm(prepared.standing_load()), unprepared.amplitudes_mm(unprepared.standing_load()));
   EXPECT_FALSE(nothing_open(whole).prepare(next).value());
 }
 
@@ -127,16 +105,16 @@ TEST(Opening, WhatWasPreparedOpensToTheSameBitsAndIsNotSolvedAgain) {
 TEST(Opening, AnAdvanceLeavesTheOneBeforeAsItWas) {
   const StaticModel whole = model_of(bar(10, 4, 5));
   const Opening before = nothing_open(whole).advanced({wall, on_front_mm(40), on_front_mm(30)}).value();
-  const VectorXd jumps_mm = before.jumps_mm(before.standing_load());
+  const VectorXd jumps_mm = before.amplitudes_mm(before.standing_load());
   ASSERT_TRUE(before.advanced({wall, on_front_mm(30), on_front_mm(20)}));
-  EXPECT_EQ(before.jumps_mm(before.standing_load()), jumps_mm);
+  EXPECT_EQ(before.amplitudes_mm(before.standing_load()), jumps_mm);
 }
 
 // What the jumps push on the nodes with displaces the whole body as the cut one.
 TEST(Opening, ItsForcesOnTheNodesDisplaceTheWholeBodyAlike) {
   const StaticModel whole = model_of(bar(10, 4, 5));
   const Opening opening = nothing_open(whole).advanced({wall, on_front_mm(40), on_front_mm(18)}).value();
-  const VectorXd jumps_mm = opening.jumps_mm(opening.standing_load());
+  const VectorXd jumps_mm = opening.amplitudes_mm(opening.standing_load());
   const auto alike = whole.solve_nodal({opening.force_on_nodes_mN(jumps_mm), {}}).value();
   const VectorXd seen_mm = opening.seen_mm(jumps_mm);
   for (std::size_t p = 0; p < alike.displacement_mm.size(); ++p) {

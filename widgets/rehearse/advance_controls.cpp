@@ -64,8 +64,7 @@ void AdvanceControls::take_back() { rehearsal_.take_cut_back(); }
 void AdvanceControls::show_state() {
   const bool rigid = rehearsal_.touch() == Touch::rigid;
   const bool more = course_ && step_mm * rehearsal_.cut_steps() < course_->length_mm;
-  const bool meshfree = rehearsal_.deformations() == Deformations::meshfree;
-  advance_->setEnabled(more && rigid && !meshfree && !rehearsal_.frozen());
+  advance_->setEnabled(more && rigid && !rehearsal_.frozen());
   back_->setEnabled(rehearsal_.can_take_cut_back());
   const auto& state = rehearsal_.state();
   QString text;
@@ -73,12 +72,14 @@ void AdvanceControls::show_state() {
     text = why_not_ ? translated(*why_not_) : tr("Plan a plane in Resect and keep the plan, to cut along it here.");
   } else if (!rigid) {
     text = tr("Tick the rigid tool above, to cut while tools hold the liver.");
-  } else if (meshfree) {
-    text = tr("By the meshfree engine nothing is cut in the hand: choose other deformations above.");
   } else if (state && state->cut) {
     text = tr("%1 % of the section is open, by up to %2 mm.")
                .arg(100 * state->cut->open_share(), 0, 'f', 0)
                .arg(state->cut->largest_opening_mm, 0, 'f', 1);
+    const rehearsal::SessionState* contact = rehearsal_.contact();
+    if (contact != nullptr && contact->beside_elements && contact->beside_elements->largest_opening_mm) {
+      text += " " + tr("By finite elements: %1 mm.").arg(*contact->beside_elements->largest_opening_mm, 0, 'f', 1);
+    }
     QStringList crossed;
     for (const std::size_t k : state->cut->crossed) {
       if (k > 0 && k < names_.size()) crossed << structure_label(names_[k]);  // the first is the liver

@@ -5,6 +5,7 @@
 #include "mechanics/contact/internal/contact_search.h"
 #include "mechanics/cutting/opened_surface.h"
 #include "mechanics/elements/load_vector.h"
+#include "mechanics/statics/displacements.h"
 
 namespace glisson::mechanics {
 
@@ -68,9 +69,9 @@ Result<ContactBody> ContactBody::opened(const CutStrip& strip) const {
 
 Result<geometry::Surface> ContactBody::opened_surface(const ContactState& state) const {
   const SurfaceResponses& responses = impl_->responses;
-  return responses.seen_under(state.force_mN, state.wall_mN).map([&](const Eigen::VectorXd& seen_mm) {
-    return mechanics::opened_surface(model().mesh(), surface(), responses.open_cells(),
-                                     responses.mesh_points_mm(seen_mm), state.jumps_mm);
+  return responses.all_under(state.force_mN, state.wall_mN).map([&](const SurfaceResponses::Seen& seen) {
+    return mechanics::opened_surface(model().mesh(), surface(), responses.open_cells(), responses.mesh_points_mm(seen),
+                                     state.jumps_mm);
   });
 }
 
@@ -99,19 +100,21 @@ ContactState ContactBody::without_shape(ContactState state) {
 }
 
 Result<ContactState> ContactBody::with_shape(ContactState state) const {
-  return show(impl_->responses, SurfaceResponses::Part::all, state).map([&](const Eigen::VectorXd&) {
-    return std::move(state);
-  });
+  return show(impl_->responses, state).map([&](const StrainRange&) { return std::move(state); });
 }
 
 Result<StaticResult> ContactBody::whole_result(const ContactState& state) const {
   Eigen::VectorXd force_mN = impl_->standing_force_mN;
   for (const auto& [point, force] : state.force_mN) force_mN.segment<3>(3 * impl_->responses.node(point)) += force;
-  if (const Opening* cut = opening()) {
-    force_mN += cut->force_on_nodes_mN(Eigen::Map<const Eigen::VectorXd>(
-        state.jumps_mm.front().data(), 3 * static_cast<Eigen::Index>(state.jumps_mm.size())));
-  }
-  return model().solve_nodal({std::move(force_mN), {}});
+  const Opening* cut = opening();
+  if (cut == nullptr) return model().solve_nodal({std::move(force_mN), {}});
+  const Eigen::VectorXd amplitudes_mm = impl_->responses.amplitudes_under(state.force_mN, state.wall_mN);
+  force_mN += cut->force_on_nodes_mN(amplitudes_mm);
+  return model().solve_nodal({std::move(force_mN), {}}).map([&](StaticResult result) {
+    const Eigen::VectorXd u_mm = nodal_displacements(model().nodes(), result) + cut->of_nodes_mm(amplitudes_mm);
+    set_displacements(model().body(), u_mm, result);
+    return result;
+  });
 }
 
 const ContactState& ContactBody::untouched() const { return impl_->untouched; }

@@ -8,7 +8,6 @@
 namespace glisson::mechanics {
 
 using Eigen::Index;
-using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 std::vector<OpenCell> Opening::cells() const {
@@ -33,17 +32,10 @@ JumpSprings Opening::springs() const {
   const Body& body = state_->model.body();
   const auto jumps = static_cast<Index>(state_->points.size());
   std::vector<Eigen::Triplet<double>> with_nodes, between;
-  MatrixXd bridges = MatrixXd::Zero(3 * jumps, 3 * jumps);
   for (const PartlyCut& cut : state_->cuts) {
     const std::vector<int> number = state_->jumps_along(*cut.along);
-    add_bridges(body, cut.along->crossing, cut.walls, number, bridges);
+    add_bridges(body, cut.along->crossing, cut.walls, number, between);
     add_foundation_springs(body, cut.along->crossing, number, with_nodes, between);
-  }
-  for (Index i = 0; i < jumps; ++i) {
-    for (Index j = 0; j < jumps; ++j) {
-      if (bridges(3 * i, 3 * j) != 0)
-        between.emplace_back(static_cast<int>(i), static_cast<int>(j), bridges(3 * i, 3 * j));
-    }
   }
   JumpSprings springs{Eigen::SparseMatrix<double>(body.layout.nodes(), jumps),
                       Eigen::SparseMatrix<double>(jumps, jumps)};
@@ -74,7 +66,7 @@ VectorXd Opening::force_on_jumps_mN(const Loads& loads) const {
   for (const CutFront& front : fronts()) {
     std::vector<int> points;
     for (const int jump : front.jumps) points.push_back(state_->points[static_cast<std::size_t>(jump)]);
-    const SurfaceInBody& along = *state_->open[static_cast<std::size_t>(front.jumps.front())].along;
+    const SurfaceInBody& along = *state_->surface_of_jump[static_cast<std::size_t>(front.jumps.front())];
     const VectorXd of_surface = load_on(state_->model.body(), along.crossing, loads, points);
     for (std::size_t i = 0; i < front.jumps.size(); ++i) {
       force_mN.segment<3>(3 * front.jumps[i]) += of_surface.segment<3>(static_cast<Index>(3 * i));
@@ -103,8 +95,8 @@ std::vector<CutFront> Opening::fronts() const {
   std::vector<CutFront> fronts;
   for (const PartlyCut& cut : state_->cuts) {
     CutFront front{cut.strips.back(), {}};
-    for (std::size_t i = 0; i < state_->open.size(); ++i) {
-      if (state_->open[i].along == cut.along) front.jumps.push_back(static_cast<int>(i));
+    for (std::size_t i = 0; i < state_->points.size(); ++i) {
+      if (state_->surface_of_jump[i] == cut.along.get()) front.jumps.push_back(static_cast<int>(i));
     }
     if (!front.jumps.empty()) fronts.push_back(std::move(front));
   }

@@ -2,11 +2,15 @@
 // A cut that opens step by step through a linear body, while the factor of the whole body is kept.
 //
 // Behind the cut's front the displacement may jump. With K the body's stiffness, u its nodes' displacements and a the
-// jumps at points of crossed cells (jump_functions.h),
+// amplitudes of the functions that jump,
 //   [K B; B^T D] [u; a] = [f; g],   S = D - B^T K^-1 B,   a = S^-1 (g - B^T K^-1 f),   u = K^-1 f - V a,
-// V = K^-1 B less the jumps' own part of what is seen (a bordered system, e.g. Golub and Van Loan, Matrix Computations,
-// 3.2). S is dense and small. An advance costs three solves with K's factor for each point that begins to open; nothing
-// else is solved again.
+// V = K^-1 B less the functions' own part of what is seen (a bordered system, e.g. Golub and Van Loan, Matrix
+// Computations, 3.2). S is dense and small. An advance costs a dozen solves with K's factor for four points, or one
+// meshfree node, that begin to open; nothing else is solved again.
+//
+// Of finite elements the functions are those of points of crossed cells, and their amplitudes are the jumps there
+// (internal/jump_functions.h). Where displacements follow fewer functions than nodes (meshfree nodes), those that the
+// cut crosses are split by it (internal/split_functions.cpp), and the jumps at points follow.
 //
 // The front runs through cells. Where part of a point's share of the wall is still whole, springs hold its jump back.
 // Per area of that part they are 2.5 times Young's modulus over the cell's edge (internal/whole_walls.h).
@@ -40,6 +44,8 @@ struct SeenPart {
     PointInMesh at;
   };
   std::vector<Place> places;
+  // Of three rows each, in order, the point of the mesh, -1 where it is one of `places`. Finite elements need none.
+  std::vector<int> points = {};
 };
 
 // A cell that is open, wholly or in part. On the side `s` (1 above, 0 below) the corner i is displaced by u_i + (s -
@@ -80,9 +86,9 @@ class Opening {
   static Result<Opening> of(StaticModel model, Loads standing_loads, SeenPart seen);
 
   // Opens a strip. Points that are fixed stay together. Fails with "cut-invalid" (a strip without a length along its
-  // surface) or "cut-misses" (it opens nothing that was not open). Fails with "cuts-meet" (it crosses cells that a cut
-  // along another surface has opened). Fails with "cut-frees-part" (nothing would hold what is cut off),
-  // "not-available" (a capsule) or "not-converged".
+  // surface) or "cut-misses" (it opens nothing that was not open). Fails with "cuts-meet" (it crosses cells, or
+  // comes into the reach of meshfree nodes, that a cut along another surface has opened). Fails with "cut-frees-part"
+  // (nothing would hold what is cut off), "not-available" (a capsule) or "not-converged".
   [[nodiscard]] Result<Opening> advanced(const CutStrip& strip) const;
 
   // Solves ahead for some of the points that such an advance would open, so that the advance need not. On a liver that
@@ -95,9 +101,9 @@ class Opening {
   [[nodiscard]] const std::vector<Eigen::Vector3d>& normals() const;
   [[nodiscard]] std::vector<OpenCell> cells() const;
 
-  // For those who put a jump's functions together anew: L_i (H - H_i) at each of points(). `springs` are what is more
-  // than the cells' own, `force_on_jumps_mN` the dead loads on them (mN, 3 a jump; gas as at rest). `jumps_at` gives,
-  // of places, the jumps that are seen, with their values.
+  // For those who put finite elements' functions together anew: L_i (H - H_i) at each of points(). `springs` are what
+  // is more than the cells' own, `force_on_jumps_mN` the dead loads on them (mN, 3 a jump; gas as at rest). `jumps_at`
+  // gives, of places, the jumps that are seen, with their values.
   [[nodiscard]] JumpSprings springs() const;
   [[nodiscard]] std::vector<Bridge> bridges() const;  // of which springs() has the stiffness at rest
   [[nodiscard]] Eigen::VectorXd force_on_jumps_mN(const Loads& loads) const;
@@ -105,26 +111,28 @@ class Opening {
   [[nodiscard]] std::vector<JumpValues> jumps_at(const std::vector<PointInMesh>& places) const;
   [[nodiscard]] std::vector<CutFront> fronts() const;
 
-  // The loads on the jumps, g - B^T K^-1 f (mN, 3 a point). The first are of the standing loads. The second are of a
+  // The loads on the amplitudes, g - B^T K^-1 f (mN). The first are of the standing loads. The second are of a
   // force (mN) on the point of the mesh that is seen in three rows from `row`. The third are of 1 mN that pushes the
   // walls apart at a point, along the direction.
   [[nodiscard]] const Eigen::VectorXd& standing_load() const;
   [[nodiscard]] Eigen::VectorXd load_of_force(Eigen::Index row, const Eigen::Vector3d& force_mN) const;
   [[nodiscard]] Eigen::VectorXd load_of_push(std::size_t point, const Eigen::Vector3d& direction) const;
 
-  // The jumps (mm, 3 a point) under loads on them. `seen_mm` is how much what is seen moves because of those: all of
-  // it, or its first rows alone.
-  [[nodiscard]] Eigen::MatrixXd jumps_mm(const Eigen::MatrixXd& load) const;
-  [[nodiscard]] Eigen::VectorXd seen_mm(const Eigen::VectorXd& jumps_mm) const;
-  [[nodiscard]] Eigen::VectorXd seen_mm(const Eigen::VectorXd& jumps_mm, Eigen::Index rows) const;
+  // The amplitudes (mm) under loads on them, and the jumps that they make (mm, 3 a point). `seen_mm` is how much what
+  // is seen moves because of them: all of it, or its first rows alone.
+  [[nodiscard]] Eigen::MatrixXd amplitudes_mm(const Eigen::MatrixXd& load) const;
+  [[nodiscard]] Eigen::VectorXd jumps_mm(const Eigen::VectorXd& amplitudes_mm) const;
+  [[nodiscard]] Eigen::VectorXd seen_mm(const Eigen::VectorXd& amplitudes_mm) const;
+  [[nodiscard]] Eigen::VectorXd seen_mm(const Eigen::VectorXd& amplitudes_mm, Eigen::Index rows) const;
 
   // Of the cuts' walls within the body (mm2), one side of them.
   [[nodiscard]] double open_mm2() const;
   [[nodiscard]] double whole_mm2() const;  // what still bridges them
 
-  // What the jumps push on the body's nodes with. Under these forces and the loads, the whole body has the
-  // displacements of the cut one at its points.
-  [[nodiscard]] Eigen::VectorXd force_on_nodes_mN(const Eigen::VectorXd& jumps_mm) const;
+  // What they push on the body's nodes with. Under these forces and the loads, the whole body has the displacements of
+  // the cut one, less what the functions move of it by themselves (mm, 3 a node; of finite elements nothing).
+  [[nodiscard]] Eigen::VectorXd force_on_nodes_mN(const Eigen::VectorXd& amplitudes_mm) const;
+  [[nodiscard]] Eigen::VectorXd of_nodes_mm(const Eigen::VectorXd& amplitudes_mm) const;
 
   [[nodiscard]] double relative_residual() const;  // the worst of its solves
 

@@ -89,10 +89,33 @@ Result<StaticResult> MeshfreeModel::solve(const AppliedLoads& loads, const Newto
   return result;
 }
 
+// P by its columns, for those who split functions.
+class HandleFunctions : public ReducedFunctions {
+ public:
+  explicit HandleFunctions(const MeshfreeBody& handles) : handles_(handles) {}
+  [[nodiscard]] int unknowns() const override { return handle_size; }
+  [[nodiscard]] std::vector<int> acting_on(int point) const override {
+    std::vector<int> acting;
+    const AffineBasis& basis = *handles_.basis;
+    for (const auto* share = basis.shares_begin(point); share != basis.shares_end(point); ++share) {
+      acting.push_back(share->handle);
+    }
+    std::sort(acting.begin(), acting.end());
+    return acting;
+  }
+  [[nodiscard]] Eigen::SparseMatrix<double> columns(const std::vector<int>& functions) const override {
+    return handles_.basis->columns(functions);
+  }
+  [[nodiscard]] const std::vector<double>& springs_mN_mm() const override { return handles_.penalty_mN_mm; }
+
+ private:
+  const MeshfreeBody& handles_;
+};
+
 // u = P (P^T K P)^-1 P^T f, P being how places follow handles.
 class MeshfreeModel::StaticSolver : public DisplacementSolver {
  public:
-  explicit StaticSolver(std::shared_ptr<const Impl> impl) : impl_(std::move(impl)) {}
+  explicit StaticSolver(std::shared_ptr<const Impl> impl) : impl_(std::move(impl)), functions_(impl_->handles) {}
 
   [[nodiscard]] Solution solve(const Eigen::MatrixXd& force_mN) const override {
     const MeshfreeBody& handles = impl_->handles;
@@ -123,8 +146,11 @@ class MeshfreeModel::StaticSolver : public DisplacementSolver {
     return {cost.setup_s, cost.unknowns, cost.matrix_bytes, cost.factor_bytes};
   }
 
+  [[nodiscard]] const ReducedFunctions* reduced_functions() const override { return &functions_; }
+
  private:
   std::shared_ptr<const Impl> impl_;
+  HandleFunctions functions_;
 };
 
 Result<void> check_meshfree_static(const ChosenLaw& law, const std::vector<Support>& supports,

@@ -40,9 +40,8 @@ class MeshfreeModel {
   [[nodiscard]] Result<StaticResult> solve(const AppliedLoads& loads, const NewtonOptions& options = {},
                                            const Progress& progress = {}) const;
 
-  // The same body as a StaticModel, for tools in contact (contact/contact.h). Not for cuts that advance
-  // (cutting/opening.h): jumps open, but weights that reach across keep the parts together. Failures: "not-available"
-  // (more nodes than are factorised), those of check_meshfree_static.
+  // The same body as a StaticModel, for tools in contact (contact/contact.h) and cuts that advance (cutting/opening.h).
+  // Failures: "not-available" (more nodes than are factorised), those of check_meshfree_static.
   [[nodiscard]] Result<StaticModel> static_model() const;
 
   [[nodiscard]] const MeshfreeBody& body() const;

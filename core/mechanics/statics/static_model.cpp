@@ -236,6 +236,9 @@ StaticResult StaticModel::Impl::result_of(const ConstrainedSolution& solution, c
   return result;
 }
 
+const ReducedFunctions* StaticModel::reduced_functions() const {
+  return impl_->solver ? impl_->solver->reduced_functions() : nullptr;
+}
 const Body& StaticModel::body() const { return *impl_; }
 const geometry::TetMesh& StaticModel::mesh() const { return impl_->mesh; }
 const std::vector<double>& StaticModel::youngs_kPa() const { return impl_->youngs_kPa; }

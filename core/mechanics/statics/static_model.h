@@ -30,6 +30,7 @@
 #include "mechanics/elements/static_options.h"
 #include "mechanics/scenario/scenario.h"
 #include "mechanics/solvers/digits.h"
+#include "mechanics/statics/reduced_functions.h"
 #include "mechanics/statics/static_result.h"
 
 namespace glisson::mechanics {
@@ -94,6 +95,8 @@ class StaticModel {
   // would give for 3 loads a point. It costs the inverse of a dense matrix of that size, 8 bytes an entry.
   [[nodiscard]] Eigen::MatrixXd mutual_compliance() const;
 
+  // What displacements follow where it is not the nodes themselves; else nullptr.
+  [[nodiscard]] const ReducedFunctions* reduced_functions() const;
   [[nodiscard]] const Body& body() const;
   [[nodiscard]] const geometry::TetMesh& mesh() const;
   [[nodiscard]] const std::vector<double>& youngs_kPa() const;
@@ -142,6 +145,7 @@ class DisplacementSolver {
   [[nodiscard]] virtual Result<StaticModel> with_moduli(std::vector<double> youngs_kPa, const StaticOptions& options,
                                                         const Progress& progress) const = 0;
   [[nodiscard]] virtual StaticModel::Cost cost() const = 0;
+  [[nodiscard]] virtual const ReducedFunctions* reduced_functions() const { return nullptr; }
 };
 
 // The one-shot: builds the model, solves once.

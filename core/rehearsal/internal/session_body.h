@@ -44,6 +44,8 @@ class SessionBody {
                                            const std::vector<mechanics::ContactTool>& tools) const;
   // What its cut has come to in that state; nothing where none is open.
   [[nodiscard]] std::optional<SessionCut> cut(const BodyState& state) const;
+  // Between two points of its walls that were one.
+  [[nodiscard]] std::optional<double> largest_opening_mm(const BodyState& state) const;
   [[nodiscard]] Result<mechanics::StaticResult> whole_result(const BodyState& state) const;
   [[nodiscard]] const geometry::Surface& surface() const;
 

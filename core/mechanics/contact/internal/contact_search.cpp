@@ -18,6 +18,7 @@ const TouchingTool* pushed(const ContactTool& tool) {
 }
 
 double largest_change(const VectorXd& a, const VectorXd& b);
+std::vector<Vector3d> as_points(const VectorXd& values);
 
 // Adds a share of forces to others.
 void add(const PointForces& forces, double share, PointForces& sum) {
@@ -62,7 +63,7 @@ Result<void> ContactSearch::hold(const ContactState& before) {
   const auto solves = responses_.remember(asked);
   if (!solves) return failure(solves.error());
   report_.new_solves += *solves;
-  auto surface_mm = responses_.seen_under(force_mN_, wall_mN_, SurfaceResponses::Part::surface);
+  auto surface_mm = responses_.surface_under(force_mN_, wall_mN_);
   if (!surface_mm) return failure(std::move(surface_mm.error()));
   surface_mm_ = std::move(*surface_mm);
   for (std::size_t t = 0; t < tools_.size(); ++t) {
@@ -127,7 +128,7 @@ Result<bool> ContactSearch::round() {
   for (std::size_t t = 0; t < tools_.size(); ++t) {
     if (pushed(tools_[t]) != nullptr) next_advance_mm[static_cast<Eigen::Index>(t)] = forces_.advance[drive++];
   }
-  auto next_surface_mm = responses_.seen_under(next_mN, next_wall_mN, SurfaceResponses::Part::surface);
+  auto next_surface_mm = responses_.surface_under(next_mN, next_wall_mN);
   if (!next_surface_mm) return failure(std::move(next_surface_mm.error()));
 
   report_.movement_mm = std::max(largest_change(*next_surface_mm, surface_mm_),
@@ -229,7 +230,7 @@ Result<void> ContactSearch::set_up_columns() {
           *pull_mN * (gripped.weights[i] * unit_or_zero(grasp.direction));
     }
   }
-  const auto surface_given_mm = responses_.seen_under(given_mN_, {}, SurfaceResponses::Part::surface);
+  const auto surface_given_mm = responses_.surface_under(given_mN_, {});
   if (!surface_given_mm) return failure(surface_given_mm.error());
   const auto work = [](const Column& column, const VectorXd& moved_mm) {
     double sum = 0;
@@ -281,7 +282,7 @@ Result<void> ContactSearch::set_up_columns() {
         column.on.emplace_back(gripped.points[i], gripped.weights[i] * Vector3d::Unit(axis));
       }
       column.start_mm =
-          work(column, *surface_given_mm) - work(column, responses_.standing_seen_mm()) - (*drawn_mm)[axis];
+          work(column, *surface_given_mm) - work(column, responses_.standing_surface_mm()) - (*drawn_mm)[axis];
       columns_.push_back(std::move(column));
     }
   }
@@ -348,18 +349,18 @@ void ContactSearch::add_opening(ContactProblem& problem) const {
     if (columns_[c].wall < 0) continue;
     of_column += opening.load_of_push(columns_[c].wall, opening.normals()[columns_[c].wall]);
   }
-  problem.compliance += load.transpose() * opening.jumps_mm(load);
+  problem.compliance += load.transpose() * opening.amplitudes_mm(load);
 }
 
-Result<VectorXd> show(const SurfaceResponses& responses, SurfaceResponses::Part part, ContactState& state) {
-  auto seen_mm = responses.seen_under(state.force_mN, state.wall_mN, part);
-  if (!seen_mm) return seen_mm;
+Result<StrainRange> show(const SurfaceResponses& responses, ContactState& state) {
+  const auto seen = responses.all_under(state.force_mN, state.wall_mN);
+  if (!seen) return failure(seen.error());
   const VectorXd jumps_mm = responses.jumps_under(state.force_mN, state.wall_mN);
   state.jumps_mm.clear();
   for (Eigen::Index i = 0; i < jumps_mm.size(); i += 3) state.jumps_mm.emplace_back(jumps_mm.segment<3>(i));
-  state.surface_mm = responses.surface_mm(*seen_mm);
-  if (part == SurfaceResponses::Part::all) state.watched_mm = responses.watched_mm(*seen_mm, jumps_mm);
-  return seen_mm;
+  state.surface_mm = responses.surface_mm(*seen);
+  state.watched_mm = responses.watched_mm(*seen);
+  return responses.strain_range(responses.mesh_points_mm(*seen), jumps_mm);
 }
 
 Result<ContactState> ContactSearch::state() const {
@@ -368,9 +369,15 @@ Result<ContactState> ContactSearch::state() const {
   state.wall_mN = wall_mN_;
   std::erase_if(state.force_mN, [](const auto& item) { return item.second.norm() == 0; });
   std::erase_if(state.wall_mN, [](const auto& item) { return item.second == 0; });
-  using Part = SurfaceResponses::Part;
-  const auto seen_mm = show(responses_, options_.on_the_way ? Part::surface : Part::all, state);
-  if (!seen_mm) return failure(seen_mm.error());
+  state.report = report_;
+  if (options_.on_the_way) {
+    state.surface_mm = as_points(surface_mm_);
+  } else {
+    const auto strains = show(responses_, state);
+    if (!strains) return failure(strains.error());
+    state.report.largest_strain = strains->largest_strain;
+    state.report.inverted_cells = strains->inverted_cells;
+  }
   for (std::size_t t = 0; t < tools_.size(); ++t) {
     state.tools.push_back({tools_[t].id, Vector3d::Zero(), 0, advance_mm_[static_cast<Eigen::Index>(t)], 0});
   }
@@ -383,7 +390,8 @@ Result<ContactState> ContactSearch::state() const {
     ++contact.contacts;
     state.touched.push_back({contact.id, places_[c].rod, places_[c].points, places_[c].weights});
   }
-  for (const ContactCandidate& place : contact_candidates(responses_.surface(), tools_, advance_mm_, *seen_mm, 0.0)) {
+  for (const ContactCandidate& place :
+       contact_candidates(responses_.surface(), tools_, advance_mm_, surface_mm_, 0.0)) {
     state.tools[place.tool].penetration_mm = std::max(state.tools[place.tool].penetration_mm, -place.gap_mm);
   }
   Eigen::Index two_sided = forces_.force.size() - two_sided_;
@@ -398,21 +406,21 @@ Result<ContactState> ContactSearch::state() const {
       two_sided += 3;
     }
   }
-  state.report = report_;
-  if (!options_.on_the_way) {
-    const StrainRange strains = responses_.strain_range(*seen_mm, responses_.jumps_under(force_mN_, wall_mN_));
-    state.report.largest_strain = strains.largest_strain;
-    state.report.inverted_cells = strains.inverted_cells;
-  }
   state.report.relative_residual = responses_.relative_residual();
+  const VectorXd standing_mm = responses_.standing_surface_mm();
   for (const auto& [point, force] : state.force_mN) {
-    state.report.energy_uJ +=
-        0.5 * force.dot(state.surface_mm[point] - responses_.standing_seen_mm().segment<3>(3 * point));
+    state.report.energy_uJ += 0.5 * force.dot(state.surface_mm[point] - standing_mm.segment<3>(3 * point));
   }
   return state;
 }
 
 namespace {
+
+std::vector<Vector3d> as_points(const VectorXd& values) {
+  std::vector<Vector3d> points;
+  for (Eigen::Index i = 0; i < values.size(); i += 3) points.emplace_back(values.segment<3>(i));
+  return points;
+}
 
 double largest_change(const VectorXd& a, const VectorXd& b) {
   double squared = 0;

@@ -13,10 +13,9 @@
 
 namespace glisson::mechanics {
 
-// Gives a state the displacements that its forces make, of the surface alone or of the watched places too; and gives
-// back what was seen. Failure: "not-converged".
-[[nodiscard]] Result<Eigen::VectorXd> show(const SurfaceResponses& responses, SurfaceResponses::Part part,
-                                           ContactState& state);
+// Gives a state the displacements that its forces make, and the jumps, and tells the largest strain. Failure:
+// "not-converged".
+[[nodiscard]] Result<StrainRange> show(const SurfaceResponses& responses, ContactState& state);
 
 class ContactSearch {
  public:

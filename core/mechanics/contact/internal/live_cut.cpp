@@ -68,7 +68,7 @@ Result<std::shared_ptr<const Eigen::MatrixXf>> LiveCut::adjoints(const LiveParts
   MatrixXd jumps_mm(jumps, columns);
   for (Index c = 0; c < columns; ++c) {
     const Eigen::Vector3d unit = Eigen::Vector3d::Unit(c % 3);
-    jumps_mm.col(c) = opening.jumps_mm(opening.load_of_force(c - c % 3, unit));
+    jumps_mm.col(c) = opening.amplitudes_mm(opening.load_of_force(c - c % 3, unit));
     force_mN.col(c) += opening.force_on_nodes_mN(jumps_mm.col(c));
   }
   auto values = std::make_shared<Eigen::MatrixXf>(parts.unknowns() + jumps, columns);

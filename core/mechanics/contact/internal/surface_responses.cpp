@@ -70,8 +70,12 @@ void SurfaceResponses::see_nodes(std::size_t judged) {
     }
     if (w < judged) judged_values_ = 3 * static_cast<Eigen::Index>(seen_nodes_.size());
   }
-  for (const int node : layout.node_of_point) {
-    if (node >= 0) see(node);
+  std::vector<std::uint8_t> is_inner(layout.node_of_point.size(), 1);
+  for (const int p : mesh_point_) is_inner[static_cast<std::size_t>(p)] = 0;
+  for (std::size_t p = 0; p < is_inner.size(); ++p) {
+    if (is_inner[p] == 0 || layout.node_of_point[p] < 0) continue;
+    see(layout.node_of_point[p]);
+    inner_.push_back(static_cast<int>(p));
   }
   watched_of_seen_.resize(static_cast<Eigen::Index>(watched_.size()), static_cast<Eigen::Index>(seen_nodes_.size()));
   watched_of_seen_.setFromTriplets(values.begin(), values.end());
@@ -198,9 +202,7 @@ Result<SurfaceResponses> SurfaceResponses::opened(const CutStrip& strip, const L
   }
   SurfaceResponses next = *this;
   if (!next.opening_) {
-    SeenPart seen{[body = *this](const Eigen::MatrixXd& displacement_mm) { return body.seen_part(displacement_mm); },
-                  {}};
-    auto closed = Opening::of(model_, standing_loads, std::move(seen));
+    auto closed = Opening::of(model_, standing_loads, seen_of_cut());
     if (!closed) return failure(std::move(closed.error()));
     next.opening_ = std::move(*closed);
   }
@@ -208,26 +210,69 @@ Result<SurfaceResponses> SurfaceResponses::opened(const CutStrip& strip, const L
   if (!advanced) return failure(std::move(advanced.error()));
   next.opening_ = std::move(*advanced);
   next.open_cells_ = next.opening_->cells();
-  next.jumps_at_watched_ = next.opening_->jumps_at(watched_);
   return next;
 }
 
-VectorXd SurfaceResponses::jumps_under(const PointForces& force_mN, const WallForces& wall_mN) const {
+// The surface's points, the inner corners, and the watched places, which no nodes' values give where a cell is open.
+SeenPart SurfaceResponses::seen_of_cut() const {
+  std::vector<int> points = mesh_point_;
+  points.insert(points.end(), inner_.begin(), inner_.end());
+  std::vector<int> nodes;
+  for (const int p : points) nodes.push_back(model_.nodes().node_of_point[static_cast<std::size_t>(p)]);
+  SeenPart seen{[nodes, places = watched_, layout = model_.nodes()](const Eigen::MatrixXd& displacement_mm) {
+                  const auto corners = 3 * static_cast<Eigen::Index>(nodes.size());
+                  Eigen::MatrixXd part(corners + 3 * static_cast<Eigen::Index>(places.size()), displacement_mm.cols());
+                  for (std::size_t i = 0; i < nodes.size(); ++i) {
+                    part.middleRows<3>(3 * static_cast<Eigen::Index>(i)) =
+                        displacement_mm.middleRows<3>(3 * Eigen::Index{nodes[i]});
+                  }
+                  part.bottomRows(part.rows() - corners) = displacements_at(layout, displacement_mm, places);
+                  return part;
+                },
+                {},
+                points};
+  for (const PointInMesh& place : watched_) {
+    seen.places.push_back({3 * static_cast<Eigen::Index>(seen.points.size()), place});
+    seen.points.push_back(-1);
+  }
+  return seen;
+}
+
+VectorXd SurfaceResponses::amplitudes_under(const PointForces& force_mN, const WallForces& wall_mN) const {
   if (!opening_) return {};
   VectorXd load_mN = opening_->standing_load();
   for (const auto& [point, force] : force_mN) load_mN += opening_->load_of_force(3 * point, force);
   for (const auto& [wall, force] : wall_mN) {
     load_mN += opening_->load_of_push(static_cast<std::size_t>(wall), force * opening_->normals()[wall]);
   }
-  return opening_->jumps_mm(load_mN);
+  return opening_->amplitudes_mm(load_mN);
+}
+
+VectorXd SurfaceResponses::jumps_under(const PointForces& force_mN, const WallForces& wall_mN) const {
+  return opening_ ? opening_->jumps_mm(amplitudes_under(force_mN, wall_mN)) : VectorXd();
+}
+
+Result<VectorXd> SurfaceResponses::surface_under(const PointForces& force_mN, const WallForces& wall_mN) const {
+  auto nodes_mm = nodes_under(force_mN, Part::surface);
+  if (!nodes_mm) return nodes_mm;
+  VectorXd surface_mm = nodes_mm->head(surface_values());
+  if (opening_) surface_mm += opening_->seen_mm(amplitudes_under(force_mN, wall_mN), surface_values());
+  return surface_mm;
+}
+
+Result<SurfaceResponses::Seen> SurfaceResponses::all_under(const PointForces& force_mN,
+                                                           const WallForces& wall_mN) const {
+  auto nodes_mm = nodes_under(force_mN, Part::all);
+  if (!nodes_mm) return failure(std::move(nodes_mm.error()));
+  Seen seen{std::move(*nodes_mm), {}};
+  if (opening_) seen.by_cut_mm = opening_->seen_mm(amplitudes_under(force_mN, wall_mN));
+  return seen;
 }
 
 // The rows of surface and judged places are sums of what is remembered, so that their bits do not depend on whether the
 // others are, or are solved for.
-Result<VectorXd> SurfaceResponses::seen_under(const PointForces& force_mN, const WallForces& wall_mN, Part part) const {
+Result<VectorXd> SurfaceResponses::nodes_under(const PointForces& force_mN, Part part) const {
   const Eigen::Index rows = part == Part::surface ? judged_values_ : standing_seen_mm_.size();
-  VectorXd seen_mm = standing_seen_mm_.head(rows);
-  if (opening_) seen_mm += opening_->seen_mm(jumps_under(force_mN, wall_mN), rows);
   Eigen::VectorXf moved_mm = Eigen::VectorXf::Zero(rows);
   PointForces of_mutual_mN, unknown_mN;
   for (const auto& [point, force] : force_mN) {
@@ -244,17 +289,17 @@ Result<VectorXd> SurfaceResponses::seen_under(const PointForces& force_mN, const
       unknown_mN.emplace(point, force);
     }
   }
-  seen_mm += moved_mm.cast<double>();
+  VectorXd nodes_mm = standing_seen_mm_.head(rows) + moved_mm.cast<double>();
   if (!unknown_mN.empty()) {
     const auto rest_mm = rest_under(unknown_mN);
     if (!rest_mm) return rest_mm;
-    seen_mm.tail(rows - judged_values_) += *rest_mm;
+    nodes_mm.tail(rows - judged_values_) += *rest_mm;
   }
-  if (of_mutual_mN.empty()) return seen_mm;
+  if (of_mutual_mN.empty()) return nodes_mm;
   const std::lock_guard lock(memory_->mutex);
   const StaticModel::Responses solved = model_.respond(force_on_nodes_mN(of_mutual_mN));
   if (auto accepted = accept(solved); !accepted) return failure(std::move(accepted.error()));
-  return seen_mm + seen_part(solved.displacement_mm).col(0).head(rows);
+  return nodes_mm + seen_part(solved.displacement_mm).col(0).head(rows);
 }
 
 Result<VectorXd> SurfaceResponses::rest_under(const PointForces& force_mN) const {
@@ -291,23 +336,24 @@ VectorXd SurfaceResponses::force_on_nodes_mN(const PointForces& force_mN) const 
   return on_nodes_mN;
 }
 
-std::vector<Vector3d> SurfaceResponses::surface_mm(const VectorXd& seen_mm) const {
+std::vector<Vector3d> SurfaceResponses::surface_mm(const Seen& seen) const {
   std::vector<Vector3d> displacement_mm;
-  for (std::size_t p = 0; p < mesh_point_.size(); ++p) {
-    displacement_mm.emplace_back(seen_mm.segment<3>(3 * static_cast<Eigen::Index>(p)));
+  for (Eigen::Index row = 0; row < surface_values(); row += 3) {
+    displacement_mm.emplace_back(seen.nodes_mm.segment<3>(row));
+    if (seen.by_cut_mm.size() > 0) displacement_mm.back() += seen.by_cut_mm.segment<3>(row);
   }
   return displacement_mm;
 }
 
-std::vector<Vector3d> SurfaceResponses::watched_mm(const VectorXd& seen_mm, const VectorXd& jumps_mm) const {
+std::vector<Vector3d> SurfaceResponses::watched_mm(const Seen& seen) const {
   using Rows = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
-  const Rows rows_mm = watched_of_seen_ * Eigen::Map<const Rows>(seen_mm.data(), seen_mm.size() / 3, 3);
+  const Rows rows_mm = watched_of_seen_ * Eigen::Map<const Rows>(seen.nodes_mm.data(), seen.nodes_mm.size() / 3, 3);
+  const Eigen::Index first = surface_values() + 3 * static_cast<Eigen::Index>(inner_.size());
   std::vector<Vector3d> displacement_mm(watched_.size());
   for (std::size_t w = 0; w < watched_.size(); ++w) {
     displacement_mm[w] = rows_mm.row(static_cast<Eigen::Index>(w));
-    if (jumps_at_watched_.empty()) continue;
-    for (const auto& [jump, value] : jumps_at_watched_[w]) {
-      displacement_mm[w] += value * jumps_mm.segment<3>(3 * Eigen::Index{jump});
+    if (seen.by_cut_mm.size() > 0) {
+      displacement_mm[w] += seen.by_cut_mm.segment<3>(first + 3 * static_cast<Eigen::Index>(w));
     }
   }
   return displacement_mm;
@@ -333,20 +379,27 @@ Eigen::MatrixXd SurfaceResponses::seen_part(const Eigen::MatrixXd& displacement_
   return part;
 }
 
-std::vector<Vector3d> SurfaceResponses::mesh_points_mm(const VectorXd& seen_mm) const {
-  std::vector<Vector3d> displacement_mm;
-  for (const int node : model_.nodes().node_of_point) {
-    displacement_mm.push_back(node < 0 ? Vector3d(0, 0, 0) : Vector3d(seen_mm.segment<3>(3 * seen_of_node_[node])));
+std::vector<Vector3d> SurfaceResponses::mesh_points_mm(const Seen& seen) const {
+  std::vector<Vector3d> displacement_mm(model_.mesh().points_mm.size(), Vector3d(0, 0, 0));
+  Eigen::Index row = 0;
+  for (const auto* points : {&mesh_point_, &inner_}) {
+    for (const int p : *points) {
+      const int node = model_.nodes().node_of_point[static_cast<std::size_t>(p)];
+      Vector3d& there_mm = displacement_mm[static_cast<std::size_t>(p)];
+      there_mm = seen.nodes_mm.segment<3>(3 * Eigen::Index{seen_of_node_[static_cast<std::size_t>(node)]});
+      if (seen.by_cut_mm.size() > 0) there_mm += seen.by_cut_mm.segment<3>(row);
+      row += 3;
+    }
   }
   return displacement_mm;
 }
 
-StrainRange SurfaceResponses::strain_range(const VectorXd& seen_mm, const VectorXd& jumps_mm) const {
+StrainRange SurfaceResponses::strain_range(const std::vector<Vector3d>& points_mm, const VectorXd& jumps_mm) const {
   const geometry::TetMesh& mesh = model_.mesh();
   using Corners = Eigen::Matrix<double, 3, 4>;
   const auto corners_of = [&](std::size_t c) {
     Corners u_mm;
-    for (int i = 0; i < 4; ++i) u_mm.col(i) = seen_mm.segment<3>(3 * seen_of_node_[model_.nodes().cells[c][i]]);
+    for (int i = 0; i < 4; ++i) u_mm.col(i) = points_mm[static_cast<std::size_t>(mesh.cells[c][i])];
     return u_mm;
   };
   const auto count = [&](std::size_t c, const Corners& u_mm, StrainRange& range) {

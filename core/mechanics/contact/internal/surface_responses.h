@@ -67,30 +67,40 @@ class SurfaceResponses {
   // Between all mutual points, 3 a point, in their order.
   [[nodiscard]] const Eigen::MatrixXd& mutual_compliance() const { return mutual_compliance_; }
 
-  // Of the whole body under the standing loads.
-  [[nodiscard]] const Eigen::VectorXd& standing_seen_mm() const { return standing_seen_mm_; }
-  // The jumps of the opening (mm, 3 a point) under such forces; none: without values.
+  // The surface under the standing loads, of the whole body (mm, 3 a point).
+  [[nodiscard]] auto standing_surface_mm() const { return standing_seen_mm_.head(surface_values()); }
+  // Of the opening, the amplitudes (mm) and the jumps (mm, 3 a point) under such forces; none: without values.
+  [[nodiscard]] Eigen::VectorXd amplitudes_under(const PointForces& force_mN, const WallForces& wall_mN) const;
   [[nodiscard]] Eigen::VectorXd jumps_under(const PointForces& force_mN, const WallForces& wall_mN) const;
-  // Where what is seen lies under forces on points that are remembered or mutual, and on walls: all of it, or the
-  // rows of surface and judged places alone. Failure: "not-converged".
-  enum class Part { surface, all };
-  [[nodiscard]] Result<Eigen::VectorXd> seen_under(const PointForces& force_mN, const WallForces& wall_mN,
-                                                   Part part = Part::all) const;
+  // Where the surface lies under forces on points that are remembered or mutual, and on walls (mm, 3 a point). Failure:
+  // "not-converged".
+  [[nodiscard]] Result<Eigen::VectorXd> surface_under(const PointForces& force_mN, const WallForces& wall_mN) const;
 
-  // Of all that is seen, displacements of the surface's points, the watched places and the mesh's points.
-  [[nodiscard]] std::vector<Eigen::Vector3d> surface_mm(const Eigen::VectorXd& seen_mm) const;
-  [[nodiscard]] std::vector<Eigen::Vector3d> watched_mm(const Eigen::VectorXd& seen_mm,
-                                                        const Eigen::VectorXd& jumps_mm) const;
-  [[nodiscard]] std::vector<Eigen::Vector3d> mesh_points_mm(const Eigen::VectorXd& seen_mm) const;
-  // By the cells' corners alone: the largest mean strain of any cell, and the cells turned inside out.
-  // An open cell counts by both of its sides.
-  [[nodiscard]] StrainRange strain_range(const Eigen::VectorXd& seen_mm, const Eigen::VectorXd& jumps_mm) const;
+  // All that is seen under such forces: of nodes as if the body were whole, and what the opening adds to the surface's
+  // points, the inner corners and the watched places (without values where nothing is open). Failure: "not-converged".
+  struct Seen {
+    Eigen::VectorXd nodes_mm, by_cut_mm;
+  };
+  [[nodiscard]] Result<Seen> all_under(const PointForces& force_mN, const WallForces& wall_mN) const;
+  // Of it, displacements of the surface's points, the watched places and the mesh's points.
+  [[nodiscard]] std::vector<Eigen::Vector3d> surface_mm(const Seen& seen) const;
+  [[nodiscard]] std::vector<Eigen::Vector3d> watched_mm(const Seen& seen) const;
+  [[nodiscard]] std::vector<Eigen::Vector3d> mesh_points_mm(const Seen& seen) const;
+  // By the cells' corners alone, from the mesh's points: the largest mean strain of any cell, and the cells turned
+  // inside out. An open cell counts by both of its sides.
+  [[nodiscard]] StrainRange strain_range(const std::vector<Eigen::Vector3d>& points_mm,
+                                         const Eigen::VectorXd& jumps_mm) const;
   [[nodiscard]] double relative_residual() const;  // the worst so far
 
  private:
+  enum class Part { surface, all };                          // with the judged places
   using Response = Eigen::Matrix<float, Eigen::Dynamic, 3>;  // of what is seen, to a unit force along each axis
-  // Of several displacements of all nodes, one a column.
+  [[nodiscard]] Eigen::Index surface_values() const { return 3 * static_cast<Eigen::Index>(mesh_point_.size()); }
+  // Of several displacements of all nodes, one a column: what is seen, and what a cut moves of it.
   [[nodiscard]] Eigen::MatrixXd seen_part(const Eigen::MatrixXd& displacement_mm) const;
+  [[nodiscard]] SeenPart seen_of_cut() const;
+  // The first so many values of `nodes_mm`: those of surface and judged places, or all.
+  [[nodiscard]] Result<Eigen::VectorXd> nodes_under(const PointForces& force_mN, Part part) const;
   [[nodiscard]] StaticModel::Responses solve_group(int group) const;
   // The rest of what is seen moves by that under forces on points whose answers lack it.
   [[nodiscard]] Result<Eigen::VectorXd> rest_under(const PointForces& force_mN) const;
@@ -107,6 +117,7 @@ class SurfaceResponses {
   geometry::Surface surface_;
   std::vector<int> mesh_point_;  // of each point of the surface
   std::vector<PointInMesh> watched_;
+  std::vector<int> inner_;                                        // points of the mesh that are not of the surface
   std::vector<int> seen_nodes_, seen_of_node_;                    // -1: not seen
   Eigen::Index judged_values_ = 0;                                // rows of the surface and the judged places
   Eigen::SparseMatrix<double, Eigen::RowMajor> watched_of_seen_;  // shape functions: a row a place, a column a node
@@ -119,7 +130,6 @@ class SurfaceResponses {
 
   std::optional<Opening> opening_;
   std::vector<OpenCell> open_cells_;
-  std::vector<Opening::JumpValues> jumps_at_watched_;
 
   struct Memory {
     std::mutex mutex;                                // it grows behind it

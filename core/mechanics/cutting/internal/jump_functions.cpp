@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "mechanics/cutting/internal/crossed_faces.h"
 #include "mechanics/elements/quadrature.h"
 #include "mechanics/elements/shape_functions.h"
 #include "mechanics/potentials/stiffness_matrix.h"
@@ -42,13 +43,6 @@ Sides sides_of(const Crossing& crossing, int point) {
   return crossing.height_mm[point] > 0 ? Sides{0, -1} : Sides{1, 0};
 }
 
-// A face of the boundary that the surface crosses: its two parts as triangles, by corners in barycentric coordinates.
-struct FacePart {
-  Eigen::Matrix3d corners;  // one a column
-  double share;             // of the face's area
-  bool above;
-};
-std::vector<FacePart> parts_of(const Crossing& crossing, const BoundaryFace& face);
 // The crossed faces of the boundary that have one of the points as a corner, ascending.
 std::vector<std::size_t> faces_touching(const Body& body, const Crossing& crossing, const std::vector<int>& points);
 
@@ -284,31 +278,6 @@ double share_filled(const geometry::TetMesh& mesh, const Crossing& crossing, int
 }
 
 namespace {
-
-std::vector<FacePart> parts_of(const Crossing& crossing, const BoundaryFace& face) {
-  Vector3d height_mm;
-  for (int i = 0; i < 3; ++i) height_mm[i] = crossing.height_mm[face.points[i]];
-  const auto above = (height_mm.array() > 0).count();
-  if (above == 0 || above == 3) return {{Matrix3d::Identity(), 1.0, above == 3}};
-  int lone = 0;
-  while ((height_mm[lone] > 0) != (above == 1)) ++lone;
-  const int next = (lone + 1) % 3, last = (lone + 2) % 3;
-  const auto on_edge = [&](int a, int b) -> Vector3d {
-    const double share_of_b = height_mm[a] / (height_mm[a] - height_mm[b]);
-    return (1.0 - share_of_b) * Vector3d::Unit(a) + share_of_b * Vector3d::Unit(b);
-  };
-  const Vector3d to_next = on_edge(lone, next), to_last = on_edge(lone, last);
-  const auto part = [](const Vector3d& a, const Vector3d& b, const Vector3d& c, bool is_above) {
-    FacePart made{Matrix3d::Zero(), 0, is_above};
-    made.corners << a, b, c;
-    made.share = std::abs(made.corners.determinant());
-    return made;
-  };
-  const bool lone_above = above == 1;
-  return {part(Vector3d::Unit(lone), to_next, to_last, lone_above),
-          part(to_next, Vector3d::Unit(next), Vector3d::Unit(last), !lone_above),
-          part(to_next, Vector3d::Unit(last), to_last, !lone_above)};
-}
 
 std::vector<std::size_t> faces_touching(const Body& body, const Crossing& crossing, const std::vector<int>& points) {
   const std::vector<int> number = numbers_of(points, body.mesh.points_mm.size());

@@ -13,12 +13,14 @@
 
 namespace glisson::mechanics {
 
-// A point whose jump is open.
-struct OpenPoint {
-  int candidate;
+// A function that is open.
+struct OpenFunction {
+  int function;
   std::shared_ptr<const SurfaceInBody> along;
-  std::shared_ptr<const SolvedPoint> solved;
-  [[nodiscard]] int point() const { return along->candidates[static_cast<std::size_t>(candidate)]; }
+  std::shared_ptr<const SolvedFunction> solved;
+  Eigen::Index first;  // of its amplitudes
+  [[nodiscard]] const OpeningFunctions& of() const { return *along->functions; }
+  [[nodiscard]] int size() const { return along->functions->size; }
 };
 
 // A surface as far as it is cut.
@@ -41,9 +43,12 @@ struct Opening::State {
   SeenPart seen;
 
   std::vector<PartlyCut> cuts;
-  std::vector<OpenPoint> open;
+  std::vector<OpenFunction> open;
   Eigen::MatrixXd stiffness;                          // S without the bridges
+  Eigen::VectorXd own_stiffness;                      // the diagonal of D
   std::optional<Eigen::LLT<Eigen::MatrixXd>> factor;  // none before anything is open
+  Eigen::SparseMatrix<double> jumps;                  // of amplitudes, 3 rows a point
+  std::vector<const SurfaceInBody*> surface_of_jump;  // one a point
 
   // For callers.
   std::vector<int> points;
@@ -51,15 +56,18 @@ struct Opening::State {
   Eigen::VectorXd standing_load;
   double relative_residual = 0;
 
-  [[nodiscard]] std::vector<int> candidates_to_open(const PartlyCut& cut) const;
-  [[nodiscard]] bool meets_another_cut(const std::vector<int>& new_points, const SurfaceInBody& along) const;
-  // What is known of a candidate, solved for with its group where it was not.
-  Result<std::shared_ptr<const SolvedPoint>> solved(const SurfaceInBody& along, int candidate) const;
+  [[nodiscard]] std::vector<int> functions_to_open(const PartlyCut& cut) const;
+  [[nodiscard]] bool meets_another_cut(const std::vector<int>& functions, const SurfaceInBody& along) const;
+  // What is known of a function, solved for with its group where it was not.
+  Result<std::shared_ptr<const SolvedFunction>> solved(const SurfaceInBody& along, int function) const;
   [[nodiscard]] Result<void> solve_group(const SurfaceInBody& along, std::size_t group) const;
-  Result<void> open_points(const std::vector<int>& candidates, const std::shared_ptr<const SurfaceInBody>& along);
+  Result<void> open_functions(const std::vector<int>& functions, const std::shared_ptr<const SurfaceInBody>& along);
+  void add_points(const OpenFunction& opened);
+  void find_jumps();  // of amplitudes
   // Of each point of the mesh the number of its jump along that surface, -1: none.
   [[nodiscard]] std::vector<int> jumps_along(const SurfaceInBody& along) const;
   Result<void> factorise();
+  [[nodiscard]] bool frees_a_part() const;
 };
 
 }  // namespace glisson::mechanics

@@ -65,27 +65,29 @@ double all_area_mm2(const std::vector<WholeWall>& walls) {
 }
 
 double cut_share(const geometry::TetMesh& mesh, const Crossing& crossing, const std::vector<WholeWall>& walls,
-                 int point) {
+                 const std::vector<int>& points) {
   double all_mm2 = 0, whole_mm2 = 0;
-  for (const int c : crossing.cells_of_point[point]) {
-    const auto& corners = mesh.cells[crossing.cells[c].cell];
-    const auto local = std::find(corners.begin(), corners.end(), point) - corners.begin();
-    all_mm2 += walls[c].all_mm2[local];
-    whole_mm2 += walls[c].whole_mm2[local];
+  for (const int point : points) {
+    for (const int c : crossing.cells_of_point[point]) {
+      const auto& corners = mesh.cells[crossing.cells[c].cell];
+      const auto local = std::find(corners.begin(), corners.end(), point) - corners.begin();
+      all_mm2 += walls[c].all_mm2[local];
+      whole_mm2 += walls[c].whole_mm2[local];
+    }
   }
   return 1.0 - whole_mm2 / all_mm2;
 }
 
 void add_bridges(const Body& body, const Crossing& crossing, const std::vector<WholeWall>& walls,
-                 const std::vector<int>& number, Eigen::MatrixXd& stiffness) {
+                 const std::vector<int>& number, std::vector<Eigen::Triplet<double>>& between) {
   for (std::size_t c = 0; c < walls.size(); ++c) {
     const auto cell = static_cast<std::size_t>(crossing.cells[c].cell);
     const double bridge = body.youngs_kPa[cell] / bridged_mm(body.mesh, crossing.cells[c].cell);
     for (int i = 0; i < 4; ++i) {
       for (int j = 0; j < 4; ++j) {
         const int row = number[body.mesh.cells[cell][i]], column = number[body.mesh.cells[cell][j]];
-        if (row < 0 || column < 0) continue;
-        stiffness.block<3, 3>(3 * row, 3 * column).diagonal().array() += bridge * walls[c].products_mm2(i, j);
+        if (row < 0 || column < 0 || walls[c].products_mm2(i, j) == 0) continue;
+        between.emplace_back(row, column, bridge * walls[c].products_mm2(i, j));
       }
     }
   }

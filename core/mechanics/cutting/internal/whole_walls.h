@@ -2,6 +2,7 @@
 // What of a cut's walls still holds: the bridges before the front, and their share.
 
 #include <Eigen/Core>
+#include <Eigen/SparseCore>
 #include <utility>
 #include <vector>
 
@@ -38,13 +39,13 @@ inline constexpr double bridge_stiffness = 2.5;
 [[nodiscard]] double whole_area_mm2(const std::vector<WholeWall>& walls);
 [[nodiscard]] double all_area_mm2(const std::vector<WholeWall>& walls);
 
-// How much of a point's share of the wall is cut, between 0 and 1.
+// How much of the points' shares of the wall is cut, between 0 and 1.
 [[nodiscard]] double cut_share(const geometry::TetMesh& mesh, const Crossing& crossing,
-                               const std::vector<WholeWall>& walls, int point);
+                               const std::vector<WholeWall>& walls, const std::vector<int>& points);
 
-// Adds the springs of Young's modulus over `bridged_mm`, per area that is whole, to the stiffness of jumps; `number` is
-// of each point of the mesh its jump, -1: none.
+// The springs of Young's modulus over `bridged_mm`, per area that is whole, between jumps (mN/mm, alike along all
+// axes); `number` is of each point of the mesh its jump, -1: none.
 void add_bridges(const Body& body, const Crossing& crossing, const std::vector<WholeWall>& walls,
-                 const std::vector<int>& number, Eigen::MatrixXd& stiffness);
+                 const std::vector<int>& number, std::vector<Eigen::Triplet<double>>& between);
 
 }  // namespace glisson::mechanics

@@ -162,6 +162,31 @@ Eigen::VectorXd AffineBasis::reduce(const Eigen::VectorXd& force) const {
   return reduced_force;
 }
 
+Eigen::SparseMatrix<double> AffineBasis::columns(const std::vector<int>& handles) const {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (std::size_t h = 0; h < handles.size(); ++h) {
+    const int first = handle_size * static_cast<int>(h);
+    for (const Reach& reach : points_of_[handles[h]]) {
+      const Share& share = shares_begin(reach.point)[reach.share];
+      for (const int* place = places_of_point_.begin(reach.point); place != places_of_point_.end(reach.point);
+           ++place) {
+        const End& at = ends_[*place][ends_[*place][0].point == reach.point ? 0 : 1];
+        const Vector3d arm = share.arm + share.slope_per_mm * at.away_mm;
+        for (int axis = 0; axis < 3; ++axis) {
+          entries.emplace_back(3 * *place + axis, first + axis, at.part * share.weight);
+          for (int k = 0; k < 3; ++k) {
+            entries.emplace_back(3 * *place + axis, first + 3 * (k + 1) + axis, at.part * arm[k]);
+          }
+        }
+      }
+    }
+  }
+  Eigen::SparseMatrix<double> part(3 * static_cast<Eigen::Index>(ends_.size()),
+                                   handle_size * static_cast<Eigen::Index>(handles.size()));
+  part.setFromTriplets(entries.begin(), entries.end());
+  return part;
+}
+
 // Following leaders is what points do, but for the handles' own lengths.
 Eigen::VectorXd AffineBasis::follow(const HandleLead& lead, const Eigen::VectorXd& leaders) const {
   Eigen::VectorXd q(unknowns());

@@ -15,6 +15,7 @@
 // there are few, and points to the places of a quadratic layout.
 
 #include <Eigen/Core>
+#include <Eigen/SparseCore>
 #include <functional>
 #include <vector>
 
@@ -57,6 +58,9 @@ class AffineBasis {
   // Displacements of the places (3 each) from q; and forces on q from forces at the places: the transpose.
   [[nodiscard]] Eigen::VectorXd displacement(const Eigen::VectorXd& q) const;
   [[nodiscard]] Eigen::VectorXd reduce(const Eigen::VectorXd& force) const;
+
+  // P itself, of some handles: 3 rows a place and handle_size columns a handle.
+  [[nodiscard]] Eigen::SparseMatrix<double> columns(const std::vector<int>& handles) const;
 
   // The same body over the leaders alone: where the handles do what their leaders say, places move alike.
   [[nodiscard]] AffineBasis led_by(const HandleLead& lead) const;
