@@ -54,12 +54,11 @@ Result<Opening> Opening::advanced(const CutStrip& strip) const {
 
   const std::vector<int> functions = next->functions_to_open(*cut);
   if (next->meets_another_cut(functions, *cut->along)) {
-    return failure(
-        Error{"cuts-meet",
-              GLISSON_TEXT("The cut crosses an earlier one, whose walls would have to be divided too."),
-              {},
-              GLISSON_TEXT("Go on along the earlier cut, or keep farther away from it."),
-              {}});
+    return failure(Error{"cuts-meet",
+                         GLISSON_TEXT("The cut crosses an earlier one, whose walls would have to be divided too."),
+                         {},
+                         GLISSON_TEXT("Go on along the earlier cut, or keep farther away from it."),
+                         {}});
   }
   if (functions.empty() && whole_area_mm2(cut->walls) == whole_before_mm2) {
     return failure("cut-misses", GLISSON_TEXT("The cut opens nothing: all that lies along it is open already, held, or "
@@ -93,6 +92,7 @@ Result<bool> Opening::prepare(const CutStrip& ahead) const {
 
 const std::vector<int>& Opening::points() const { return state_->points; }
 const std::vector<Vector3d>& Opening::normals() const { return state_->normals; }
+bool Opening::is_cut(std::size_t point) const { return state_->is_cut[point] != 0; }
 const VectorXd& Opening::standing_load() const { return state_->standing_load; }
 double Opening::relative_residual() const { return state_->relative_residual; }
 
