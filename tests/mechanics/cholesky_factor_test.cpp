@@ -2,8 +2,10 @@
 
 #include "mechanics/solvers/cholesky_factor.h"
 #include "mechanics/solvers/constrained_system.h"
+#include "mechanics/solvers/dense_cholesky.h"
 
 #include <gtest/gtest.h>
+#include <cmath>
 #include <Eigen/Cholesky>
 #include <filesystem>
 #include <thread>
@@ -136,6 +138,17 @@ TEST(CholeskyFactor, InSinglePrecisionTakesLessThanHalfTheMemoryAndIsRefinedToTh
   EXPECT_LT((seen.u - wanted).norm(), 1e-5 * wanted.norm());
   // Far from one, where single precision alone would overflow or vanish.
   EXPECT_LT((single->respond(1e60 * loads, Digits::all).u - 1e60 * wanted).norm(), 1e-8 * 1e60 * wanted.norm());
+}
+
+TEST(DenseCholesky, SolvesAndRefusesWhatIsNotDefinite) {
+  const Eigen::MatrixXd half = Eigen::MatrixXd::NullaryExpr(
+      40, 40, [](Eigen::Index i, Eigen::Index j) { return std::sin(1.0 + 3.0 * double(i) + 7.0 * double(j * j)); });
+  const Eigen::MatrixXd definite = half * half.transpose() + Eigen::MatrixXd::Identity(40, 40);
+  const auto factor = DenseCholesky::of(definite);
+  ASSERT_TRUE(factor.has_value());
+  EXPECT_LT((definite * factor->solve(half.leftCols(3)) - half.leftCols(3)).norm(), 1e-9);
+  EXPECT_FALSE(DenseCholesky::of(definite - 1e3 * Eigen::MatrixXd::Identity(40, 40)).has_value());
+  EXPECT_EQ(DenseCholesky::of(Eigen::MatrixXd(0, 0))->solve(Eigen::MatrixXd(0, 2)).cols(), 2);
 }
 
 }  // namespace

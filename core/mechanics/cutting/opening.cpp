@@ -87,6 +87,7 @@ Result<bool> Opening::prepare(const CutStrip& ahead) const {
 
 const std::vector<int>& Opening::points() const { return state_->points; }
 const std::vector<Vector3d>& Opening::normals() const { return state_->normals; }
+bool Opening::is_cut(std::size_t point) const { return state_->is_cut[point] != 0; }
 const VectorXd& Opening::standing_load() const { return state_->standing_load; }
 double Opening::relative_residual() const { return state_->relative_residual; }
 

@@ -99,6 +99,8 @@ class Opening {
   // Points of the mesh whose jump is open, in the order of `jumps_mm`, and the normals of their walls, to above.
   [[nodiscard]] const std::vector<int>& points() const;
   [[nodiscard]] const std::vector<Eigen::Vector3d>& normals() const;
+  // Whether any of the wall around a point is cut: where none is, functions let it jump and bridges hold it.
+  [[nodiscard]] bool is_cut(std::size_t point) const;
   [[nodiscard]] std::vector<OpenCell> cells() const;
 
   // For those who put finite elements' functions together anew: L_i (H - H_i) at each of points(). `springs` are what

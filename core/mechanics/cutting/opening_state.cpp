@@ -203,6 +203,16 @@ void Opening::State::find_jumps() {
   jumps.setFromTriplets(entries.begin(), entries.end());
 }
 
+void Opening::State::find_what_is_cut() {
+  is_cut.assign(points.size(), 0);
+  for (const PartlyCut& cut : cuts) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (surface_of_jump[i] != cut.along.get()) continue;
+      is_cut[i] = cut_share(model.mesh(), cut.along->crossing, cut.walls, {points[i]}) > 0 ? 1 : 0;
+    }
+  }
+}
+
 std::vector<int> Opening::State::jumps_along(const SurfaceInBody& along) const {
   std::vector<int> number(model.mesh().points_mm.size(), -1);
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -212,6 +222,7 @@ std::vector<int> Opening::State::jumps_along(const SurfaceInBody& along) const {
 }
 
 Result<void> Opening::State::factorise() {
+  find_what_is_cut();
   std::vector<Eigen::Triplet<double>> alike, springs;
   for (const PartlyCut& cut : cuts) {
     add_bridges(model.body(), cut.along->crossing, cut.walls, jumps_along(*cut.along), alike);
@@ -225,20 +236,16 @@ Result<void> Opening::State::factorise() {
   bridges.setFromTriplets(springs.begin(), springs.end());
   MatrixXd bridged = stiffness;
   bridged += Eigen::SparseMatrix<double>(jumps.transpose() * bridges * jumps);
-  bool held = true;
-  // What nothing holds has no stiffness but rounding's.
+  const bool by_points = model.reduced_functions() == nullptr;
   constexpr double nothing = 1e-9;
-  if (model.reduced_functions() == nullptr) {
-    factor.emplace(bridged);
-    held = factor->info() == Eigen::Success &&
-           (factor->matrixLLT().diagonal().array().square() > nothing * bridged.diagonal().array()).all();
-  } else {
-    // Functions may describe one motion in two ways: to be factorised the diagonal is raised.
-    held = !frees_a_part();
-    bridged.diagonal() += nothing * own_stiffness;
-    factor.emplace(bridged);
-    held = held && factor->info() == Eigen::Success;
-  }
+  // Functions may describe one motion in two ways: to be factorised their diagonal is raised.
+  if (!by_points) bridged.diagonal() += nothing * own_stiffness;
+  const VectorXd stiff = bridged.diagonal();
+  factor = DenseCholesky::of(std::move(bridged));
+  // What nothing holds has no stiffness but rounding's.
+  const bool held =
+      factor &&
+      (by_points ? (factor->factor().diagonal().array().square() > nothing * stiff.array()).all() : !frees_a_part());
   if (held) return {};
   return failure(Error{"cut-frees-part",
                        GLISSON_TEXT("Nothing would hold the part that this cut separates."),

@@ -171,6 +171,7 @@ double ContactSearch::live_overlap_mm() const {
   double deepest_mm = 0;
   const VectorXd jumps_mm = responses_.jumps_under(force_mN_, wall_mN_);
   for (Eigen::Index i = 0; i < jumps_mm.size() / 3; ++i) {
+    if (!responses_.opening()->is_cut(static_cast<std::size_t>(i))) continue;
     deepest_mm = std::max(
         deepest_mm, -responses_.opening()->normals()[static_cast<std::size_t>(i)].dot(jumps_mm.segment<3>(3 * i)));
   }
@@ -263,6 +264,7 @@ Result<void> ContactSearch::set_up_columns() {
   const VectorXd jumps_given_mm = responses_.jumps_under(given_mN_, {});
   const VectorXd jumps_now_mm = responses_.jumps_under(force_mN_, wall_mN_);
   for (Eigen::Index wall = 0; wall < jumps_given_mm.size() / 3; ++wall) {
+    if (!responses_.opening()->is_cut(static_cast<std::size_t>(wall))) continue;
     const Vector3d& normal = responses_.opening()->normals()[static_cast<std::size_t>(wall)];
     const auto number = static_cast<int>(wall);
     if (normal.dot(jumps_now_mm.segment<3>(3 * wall)) > near_mm && walls_met_.count(number) == 0) continue;

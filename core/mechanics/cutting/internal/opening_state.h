@@ -1,7 +1,7 @@
 #pragma once
 // What an opening is made of.
 
-#include <Eigen/Cholesky>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -10,6 +10,7 @@
 #include "mechanics/cutting/internal/surface_in_body.h"
 #include "mechanics/cutting/internal/whole_walls.h"
 #include "mechanics/cutting/opening.h"
+#include "mechanics/solvers/dense_cholesky.h"
 
 namespace glisson::mechanics {
 
@@ -46,13 +47,14 @@ struct Opening::State {
   std::vector<OpenFunction> open;
   Eigen::MatrixXd stiffness;                          // S without the bridges
   Eigen::VectorXd own_stiffness;                      // the diagonal of D
-  std::optional<Eigen::LLT<Eigen::MatrixXd>> factor;  // none before anything is open
+  std::optional<DenseCholesky> factor;                // none before anything is open
   Eigen::SparseMatrix<double> jumps;                  // of amplitudes, 3 rows a point
   std::vector<const SurfaceInBody*> surface_of_jump;  // one a point
 
   // For callers.
   std::vector<int> points;
   std::vector<Eigen::Vector3d> normals;
+  std::vector<std::uint8_t> is_cut;
   Eigen::VectorXd standing_load;
   double relative_residual = 0;
 
@@ -64,6 +66,7 @@ struct Opening::State {
   Result<void> open_functions(const std::vector<int>& functions, const std::shared_ptr<const SurfaceInBody>& along);
   void add_points(const OpenFunction& opened);
   void find_jumps();  // of amplitudes
+  void find_what_is_cut();
   // Of each point of the mesh the number of its jump along that surface, -1: none.
   [[nodiscard]] std::vector<int> jumps_along(const SurfaceInBody& along) const;
   Result<void> factorise();
