@@ -58,14 +58,17 @@ float TissueModel::residual(float value, std::size_t voxel) const {
 }
 
 GreyContrast contrast_of_values(const std::vector<float>& values) {
-  std::vector<float> sorted;
-  std::copy_if(values.begin(), values.end(), std::back_inserter(sorted),
+  std::vector<float> finite;
+  std::copy_if(values.begin(), values.end(), std::back_inserter(finite),
                [](float value) { return std::isfinite(value); });
-  if (sorted.empty()) return {};
-  std::sort(sorted.begin(), sorted.end());
-  const std::size_t tail = sorted.size() / 50;
-  return {static_cast<double>(sorted[tail]), static_cast<double>(sorted[sorted.size() - 1 - tail]),
-          sorted.front() < sorted.back()};
+  if (finite.empty()) return {};
+  const auto [least, most] = std::minmax_element(finite.begin(), finite.end());
+  const bool has_any = *least < *most;
+  const auto tail = static_cast<std::ptrdiff_t>(finite.size() / 50);
+  const auto low = finite.begin() + tail, high = finite.end() - 1 - tail;
+  std::nth_element(finite.begin(), low, finite.end());
+  std::nth_element(low, high, finite.end());
+  return {static_cast<double>(*low), static_cast<double>(*high), has_any};
 }
 
 TissueKind tissue_kind(const std::string& unit, const GreyContrast& contrast, double brightness) {
