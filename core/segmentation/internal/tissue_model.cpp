@@ -64,11 +64,14 @@ GreyContrast contrast_of_values(const std::vector<float>& values) {
   if (finite.empty()) return {};
   const auto [least, most] = std::minmax_element(finite.begin(), finite.end());
   const bool has_any = *least < *most;
-  const auto tail = static_cast<std::ptrdiff_t>(finite.size() / 50);
-  const auto low = finite.begin() + tail, high = finite.end() - 1 - tail;
-  std::nth_element(finite.begin(), low, finite.end());
-  std::nth_element(low, high, finite.end());
-  return {static_cast<double>(*low), static_cast<double>(*high), has_any};
+  const auto ranked = [&finite](std::size_t rank) {
+    const auto at = finite.begin() + static_cast<std::ptrdiff_t>(rank);
+    std::nth_element(finite.begin(), at, finite.end());
+    return static_cast<double>(*at);
+  };
+  const std::size_t tail = finite.size() / 50;
+  const double low = ranked(tail);
+  return {low, ranked(finite.size() - 1 - tail), has_any};
 }
 
 TissueKind tissue_kind(const std::string& unit, const GreyContrast& contrast, double brightness) {
