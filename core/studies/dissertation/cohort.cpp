@@ -196,8 +196,8 @@ Result<void> write_report(const fs::path& file, const CohortSummary& summary, co
   }
   const double atlas_low_kPa = options.reference_kPa - options.reference_half_width_kPa,
                atlas_high_kPa = options.reference_kPa + options.reference_half_width_kPa;
-  distribution.bands = {{atlas_low_kPa, atlas_high_kPa, "95 % of the atlas's patients"},
-                        {summary.low_kPa, summary.high_kPa, "95 % of these patients"}};
+  distribution.bands = {{summary.low_kPa, summary.high_kPa, "95 % of these patients"},
+                        {atlas_low_kPa, atlas_high_kPa, "95 % of the atlas's patients"}};
   distribution.rules.push_back({report::Rule::Along::x, options.reference_kPa, "atlas"});
   const auto means = column_of(summary.rows, "mean_kPa");
   const auto sds = column_of(summary.rows, "sd_kPa");
