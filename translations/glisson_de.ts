@@ -7152,8 +7152,16 @@
         <translation>Keine Stelle des Bildes sieht aus wie eine Leber von der Form des Modells.</translation>
     </message>
     <message>
-        <source>The liver is what grew from the points: no shape made its border surer.</source>
-        <translation>Die Leber ist, was aus den Punkten gewachsen ist: Keine Form machte ihren Rand sicherer.</translation>
+        <source>The liver is what grew by brightness alone: no shape made its border surer.</source>
+        <translation>Die Leber ist, was nach der Helligkeit allein gewachsen ist: Keine Form machte ihren Rand sicherer.</translation>
+    </message>
+    <message>
+        <source>Point {0} on what is not liver, at ({1}) mm, lies {2} mm outside the image.</source>
+        <translation>Punkt {0} auf etwas, das nicht Leber ist, bei ({1}) mm, liegt {2} mm außerhalb des Bildes.</translation>
+    </message>
+    <message>
+        <source>Points are DICOM patient coordinates (LPS) in mm, not voxel indices.</source>
+        <translation>Punkte sind DICOM-Patientenkoordinaten (LPS) in mm, keine Voxelindizes.</translation>
     </message>
     <message>
         <source>There is nothing to undo.</source>

@@ -7152,8 +7152,16 @@
         <translation>Ningún lugar de la imagen se parece a un hígado con la forma del modelo.</translation>
     </message>
     <message>
-        <source>The liver is what grew from the points: no shape made its border surer.</source>
-        <translation>El hígado es lo que creció desde los puntos: ninguna forma hizo más seguro su borde.</translation>
+        <source>The liver is what grew by brightness alone: no shape made its border surer.</source>
+        <translation>El hígado es lo que creció solo por brillo: ninguna forma hizo más seguro su borde.</translation>
+    </message>
+    <message>
+        <source>Point {0} on what is not liver, at ({1}) mm, lies {2} mm outside the image.</source>
+        <translation>El punto {0} sobre lo que no es hígado, en ({1}) mm, está a {2} mm fuera de la imagen.</translation>
+    </message>
+    <message>
+        <source>Points are DICOM patient coordinates (LPS) in mm, not voxel indices.</source>
+        <translation>Los puntos son coordenadas DICOM del paciente (LPS) en mm, no índices de vóxeles.</translation>
     </message>
     <message>
         <source>There is nothing to undo.</source>

@@ -7152,8 +7152,16 @@
         <translation>Aucun endroit de l&apos;image ne ressemble à un foie de la forme du modèle.</translation>
     </message>
     <message>
-        <source>The liver is what grew from the points: no shape made its border surer.</source>
-        <translation>Le foie est ce qui a grandi à partir des points : aucune forme n’a rendu son bord plus sûr.</translation>
+        <source>The liver is what grew by brightness alone: no shape made its border surer.</source>
+        <translation>Le foie est ce qui a grandi par la seule luminosité : aucune forme n’a rendu son bord plus sûr.</translation>
+    </message>
+    <message>
+        <source>Point {0} on what is not liver, at ({1}) mm, lies {2} mm outside the image.</source>
+        <translation>Le point {0} sur ce qui n’est pas le foie, en ({1}) mm, est à {2} mm hors de l’image.</translation>
+    </message>
+    <message>
+        <source>Points are DICOM patient coordinates (LPS) in mm, not voxel indices.</source>
+        <translation>Les points sont des coordonnées du patient DICOM (LPS) en mm, non des indices de voxels.</translation>
     </message>
     <message>
         <source>There is nothing to undo.</source>

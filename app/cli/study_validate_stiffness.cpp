@@ -60,7 +60,7 @@ void add_study_validate_stiffness(CLI::App& study, Action& chosen) {
   map->needs(labels);
   labels->needs(map);
   command->add_option("--tests", options->tests,
-                      "CSV: material,diameter_mm,height_mm,displacement_mm,force_N and, optionally, stated_kPa");
+                      "CSV: material,diameter_mm,height_mm,displacement_mm,force_N and, optionally, stated_kPa, mean_kPa");
   command->add_option("--poisson-ratio", options->poisson_ratio, "Of the materials, for E = 2 G (1 + nu)")
       ->capture_default_str()
       ->check(CLI::Range(0.0, 0.5));

@@ -25,7 +25,7 @@ std::vector<Sentence> notes_on(const shapes::FoundLiver& found, const imaging::V
     if (!odd || doubt.kind != segmentation::GrowthDoubt::too_small) notes.push_back(doubt.sentence);
   }
   if (found.by_brightness_alone) {
-    notes.push_back({GLISSON_TEXT("The liver is what grew from the points: no shape made its border surer."), {}});
+    notes.push_back({GLISSON_TEXT("The liver is what grew by brightness alone: no shape made its border surer."), {}});
     return notes;
   }
   constexpr double half = 0.5;

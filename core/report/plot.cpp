@@ -70,6 +70,7 @@ class PlotDrawing {
     out_ = fmt::format(
         "<svg viewBox=\"0 0 {:.0f} {:.0f}\" role=\"img\" aria-label=\"{}\" font-size=\"13\" fill=\"currentColor\">\n",
         width_px, height_px, escaped(plot_.caption));
+    for (std::size_t n = 0; n < plot_.bands.size(); ++n) band(plot_.bands[n], colour_of_band(n));
     axes();
     if (plot_.histogram) bars(*plot_.histogram);
     for (std::size_t n = 0; n < plot_.boxes.size(); ++n) box(plot_.boxes[n], static_cast<double>(n + 1));
@@ -100,6 +101,10 @@ class PlotDrawing {
       y_.reach(box.high);
     }
     for (const Rule& rule : plot_.rules) (rule.axis == Rule::Along::x ? x_ : y_).reach(rule.at);
+    for (const Band& band : plot_.bands) {
+      x_.reach(band.low);
+      x_.reach(band.high);
+    }
     for (const Arrow& arrow : plot_.arrows) {
       x_.reach(arrow.x);
       x_.reach(arrow.x + arrow.dx);
@@ -123,6 +128,9 @@ class PlotDrawing {
   }
   [[nodiscard]] const char* colour_of_curve(std::size_t n) const {
     return plot_.curves[n].colour != nullptr ? plot_.curves[n].colour : colours[n % colours.size()];
+  }
+  [[nodiscard]] static const char* colour_of_band(std::size_t n) {
+    return colours[colours.size() - 1 - n % colours.size()];
   }
   [[nodiscard]] double px(double x) const { return left_px + (x - x_.low) / x_.length() * room_px_x; }
   [[nodiscard]] double py(double y) const { return height_px - bottom_px - (y - y_.low) / y_.length() * room_px_y; }
@@ -160,6 +168,11 @@ class PlotDrawing {
           "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"{}\" fill-opacity=\"0.55\"/>\n",
           left + 1, top, std::max(right - left - 2, 1.0), py(0) - top, colours[0]);
     }
+  }
+  void band(const Band& band, const char* colour) {
+    out_ += fmt::format(
+        "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"{}\" fill-opacity=\"0.2\"/>\n",
+        px(band.low), top_px, px(band.high) - px(band.low), height_px - bottom_px - top_px, colour);
   }
   void box(const Box& box, double at) {
     const std::string look = fmt::format("stroke=\"{}\" stroke-width=\"2\"", colours[0]);
@@ -214,12 +227,16 @@ class PlotDrawing {
   }
   void legend() {
     double y_px = top_px + 14;
-    for (std::size_t n = 0; n < plot_.curves.size(); ++n) {
-      if (plot_.curves[n].label.empty()) continue;
-      out_ += fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"12\" height=\"12\" fill=\"{}\"/>\n", width_px - 200,
-                          y_px - 11, colour_of_curve(n));
-      text(width_px - 182, y_px, plot_.curves[n].label, "start");
+    const auto entry = [&](const std::string& label, const char* colour, const char* opacity) {
+      if (label.empty()) return;
+      out_ += fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"12\" height=\"12\" fill=\"{}\"{}/>\n",
+                          width_px - 200, y_px - 11, colour, opacity);
+      text(width_px - 182, y_px, label, "start");
       y_px += 18;
+    };
+    for (std::size_t n = 0; n < plot_.curves.size(); ++n) entry(plot_.curves[n].label, colour_of_curve(n), "");
+    for (std::size_t n = 0; n < plot_.bands.size(); ++n) {
+      entry(plot_.bands[n].label, colour_of_band(n), " fill-opacity=\"0.4\"");
     }
   }
 

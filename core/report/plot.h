@@ -50,12 +50,19 @@ struct Rule {
   std::string label;
 };
 
+// A stretch of the x axis, behind all else; named in the legend. Each has the plot's next colour, from the last on.
+struct Band {
+  double low = 0, high = 0;
+  std::string label;
+};
+
 struct Plot {
   std::string caption, x_title, y_title;
   std::optional<Histogram> histogram = {};
   std::vector<PlotCurve> curves = {};
   std::vector<Box> boxes = {};
   std::vector<Rule> rules = {};
+  std::vector<Band> bands = {};
   std::vector<Arrow> arrows = {};  // with them or spots, a mm across is as long as a mm up
   std::vector<Spot> spots = {};
   double hottest = 0;

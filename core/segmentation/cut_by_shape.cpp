@@ -43,10 +43,6 @@ OrganLook look_of(const imaging::Volume& image, double brightness) {
 
 }  // namespace
 
-Result<void> check_points(const imaging::Volume& image, const std::vector<Vector3d>& seeds_mm) {
-  return seeds_mm.empty() ? check_image(image) : check_seeds(image, seeds_mm);
-}
-
 Result<OrganBrightness> brightness_of(const imaging::Volume& image, const ExpectedBorder& expected,
                                       const std::vector<Vector3d>& seeds_mm) {
   constexpr float surely_inside = -3;  // in log-odds

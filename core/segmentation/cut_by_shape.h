@@ -18,9 +18,6 @@ struct ShapeCutOptions {
   double seed_radius_mm = 12;      // around a seed the shape is overruled
 };
 
-// Fails with grow-bad-image (an axis shorter than three voxels) and grow-seed-outside (which, how far).
-[[nodiscard]] Result<void> check_points(const imaging::Volume& image, const std::vector<Eigen::Vector3d>& seeds_mm);
-
 // The brightness of the organ around its seeds or, without one, of what the shape holds for sure; and the scatter about
 // it of what the shape holds. Fails with "grow-seed-on-nothing" where there is no finite value.
 struct OrganBrightness {

@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 
-#include "base/result.h"
 #include "base/upper_median.h"
 #include "imaging/filters.h"
 #include "segmentation/expected_border.h"
@@ -43,6 +42,19 @@ Mask without(Mask outline, const imaging::Image<float>& seen, const Vector3d& po
 Mask without_cut_off(Mask outline, const Vector3d& middle_mm, double radius_mm, const std::vector<Vector3d>& kept_mm);
 
 }  // namespace
+
+Result<void> check_points(const imaging::Volume& image, const GivenPoints& points) {
+  if (auto checked = check_image(image); !checked) return checked;
+  if (!points.inside_mm.empty()) {
+    if (auto checked = check_seeds(image, points.inside_mm); !checked) return checked;
+  }
+  if (points.outside_mm.empty()) return {};
+  return check_seeds(image, points.outside_mm).map_error([](Error error) {
+    error.text = GLISSON_TEXT("Point {0} on what is not liver, at ({1}) mm, lies {2} mm outside the image.");
+    error.hint = GLISSON_TEXT("Points are DICOM patient coordinates (LPS) in mm, not voxel indices.");
+    return error;
+  });
+}
 
 Mask taken_off(Mask outline, const imaging::Volume& image, const GivenPoints& points) {
   GLISSON_ASSERT(imaging::same_grid(outline.grid, image.grid));

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "base/result.h"
 #include "imaging/image.h"
 
 namespace glisson::segmentation {
@@ -12,6 +13,9 @@ namespace glisson::segmentation {
 struct GivenPoints {
   std::vector<Eigen::Vector3d> inside_mm, outside_mm;  // in the organ; in what was taken for it
 };
+
+// Fails with grow-bad-image (an axis shorter than three voxels) and grow-seed-outside (which, how far).
+[[nodiscard]] Result<void> check_points(const imaging::Volume& image, const GivenPoints& points);
 
 // The outline without what lies around each point that it holds. A point in the middle of something is as far from the
 // outline's border as from the organ. So a ball of 1.3 times that radius, 3 to 30 mm, goes: where brightness tells the

@@ -69,20 +69,23 @@ Result<Start> start_of(const imaging::Volume& image, const ShapeModel& model, co
 struct Followed {
   FoundLiver found;
   ExpectedBorder expected;  // about the shape that was fitted
+  imaging::Mask outline;    // on the working grid
 };
 // What is liver is learnt at first from `outline`, on the working grid; without one, from how bright the liver is.
 Result<Followed> followed(const imaging::Volume& image, const ShapeModel& model, const std::vector<Vector3d>& seeds_mm,
                           const Start& start, std::optional<imaging::Mask> outline, const FindOptions& options,
                           const Progress& progress);
 
+// In the thickest part of what was found, where it is as bright as the organ; none where it nowhere is.
+std::optional<Vector3d> point_inside(const Followed& followed, const Start& start);
 // As much of what grew as a liver placed there can hold.
 imaging::Mask held_by(const Start& start, const imaging::Mask& grown, const FindOptions& options);
 
-// By the shape alone, and with what grew where there is that; of all the one whose border is surest.
+// By the shape alone, and with what grew: from the points or, without any, from one inside of what the shape alone
+// gives. Of all the one whose border is surest.
 Result<FoundLiver> found_by_shape(const imaging::Volume& image, const ShapeModel& model,
-                                  const std::vector<Vector3d>& seeds_mm,
-                                  const std::optional<segmentation::GrowResult>& grown, const FindOptions& options,
-                                  const Progress& progress);
+                                  const std::vector<Vector3d>& seeds_mm, std::optional<segmentation::GrowResult> grown,
+                                  const FindOptions& options, const Progress& progress);
 // The share of an outline's border that cannot be seen or, with a shape, that this expects elsewhere.
 double unsure_share(const imaging::Mask& outline, const imaging::Volume& image, const Start& start,
                     const ExpectedBorder* expected = nullptr);
@@ -91,9 +94,7 @@ double unsure_share(const imaging::Mask& outline, const imaging::Volume& image, 
 
 Result<FoundLiver> find_liver(const imaging::Volume& image, const ShapeModel& model, const GivenPoints& points,
                               const FindOptions& options, const Progress& progress) {
-  for (const auto* given_mm : {&points.inside_mm, &points.outside_mm}) {
-    if (auto checked = segmentation::check_points(image, *given_mm); !checked) return failure(checked.error());
-  }
+  if (auto checked = segmentation::check_points(image, points); !checked) return failure(checked.error());
   std::optional<segmentation::GrowResult> grown;
   if (!points.inside_mm.empty()) {
     auto growth = segmentation::grow_from_seeds(image, points.inside_mm, {}, progress.part(0, 0.2));
@@ -116,18 +117,24 @@ Result<FoundLiver> find_liver(const imaging::Volume& image, const ShapeModel& mo
 namespace {
 
 Result<FoundLiver> found_by_shape(const imaging::Volume& image, const ShapeModel& model,
-                                  const std::vector<Vector3d>& seeds_mm,
-                                  const std::optional<segmentation::GrowResult>& grown, const FindOptions& options,
-                                  const Progress& progress) {
+                                  const std::vector<Vector3d>& seeds_mm, std::optional<segmentation::GrowResult> grown,
+                                  const FindOptions& options, const Progress& progress) {
   auto start = start_of(image, model, seeds_mm, options, progress.part(0, 0.3));
   if (!start) return failure(start.error());
   const auto found_of = [](Followed&& followed) { return std::move(followed.found); };
   // A shape that is placed badly holds much else than what grew.
   if (grown) start->organ.sd = std::min(start->organ.sd, grown->tissue_sd);
-  auto best = followed(image, model, seeds_mm, *start, {}, options, progress.part(0.3, grown ? 0.6 : 1));
+  auto best = followed(image, model, seeds_mm, *start, {}, options, progress.part(0.3, 0.6));
+  if (progress.cancelled()) return cancelled();
+  if (!grown && best) {
+    if (const auto inside_mm = point_inside(*best, *start)) {
+      auto growth = segmentation::grow_from_seeds(image, {*inside_mm}, {}, progress.part(0.6, 0.7));
+      if (growth) grown = *std::move(growth);
+    }
+  }
   if (!grown || progress.cancelled()) return std::move(best).map(found_of);
   auto other =
-      followed(image, model, seeds_mm, *start, held_by(*start, grown->mask, options), options, progress.part(0.6, 1));
+      followed(image, model, seeds_mm, *start, held_by(*start, grown->mask, options), options, progress.part(0.7, 1));
   if (!other) return std::move(best).map(found_of);
   // Each lies where its own shape expects it: what the image shows tells which is better.
   const auto seen_less = [&](const FoundLiver& found) { return unsure_share(found.liver.mask, image, *start); };
@@ -135,10 +142,25 @@ Result<FoundLiver> found_by_shape(const imaging::Volume& image, const ShapeModel
   // A growth that leaked ends at borders that are seen well, where no shape expects them.
   if (unsure_share(grown->mask, image, *start, &best->expected) <
       unsure_share(best->found.liver.mask, image, *start, &best->expected)) {
-    best->found.liver = *grown;
+    best->found.liver = *std::move(grown);
     best->found.by_brightness_alone = true;
   }
   return std::move(best).map(found_of);
+}
+
+std::optional<Vector3d> point_inside(const Followed& followed, const Start& start) {
+  const std::vector<float> depth_mm = segmentation::signed_distances_mm(followed.outline);
+  std::optional<std::size_t> deepest;
+  for (std::size_t voxel = 0; voxel < depth_mm.size(); ++voxel) {
+    const double off = static_cast<double>(start.working.values[voxel]) - start.organ.mean;
+    if (followed.outline.values[voxel] == 0 || std::abs(off) > start.organ.sd) continue;
+    if (!deepest || depth_mm[voxel] < depth_mm[*deepest]) deepest = voxel;
+  }
+  if (!deepest) return std::nullopt;
+  const imaging::Grid& grid = followed.outline.grid;
+  const auto nx = static_cast<std::size_t>(grid.size[0]), ny = static_cast<std::size_t>(grid.size[1]);
+  return grid.position_mm(static_cast<int>(*deepest % nx), static_cast<int>(*deepest / nx % ny),
+                          static_cast<int>(*deepest / (nx * ny)));
 }
 
 Result<Start> start_of(const imaging::Volume& image, const ShapeModel& model, const std::vector<Vector3d>& seeds_mm,
@@ -190,7 +212,7 @@ Result<Followed> followed(const imaging::Volume& image, const ShapeModel& model,
   found.placing_score = start.placing.score;
   found.seen_fraction = following.seen_fraction;
   progress.report(1, GLISSON_TEXT("Smoothing the outline"));
-  return Followed{std::move(found), std::move(expected)};
+  return Followed{std::move(found), std::move(expected), *std::move(outline)};
 }
 
 imaging::Mask held_by(const Start& start, const imaging::Mask& grown, const FindOptions& options) {

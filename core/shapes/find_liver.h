@@ -36,7 +36,7 @@ struct FindOptions {
 
 struct FoundLiver {
   segmentation::GrowResult liver;
-  bool by_brightness_alone = false;  // it is what grew from the points: no shape had a surer border
+  bool by_brightness_alone = false;  // it is what grew: no shape had a surer border
   ShapeFit fit;                      // without points where no shape was found
   double placing_score = 0;          // Placing::score
   double seen_fraction = 0;          // of the shape's surface: where the image shows a border by itself
@@ -45,8 +45,9 @@ struct FoundLiver {
 // The model's mean is placed by a search (model_placing.h). In rounds: the shape is fitted to the borders that the
 // image shows by itself near it (shape_fit.h; searched along normals, Cootes et al. 1995). Brightness and the border
 // that the shape expects, with its deviation, are cut together (segmentation/cut_by_shape.h), from which both sides'
-// brightness is learnt anew. At last the border is put on the image's own grid. Where a point inside is given, what
-// grows from it (grow.h) is a second start, and a third answer; that with the surest border (unsure_border.h) is taken.
+// brightness is learnt anew. At last the border is put on the image's own grid. What grows (grow.h) from the points
+// inside or, without any, from one in the middle of what was found, is a second start, and a third answer; that with
+// the surest border (unsure_border.h) is taken.
 // What lies around points outside is taken off it at last (taken_off.h). Deterministic, whatever the number of threads.
 //
 // Fails with "grow-seed-outside" (a point beside the image). Where nothing grows, fails as place_model() and

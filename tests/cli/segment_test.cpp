@@ -40,6 +40,7 @@ class Segment : public testing::Test {
 };
 
 const char* const in_the_portal_vein = "-53.2,-179.7,-788.5";
+const char* const in_the_liver = "-110,-170,-785";
 
 TEST_F(Segment, AVesselIsGrownInsideOfTheLiverAndTakenOutOfIt) {
   const double everywhere_ml = segment("portal-vein", {"--seed", in_the_portal_vein}).at("volume_ml").get<double>();
@@ -77,6 +78,30 @@ TEST_F(Segment, GreyValuesAreTakenInsideOfAStructure) {
   const Finished none = run("nothing", {"--range", "5000,6000"});
   EXPECT_EQ(none.exit_code, 1);
   EXPECT_THAT(none.err, HasSubstr("grey value"));
+}
+
+// The network's outline judges what is found without a point. A click takes off what lies around it, and nothing else.
+TEST_F(Segment, ALiverIsFoundWithoutAPointAndAClickTakesOffWhatIsNotIt) {
+  segment("by-network", {"--unite", "liver"});
+  const double found_ml = segment("liver", {}).at("volume_ml").get<double>();
+  segment("found", {"--unite", "liver"});
+  const double both_ml = segment("by-network", {"--intersect", "found"}).at("volume_ml").get<double>();
+  EXPECT_GT(2 * both_ml / (found_ml + liver_ml_), 0.9);
+
+  const double left_ml = segment("liver", {"--not", in_the_liver}).at("volume_ml").get<double>();
+  EXPECT_LT(left_ml, found_ml - 1);
+  EXPECT_GT(left_ml, 0.5 * found_ml);
+  EXPECT_DOUBLE_EQ(segment("found", {"--intersect", "liver"}).at("volume_ml").get<double>(), left_ml);
+}
+
+TEST_F(Segment, AClickOnWhatIsNotLiverIsOfTheLiverAndInTheImage) {
+  const Finished outside = run("liver", {"--seed", in_the_liver, "--not", "0,0,0"});
+  EXPECT_EQ(outside.exit_code, 1);
+  EXPECT_THAT(outside.err, HasSubstr("Point 1 on what is not liver, at (0.0, 0.0, 0.0) mm, lies 765.5 mm outside"));
+  EXPECT_THAT(run("liver", {"--seed", "0,0,0", "--not", in_the_liver}).err, HasSubstr("Seed 1 at (0.0, 0.0, 0.0) mm"));
+  EXPECT_EQ(run("spleen", {"--not", in_the_liver}).exit_code, 2);
+  EXPECT_EQ(run("liver", {"--not", in_the_liver, "--tubes"}).exit_code, 2);
+  EXPECT_THAT(run("liver", {"--not", "1,2"}).err, HasSubstr("--not"));
 }
 
 // TotalSegmentator's own map of this CT, as it would write it: its names and volumes come in, whatever had the names.

@@ -40,6 +40,21 @@ TEST(Plot, DrawsEachBarPointBoxAndRuleInsideItsFrame) {
   }
 }
 
+TEST(Plot, BandsLieBehindBarsAndAreNamed) {
+  Plot plot;
+  plot.histogram = Histogram{{0, 1, 2}, {5, 2}};
+  plot.bands = {{0.5, 4, "95 % of <them>"}};
+  const std::string svg = svg_of(plot);
+  EXPECT_EQ(count(svg, "<rect"), 1u + 2u + 1u);
+  EXPECT_LT(svg.find("fill-opacity=\"0.2\""), svg.find("fill-opacity=\"0.55\""));
+  EXPECT_THAT(svg, HasSubstr(">95 % of &lt;them&gt;<"));
+  const std::regex band("x=\"([0-9.]+)\"[^/]* width=\"([0-9.]+)\"[^/]*fill-opacity=\"0.2\"");
+  std::smatch found;
+  ASSERT_TRUE(std::regex_search(svg, found, band));
+  EXPECT_GT(std::stod(found[1]), 70);
+  EXPECT_LE(std::stod(found[1]) + std::stod(found[2]), 620.1);  // the axis reaches over it
+}
+
 TEST(Plot, CurvesWithoutExtentAreFramesWithoutNonsense) {
   for (const auto& points : {std::vector<std::pair<double, double>>{{1, 0}}, {{0, 0}, {0, 0}}}) {
     Plot plot{"", "time (s)", "a & b"};

@@ -121,14 +121,14 @@ TEST(TuningImages, DicomCt) {
         judged(image, segmentation::resample(segmentation::mask_of_label(labels, liver_label), image.grid)));
 }
 
-// Every fourth liver for judging, from the first on; the looks take turns.
-TEST(JudgedImages, SimulatedAroundRealLivers) {
+// Every fourth liver of a half, from the first on; the looks take turns.
+void simulated_around_every_fourth(bool for_tuning) {
   GLISSON_NEEDS_DATA("livers_couinaud");
   if (!has_model()) GTEST_SKIP() << "set GLISSON_SHAPE_MODEL";
   std::vector<double> grown, seed, one_more, two_more, none;
   unsigned number = 0;
   for (const studies::ShapesLiver& liver : studies::shapes_livers(test::shared_data() / "livers_couinaud")) {
-    if (liver.for_tuning || number++ % 4 != 0) continue;
+    if (liver.for_tuning != for_tuning || number++ % 4 != 0) continue;
     const auto outline = outline_of(imaging::read_labels_file(liver.file).value());
     if (!outline || outline->cut_off_at != nullptr) continue;
     const auto looks = static_cast<test::Looks>(number / 4 % 4);
@@ -147,5 +147,7 @@ TEST(JudgedImages, SimulatedAroundRealLivers) {
   print_summary("two clicks more", two_more);
   print_summary("no point", none);
 }
+TEST(JudgedImages, SimulatedAroundRealLivers) { simulated_around_every_fourth(false); }
+TEST(TuningImages, SimulatedAroundRealLivers) { simulated_around_every_fourth(true); }
 
 }  // namespace glisson::shapes

@@ -51,6 +51,8 @@ TEST(Cohort, CountsPatientsAgainstTheReferenceBody) {
   }
   const std::string page = read_text_file(folder.path() / "out" / "report.html").value();
   EXPECT_THAT(page, HasSubstr("<svg"));
+  EXPECT_THAT(page, HasSubstr("95 % of the atlas&#39;s patients"));
+  EXPECT_THAT(page, HasSubstr("95 % of these patients"));
 }
 
 TEST(Cohort, TheSimulatedOneFollowsTheReportedFiguresAndSaysWhatItIs) {

@@ -9,6 +9,7 @@
 #include <QPushButton>
 #include <QtTest>
 
+#include "kept_pictures.h"
 #include "run_test.h"
 #include "segment_workspace.h"
 #include "widgets/segment/unsure_places.h"
@@ -162,6 +163,9 @@ class SegmentStructuresTest : public SegmentWorkspace {
       add->menu()->findChild<QAction*>("outline_with_program")->trigger();
       settle();
     };
+    settings.show();
+    QVERIFY(settings.grab().save(glisson::test::kept_picture("settings-program.png")));
+    settings.hide();
     outline();
     QCOMPARE(panel_->editor().structures().size(), std::size_t(2));
     QCOMPARE(test::voxels_of(folder_, "liver"), segmentation::voxel_count(test::ball_mask(15)));
@@ -230,6 +234,8 @@ class SegmentStructuresTest : public SegmentWorkspace {
     QCOMPARE(points.inside_mm.size(), std::size_t(1));
     QCOMPARE(points.outside_mm.size(), std::size_t(1));
     QVERIFY(!grow->isEnabled());
+    QTest::qWait(1500);  // until the views have drawn
+    QVERIFY(window_->grab().save(glisson::test::kept_picture("segment-not-liver.png")));
     click({12, 0}, Qt::NoModifier);
     QVERIFY(points.outside_mm.empty() && points.inside_mm.size() == 1);
     QVERIFY(grow->isEnabled());

@@ -12,15 +12,16 @@
 namespace glisson::widgets {
 namespace {
 
-constexpr scene::Colour pencil{1.0, 0.93, 0.35}, refusing{1.0, 0.45, 0.35};
+constexpr scene::Colour pencil{1.0, 0.93, 0.35}, refusing{1.0, 0.15, 0.15};
 constexpr double near_mm = 3, arm_mm = 3.5;  // of a point: from how near a slice it is seen, and how large its mark is
 constexpr std::size_t minimum_outline = 3;
 
-// At the points that the slice shows, or that lie near it.
-scene::DrawnLines crosses(const SliceView& view, const std::vector<Eigen::Vector3d>& points_mm,
-                          const scene::Colour& colour) {
-  scene::DrawnLines lines{{}, colour, 2.0};
-  const Eigen::Vector3d normal = view.normal(), across = normal.unitOrthogonal(), along = normal.cross(across);
+// At the points that the slice shows, or that lie near it: upright inside, and slanted outside, since outlines may be
+// red too.
+scene::DrawnLines crosses(const SliceView& view, const std::vector<Eigen::Vector3d>& points_mm, bool outside) {
+  scene::DrawnLines lines{{}, outside ? refusing : pencil, 2.0};
+  const Eigen::Vector3d normal = view.normal(), right = normal.unitOrthogonal(), up = normal.cross(right);
+  const Eigen::Vector3d across = outside ? (right + up).normalized() : right, along = normal.cross(across);
   for (const Eigen::Vector3d& point_mm : points_mm) {
     const double off_mm = normal.dot(point_mm - view.crosshair_mm());
     if (std::abs(off_mm) > near_mm) continue;
@@ -251,9 +252,9 @@ void SliceTools::sketch(SliceView* view, const QPointF& at) {
     lines.push_back(std::move(path));
   }
   if (tool_ == Tool::seeds) {
-    for (auto& [points_mm, colour] :
-         {std::pair(&points_.inside_mm, pencil), std::pair(&points_.outside_mm, refusing)}) {
-      if (scene::DrawnLines marks = crosses(*view, *points_mm, colour); !marks.ends_mm.empty()) {
+    for (const bool outside : {false, true}) {
+      const auto& points_mm = outside ? points_.outside_mm : points_.inside_mm;
+      if (scene::DrawnLines marks = crosses(*view, points_mm, outside); !marks.ends_mm.empty()) {
         lines.push_back(std::move(marks));
       }
     }

@@ -58,14 +58,20 @@ float TissueModel::residual(float value, std::size_t voxel) const {
 }
 
 GreyContrast contrast_of_values(const std::vector<float>& values) {
-  std::vector<float> sorted;
-  std::copy_if(values.begin(), values.end(), std::back_inserter(sorted),
+  std::vector<float> finite;
+  std::copy_if(values.begin(), values.end(), std::back_inserter(finite),
                [](float value) { return std::isfinite(value); });
-  if (sorted.empty()) return {};
-  std::sort(sorted.begin(), sorted.end());
-  const std::size_t tail = sorted.size() / 50;
-  return {static_cast<double>(sorted[tail]), static_cast<double>(sorted[sorted.size() - 1 - tail]),
-          sorted.front() < sorted.back()};
+  if (finite.empty()) return {};
+  const auto [least, most] = std::minmax_element(finite.begin(), finite.end());
+  const bool has_any = *least < *most;
+  const auto ranked = [&finite](std::size_t rank) {
+    const auto at = finite.begin() + static_cast<std::ptrdiff_t>(rank);
+    std::nth_element(finite.begin(), at, finite.end());
+    return static_cast<double>(*at);
+  };
+  const std::size_t tail = finite.size() / 50;
+  const double low = ranked(tail);
+  return {low, ranked(finite.size() - 1 - tail), has_any};
 }
 
 TissueKind tissue_kind(const std::string& unit, const GreyContrast& contrast, double brightness) {

@@ -194,6 +194,10 @@ Result<void> write_report(const fs::path& file, const CohortSummary& summary, co
     distribution.histogram->heights.push_back(static_cast<double>(bin.patients));
     if (bin.patients > 0) binned.points.emplace_back(0.5 * (bin.low_kPa + bin.high_kPa), bin.mean_sd_kPa);
   }
+  const double atlas_low_kPa = options.reference_kPa - options.reference_half_width_kPa,
+               atlas_high_kPa = options.reference_kPa + options.reference_half_width_kPa;
+  distribution.bands = {{summary.low_kPa, summary.high_kPa, "95 % of these patients"},
+                        {atlas_low_kPa, atlas_high_kPa, "95 % of the atlas's patients"}};
   distribution.rules.push_back({report::Rule::Along::x, options.reference_kPa, "atlas"});
   const auto means = column_of(summary.rows, "mean_kPa");
   const auto sds = column_of(summary.rows, "sd_kPa");
@@ -209,7 +213,8 @@ Result<void> write_report(const fs::path& file, const CohortSummary& summary, co
       report::Paragraph{fmt::format(
           "The patients' mean shear stiffness is {:.2f} kPa on average (median {:.2f}, sd {:.2f}); 95 % lie between "
           "{:.2f} and {:.2f} kPa. {:.0f} % lie within {:.1f} kPa of the median and {:.0f} % within it of the atlas's "
-          "{:.1f} kPa; the upper limit is {:.1f} times the atlas's. Within a patient stiffness varies more the stiffer "
+          "{:.1f} kPa, where 95 % of the atlas's lie; the upper limit is {:.1f} times the atlas's. Within a patient "
+          "stiffness varies more the stiffer "
           "the patient: rank correlation {:.2f}.",
           summary.mean_kPa, summary.median_kPa, summary.sd_kPa, summary.low_kPa, summary.high_kPa,
           100 * summary.like_reference_fraction, options.reference_half_width_kPa, 100 * summary.in_reference_fraction,

@@ -24,6 +24,8 @@ namespace {
 constexpr double rounding = 0.02;
 
 void note_contradictions(const std::vector<CompressedSample>& samples, std::vector<std::string>& notes);
+// Where what is stated agrees and what the samples' own figures give does not.
+void note_disagreement(const MaterialAgreement& material, std::vector<std::string>& notes);
 Result<void> write_outcome(const fs::path& out, const StiffnessValidation& validation,
                            const std::vector<CompressedSample>& samples);
 
@@ -51,8 +53,13 @@ Result<std::vector<CompressedSample>> read_samples(const fs::path& file) {
                                   read("force_N", [](auto&s, double v) { s.force_mN = units::mN_from_N(v); })}) {
     if (!done) return failure(Error{done.error()}.in_file(file));
   }
+  const auto known = [](double value) { return std::isfinite(value) ? value : 0; };
   if (table->column("stated_kPa")) {
-    auto done = read("stated_kPa", [](auto& s, double v) { s.stated_kPa = std::isfinite(v) ? v : 0; });
+    auto done = read("stated_kPa", [&](auto& s, double v) { s.stated_kPa = known(v); });
+    if (!done) return failure(done.error());
+  }
+  if (table->column("mean_kPa")) {
+    auto done = read("mean_kPa", [&](auto& s, double v) { s.mean_kPa = known(v); });
     if (!done) return failure(done.error());
   }
   for (std::size_t row = 0; row < samples.size(); ++row) {
@@ -118,9 +125,11 @@ Result<StiffnessValidation> validate_stiffness(const std::vector<MreRegion>& reg
   for (const MreRegion& region : regions) {
     std::vector<double> moduli;
     std::vector<double> stated;
+    double mean_kPa = 0;
     for (const CompressedSample& sample : samples) {
       if (sample.material != region.material) continue;
       moduli.push_back(sample.youngs_kPa());
+      if (sample.mean_kPa > 0) mean_kPa = sample.mean_kPa;
       if (sample.stated_kPa > 0) stated.push_back(sample.stated_kPa);
     }
     const auto machine = elastography::statistics_of(moduli);
@@ -138,11 +147,20 @@ Result<StiffnessValidation> validate_stiffness(const std::vector<MreRegion>& reg
     agreement.machine_low_kPa = machine->min;
     agreement.machine_high_kPa = machine->max;
     agreement.samples = machine->voxels;
-    if (stated.size() == moduli.size()) {
-      agreement.stated_kPa = elastography::statistics_of(std::move(stated)).value().median;
+    const double median_kPa =
+        stated.size() == moduli.size() ? elastography::statistics_of(std::move(stated)).value().median : 0.0;
+    agreement.stated_kPa = mean_kPa > 0 ? mean_kPa : median_kPa;
+    if (agreement.stated_kPa > 0) {
       agreement.stated_difference_percent = 100 * (agreement.mre_kPa / agreement.stated_kPa - 1);
     }
+    if (mean_kPa > 0 && median_kPa > 0 && std::abs(mean_kPa / median_kPa - 1) > rounding) {
+      validation.notes.push_back(
+          fmt::format("Material {}: {:.2f} kPa is stated of it, while the median of what is stated of its samples is "
+                      "{:.2f} kPa.",
+                      region.material, mean_kPa, median_kPa));
+    }
     agreement.difference_percent = 100 * (agreement.mre_kPa - agreement.machine_kPa) / agreement.machine_kPa;
+    note_disagreement(agreement, validation.notes);
     validation.largest_difference_percent =
         std::max(validation.largest_difference_percent, std::abs(agreement.difference_percent));
     validation.materials.push_back(std::move(agreement));
@@ -165,6 +183,18 @@ void note_contradictions(const std::vector<CompressedSample>& samples, std::vect
   }
 }
 
+void note_disagreement(const MaterialAgreement& material, std::vector<std::string>& notes) {
+  constexpr double agrees_percent = 10;
+  if (!(material.stated_kPa > 0) || std::abs(material.stated_difference_percent) > agrees_percent ||
+      std::abs(material.difference_percent) <= agrees_percent) {
+    return;
+  }
+  notes.push_back(
+      fmt::format("Material {}: MRE is {:+.0f} % off what is stated, but {:+.0f} % off what its samples' own forces, "
+                  "ways and sizes give.",
+                  material.material, material.stated_difference_percent, material.difference_percent));
+}
+
 Result<void> write_outcome(const fs::path& out, const StiffnessValidation& validation,
                            const std::vector<CompressedSample>& samples) {
   std::string csv = "material,mre_kPa,machine_median_kPa,machine_min_kPa,machine_max_kPa,samples,difference_percent\n";
@@ -173,7 +203,8 @@ Result<void> write_outcome(const fs::path& out, const StiffnessValidation& valid
                 {"notes", validation.notes}};
   report::Table table{
       "MRE against the testing machine. The machine's value is the median of its samples, each from its own "
-      "force, way and size; stated is the median of what the machine's program gave.",
+      "force, way and size; stated is what is reported of the material, or the median of what the machine's "
+      "program gave.",
       {"Material", "MRE (kPa)", "Machine (kPa)", "Samples", "Range (kPa)", "Difference", "Stated (kPa)",
        "Difference from stated"},
       {}};

@@ -15,13 +15,14 @@ struct CompressedSample {
   std::string material;
   double diameter_mm = 0, height_mm = 0, displacement_mm = 0, force_mN = 0;
   double stated_kPa = 0;  // what the testing machine's program gave; 0 where it is not known
+  double mean_kPa = 0;    // what is reported of all of the material's samples together; 0 where nothing is
 
   [[nodiscard]] double youngs_kPa() const;
 };
 
 // A CSV file with the columns material (1, 2, ...), diameter_mm, height_mm, displacement_mm, force_N and, optionally,
-// stated_kPa. Fails as read_csv does, with "csv-no-such-column", or with "samples-impossible" (a size, way or force
-// that is not positive).
+// stated_kPa and mean_kPa. Fails as read_csv does, with "csv-no-such-column", or with "samples-impossible" (a size, way
+// or force that is not positive).
 Result<std::vector<CompressedSample>> read_samples(const std::filesystem::path& file);
 
 // What MRE says of a material: the mean Young's modulus of its region.
@@ -46,7 +47,8 @@ struct MaterialAgreement {
   double machine_low_kPa = 0, machine_high_kPa = 0;
   std::size_t samples = 0;
   double difference_percent = 0;  // of the machine's value
-  // The same with the moduli that the testing machine's program stated; 0 where it did not for every sample.
+  // The same with what is stated: of the material or, without that, the median of what is of each sample; 0 where
+  // neither is known.
   double stated_kPa = 0, stated_difference_percent = 0;
 };
 struct StiffnessValidation {
