@@ -7183,6 +7183,18 @@
         <source>With large deformations the organ stiffens as it is strained (Veronda and Westmann&apos;s law, strain_stiffening {0}); with small ones it does not.</source>
         <translation>Bei großen Verformungen versteift sich das Organ mit der Dehnung (Gesetz von Veronda und Westmann, strain_stiffening {0}), bei kleinen nicht.</translation>
     </message>
+    <message>
+        <source>Only bent by {0} mm (rms) does the organ lie where it was seen: it is another organ, the cloud is mirrored, or the guess is far off.</source>
+        <translation>Nur um {0} mm (quadratisches Mittel) verbogen liegt das Organ dort, wo es gesehen wurde: Es ist ein anderes Organ, die Punktwolke ist gespiegelt, oder die Schätzung liegt weit daneben.</translation>
+    </message>
+    <message>
+        <source>The feature {0} lies {1} mm from the organ at rest: it is of another organ, or in another frame than the mesh.</source>
+        <translation>Das Merkmal {0} liegt {1} mm vom Organ in Ruhe entfernt: Es gehört zu einem anderen Organ, oder zu einem anderen Koordinatensystem als das Netz.</translation>
+    </message>
+    <message>
+        <source>The feature {0} lies {1} mm from where all else that is seen has it: the features contradict each other or the cloud. Is each named rightly?</source>
+        <translation>Das Merkmal {0} liegt {1} mm von dort, wo alles andere Gesehene es erwarten lässt: Die Merkmale widersprechen einander oder der Punktwolke. Ist jedes richtig benannt?</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

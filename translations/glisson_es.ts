@@ -7183,6 +7183,18 @@
         <source>With large deformations the organ stiffens as it is strained (Veronda and Westmann&apos;s law, strain_stiffening {0}); with small ones it does not.</source>
         <translation>Con deformaciones grandes el órgano se endurece al deformarse (ley de Veronda y Westmann, strain_stiffening {0}); con pequeñas, no.</translation>
     </message>
+    <message>
+        <source>Only bent by {0} mm (rms) does the organ lie where it was seen: it is another organ, the cloud is mirrored, or the guess is far off.</source>
+        <translation>Solo deformado en {0} mm (media cuadrática) queda el órgano donde se vio: es otro órgano, la nube está reflejada o la estimación está muy lejos.</translation>
+    </message>
+    <message>
+        <source>The feature {0} lies {1} mm from the organ at rest: it is of another organ, or in another frame than the mesh.</source>
+        <translation>El rasgo {0} está a {1} mm del órgano en reposo: es de otro órgano, o está en otro sistema de coordenadas que la malla.</translation>
+    </message>
+    <message>
+        <source>The feature {0} lies {1} mm from where all else that is seen has it: the features contradict each other or the cloud. Is each named rightly?</source>
+        <translation>El rasgo {0} está a {1} mm de donde lo sitúa todo lo demás que se ve: los rasgos se contradicen entre sí o con la nube. ¿Tiene cada uno su nombre correcto?</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

@@ -7183,6 +7183,18 @@
         <source>With large deformations the organ stiffens as it is strained (Veronda and Westmann&apos;s law, strain_stiffening {0}); with small ones it does not.</source>
         <translation>Avec de grandes déformations, l’organe se raidit (loi de Veronda et Westmann, strain_stiffening {0}) ; avec de petites, non.</translation>
     </message>
+    <message>
+        <source>Only bent by {0} mm (rms) does the organ lie where it was seen: it is another organ, the cloud is mirrored, or the guess is far off.</source>
+        <translation>Ce n’est que déformé de {0} mm (moyenne quadratique) que l’organe se trouve là où il a été vu : c’est un autre organe, le nuage est en miroir, ou l’estimation est loin de la vérité.</translation>
+    </message>
+    <message>
+        <source>The feature {0} lies {1} mm from the organ at rest: it is of another organ, or in another frame than the mesh.</source>
+        <translation>Le repère {0} se trouve à {1} mm de l’organe au repos : il est d’un autre organe, ou dans un autre système de coordonnées que le maillage.</translation>
+    </message>
+    <message>
+        <source>The feature {0} lies {1} mm from where all else that is seen has it: the features contradict each other or the cloud. Is each named rightly?</source>
+        <translation>Le repère {0} se trouve à {1} mm de là où le place tout le reste de ce qui est vu : les repères se contredisent ou contredisent le nuage. Chacun est-il bien nommé ?</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

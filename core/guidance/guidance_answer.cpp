@@ -1,5 +1,6 @@
 #include "guidance/guidance_answer.h"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <limits>
 #include <map>
@@ -7,6 +8,7 @@
 #include "base/json.h"
 #include "base/stopwatch.h"
 #include "base/units.h"
+#include "base/upper_median.h"
 #include "base/write_file.h"
 #include "geometry/mesh_file.h"
 #include "geometry/nearest.h"
@@ -38,6 +40,19 @@ std::optional<Sentence> problem_of(const SeenFrame& frame, const geometry::Surfa
   }
   if (seen_mm > 5 * organ_mm) {
     return Sentence{GLISSON_TEXT("What was seen is five times larger than the organ: lengths are in mm."), {}};
+  }
+  if (frame.curves.empty()) return std::nullopt;
+  constexpr double beside_organ_mm = 30;
+  const geometry::SurfaceDistance distance(organ);
+  for (const SeenCurve& curve : frame.curves) {
+    std::vector<double> off_mm;
+    for (const Vector3d& place : curve.at_rest_mm) off_mm.push_back(distance.closest(place).distance_mm);
+    const double median_mm = upper_median(off_mm);
+    if (median_mm < beside_organ_mm) continue;
+    return Sentence{
+        GLISSON_TEXT("The feature {0} lies {1} mm from the organ at rest: it is of another organ, or in another "
+                     "frame than the mesh."),
+        {curve.id, fmt::format("{:.0f}", median_mm)}};
   }
   return std::nullopt;
 }

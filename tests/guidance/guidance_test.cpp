@@ -150,6 +150,41 @@ TEST_F(BadGuidance, ACloudInMetresIsNotAnswered) {
   EXPECT_TRUE(answered->frames[0].placement.target_mm.empty());
 }
 
+// Names exchanged, each line is seen where the other one is.
+TEST(Guidance, FeaturesThatContradictEachOtherAreNotAnswered) {
+  GLISSON_NEEDS_DATA("guidance_examples");
+  for (const char* example : {"example-b", "example-c"}) {
+    auto guidance = read_guidance(test::shared_data() / "guidance_examples" / example / "guidance.json").value();
+    guidance.frames.resize(1);
+    auto& curves = guidance.frames[0].curves;
+    ASSERT_GE(curves.size(), 2u);
+    std::swap(curves[0].seen_mm, curves[1].seen_mm);
+    const auto answered = answer(guidance).value();
+    EXPECT_FALSE(answered.frames[0].placement.converged) << example;
+    EXPECT_FALSE(answered.frames[0].placement.why_not.message().empty());
+    EXPECT_TRUE(answer_json(guidance, answered)["frames"][0]["targets"].empty());
+  }
+}
+
+TEST(Guidance, ALiverSeenInAMirrorIsNotAnsweredThoughAGuessIsGiven) {
+  GLISSON_NEEDS_DATA("guidance_examples");
+  auto guidance = read_guidance(test::shared_data() / "guidance_examples/example-b/guidance.json").value();
+  guidance.frames.resize(1);
+  guidance.frames[0].curves.clear();
+  for (Vector3d& point : guidance.frames[0].points_mm) point[0] = -point[0];
+  const auto answered = answer(guidance).value();
+  EXPECT_FALSE(answered.frames[0].placement.converged);
+}
+
+TEST(Guidance, AFeatureOfAnotherLiverIsNotAnswered) {
+  GLISSON_NEEDS_DATA("guidance_examples");
+  auto guidance = read_guidance(test::shared_data() / "guidance_examples/example-d/guidance.json").value();
+  guidance.mesh = read_guidance(test::shared_data() / "guidance_examples/example-b/guidance.json").value().mesh;
+  guidance.youngs_kPa.assign(guidance.mesh.cells.size(), 5.0);
+  const auto answered = answer(guidance).value();
+  EXPECT_THAT(answered.frames[0].placement.why_not.message(), ::testing::HasSubstr("from the organ at rest"));
+}
+
 TEST_F(BadGuidance, AMirroringPoseAnUnknownFeatureAndAFrameWithoutAnyHintAreRefused) {
   Json mirrored = document();
   mirrored["frames"][0]["pose_guess"][0] = -1;

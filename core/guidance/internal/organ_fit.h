@@ -72,6 +72,7 @@ struct OrganFit {
   SeenRows seen;  // where the last round ended
 
  private:
+  [[nodiscard]] Sentence what_contradicts(double visible_share) const;
   void move_pose(const Eigen::Vector3d& shift_mm, const Eigen::Vector3d& turn);
   [[nodiscard]] geometry::NearestPoint seen_in_scan() const;
   [[nodiscard]] double visible_share(const geometry::NearestPoint& cloud,

@@ -101,18 +101,21 @@ void SeenEquations::add_curve_rows(const Isometry3d& back, const std::vector<Vec
     const geometry::NearestPoint nearest(line_mm);
     const double noise_mm = std::max(curve.seen->noise_mm, curve_error_mm);
     const double trusted_mm = std::max(noise_mm, 0.5 * look.widest_mm), share = share_of(curve.seen->seen_mm, look);
+    std::vector<double> off_mm;
     for (const Vector3d& point : curve.seen->seen_mm) {
       const auto on_line = nearest.nearest(back * point);
+      off_mm.push_back(std::sqrt(on_line.squared_distance_mm2));
       const auto i = static_cast<std::size_t>(on_line.point);
       const Vector3d tangent = (line_mm[std::min(i + 1, line_mm.size() - 1)] - line_mm[i > 0 ? i - 1 : 0]).normalized();
+      if (tangent.isZero()) continue;  // places of an organ that the curve does not belong to fall together
       const Vector3d across = tangent.unitOrthogonal();
       const mechanics::PointInMesh& place = curve.at_rest[i];
       for (const Vector3d& direction : {across, Vector3d(tangent.cross(across))}) {
         seen.rows.push_back({modes_.mesh().cells[static_cast<std::size_t>(place.cell)], place.barycentric, direction,
-                             back * point, noise_mm, robust_weight(std::sqrt(on_line.squared_distance_mm2), trusted_mm),
-                             share});
+                             back * point, noise_mm, robust_weight(off_mm.back(), trusted_mm), share});
       }
     }
+    seen.curve_off_mm.push_back(off_mm.empty() ? 0 : upper_median(off_mm));
   }
 }
 

@@ -17,10 +17,11 @@ namespace glisson::guidance {
 
 struct SeenRows {
   std::vector<SeenRow> rows;
-  std::vector<double> off_mm;  // of each point of the cloud, in any direction
-  double noise_mm = 1;         // of the cloud, as found: from what was stated up to what was allowed
-  double trusted_share = 0;    // of the cloud
-  double rms_mm = 0;           // of the trusted points, along the normal
+  std::vector<double> off_mm;        // of each point of the cloud, in any direction
+  double noise_mm = 1;               // of the cloud, as found: from what was stated up to what was allowed
+  double trusted_share = 0;          // of the cloud
+  double rms_mm = 0;                 // of the trusted points, along the normal
+  std::vector<double> curve_off_mm;  // of each of the frame's curves: median distance from where the organ has it
 };
 
 // How the organ is looked at.

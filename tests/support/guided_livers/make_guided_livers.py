@@ -1,10 +1,11 @@
 #!/usr/bin/python3
-"""Makes guidance cases of real livers, SIMULATED: make_guided_livers.py OUT --livers LiTS-10,LiTS-12 [--kinds a,b,d] [--seed N]
+"""Makes guidance cases of real livers, SIMULATED: make_guided_livers.py OUT --livers LiTS-10,LiTS-12 [--kinds a,b,d] [--seed N] [--whole]
 
 Each is a folder with guidance.json and truth.json as guidance_judge.py reads them. CalculiX (C3D10, NLGEOM, neo-Hookean)
 moves the liver on a mesh of its own: a back on springs, a place that is held, patches that are moved, gravity turned.
 a: a stylus' swabs, the back pushed; b: a laparoscope's cloud, gravity and a retractor; d: a lobe mobilised and turned;
 t: a laparoscope's cloud, one place pulled by a tool of known place whose force is asked for, the support declared.
+--whole: the same organs, moved alike, whose whole surface is seen: what the hidden side costs.
 """
 
 import argparse
@@ -280,7 +281,7 @@ def write_table(file, points, ids=None):
     file.write_text(("id," if ids else "") + "x_mm,y_mm,z_mm\n" + "\n".join(rows) + "\n")
 
 
-def make(folder, liver, kind, seed):
+def make(folder, liver, kind, seed, whole):
     if (folder / "truth.json").exists():
         return
     rng = np.random.default_rng([seed, ord(kind), *map(ord, liver)])
@@ -315,7 +316,10 @@ def make(folder, liver, kind, seed):
         towards = organ.nearest(middle + 60 * away) * 0.5 + 0.5 * middle + rng.normal(0, 20, 3)
         distance = 500 if kind == "a" else 160 + np.ptp(organ.points @ away) / 2
         faces, weights, share = seen_from(towards + distance * away, organ, now, rng, 12 if kind == "a" else 27, towards)
-        if kind == "a":
+        if whole:
+            faces, share = rng.choice(len(organ.faces), 3500, p=organ.face_area / organ.face_area.sum()), 1.0
+            weights = rng.dirichlet([1, 1, 1], len(faces))
+        if kind == "a" and not whole:
             places = np.einsum("nk,nkd->nd", weights, now[organ.faces[faces]])
             lines = [places[rng.integers(len(places))] for _ in range(8)]
             near = np.min([np.linalg.norm(np.cross(places - a, unit(b - a)), axis=1) for a, b in zip(lines[::2], lines[1::2])], axis=0)
@@ -383,11 +387,12 @@ def main():
     words.add_argument("--livers", required=True)
     words.add_argument("--kinds", default="a,b,d,t")
     words.add_argument("--seed", type=int, default=1)
+    words.add_argument("--whole", action="store_true")
     asked = words.parse_args()
     for liver in asked.livers.split(","):
         for kind in asked.kinds.split(","):
             try:
-                make(asked.out / f"{liver}-{kind}{asked.seed}", liver, kind, asked.seed)
+                make(asked.out / f"{liver}-{kind}{asked.seed}", liver, kind, asked.seed, asked.whole)
             except RuntimeError as error:
                 print(f"{liver}-{kind}{asked.seed}: {error}", file=sys.stderr, flush=True)
 
