@@ -4844,10 +4844,6 @@
         <translation>Der Schnitt kreuzt einen früheren, dessen Wände auch geteilt werden müssten.</translation>
     </message>
     <message>
-        <source>Go on along the earlier cut, or keep a cell&apos;s distance from it.</source>
-        <translation>Führen Sie den früheren Schnitt weiter, oder halten Sie eine Zelle Abstand von ihm.</translation>
-    </message>
-    <message>
         <source>The cut opens nothing: all that lies along it is open already, held, or outside of the body.</source>
         <translation>Der Schnitt öffnet nichts: Alles entlang davon ist schon offen, festgehalten oder außerhalb des Körpers.</translation>
     </message>
@@ -7112,14 +7108,6 @@
         <translation>Nehmen Sie weniger Knoten, oder lassen Sie `simulate` für sie lösen.</translation>
     </message>
     <message>
-        <source>By the meshfree engine nothing is cut in the hand.</source>
-        <translation>Mit dem netzfreien Verfahren wird in der Hand nicht geschnitten.</translation>
-    </message>
-    <message>
-        <source>Take finite elements, or let `simulate` cut.</source>
-        <translation>Nehmen Sie finite Elemente, oder lassen Sie `simulate` schneiden.</translation>
-    </message>
-    <message>
         <source>The liver was found without a point: look at it before you trust it, and give a point inside it where it is wrong.</source>
         <translation>Die Leber wurde ohne Punkt gefunden: Sehen Sie sie an, bevor Sie ihr trauen, und geben Sie, wo sie falsch ist, einen Punkt in ihr an.</translation>
     </message>
@@ -7194,6 +7182,10 @@
     <message>
         <source>The feature {0} lies {1} mm from where all else that is seen has it: the features contradict each other or the cloud. Is each named rightly?</source>
         <translation>Das Merkmal {0} liegt {1} mm von dort, wo alles andere Gesehene es erwarten lässt: Die Merkmale widersprechen einander oder der Punktwolke. Ist jedes richtig benannt?</translation>
+    </message>
+    <message>
+        <source>Go on along the earlier cut, or keep farther away from it.</source>
+        <translation>Setzen Sie den früheren Schnitt fort, oder halten Sie mehr Abstand von ihm.</translation>
     </message>
 </context>
 <context>
@@ -7294,8 +7286,8 @@
         <translation>Planen Sie in Resektion eine Ebene und behalten Sie den Plan, um hier daran entlang zu schneiden.</translation>
     </message>
     <message>
-        <source>By the meshfree engine nothing is cut in the hand: choose other deformations above.</source>
-        <translation>Mit dem netzfreien Verfahren wird in der Hand nicht geschnitten: Wählen Sie oben andere Verformungen.</translation>
+        <source>By finite elements: %1 mm.</source>
+        <translation>Nach finiten Elementen: %1 mm.</translation>
     </message>
 </context>
 <context>

@@ -4844,10 +4844,6 @@
         <translation>El corte cruza otro anterior, cuyas paredes también habría que dividir.</translation>
     </message>
     <message>
-        <source>Go on along the earlier cut, or keep a cell&apos;s distance from it.</source>
-        <translation>Continúe el corte anterior o manténgase a una celda de distancia.</translation>
-    </message>
-    <message>
         <source>The cut opens nothing: all that lies along it is open already, held, or outside of the body.</source>
         <translation>El corte no abre nada: todo a lo largo de él ya está abierto, está fijo o queda fuera del cuerpo.</translation>
     </message>
@@ -7112,14 +7108,6 @@
         <translation>Tome menos nodos, o deje que `simulate` los resuelva.</translation>
     </message>
     <message>
-        <source>By the meshfree engine nothing is cut in the hand.</source>
-        <translation>Con el método sin malla no se corta en la mano.</translation>
-    </message>
-    <message>
-        <source>Take finite elements, or let `simulate` cut.</source>
-        <translation>Tome elementos finitos, o deje que `simulate` corte.</translation>
-    </message>
-    <message>
         <source>The liver was found without a point: look at it before you trust it, and give a point inside it where it is wrong.</source>
         <translation>El hígado se ha encontrado sin ningún punto: mírelo antes de fiarse de él y, donde esté mal, indique un punto en su interior.</translation>
     </message>
@@ -7194,6 +7182,10 @@
     <message>
         <source>The feature {0} lies {1} mm from where all else that is seen has it: the features contradict each other or the cloud. Is each named rightly?</source>
         <translation>El rasgo {0} está a {1} mm de donde lo sitúa todo lo demás que se ve: los rasgos se contradicen entre sí o con la nube. ¿Tiene cada uno su nombre correcto?</translation>
+    </message>
+    <message>
+        <source>Go on along the earlier cut, or keep farther away from it.</source>
+        <translation>Continúe por el corte anterior o manténgase más lejos de él.</translation>
     </message>
 </context>
 <context>
@@ -7294,8 +7286,8 @@
         <translation>Planifique un plano en Resección y conserve el plan para cortar aquí según él.</translation>
     </message>
     <message>
-        <source>By the meshfree engine nothing is cut in the hand: choose other deformations above.</source>
-        <translation>Con el método sin malla no se corta en la mano: elija otras deformaciones arriba.</translation>
+        <source>By finite elements: %1 mm.</source>
+        <translation>Por elementos finitos: %1 mm.</translation>
     </message>
 </context>
 <context>

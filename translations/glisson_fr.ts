@@ -4844,10 +4844,6 @@
         <translation>La coupe croise une coupe précédente, dont les parois devraient aussi être divisées.</translation>
     </message>
     <message>
-        <source>Go on along the earlier cut, or keep a cell&apos;s distance from it.</source>
-        <translation>Poursuivez la coupe précédente, ou restez à une cellule de distance.</translation>
-    </message>
-    <message>
         <source>The cut opens nothing: all that lies along it is open already, held, or outside of the body.</source>
         <translation>La coupe n’ouvre rien : tout ce qui s’y trouve est déjà ouvert, fixé ou hors du corps.</translation>
     </message>
@@ -7112,14 +7108,6 @@
         <translation>Prenez moins de nœuds, ou laissez `simulate` les résoudre.</translation>
     </message>
     <message>
-        <source>By the meshfree engine nothing is cut in the hand.</source>
-        <translation>Avec la méthode sans maillage, on ne coupe pas en main.</translation>
-    </message>
-    <message>
-        <source>Take finite elements, or let `simulate` cut.</source>
-        <translation>Prenez les éléments finis, ou laissez `simulate` couper.</translation>
-    </message>
-    <message>
         <source>The liver was found without a point: look at it before you trust it, and give a point inside it where it is wrong.</source>
         <translation>Le foie a été trouvé sans point : regardez-le avant de vous y fier et, là où il est faux, indiquez un point à l&apos;intérieur.</translation>
     </message>
@@ -7194,6 +7182,10 @@
     <message>
         <source>The feature {0} lies {1} mm from where all else that is seen has it: the features contradict each other or the cloud. Is each named rightly?</source>
         <translation>Le repère {0} se trouve à {1} mm de là où le place tout le reste de ce qui est vu : les repères se contredisent ou contredisent le nuage. Chacun est-il bien nommé ?</translation>
+    </message>
+    <message>
+        <source>Go on along the earlier cut, or keep farther away from it.</source>
+        <translation>Poursuivez la coupe précédente, ou restez plus loin d’elle.</translation>
     </message>
 </context>
 <context>
@@ -7294,8 +7286,8 @@
         <translation>Planifiez un plan de coupe dans Résection et gardez-le, pour couper ici en le suivant.</translation>
     </message>
     <message>
-        <source>By the meshfree engine nothing is cut in the hand: choose other deformations above.</source>
-        <translation>Avec la méthode sans maillage, on ne coupe pas en main : choisissez d&apos;autres déformations ci-dessus.</translation>
+        <source>By finite elements: %1 mm.</source>
+        <translation>Par éléments finis : %1 mm.</translation>
     </message>
 </context>
 <context>
