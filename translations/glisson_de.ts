@@ -7282,8 +7282,8 @@
         <translation>Der geplante Schnitt ist %1 mm lang. Noch ist nichts geschnitten.</translation>
     </message>
     <message>
-        <source>Plan a plane in Resect and keep the plan, to cut along it here.</source>
-        <translation>Planen Sie in Resektion eine Ebene und behalten Sie den Plan, um hier daran entlang zu schneiden.</translation>
+        <source>Plan a plane or a sheet in Resect and keep the plan, to cut along it here.</source>
+        <translation>Planen Sie in Resektion eine Ebene oder eine Fläche und behalten Sie den Plan, um hier daran entlang zu schneiden.</translation>
     </message>
     <message>
         <source>By finite elements: %1 mm.</source>

@@ -7282,8 +7282,8 @@
         <translation>El corte planificado mide %1 mm. Aún no se ha cortado nada.</translation>
     </message>
     <message>
-        <source>Plan a plane in Resect and keep the plan, to cut along it here.</source>
-        <translation>Planifique un plano en Resección y conserve el plan para cortar aquí según él.</translation>
+        <source>Plan a plane or a sheet in Resect and keep the plan, to cut along it here.</source>
+        <translation>Planifique un plano o una superficie en Resección y conserve el plan, para cortar aquí a lo largo de él.</translation>
     </message>
     <message>
         <source>By finite elements: %1 mm.</source>

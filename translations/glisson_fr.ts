@@ -7282,8 +7282,8 @@
         <translation>La coupe prévue mesure %1 mm. Rien n’est encore coupé.</translation>
     </message>
     <message>
-        <source>Plan a plane in Resect and keep the plan, to cut along it here.</source>
-        <translation>Planifiez un plan de coupe dans Résection et gardez-le, pour couper ici en le suivant.</translation>
+        <source>Plan a plane or a sheet in Resect and keep the plan, to cut along it here.</source>
+        <translation>Planifiez un plan ou une surface dans Résection et gardez ce plan, pour couper ici le long de lui.</translation>
     </message>
     <message>
         <source>By finite elements: %1 mm.</source>

@@ -69,7 +69,8 @@ void AdvanceControls::show_state() {
   const auto& state = rehearsal_.state();
   QString text;
   if (!course_) {
-    text = why_not_ ? translated(*why_not_) : tr("Plan a plane in Resect and keep the plan, to cut along it here.");
+    text = why_not_ ? translated(*why_not_)
+                    : tr("Plan a plane or a sheet in Resect and keep the plan, to cut along it here.");
   } else if (!rigid) {
     text = tr("Tick the rigid tool above, to cut while tools hold the liver.");
   } else if (state && state->cut) {
