@@ -357,12 +357,10 @@ void ContactSearch::add_opening(ContactProblem& problem) const {
 Result<StrainRange> show(const SurfaceResponses& responses, ContactState& state) {
   const auto seen = responses.all_under(state.force_mN, state.wall_mN);
   if (!seen) return failure(seen.error());
-  const VectorXd jumps_mm = responses.jumps_under(state.force_mN, state.wall_mN);
-  state.jumps_mm.clear();
-  for (Eigen::Index i = 0; i < jumps_mm.size(); i += 3) state.jumps_mm.emplace_back(jumps_mm.segment<3>(i));
+  state.jumps_mm = as_points(seen->jumps_mm);
   state.surface_mm = responses.surface_mm(*seen);
   state.watched_mm = responses.watched_mm(*seen);
-  return responses.strain_range(responses.mesh_points_mm(*seen), jumps_mm);
+  return responses.strain_range(responses.mesh_points_mm(*seen), seen->jumps_mm);
 }
 
 Result<ContactState> ContactSearch::state() const {

@@ -91,22 +91,21 @@ Result<int> SurfaceResponses::remember(const std::vector<int>& points) const {
 Result<bool> SurfaceResponses::remember_ahead(const PointForces& bearing_mN,
                                               const std::vector<Vector3d>& places_mm) const {
   const std::lock_guard lock(memory_->mutex);
-  Part part = Part::surface;
-  const int group = group_ahead(bearing_mN, places_mm, part);
-  if (group < 0) return false;
+  const auto ahead = group_ahead(bearing_mN, places_mm);
+  if (!ahead) return false;
+  const auto& [group, part] = *ahead;
   return keep(group, solve_group(group), part).map([] { return true; });
 }
 
-int SurfaceResponses::group_ahead(const PointForces& bearing_mN, const std::vector<Vector3d>& places_mm,
-                                  Part& part) const {
+std::optional<std::pair<int, SurfaceResponses::Part>> SurfaceResponses::group_ahead(
+    const PointForces& bearing_mN, const std::vector<Vector3d>& places_mm) const {
   if (memory_->rest_bytes < most_rest_bytes) {
     for (const auto& [point, force] : bearing_mN) {
       if (mutual_of_point_[point] >= 0 || knows_all(point)) continue;
-      part = Part::all;
-      return group_of_point_[point];
+      return std::pair(group_of_point_[point], Part::all);
     }
   }
-  if (memory_->surface_bytes >= most_surface_bytes) return -1;
+  if (memory_->surface_bytes >= most_surface_bytes) return {};
   int nearest = -1;
   double nearest_mm = 0;
   for (std::size_t p = 0; p < mesh_point_.size(); ++p) {
@@ -120,8 +119,8 @@ int SurfaceResponses::group_ahead(const PointForces& bearing_mN, const std::vect
     nearest = group_of_point_[p];
     nearest_mm = away_mm;
   }
-  part = Part::surface;
-  return nearest;
+  if (nearest < 0) return {};
+  return std::pair(nearest, Part::surface);
 }
 
 StaticModel::Responses SurfaceResponses::solve_group(int group) const {
@@ -142,8 +141,9 @@ Result<void> SurfaceResponses::keep(int group, const StaticModel::Responses& sol
   for (std::size_t i = 0; i < groups_[group].size(); ++i) {
     auto& known = memory_->responses[groups_[group][i]];
     const std::size_t bytes_a_row = 3 * sizeof(float);
+    const Eigen::Index rest_known = known ? known->rows() - judged_values_ : 0;
     if (!known) memory_->surface_bytes += bytes_a_row * static_cast<std::size_t>(judged_values_);
-    memory_->rest_bytes += bytes_a_row * static_cast<std::size_t>(rows - judged_values_);
+    memory_->rest_bytes += bytes_a_row * static_cast<std::size_t>(rows - judged_values_ - rest_known);
     known = solved.displacement_mm.block(0, 3 * static_cast<Eigen::Index>(i), rows, 3).cast<float>();
   }
   return {};
@@ -203,8 +203,11 @@ Result<SurfaceResponses::Seen> SurfaceResponses::all_under(const PointForces& fo
                                                            const WallForces& wall_mN) const {
   auto nodes_mm = nodes_under(force_mN, Part::all);
   if (!nodes_mm) return failure(std::move(nodes_mm.error()));
-  Seen seen{std::move(*nodes_mm), {}};
-  if (opening_) seen.by_cut_mm = opening_->seen_mm(amplitudes_under(force_mN, wall_mN));
+  Seen seen{std::move(*nodes_mm), {}, {}};
+  if (!opening_) return seen;
+  const VectorXd amplitudes_mm = amplitudes_under(force_mN, wall_mN);
+  seen.by_cut_mm = opening_->seen_mm(amplitudes_mm);
+  seen.jumps_mm = opening_->jumps_mm(amplitudes_mm);
   return seen;
 }
 

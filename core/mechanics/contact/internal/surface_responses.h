@@ -77,9 +77,10 @@ class SurfaceResponses {
   [[nodiscard]] Result<Eigen::VectorXd> surface_under(const PointForces& force_mN, const WallForces& wall_mN) const;
 
   // All that is seen under such forces: of nodes as if the body were whole, and what the opening adds to the surface's
-  // points, the inner corners and the watched places (without values where nothing is open). Failure: "not-converged".
+  // points, the inner corners and the watched places, with its jumps (without values where nothing is open). Failure:
+  // "not-converged".
   struct Seen {
-    Eigen::VectorXd nodes_mm, by_cut_mm;
+    Eigen::VectorXd nodes_mm, by_cut_mm, jumps_mm;
   };
   [[nodiscard]] Result<Seen> all_under(const PointForces& force_mN, const WallForces& wall_mN) const;
   // Of it, displacements of the surface's points, the watched places and the mesh's points.
@@ -106,8 +107,9 @@ class SurfaceResponses {
   [[nodiscard]] Result<Eigen::VectorXd> rest_under(const PointForces& force_mN) const;
   [[nodiscard]] Result<void> keep(int group, const StaticModel::Responses& solved, Part part) const;
   [[nodiscard]] bool knows_all(int point) const;
-  [[nodiscard]] int group_ahead(const PointForces& bearing_mN, const std::vector<Eigen::Vector3d>& places_mm,
-                                Part& part) const;  // -1: none
+  // With how much of its answer.
+  [[nodiscard]] std::optional<std::pair<int, Part>> group_ahead(const PointForces& bearing_mN,
+                                                                const std::vector<Eigen::Vector3d>& places_mm) const;
   [[nodiscard]] Eigen::VectorXd force_on_nodes_mN(const PointForces& force_mN) const;
   Result<void> accept(const StaticModel::Responses& solved) const;
   void see_nodes(std::size_t judged);
