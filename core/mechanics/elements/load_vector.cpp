@@ -35,11 +35,9 @@ Result<Eigen::VectorXd> load_vector(const geometry::TetMesh& mesh, const NodeLay
       if (!std::isfinite(tool->radius_mm) || tool->radius_mm <= 0) {
         return invalid(which, GLISSON_TEXT("The tool of load {0} needs a radius above zero."));
       }
-      const auto touched = faces_within(boundary, tool->center_mm, tool->radius_mm);
+      const auto touched = spread(*tool, boundary);
       if (!touched) return failure(touched.error());
-      double area_mm2 = 0;
-      for (const std::size_t f : *touched) area_mm2 += boundary[f].area_mm2;
-      for (const std::size_t f : *touched) add_traction(boundary[f], tool->force_mN / area_mm2, force_mN);
+      for (const std::size_t f : touched->faces) add_traction(boundary[f], touched->traction_kPa, force_mN);
     } else if (const auto* pressure = std::get_if<PressureLoad>(&loads[l])) {
       if (!std::isfinite(pressure->pressure_kPa))
         return invalid(which, GLISSON_TEXT("The pressure of load {0} is not a finite number."));
@@ -52,6 +50,14 @@ Result<Eigen::VectorXd> load_vector(const geometry::TetMesh& mesh, const NodeLay
     }
   }
   return force_mN;
+}
+
+Result<SpreadForce> spread(const ToolLoad& tool, const std::vector<BoundaryFace>& boundary) {
+  return faces_within(boundary, tool.center_mm, tool.radius_mm).map([&](std::vector<std::size_t> faces) {
+    double area_mm2 = 0;
+    for (const std::size_t f : faces) area_mm2 += boundary[f].area_mm2;
+    return SpreadForce{std::move(faces), tool.force_mN / area_mm2};
+  });
 }
 
 Result<AppliedLoads> applied_loads(const Body& body, const Loads& loads, PressureKind kind) {

@@ -18,7 +18,15 @@ Result<Eigen::VectorXd> load_vector(const geometry::TetMesh& mesh, const NodeLay
                                     const std::vector<BoundaryFace>& boundary, double density_kg_mm3,
                                     const Loads& loads);
 
-// The same, apart: what stays as it is, and the pressure of the gas that follows the surface (follower_pressure.h).
+// A tool's force spread evenly over the faces of the boundary that it touches. Failure: "tool-touches-nothing".
+struct SpreadForce {
+  std::vector<std::size_t> faces;  // ascending
+  Eigen::Vector3d traction_kPa;
+};
+Result<SpreadForce> spread(const ToolLoad& tool, const std::vector<BoundaryFace>& boundary);
+
+// The loads on a body, apart: what stays as it is, and the pressure of the gas that follows the surface
+// (follower_pressure.h).
 struct AppliedLoads {
   Eigen::VectorXd dead_mN;
   double follower_pressure_kPa = 0;

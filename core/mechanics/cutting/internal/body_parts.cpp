@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mechanics/cutting/internal/crossed_faces.h"
+#include "mechanics/elements/load_vector.h"
 #include "mechanics/elements/quadrature.h"
 #include "mechanics/elements/shape_functions.h"
 #include "mechanics/potentials/stiffness_matrix.h"
@@ -101,13 +102,9 @@ VectorXd BodyParts::load_mN(Side side, const Loads& loads) const {
   VectorXd force_mN = VectorXd::Zero(3 * Index{body_.layout.nodes()});
   for (const Load& load : loads) {
     if (const auto* tool = std::get_if<ToolLoad>(&load)) {
-      const auto touched = faces_within(body_.boundary, tool->center_mm, tool->radius_mm);
+      const auto touched = spread(*tool, body_.boundary);
       if (!touched) continue;
-      double area_mm2 = 0;
-      for (const std::size_t f : *touched) area_mm2 += body_.boundary[f].area_mm2;
-      for (const std::size_t f : *touched) {
-        add_traction(body_.boundary[f], side, tool->force_mN / area_mm2, force_mN);
-      }
+      for (const std::size_t f : touched->faces) add_traction(body_.boundary[f], side, touched->traction_kPa, force_mN);
     } else if (const auto* pressure = std::get_if<PressureLoad>(&load)) {
       for (const BoundaryFace& face : body_.boundary) {
         add_traction(face, side, -pressure->pressure_kPa * face.normal, force_mN);

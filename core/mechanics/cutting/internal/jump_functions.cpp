@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "mechanics/cutting/internal/crossed_faces.h"
+#include "mechanics/elements/load_vector.h"
 #include "mechanics/elements/quadrature.h"
 #include "mechanics/elements/shape_functions.h"
 #include "mechanics/potentials/stiffness_matrix.h"
@@ -211,12 +212,10 @@ VectorXd load_on(const Body& body, const Crossing& crossing, const Loads& loads,
   const std::vector<int> cells = cells_around(crossing, points);
   for (const Load& load : loads) {
     if (const auto* tool = std::get_if<ToolLoad>(&load)) {
-      const auto touched = faces_within(body.boundary, tool->center_mm, tool->radius_mm);
+      const auto touched = spread(*tool, body.boundary);
       if (!touched) continue;
-      double area_mm2 = 0;
-      for (const std::size_t f : *touched) area_mm2 += body.boundary[f].area_mm2;
-      for (const std::size_t f : *touched) {
-        if (std::binary_search(touching.begin(), touching.end(), f)) add_to_face(f, tool->force_mN / area_mm2);
+      for (const std::size_t f : touched->faces) {
+        if (std::binary_search(touching.begin(), touching.end(), f)) add_to_face(f, touched->traction_kPa);
       }
     } else if (const auto* pressure = std::get_if<PressureLoad>(&load)) {
       for (const std::size_t f : touching) add_to_face(f, -pressure->pressure_kPa * body.boundary[f].normal);
