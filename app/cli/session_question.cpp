@@ -56,11 +56,10 @@ Result<SessionQuestion> question_of(const SessionSource& source, bool with_struc
     law.strain_stiffening = *source.strain_stiffening;
     question->setup.patient_stiffening.reset();
   }
-  if (law.law == mechanics::MaterialLaw::veronda_westmann && law.strain_stiffening == 0 &&
-      question->setup.patient_stiffening) {
+  if (law.law != mechanics::MaterialLaw::veronda_westmann || law.strain_stiffening != 0) return question;
+  if (question->setup.patient_stiffening) {
     law.strain_stiffening = *question->setup.patient_stiffening;
-  }
-  if (law.law == mechanics::MaterialLaw::veronda_westmann && law.strain_stiffening == 0) {
+  } else {
     law.strain_stiffening = 3;
     question->remarks.emplace_back(
         "Nobody said how soon the liver stiffens with strain: strain_stiffening 3 is assumed.");

@@ -62,8 +62,8 @@ GreyContrast contrast_of_values(const std::vector<float>& values) {
   std::copy_if(values.begin(), values.end(), std::back_inserter(finite),
                [](float value) { return std::isfinite(value); });
   if (finite.empty()) return {};
-  const auto [least, most] = std::minmax_element(finite.begin(), finite.end());
-  const bool has_any = *least < *most;
+  const auto [minimum, maximum] = std::minmax_element(finite.begin(), finite.end());
+  const bool has_any = *minimum < *maximum;
   const auto ranked = [&finite](std::size_t rank) {
     const auto at = finite.begin() + static_cast<std::ptrdiff_t>(rank);
     std::nth_element(finite.begin(), at, finite.end());
