@@ -7283,7 +7283,7 @@
     </message>
     <message>
         <source>Plan a plane or a sheet in Resect and keep the plan, to cut along it here.</source>
-        <translation>Planen Sie in Resektion eine Ebene oder eine Fläche und behalten Sie den Plan, um hier daran entlang zu schneiden.</translation>
+        <translation>Behalten Sie in Resektion einen Plan (Ebene oder Fläche), um hier daran entlang zu schneiden.</translation>
     </message>
     <message>
         <source>By finite elements: %1 mm.</source>
