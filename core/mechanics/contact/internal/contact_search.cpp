@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <Eigen/SparseCore>
 
 #include "base/stopwatch.h"
 
@@ -11,11 +10,6 @@ namespace {
 
 using Eigen::Vector3d;
 using Eigen::VectorXd;
-
-const TouchingTool* pushed(const ContactTool& tool) {
-  const auto* touching = std::get_if<TouchingTool>(&tool.what);
-  return touching != nullptr && touching->push_mN ? touching : nullptr;
-}
 
 double largest_change(const VectorXd& a, const VectorXd& b);
 std::vector<Vector3d> as_points(const VectorXd& values);
@@ -110,16 +104,16 @@ Result<bool> ContactSearch::round() {
   if (!found) return failure(found.error());
   if (!*found) return false;
   if (auto columns = set_up_columns(); !columns) return failure(std::move(columns.error()));
-  forces_ = solve_contact(problem());
+  forces_ = solve_contact(problem_of(responses_, tools_, columns_));
   if (!forces_.force.allFinite() || !forces_.advance.allFinite()) return true;
 
-  PointForces next_mN = given_mN_;
+  PointForces next_mN = columns_.given_mN;
   WallForces next_wall_mN;
-  for (std::size_t c = 0; c < columns_.size(); ++c) {
+  for (std::size_t c = 0; c < columns_.all.size(); ++c) {
     const double force = forces_.force[static_cast<Eigen::Index>(c)];
     if (force == 0) continue;
-    if (columns_[c].wall >= 0) next_wall_mN[columns_[c].wall] = force;
-    for (const auto& [point, unit] : columns_[c].on) {
+    if (columns_.all[c].wall >= 0) next_wall_mN[columns_.all[c].wall] = force;
+    for (const auto& [point, unit] : columns_.all[c].on) {
       next_mN.try_emplace(point, Vector3d::Zero()).first->second += force * unit;
     }
   }
@@ -220,138 +214,25 @@ Result<void> ContactSearch::set_up_columns() {
   const auto solves = responses_.remember(asked);
   if (!solves) return failure(solves.error());
   report_.new_solves += *solves;
-
-  given_mN_.clear();
-  for (const Gripped& gripped : grips_) {
-    const auto& grasp = std::get<Grasp>(tools_[gripped.tool].what);
-    const double* pull_mN = std::get_if<double>(&grasp.drawn);
-    if (pull_mN == nullptr) continue;
-    for (std::size_t i = 0; i < gripped.points.size(); ++i) {
-      given_mN_.try_emplace(gripped.points[i], Vector3d::Zero()).first->second +=
-          *pull_mN * (gripped.weights[i] * unit_or_zero(grasp.direction));
-    }
-  }
-  const auto surface_given_mm = responses_.surface_under(given_mN_, {});
-  if (!surface_given_mm) return failure(surface_given_mm.error());
-  const auto work = [](const Column& column, const VectorXd& moved_mm) {
-    double sum = 0;
-    for (const auto& [point, force] : column.on) sum += force.dot(moved_mm.segment<3>(3 * point));
-    return sum;
-  };
-
-  columns_.clear();
-  for (const ContactCandidate& place : places_) {
-    Column column;
-    for (int i = 0; i < 3; ++i) {
-      if (place.weights[i] > 0) column.on.emplace_back(place.points[i], place.weights[i] * place.normal);
-    }
-    column.start_mm = place.gap_mm + work(column, *surface_given_mm) - work(column, surface_mm_);
-    if (const TouchingTool* tool = pushed(tools_[place.tool])) {
-      column.pushed_by = place.tool;
-      column.along = place.normal.dot(tool->pose.forward());
-      column.start_mm += column.along * advance_mm_[static_cast<Eigen::Index>(place.tool)];
-    }
-    columns_.push_back(std::move(column));
-  }
-  for (const CutContact& cut_contact : walls_.cut_contacts()) {
-    Column column;
-    for (const auto& [point, share] : cut_contact.shares()) column.on.emplace_back(point, share * cut_contact.normal);
-    column.start_mm = cut_contact.gap_mm(*surface_given_mm);
-    columns_.push_back(std::move(column));
-  }
-  // Of a live cut's walls those that are near each other or push now. One that another round brings near joins then.
-  constexpr double near_mm = 1.0;
-  const VectorXd jumps_given_mm = responses_.jumps_under(given_mN_, {});
-  const VectorXd jumps_now_mm = responses_.jumps_under(force_mN_, wall_mN_);
-  for (Eigen::Index wall = 0; wall < jumps_given_mm.size() / 3; ++wall) {
-    if (!responses_.opening()->is_cut(static_cast<std::size_t>(wall))) continue;
-    const Vector3d& normal = responses_.opening()->normals()[static_cast<std::size_t>(wall)];
-    const auto number = static_cast<int>(wall);
-    if (normal.dot(jumps_now_mm.segment<3>(3 * wall)) > near_mm && walls_met_.count(number) == 0) continue;
-    walls_met_.insert(number);
-    Column column;
-    column.wall = number;
-    column.start_mm = normal.dot(jumps_given_mm.segment<3>(3 * wall));
-    columns_.push_back(std::move(column));
-  }
-  two_sided_ = 0;
-  for (const Gripped& gripped : grips_) {
-    const auto* drawn_mm = std::get_if<Vector3d>(&std::get<Grasp>(tools_[gripped.tool].what).drawn);
-    if (drawn_mm == nullptr) continue;
-    for (int axis = 0; axis < 3; ++axis, ++two_sided_) {
-      Column column;
-      for (std::size_t i = 0; i < gripped.points.size(); ++i) {
-        column.on.emplace_back(gripped.points[i], gripped.weights[i] * Vector3d::Unit(axis));
-      }
-      column.start_mm =
-          work(column, *surface_given_mm) - work(column, responses_.standing_surface_mm()) - (*drawn_mm)[axis];
-      columns_.push_back(std::move(column));
-    }
-  }
+  meet_live_walls();
+  auto columns = columns_of(
+      responses_, {tools_, places_, grips_, walls_.cut_contacts(), live_walls_met_, advance_mm_, surface_mm_});
+  if (!columns) return failure(std::move(columns.error()));
+  columns_ = std::move(*columns);
   return {};
 }
 
-ContactProblem ContactSearch::problem() const {
-  const auto size = static_cast<Eigen::Index>(columns_.size());
-  std::vector<double> drive_force_mN;
-  std::vector<Eigen::Index> drive_of_tool(tools_.size(), -1);
-  for (std::size_t t = 0; t < tools_.size(); ++t) {
-    const TouchingTool* tool = pushed(tools_[t]);
-    if (tool == nullptr) continue;
-    drive_of_tool[t] = static_cast<Eigen::Index>(drive_force_mN.size());
-    drive_force_mN.push_back(*tool->push_mN);
-  }
-  const auto drives = static_cast<Eigen::Index>(drive_force_mN.size());
-  ContactProblem problem{Eigen::MatrixXd(size, size), VectorXd(size), two_sided_, Eigen::MatrixXd::Zero(size, drives),
-                         Eigen::Map<const VectorXd>(drive_force_mN.data(), drives)};
-  const auto first_wall = static_cast<Eigen::Index>(places_.size());
-  const auto walls = static_cast<Eigen::Index>(walls_.cut_contacts().size());
-  const auto of_wall = [&](Eigen::Index c) { return c >= first_wall && c < first_wall + walls; };
-  for (Eigen::Index c = 0; c < size; ++c) {
-    const Column& column = columns_[static_cast<std::size_t>(c)];
-    problem.start[c] = column.start_mm;
-    if (column.pushed_by != no_tool) problem.drives(c, drive_of_tool[column.pushed_by]) = column.along;
-    for (Eigen::Index d = 0; d <= c; ++d) {
-      if (of_wall(c) && of_wall(d)) continue;
-      double sum = 0;
-      for (const auto& [at, force] : column.on) {
-        for (const auto& [of, other] : columns_[static_cast<std::size_t>(d)].on) {
-          sum += force.dot(responses_.compliance(at, of) * other);
-        }
-      }
-      problem.compliance(c, d) = problem.compliance(d, c) = sum;
+// Those that are near each other now. One that another round brings near joins then.
+void ContactSearch::meet_live_walls() {
+  constexpr double near_mm = 1.0;
+  const VectorXd jumps_mm = responses_.jumps_under(force_mN_, wall_mN_);
+  for (Eigen::Index wall = 0; wall < jumps_mm.size() / 3; ++wall) {
+    const auto number = static_cast<std::size_t>(wall);
+    if (!responses_.opening()->is_cut(number)) continue;
+    if (responses_.opening()->normals()[number].dot(jumps_mm.segment<3>(3 * wall)) <= near_mm) {
+      live_walls_met_.insert(static_cast<int>(wall));
     }
   }
-  if (responses_.opening() != nullptr) add_opening(problem);
-  if (walls == 0) return problem;
-  // A thousand meetings and more: by products of matrices, the columns being sparse.
-  const std::vector<int>& mutual = responses_.mutual_points();
-  std::map<int, int> number_of;
-  for (std::size_t i = 0; i < mutual.size(); ++i) number_of[mutual[i]] = static_cast<int>(i);
-  std::vector<Eigen::Triplet<double>> entries;
-  for (Eigen::Index w = 0; w < walls; ++w) {
-    for (const auto& [point, force] : columns_[static_cast<std::size_t>(first_wall + w)].on) {
-      for (int i = 0; i < 3; ++i) entries.emplace_back(3 * number_of[point] + i, static_cast<int>(w), force[i]);
-    }
-  }
-  Eigen::SparseMatrix<double> directions(3 * static_cast<Eigen::Index>(mutual.size()), walls);
-  directions.setFromTriplets(entries.begin(), entries.end());
-  const Eigen::MatrixXd moved_mm = responses_.mutual_compliance() * directions;
-  problem.compliance.block(first_wall, first_wall, walls, walls) = directions.transpose() * moved_mm;
-  return problem;
-}
-
-// What the jumps of a live cut give to the gaps, by the loads that the columns put on them.
-void ContactSearch::add_opening(ContactProblem& problem) const {
-  const Opening& opening = *responses_.opening();
-  Eigen::MatrixXd load = Eigen::MatrixXd::Zero(opening.standing_load().size(), problem.start.size());
-  for (std::size_t c = 0; c < columns_.size(); ++c) {
-    auto of_column = load.col(static_cast<Eigen::Index>(c));
-    for (const auto& [point, force] : columns_[c].on) of_column += opening.load_of_force(3 * point, force);
-    if (columns_[c].wall < 0) continue;
-    of_column += opening.load_of_push(columns_[c].wall, opening.normals()[columns_[c].wall]);
-  }
-  problem.compliance += load.transpose() * opening.amplitudes_mm(load);
 }
 
 Result<StrainRange> show(const SurfaceResponses& responses, ContactState& state) {
@@ -394,7 +275,7 @@ Result<ContactState> ContactSearch::state() const {
        contact_candidates(responses_.surface(), tools_, advance_mm_, surface_mm_, 0.0)) {
     state.tools[place.tool].penetration_mm = std::max(state.tools[place.tool].penetration_mm, -place.gap_mm);
   }
-  Eigen::Index two_sided = forces_.force.size() - two_sided_;
+  Eigen::Index two_sided = forces_.force.size() - columns_.two_sided;
   for (const Gripped& gripped : grips_) {
     ToolContact& contact = state.tools[gripped.tool];
     const auto& grasp = std::get<Grasp>(tools_[gripped.tool].what);

@@ -6,10 +6,7 @@
 #include <set>
 
 #include "mechanics/contact/contact.h"
-#include "mechanics/contact/internal/contact_candidates.h"
-#include "mechanics/contact/internal/contact_forces.h"
-#include "mechanics/contact/internal/cut_self_contact.h"
-#include "mechanics/contact/internal/surface_responses.h"
+#include "mechanics/contact/internal/contact_columns.h"
 
 namespace glisson::mechanics {
 
@@ -31,22 +28,11 @@ class ContactSearch {
   [[nodiscard]] Result<ContactState> run();
 
  private:
-  // Forces on points of the surface for 1 mN of an unknown one, and what keeps the two apart where it begins.
-  struct Column {
-    std::vector<std::pair<int, Eigen::Vector3d>> on;
-    double start_mm = 0;  // without any of the unknown forces and without advances
-    std::size_t pushed_by = no_tool;
-    double along = 0;  // of the tool's way, in the gap
-    int wall = -1;     // of a live cut, whose sides the force pushes apart
-  };
-  static constexpr std::size_t no_tool = static_cast<std::size_t>(-1);
-
   Result<void> hold(const ContactState& before);
   Result<bool> find_places();  // false where a pushed tool had lost the surface and went on to it
   Result<bool> round();        // true where there is nothing more to do
   [[nodiscard]] Result<void> set_up_columns();
-  [[nodiscard]] ContactProblem problem() const;
-  void add_opening(ContactProblem& problem) const;
+  void meet_live_walls();
   [[nodiscard]] Result<ContactState> state() const;
   [[nodiscard]] double deepest_mm();
   [[nodiscard]] double live_overlap_mm() const;
@@ -61,15 +47,12 @@ class ContactSearch {
   Eigen::VectorXd advance_mm_;  // one a tool; 0 for one that is held
   Eigen::VectorXd surface_mm_;  // displacement, 3 values a point
   bool from_rest_ = false;
-  std::set<int> walls_met_;  // of a live cut; they stay in the problem until the state is found
+  std::set<int> live_walls_met_;  // they stay in the problem until the state is found
   std::vector<Gripped> grips_;
   std::vector<TrackedContact> kept_;
 
   std::vector<ContactCandidate> places_;
-  std::vector<Column>
-      columns_;  // of the places, of the walls' meetings, of a live cut's, of what jaws hold at a displacement
-  int two_sided_ = 0;
-  PointForces given_mN_;  // by graspers that pull
+  ContactColumns columns_;
   ContactForces forces_;
 
   // Across a tool's bend the surface may swing to and fro: a round that goes back on the one before goes half as far.
