@@ -1,11 +1,12 @@
 #include "geometry/geodesic.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Heat_method_3/Surface_mesh_geodesic_distances_3.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_shortest_path.h>
 
+#include "base/parallel.h"
 #include "geometry/disjoint_sets.h"
+#include "geometry/internal/heat_method.h"
 
 namespace glisson::geometry {
 namespace {
@@ -13,7 +14,6 @@ namespace {
 using GeodesicKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<GeodesicKernel::Point_3>;
 using Vertex = Mesh::Vertex_index;
-using Heat = CGAL::Heat_method_3::Surface_mesh_geodesic_distances_3<Mesh>;
 
 Vertex vertex(int point) { return Vertex(static_cast<Mesh::size_type>(point)); }
 
@@ -59,43 +59,44 @@ Result<Mesh> cgal_mesh(const Surface& surface) {
 
 }  // namespace
 
-struct HeatGeodesics::Inside {
-  explicit Inside(Mesh surface) : mesh(std::move(surface)), heat(mesh) {}
-
-  Mesh mesh;
-  Heat heat;
-};
-
-HeatGeodesics::HeatGeodesics(std::unique_ptr<Inside> inside) : inside_(std::move(inside)) {}
+HeatGeodesics::HeatGeodesics(std::unique_ptr<const HeatMethod> method) : method_(std::move(method)) {}
 HeatGeodesics::HeatGeodesics(HeatGeodesics&&) noexcept = default;
 HeatGeodesics& HeatGeodesics::operator=(HeatGeodesics&&) noexcept = default;
 HeatGeodesics::~HeatGeodesics() = default;
 
 Result<HeatGeodesics> HeatGeodesics::prepare(const Surface& surface) {
-  auto mesh = cgal_mesh(surface);
-  if (!mesh) return failure(mesh.error());
-  try {
-    return HeatGeodesics(std::make_unique<Inside>(std::move(*mesh)));
-  } catch (const std::exception&) {
-    return failure(Error{"geodesic-singular",
-                         GLISSON_TEXT("Heat cannot spread over the surface: it has flat triangles."),
-                         {},
-                         GLISSON_TEXT("Mesh the surface anew, for example with MeshLab."),
-                         {}});
+  if (const auto mesh = cgal_mesh(surface); !mesh) return failure(mesh.error());
+  const auto points = static_cast<Eigen::Index>(surface.points_mm.size());
+  if (auto method = HeatMethod::on(intrinsic_delaunay(surface), points)) {
+    return HeatGeodesics(std::make_unique<const HeatMethod>(std::move(*method)));
   }
+  return failure(Error{"geodesic-singular",
+                       GLISSON_TEXT("Heat cannot spread over the surface: it has flat triangles."),
+                       {},
+                       GLISSON_TEXT("Mesh the surface anew, for example with MeshLab."),
+                       {}});
 }
 
-std::vector<double> HeatGeodesics::distances_mm(int from_point) {
-  auto& [mesh, heat] = *inside_;
-  GLISSON_ASSERT(from_point >= 0 && static_cast<std::size_t>(from_point) < mesh.number_of_vertices());
-  const auto distance_of = mesh.add_property_map<Vertex, double>("v:distance_mm", 0.0).first;
-  heat.clear_sources();
-  heat.add_source(vertex(from_point));
-  heat.estimate_geodesic_distances(distance_of);
-  std::vector<double> distances_mm;
-  distances_mm.reserve(mesh.number_of_vertices());
-  for (const Vertex v : mesh.vertices()) distances_mm.push_back(distance_of[v]);
-  return distances_mm;
+Eigen::VectorXd HeatGeodesics::distances_mm(int from_point) const {
+  GLISSON_ASSERT(from_point >= 0 && from_point < method_->points());
+  return method_->distances_mm<1>(&from_point, 1);
+}
+
+Eigen::MatrixXd HeatGeodesics::distances_mm(const std::vector<int>& from_points) const {
+  const auto sources = static_cast<Eigen::Index>(from_points.size());
+  const Eigen::Index groups = (sources + sources_together - 1) / sources_together;
+  Eigen::MatrixXd distances(sources, method_->points());
+  parallel_for(static_cast<std::size_t>(groups), 1, [&](std::size_t begin, std::size_t end) {
+    for (auto group = static_cast<Eigen::Index>(begin); group < static_cast<Eigen::Index>(end); ++group) {
+      const Eigen::Index first = group * sources_together;
+      const Eigen::Index count = std::min<Eigen::Index>(sources_together, sources - first);
+      distances.middleRows(first, count) =
+          method_->distances_mm<sources_together>(from_points.data() + first, static_cast<int>(count))
+              .leftCols(count)
+              .transpose();
+    }
+  });
+  return distances;
 }
 
 Result<std::vector<double>> exact_geodesic_distances_mm(const Surface& surface, int from_point) {

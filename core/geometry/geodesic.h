@@ -1,6 +1,7 @@
 #pragma once
 // Distances along a surface.
 
+#include <Eigen/Core>
 #include <memory>
 #include <vector>
 
@@ -8,6 +9,8 @@
 #include "geometry/surface.h"
 
 namespace glisson::geometry {
+
+class HeatMethod;
 
 // Geodesic distances by the heat method (Crane, Weischedel, Wardetzky 2013) on the intrinsic Delaunay triangulation:
 // factorised once, then two sparse solves a source. On well-shaped meshes within some per cent of the exact distance.
@@ -21,13 +24,14 @@ class HeatGeodesics {
   HeatGeodesics& operator=(HeatGeodesics&&) noexcept;
   ~HeatGeodesics();
 
-  // From one point of the surface to each, in mm. Not to be called from two threads at once.
-  [[nodiscard]] std::vector<double> distances_mm(int from_point);
+  // From one point of the surface to each, in mm. Safe from several threads.
+  [[nodiscard]] Eigen::VectorXd distances_mm(int from_point) const;
+  // From each of many points, one a row, by all threads; each row what it is alone, to rounding.
+  [[nodiscard]] Eigen::MatrixXd distances_mm(const std::vector<int>& from_points) const;
 
  private:
-  struct Inside;
-  explicit HeatGeodesics(std::unique_ptr<Inside> inside);
-  std::unique_ptr<Inside> inside_;
+  explicit HeatGeodesics(std::unique_ptr<const HeatMethod> method);
+  std::unique_ptr<const HeatMethod> method_;
 };
 
 // The same exactly (Xin and Wang 2009: windows over the unfolded triangles). Much slower: the judge of the heat method.
