@@ -26,73 +26,96 @@ struct Side {
   }
 };
 
-Eigen::MatrixXd position_seed(const Side& nodes, const Side& labels, double tau_mm, double weight);
-Result<MatchingSolution> solve(const MatchingProblem& problem, const GeoOptions& options);
-std::vector<Labelling> rough_matchings(const MatchingProblem& problem);
-Result<MatchingSolution> solve_from(MatchingProblem problem, const Labelling& start, const GeoOptions& options);
-double orientation_kept(const Side& nodes, const Side& labels, const Labelling& labelling);
+// Both sides, of which the smaller one gives the nodes, and their field.
+struct Matching {
+  Side nodes, labels;
+  bool swapped;  // the nodes are the target's
+  MatchingProblem problem;
+};
+
+struct Found {
+  MatchingSolution solution;
+  double orientation_kept = 0;
+
+  [[nodiscard]] bool turned_right() const { return orientation_kept >= 0.5; }
+};
+
+Matching matching_of(const Side& source, const Side& target, const GeoOptions& options);
+Result<Found> found_from_anywhere(const Matching& matching, const GeoOptions& options, const Progress& progress);
+// From a start, which may be of the first nodes only.
+Result<Found> found_from(const Matching& matching, const Labelling& start, const GeoOptions& options);
+SurfaceMatch match_of(const Matching& matching, Found found, GeodesicSamples source, GeodesicSamples target);
+
+// The nearest of some places.
+std::size_t nearest_of(const std::vector<Eigen::Vector3d>& places_mm, const Eigen::Vector3d& here_mm);
 
 }  // namespace
 
 Result<SurfaceMatch> match_surfaces(const Surface& source, const Surface& target, const GeoOptions& options,
                                     const Progress& progress) {
-  SurfaceMatch match;
   auto source_samples = sample_surface(source, options.points, 0, progress.part(0, 0.45));
   if (!source_samples) return failure(source_samples.error());
   auto target_samples = sample_surface(target, options.points, 0, progress.part(0.45, 0.9));
   if (!target_samples) return failure(target_samples.error());
-  match.source_samples = std::move(*source_samples);
-  match.target_samples = std::move(*target_samples);
+  const Matching matching = matching_of({source, *source_samples}, {target, *target_samples}, options);
+  auto found = found_from_anywhere(matching, options, progress.part(0.9, 1));
+  if (!found) return failure(found.error());
+  return match_of(matching, std::move(*found), *source_samples, *target_samples);
+}
 
-  const double source_area_mm2 = geometry::area_mm2(source);
-  const double target_area_mm2 = geometry::area_mm2(target);
-  match.swapped = target_area_mm2 < source_area_mm2;
-  const Side source_side{source, match.source_samples};
-  const Side target_side{target, match.target_samples};
-  const Side& nodes = match.swapped ? target_side : source_side;
-  const Side& labels = match.swapped ? source_side : target_side;
+struct FrameMatcher::Model {
+  Surface surface;
+  GeodesicSamples samples;
+  GeoOptions options;
+};
 
-  MatchingProblem problem;
-  problem.source_mm = nodes.samples.between_mm;
-  problem.target_mm = labels.samples.between_mm;
-  const double size_mm = std::sqrt(std::max(source_area_mm2, target_area_mm2));
-  problem.sigma_mm = options.relative_sigma * size_mm;
-  problem.tau_mm = options.relative_tau * size_mm;
-  const bool partial = resolved(Overlap::by_area, source, target) != Overlap::neither;
-  if (options.prior == Prior::positions || (options.prior == Prior::automatic && partial)) {
-    problem.seed = position_seed(nodes, labels, problem.tau_mm, options.prior_weight);
-  }
-  progress.report(0.9, GLISSON_TEXT("matching"));
-  auto solution = solve(problem, options);
-  if (!solution) return failure(solution.error());
-  match.orientation_kept = orientation_kept(nodes, labels, solution->labels);
-  double solve_ms = solution->solve_ms;
-  const double lower_bound = solution->lower_bound;  // of the field as it is, without any start
-  for (const Labelling& start : rough_matchings(problem)) {
-    if (progress.cancelled()) return cancelled();
-    auto other = solve_from(problem, start, options);
-    if (!other) return failure(other.error());
-    const double kept = orientation_kept(nodes, labels, other->labels);
-    solve_ms += other->solve_ms;
-    const bool turned_right = kept >= 0.5;
-    const bool was_turned_right = match.orientation_kept >= 0.5;
-    if (turned_right != was_turned_right ? turned_right : other->energy < solution->energy) {
-      match.orientation_kept = kept;
-      solution = std::move(other);
+Result<FrameMatcher> FrameMatcher::create(Surface model, const GeoOptions& options, const Progress& progress) {
+  auto samples = sample_surface(model, options.points, 0, progress);
+  if (!samples) return failure(samples.error());
+  return FrameMatcher(std::make_shared<const Model>(Model{std::move(model), std::move(*samples), options}));
+}
+
+Result<SurfaceMatch> FrameMatcher::match(const Surface& frame, const Progress& progress) {
+  constexpr double far_worse = 1.2;
+  const auto& [surface, model_samples, options] = *model_;
+  auto samples = sample_surface(frame, options.points, 0, progress.part(0, 0.5));
+  if (!samples) return failure(samples.error());
+  const Side of_frame{frame, *samples};
+  const Matching matching = matching_of(of_frame, {surface, model_samples}, options);
+
+  std::optional<Found> found;
+  if (last_) {
+    Labelling start;
+    for (int node = 0; node < matching.problem.nodes(); ++node) {
+      if (!matching.swapped) {
+        start.push_back(last_->samples[nearest_of(last_->places_mm, of_frame.position_mm(node))]);
+        continue;
+      }
+      const auto known = std::find(last_->samples.begin(), last_->samples.end(), node);
+      if (known == last_->samples.end()) break;
+      std::vector<Eigen::Vector3d> places_mm;
+      for (const int point : samples->points) places_mm.push_back(frame.points_mm[static_cast<std::size_t>(point)]);
+      start.push_back(static_cast<int>(
+          nearest_of(places_mm, last_->places_mm[static_cast<std::size_t>(known - last_->samples.begin())])));
     }
+    auto followed = found_from(matching, start, options);
+    if (!followed) return failure(followed.error());
+    const double misfit = followed->solution.energy / matching.problem.tau_mm;
+    if (followed->turned_right() && misfit <= far_worse * last_->misfit) found = std::move(*followed);
   }
-  solution->solve_ms = solve_ms;
-  solution->lower_bound = lower_bound;
-  if (progress.cancelled()) return cancelled();
-
-  match.solution = std::move(*solution);
-  for (std::size_t node = 0; node < nodes.samples.points.size(); ++node) {
-    const int node_point = nodes.samples.points[node];
-    const int label_point = labels.samples.points[static_cast<std::size_t>(match.solution.labels[node])];
-    match.source_points.push_back(match.swapped ? label_point : node_point);
-    match.target_points.push_back(match.swapped ? node_point : label_point);
+  searched_ = !found;
+  if (!found) {
+    auto anywhere = found_from_anywhere(matching, options, progress.part(0.5, 1));
+    if (!anywhere) return failure(anywhere.error());
+    found = std::move(*anywhere);
   }
-  return match;
+  last_ = Last{{}, {}, found->solution.energy / matching.problem.tau_mm};
+  for (int node = 0; node < matching.problem.nodes(); ++node) {
+    const int label = found->solution.labels[static_cast<std::size_t>(node)];
+    last_->places_mm.push_back(of_frame.position_mm(matching.swapped ? label : node));
+    last_->samples.push_back(matching.swapped ? node : label);
+  }
+  return match_of(matching, std::move(*found), *samples, model_samples);
 }
 
 std::vector<int> densify(const SurfaceMatch& match) {
@@ -145,6 +168,85 @@ std::vector<int> densify(const SurfaceMatch& match) {
 }
 
 namespace {
+
+Eigen::MatrixXd position_seed(const Side& nodes, const Side& labels, double tau_mm, double weight);
+Result<MatchingSolution> solve(const MatchingProblem& problem, const GeoOptions& options);
+std::vector<Labelling> rough_matchings(const MatchingProblem& problem);
+Result<MatchingSolution> solve_from(MatchingProblem problem, const Labelling& start, const GeoOptions& options);
+double orientation_kept(const Side& nodes, const Side& labels, const Labelling& labelling);
+
+Matching matching_of(const Side& source, const Side& target, const GeoOptions& options) {
+  const double source_area_mm2 = geometry::area_mm2(source.surface);
+  const double target_area_mm2 = geometry::area_mm2(target.surface);
+  const bool swapped = target_area_mm2 < source_area_mm2;
+  Matching matching{swapped ? target : source, swapped ? source : target, swapped, {}};
+  MatchingProblem& problem = matching.problem;
+  problem.source_mm = matching.nodes.samples.between_mm;
+  problem.target_mm = matching.labels.samples.between_mm;
+  const double size_mm = std::sqrt(std::max(source_area_mm2, target_area_mm2));
+  problem.sigma_mm = options.relative_sigma * size_mm;
+  problem.tau_mm = options.relative_tau * size_mm;
+  const bool partial = resolved(Overlap::by_area, source.surface, target.surface) != Overlap::neither;
+  if (options.prior == Prior::positions || (options.prior == Prior::automatic && partial)) {
+    problem.seed = position_seed(matching.nodes, matching.labels, problem.tau_mm, options.prior_weight);
+  }
+  return matching;
+}
+
+Result<Found> found_from_anywhere(const Matching& matching, const GeoOptions& options, const Progress& progress) {
+  progress.report(0, GLISSON_TEXT("matching"));
+  auto first = solve(matching.problem, options);
+  if (!first) return failure(first.error());
+  Found best{std::move(*first)};
+  best.orientation_kept = orientation_kept(matching.nodes, matching.labels, best.solution.labels);
+  double solve_ms = best.solution.solve_ms;
+  const double lower_bound = best.solution.lower_bound;  // of the field as it is, without any start
+  for (const Labelling& start : rough_matchings(matching.problem)) {
+    if (progress.cancelled()) return cancelled();
+    auto other = found_from(matching, start, options);
+    if (!other) return other;
+    solve_ms += other->solution.solve_ms;
+    if (other->turned_right() != best.turned_right() ? other->turned_right()
+                                                     : other->solution.energy < best.solution.energy) {
+      best = std::move(*other);
+    }
+  }
+  if (progress.cancelled()) return cancelled();
+  best.solution.solve_ms = solve_ms;
+  best.solution.lower_bound = lower_bound;
+  return best;
+}
+
+Result<Found> found_from(const Matching& matching, const Labelling& start, const GeoOptions& options) {
+  auto solution = solve_from(matching.problem, start, options);
+  if (!solution) return failure(solution.error());
+  const double kept = orientation_kept(matching.nodes, matching.labels, solution->labels);
+  return Found{std::move(*solution), kept};
+}
+
+SurfaceMatch match_of(const Matching& matching, Found found, GeodesicSamples source, GeodesicSamples target) {
+  SurfaceMatch match;
+  const std::vector<int>& node_points = matching.nodes.samples.points;
+  const std::vector<int>& label_points = matching.labels.samples.points;
+  for (std::size_t node = 0; node < node_points.size(); ++node) {
+    const int label_point = label_points[static_cast<std::size_t>(found.solution.labels[node])];
+    match.source_points.push_back(matching.swapped ? label_point : node_points[node]);
+    match.target_points.push_back(matching.swapped ? node_points[node] : label_point);
+  }
+  match.solution = std::move(found.solution);
+  match.orientation_kept = found.orientation_kept;
+  match.swapped = matching.swapped;
+  match.source_samples = std::move(source);
+  match.target_samples = std::move(target);
+  return match;
+}
+
+std::size_t nearest_of(const std::vector<Eigen::Vector3d>& places_mm, const Eigen::Vector3d& here_mm) {
+  const auto nearest = std::min_element(places_mm.begin(), places_mm.end(), [&](const auto& a, const auto& b) {
+    return (a - here_mm).squaredNorm() < (b - here_mm).squaredNorm();
+  });
+  return static_cast<std::size_t>(nearest - places_mm.begin());
+}
 
 Eigen::MatrixXd position_seed(const Side& nodes, const Side& labels, double tau_mm, double weight) {
   const auto node_count = static_cast<Eigen::Index>(nodes.samples.points.size());

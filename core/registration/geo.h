@@ -6,6 +6,9 @@
 // Distances along a surface do not tell it from its mirror image. Orientation does: a matching that turns neighbours
 // the wrong way round, seen from outside, is a mirrored one, and the other is looked for.
 
+#include <memory>
+#include <optional>
+
 #include "base/progress.h"
 #include "geometry/surface.h"
 #include "registration/mrf.h"
@@ -54,6 +57,34 @@ struct SurfaceMatch {
 // Failures: those of sample_surface for either surface, of store() for Solver::trws; "cancelled".
 Result<SurfaceMatch> match_surfaces(const geometry::Surface& source, const geometry::Surface& target,
                                     const GeoOptions& options = {}, const Progress& progress = {});
+
+// Surfaces of a video, matched one after the other to a model that stays. The model's distances are found once. A frame
+// begins at the match before it: each of its points belongs where the nearest one of the last frame did. Where that
+// leads to a match that is turned, or far worse than the last one, the frame is matched as match_surfaces does.
+class FrameMatcher {
+ public:
+  // Failures: those of sample_surface.
+  static Result<FrameMatcher> create(geometry::Surface model, const GeoOptions& options = {},
+                                     const Progress& progress = {});
+
+  // The frame is the source, the model the target. Failures: those of match_surfaces.
+  Result<SurfaceMatch> match(const geometry::Surface& frame, const Progress& progress = {});
+  // Whether the last frame was looked for anew.
+  [[nodiscard]] bool searched() const { return searched_; }
+
+ private:
+  struct Model;
+  struct Last {
+    std::vector<Eigen::Vector3d> places_mm;  // of the frame
+    std::vector<int> samples;                // of the model, where they belong
+    double misfit = 0;                       // the energy over tau
+  };
+  explicit FrameMatcher(std::shared_ptr<const Model> model) : model_(std::move(model)) {}
+
+  std::shared_ptr<const Model> model_;
+  std::optional<Last> last_;
+  bool searched_ = false;
+};
 
 // A target point for each point of the source. It is the one whose distances from the matches nearby are most like its
 // own, among those around where the nearest match leads. (The expansion step of the dissertation's baseline.)

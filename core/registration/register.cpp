@@ -25,12 +25,20 @@ Result<Registered> register_by_icp(const Surface& source, const Surface& target,
   return bend(moved(source, rigid->transform), target, rigid->iterations, options.nonrigid, progress.part(0.2, 1));
 }
 
-Result<Registered> register_by_geo(const Surface& source, const Surface& target, const RegisterOptions& options,
-                                   const Progress& progress) {
-  constexpr double mirrored = 0.4;
+}  // namespace
+
+Result<Registered> register_surfaces(const Surface& source, const Surface& target, const RegisterOptions& options,
+                                     const Progress& progress) {
+  if (options.method == Method::icp) return register_by_icp(source, target, options, progress);
   const auto match = match_surfaces(source, target, options.geo, progress.part(0, 0.5));
   if (!match) return failure(match.error());
-  if (match->orientation_kept < mirrored) {
+  return register_by_matches(source, target, *match, options.nonrigid, progress.part(0.5, 1));
+}
+
+Result<Registered> register_by_matches(const Surface& source, const Surface& target, const SurfaceMatch& match,
+                                       const NonrigidIcpOptions& options, const Progress& progress) {
+  constexpr double mirrored = 0.4;
+  if (match.orientation_kept < mirrored) {
     return failure(Error{"registration-mirrored",
                          GLISSON_TEXT("By their geodesic distances the surfaces match only inside out."),
                          {},
@@ -38,26 +46,18 @@ Result<Registered> register_by_geo(const Surface& source, const Surface& target,
                          {}});
   }
   std::vector<Eigen::Vector3d> from_mm, to_mm;
-  for (std::size_t i = 0; i < match->source_points.size(); ++i) {
-    from_mm.push_back(source.points_mm[static_cast<std::size_t>(match->source_points[i])]);
-    to_mm.push_back(target.points_mm[static_cast<std::size_t>(match->target_points[i])]);
+  for (std::size_t i = 0; i < match.source_points.size(); ++i) {
+    from_mm.push_back(source.points_mm[static_cast<std::size_t>(match.source_points[i])]);
+    to_mm.push_back(target.points_mm[static_cast<std::size_t>(match.target_points[i])]);
   }
   const auto motion = align_points(from_mm, to_mm);
   if (!motion) return failure(motion.error());
 
-  NonrigidIcpOptions bending = options.nonrigid;
-  for (std::size_t i = 0; i < from_mm.size(); ++i) bending.landmarks.push_back({match->source_points[i], to_mm[i]});
-  auto registered = bend(moved(source, *motion), target, 0, bending, progress.part(0.5, 1));
-  if (registered) registered->orientation_kept = match->orientation_kept;
+  NonrigidIcpOptions bending = options;
+  for (std::size_t i = 0; i < from_mm.size(); ++i) bending.landmarks.push_back({match.source_points[i], to_mm[i]});
+  auto registered = bend(moved(source, *motion), target, 0, bending, progress);
+  if (registered) registered->orientation_kept = match.orientation_kept;
   return registered;
-}
-
-}  // namespace
-
-Result<Registered> register_surfaces(const Surface& source, const Surface& target, const RegisterOptions& options,
-                                     const Progress& progress) {
-  return options.method == Method::icp ? register_by_icp(source, target, options, progress)
-                                       : register_by_geo(source, target, options, progress);
 }
 
 }  // namespace glisson::registration

@@ -33,4 +33,10 @@ struct Registered {
 Result<Registered> register_surfaces(const geometry::Surface& source, const geometry::Surface& target,
                                      const RegisterOptions& options = {}, const Progress& progress = {});
 
+// By matches that were found before, as FrameMatcher finds them. Failures: those of nonrigid_icp;
+// "registration-mirrored".
+Result<Registered> register_by_matches(const geometry::Surface& source, const geometry::Surface& target,
+                                       const SurfaceMatch& match, const NonrigidIcpOptions& options = {},
+                                       const Progress& progress = {});
+
 }  // namespace glisson::registration

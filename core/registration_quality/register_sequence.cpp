@@ -10,8 +10,18 @@ namespace glisson::registration_quality {
 namespace {
 
 Result<void> check(const SequenceFiles& files, SequenceMethod method);
-Result<std::vector<Eigen::Vector3d>> moved_to_model(const geometry::Surface& cloud, const geometry::Surface& model,
-                                                    SequenceMethod method, const Progress& progress);
+// Moves frame after frame to the model.
+class ToModel {
+ public:
+  static Result<ToModel> create(const geometry::Surface& model, SequenceMethod method, const Progress& progress);
+  Result<std::vector<Eigen::Vector3d>> operator()(const geometry::Surface& cloud, const Progress& progress);
+
+ private:
+  explicit ToModel(const geometry::Surface& model) : model_(&model) {}
+  const geometry::Surface* model_;
+  std::optional<registration::FrameMatcher> by_geo_;
+};
+
 Result<void> align_all(RegisteredSequence& sequence, const Progress& progress);
 
 }  // namespace
@@ -37,6 +47,12 @@ Result<RegisteredSequence> register_sequence(const SequenceFiles& files, Sequenc
     if (!model) return failure(model.error());
     sequence.model = std::move(*model);
   }
+  std::optional<ToModel> to_model;
+  if (method == SequenceMethod::icp || method == SequenceMethod::geo) {
+    auto made = ToModel::create(*sequence.model, method, progress.part(0, 0));
+    if (!made) return failure(std::move(made.error()).in_file(*files.model));
+    to_model = std::move(*made);
+  }
   const auto frames = static_cast<double>(files.clouds.size());
   for (std::size_t t = 0; t < files.clouds.size(); ++t) {
     if (progress.cancelled()) return cancelled();
@@ -47,9 +63,9 @@ Result<RegisteredSequence> register_sequence(const SequenceFiles& files, Sequenc
       auto moved = read_cloud(files.registered[t]);
       if (!moved) return failure(moved.error());
       frame.registered_mm = std::move(moved->points_mm);
-    } else if (method != SequenceMethod::gnra) {
+    } else if (to_model) {
       const auto part = progress.part(static_cast<double>(t) / frames, static_cast<double>(t + 1) / frames);
-      auto moved = moved_to_model(*cloud, *sequence.model, method, part);
+      auto moved = (*to_model)(*cloud, part);
       if (!moved) return failure(std::move(moved.error()).in_file(files.clouds[t]));
       frame.registered_mm = std::move(*moved);
     }
@@ -83,12 +99,24 @@ Result<void> check(const SequenceFiles& files, SequenceMethod method) {
   return {};
 }
 
-Result<std::vector<Eigen::Vector3d>> moved_to_model(const geometry::Surface& cloud, const geometry::Surface& model,
-                                                    SequenceMethod method, const Progress& progress) {
-  registration::RegisterOptions options;
-  options.method = method == SequenceMethod::geo ? registration::Method::geo : registration::Method::icp;
-  options.geo.prior = registration::Prior::positions;  // model and frames lie in the camera's space
-  auto moved = registration::register_surfaces(cloud, model, options, progress);
+Result<ToModel> ToModel::create(const geometry::Surface& model, SequenceMethod method, const Progress& progress) {
+  ToModel to_model(model);
+  if (method == SequenceMethod::geo) {
+    registration::GeoOptions options;
+    options.prior = registration::Prior::positions;  // model and frames lie in the camera's space
+    auto matcher = registration::FrameMatcher::create(model, options, progress);
+    if (!matcher) return failure(std::move(matcher.error()));
+    to_model.by_geo_ = std::move(*matcher);
+  }
+  return to_model;
+}
+
+Result<std::vector<Eigen::Vector3d>> ToModel::operator()(const geometry::Surface& cloud, const Progress& progress) {
+  auto moved =
+      by_geo_ ? by_geo_->match(cloud, progress.part(0, 0.3)).and_then([&](const registration::SurfaceMatch& match) {
+        return registration::register_by_matches(cloud, *model_, match, {}, progress.part(0.3, 1));
+      })
+              : registration::register_surfaces(cloud, *model_, {}, progress);
   if (!moved) return failure(std::move(moved.error()));
   return std::move(moved->surface.points_mm);
 }

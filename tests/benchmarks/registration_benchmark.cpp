@@ -37,6 +37,7 @@
 #include "base/parallel.h"
 #include "geometry/mesh_file.h"
 #include "hardware/energy_meter.h"
+#include "registration/breathing_liver.h"
 #include "registration/geo.h"
 #include "registration/internal/trwls_simd.h"
 #include "registration/samples.h"
@@ -387,6 +388,48 @@ void correct_matches(benchmark::State& state) {
   state.counters["solve_ms"] = match.solution.solve_ms;
 }
 BENCHMARK(correct_matches)->DenseRange(0, 5)->Unit(benchmark::kSecond)->UseRealTime()->Iterations(1);
+
+// GEO as a whole, geodesic distances included, of 128 points of each frame of a breathing liver against a model that
+// stays; beside it, each frame matched anew.
+void geo_over_a_video(benchmark::State& state) {
+  const auto liver = geometry::read_surface(glisson::test::shared_data() / "pbsm_liver_insilico/Liver1/src.ply");
+  if (!liver) return state.SkipWithError("no real data: set GLISSON_SHARED_DATA");
+  constexpr int frames = 40;
+  GeoOptions options;
+  options.prior = Prior::positions;
+  auto matcher = FrameMatcher::create(*liver, options).value();
+  std::vector<double> frame_ms, anew_ms;
+  double error_mm = 0, anew_error_mm = 0;
+  int searched = 0;
+  for (auto _ : state) {
+    for (int t = 0; t < frames; ++t) {
+      const test::SeenFrame seen = test::breathing_liver(*liver, t, 0.3);
+      auto start = Clock::now();
+      const SurfaceMatch match = matcher.match(seen.surface).value();
+      if (t > 0) frame_ms.push_back(ms_since(start));
+      searched += t > 0 && matcher.searched();
+      error_mm += test::mean_error_mm(*liver, seen, match.source_points, match.target_points) / frames;
+      start = Clock::now();
+      const SurfaceMatch anew = match_surfaces(seen.surface, *liver, options).value();
+      anew_ms.push_back(ms_since(start));
+      anew_error_mm += test::mean_error_mm(*liver, seen, anew.source_points, anew.target_points) / frames;
+      state.counters["points"] = static_cast<double>(seen.surface.points_mm.size());
+      state.counters["covering_mm"] = match.target_samples.covering_radius_mm;
+    }
+  }
+  const auto median = [](std::vector<double>& values) {
+    std::nth_element(values.begin(), values.begin() + std::ptrdiff_t(values.size() / 2), values.end());
+    return values[values.size() / 2];
+  };
+  state.counters["slowest_ms"] = *std::max_element(frame_ms.begin(), frame_ms.end());
+  state.counters["frame_ms"] = median(frame_ms);
+  state.counters["frames_per_s"] = 1000 / state.counters["frame_ms"];
+  state.counters["anew_ms"] = median(anew_ms);
+  state.counters["error_mm"] = error_mm;
+  state.counters["anew_error_mm"] = anew_error_mm;
+  state.counters["searched"] = searched;
+}
+BENCHMARK(geo_over_a_video)->Unit(benchmark::kSecond)->UseRealTime()->Iterations(1);
 
 // Energy of one registration by each solver, where the machine counts it; n = 96, since the field of 128 takes a while
 // to write out.

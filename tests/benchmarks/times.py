@@ -67,6 +67,11 @@ MATCHING = [
         for dynamic in (1, 0) for n in (96, 128, 192, 256)] + [
         ("cost_roofline/iterations:1", "costs a second: the kernel of 20 passes", [("kernel_G_a_s", "{:.0f} billion".format)]),
         ("cost_roofline/iterations:1", "costs a second: in registers alone", [("registers_G_a_s", "{:.0f} billion".format)]),
+        ("geo_over_a_video/iterations:1/real_time",
+         "GEO as a whole, distances included: 128 points of a liver's front, breathing, against a model of 12,488 points",
+         [("frames_per_s", "{:.0f} frames a second".format), ("slowest_ms", "slowest {:.0f} ms".format),
+          ("error_mm", "{:.1f} mm off on average".format), ("anew_ms", "each anew {:.0f} ms".format),
+          ("anew_error_mm", "{:.1f} mm off".format)]),
         ("sirgn_at_full_size/iterations:1/real_time", "SIRGn, 1,155 landmarks in 180 frames, after registration",
          [(TIME, lambda s: f"{s:.2g} s")])])]
 POSES = [

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "geometry/mesh_file.h"
+#include "registration/breathing_liver.h"
 #include "support/data.h"
 
 namespace glisson::registration {
@@ -76,6 +77,47 @@ TEST(Geo, FindsPartOfALiverInTheWholeWhenRoughlyAligned) {
                   .norm();
   }
   EXPECT_LT(sum_mm / 64, match.source_samples.covering_radius_mm);
+}
+
+GeoOptions of_a_video() {
+  GeoOptions options;
+  options.points = 64;
+  options.prior = Prior::positions;
+  return options;
+}
+
+// Judged by matching each frame anew, which takes five times as long.
+TEST(FrameMatcher, FollowsABreathingLiverAsWellAsEachFrameAnew) {
+  GLISSON_NEEDS_DATA("pbsm_liver_insilico");
+  const Surface liver = shape("pbsm_liver_insilico/Liver1", "src.ply");
+  const GeoOptions options = of_a_video();
+  FrameMatcher matcher = FrameMatcher::create(liver, options).value();
+  double followed_mm = 0, anew_mm = 0;
+  for (int frame = 0; frame < 10; ++frame) {
+    const test::SeenFrame seen = test::breathing_liver(liver, frame, 0.3);
+    const SurfaceMatch match = matcher.match(seen.surface).value();
+    EXPECT_EQ(matcher.searched(), frame == 0) << frame;
+    EXPECT_GT(match.orientation_kept, 0.8) << frame;
+    followed_mm += test::mean_error_mm(liver, seen, match.source_points, match.target_points);
+    const SurfaceMatch anew = match_surfaces(seen.surface, liver, options).value();
+    anew_mm += test::mean_error_mm(liver, seen, anew.source_points, anew.target_points);
+  }
+  EXPECT_LT(followed_mm, 1.05 * anew_mm);
+}
+
+TEST(FrameMatcher, LooksAnewWhereTheLastFrameLeadsAstray) {
+  GLISSON_NEEDS_DATA("pbsm_liver_insilico");
+  const Surface liver = shape("pbsm_liver_insilico/Liver1", "src.ply");
+  FrameMatcher matcher = FrameMatcher::create(liver, of_a_video()).value();
+  const test::SeenFrame seen = test::breathing_liver(liver, 0, 0.3);
+  ASSERT_TRUE(matcher.match(seen.surface).has_value());
+  Surface turned = seen.surface;  // a camera that was put in anew, the other way round
+  const Eigen::Vector3d middle_mm = geometry::bounding_box(turned.points_mm).center_mm();
+  for (Eigen::Vector3d& point : turned.points_mm) {
+    point = middle_mm + Eigen::Vector3d(-1, 1, -1).cwiseProduct(point - middle_mm);
+  }
+  ASSERT_TRUE(matcher.match(turned).has_value());
+  EXPECT_TRUE(matcher.searched());
 }
 
 }  // namespace
