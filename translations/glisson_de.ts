@@ -7187,6 +7187,18 @@
         <source>Go on along the earlier cut, or keep farther away from it.</source>
         <translation>Setzen Sie den früheren Schnitt fort, oder halten Sie mehr Abstand von ihm.</translation>
     </message>
+    <message>
+        <source>No equilibrium of the pressed gel was found at {0} mm.</source>
+        <translation>Bei {0} mm wurde kein Gleichgewicht des gedrückten Gels gefunden.</translation>
+    </message>
+    <message>
+        <source>The gel does not bear {0} N at {1} mm of depth.</source>
+        <translation>Das Gel trägt {0} N bei {1} mm Tiefe nicht.</translation>
+    </message>
+    <message>
+        <source>There is no trial {0}; the first one is {1}.</source>
+        <translation>Einen Versuch {0} gibt es nicht; der erste ist {1}.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

@@ -7187,6 +7187,18 @@
         <source>Go on along the earlier cut, or keep farther away from it.</source>
         <translation>Continúe por el corte anterior o manténgase más lejos de él.</translation>
     </message>
+    <message>
+        <source>No equilibrium of the pressed gel was found at {0} mm.</source>
+        <translation>No se encontró ningún equilibrio del gel presionado a {0} mm.</translation>
+    </message>
+    <message>
+        <source>The gel does not bear {0} N at {1} mm of depth.</source>
+        <translation>El gel no soporta {0} N a {1} mm de profundidad.</translation>
+    </message>
+    <message>
+        <source>There is no trial {0}; the first one is {1}.</source>
+        <translation>No hay ningún ensayo {0}; el primero es {1}.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

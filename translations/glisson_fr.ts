@@ -7187,6 +7187,18 @@
         <source>Go on along the earlier cut, or keep farther away from it.</source>
         <translation>Poursuivez la coupe précédente, ou restez plus loin d’elle.</translation>
     </message>
+    <message>
+        <source>No equilibrium of the pressed gel was found at {0} mm.</source>
+        <translation>Aucun équilibre du gel pressé n’a été trouvé à {0} mm.</translation>
+    </message>
+    <message>
+        <source>The gel does not bear {0} N at {1} mm of depth.</source>
+        <translation>Le gel ne supporte pas {0} N à {1} mm de profondeur.</translation>
+    </message>
+    <message>
+        <source>There is no trial {0}; the first one is {1}.</source>
+        <translation>Il n’y a pas d’essai {0} ; le premier est {1}.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

@@ -4,20 +4,20 @@
 #include <benchmark/benchmark.h>
 
 #include "elastography/inversion.h"
+#include "elastography/wave_phantom.h"
 #include "elastography/waves.h"
-#include "support/wave_phantom.h"
 
 namespace glisson::elastography {
 namespace {
 
 WaveImages usual_study() {
-  test::WavePhantom phantom;
-  phantom.grid = test::cube_grid(110, 5, 2, 4);
+  WavePhantom phantom;
+  phantom.grid = cube_grid(110, 5, 2, 4);
   phantom.grid.size[1] = 108;
   phantom.frequency_Hz = 40;
   phantom.inclusion_kPa = {6, 0.6};
   phantom.radius_mm = 20;
-  return test::measured(phantom, test::crossing_waves(phantom), 3, 0.1);
+  return measured(phantom, crossing_waves(phantom), 3, 0.1);
 }
 
 void inverting(benchmark::State& state, InversionMethod method) {

@@ -9,10 +9,10 @@
 #include "base/files.h"
 #include "casefile/import.h"
 #include "casefile/waves.h"
+#include "elastography/wave_phantom.h"
 #include "imaging/dicom_uid.h"
 #include "imaging/dicom_write.h"
 #include "support/dicom_files.h"
-#include "support/wave_phantom.h"
 
 namespace glisson::casefile {
 namespace {
@@ -24,10 +24,10 @@ constexpr int instants = 4;
 constexpr int slices = 5;
 
 WaveImages waves_of_4_kPa() {
-  glisson::test::WavePhantom phantom;
-  phantom.grid = glisson::test::cube_grid(40, slices, 2, 4);
+  glisson::elastography::WavePhantom phantom;
+  phantom.grid = glisson::elastography::cube_grid(40, slices, 2, 4);
   phantom.background_kPa = {4, 0.3};
-  return glisson::test::measured(phantom, glisson::test::crossing_waves(phantom), 1.0, 0.02, instants);
+  return glisson::elastography::measured(phantom, glisson::elastography::crossing_waves(phantom), 1.0, 0.02, instants);
 }
 
 // What the files under the folder give, imported and inverted as a person would.
@@ -155,10 +155,10 @@ TEST(RawWaves, AnEnhancedMultiFrameImage) {
 // A vendor's waves are displacements, unwrapped, of one direction; only their frequency may have to be asked for.
 TEST(RawWaves, AVendorsWaveImages) {
   const TemporaryFolder folder;
-  glisson::test::WavePhantom phantom;
-  phantom.grid = glisson::test::cube_grid(40, slices, 2, 4);
+  glisson::elastography::WavePhantom phantom;
+  phantom.grid = glisson::elastography::cube_grid(40, slices, 2, 4);
   phantom.background_kPa = {4, 0.3};
-  const auto components = glisson::test::crossing_waves(phantom);
+  const auto components = glisson::elastography::crossing_waves(phantom);
   WaveImages images;
   images.grid = phantom.grid;
   images.phase_rad.resize(1);

@@ -7,16 +7,11 @@
 #include <gmock/gmock.h>
 #include <map>
 
-#include "support/wave_phantom.h"
+#include "elastography/wave_phantom.h"
 
 namespace glisson::elastography {
 namespace {
 
-using test::Complex;
-using test::crossing_waves;
-using test::cube_grid;
-using test::measured;
-using test::WavePhantom;
 using testing::HasSubstr;
 
 // A sphere 28 mm across and stiffer than the 3 kPa around it, in five slices.
@@ -117,7 +112,7 @@ TEST(Truth, ErrorAndContrastAgainstVoxelsPerWavelength) {
   for (const double frequency_Hz : {20.0, 40.0, 60.0, 90.0, 130.0, 200.0}) {
     const WavePhantom phantom = stiff_sphere(frequency_Hz);
     const auto waves = crossing_waves(phantom);
-    const double voxels = test::wavelength_mm(frequency_Hz, phantom.background_kPa) / 2;
+    const double voxels = wavelength_mm(frequency_Hz, phantom.background_kPa) / 2;
     for (const double noise_rad : {0.0, 0.2}) {
       const WaveImages images = measured(phantom, waves, 2, noise_rad);
       for (const auto method : {InversionMethod::direct, InversionMethod::local_frequency}) {
@@ -153,8 +148,8 @@ TEST(Truth, ErrorAndContrastAgainstVoxelsPerWavelength) {
 TEST(Directions, ToldApartAreMoreRightWhereBelievedAndBelievedInFewerPlaces) {
   const WavePhantom body = even_body(60);
   const Eigen::Vector3d along = Eigen::Vector3d(1, 0.2, 0).normalized();
-  auto standing = test::scattered_wave(body, along);
-  const auto back = test::scattered_wave(body, -along);
+  auto standing = scattered_wave(body, along);
+  const auto back = scattered_wave(body, -along);
   for (std::size_t v = 0; v < standing.size(); ++v) standing[v] += back[v];
   for (const auto& waves : {std::vector<ComplexField>{standing}, crossing_waves(body)}) {
     for (const double noise_rad : {0.0, 0.2, 0.4}) {

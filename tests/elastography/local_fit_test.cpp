@@ -5,13 +5,10 @@
 #include <gtest/gtest.h>
 #include <Eigen/QR>
 
-#include "support/wave_phantom.h"
+#include "elastography/wave_phantom.h"
 
 namespace glisson::elastography {
 namespace {
-
-using test::Complex;
-using test::cube_grid;
 
 imaging::Mask full(const imaging::Grid& grid) { return {grid, std::vector<std::uint8_t>(grid.voxels(), 1)}; }
 
@@ -73,16 +70,16 @@ TEST(LocalFit, AgreesWithTheSlowObviousOneAlsoAtARaggedBorder) {
 
 // The reason for the way in which the two are formed.
 TEST(LocalFit, TheQuotientOfAPlaneWaveIsItsWavenumberSquaredInsideTheBody) {
-  test::WavePhantom phantom;
+  WavePhantom phantom;
   phantom.grid = cube_grid(33, 33, 2, 2);
   phantom.background_kPa = {3, 0};
   for (const double frequency_Hz : {40.0, 80.0, 160.0}) {
     phantom.frequency_Hz = frequency_Hz;
     const auto u = scattered_wave(phantom, Eigen::Vector3d(1, 0.7, 0.4).normalized());
-    const double sd_mm = std::max(1.8, 0.1 * test::wavelength_mm(frequency_Hz, phantom.background_kPa));
+    const double sd_mm = std::max(1.8, 0.1 * wavelength_mm(frequency_Hz, phantom.background_kPa));
     const LocalFit fit = LocalFitter(full(phantom.grid), sd_mm, FitDimension::volume).fit(u);
     const std::size_t middle = phantom.grid.offset(16, 16, 16);
-    const Complex k = test::wavenumber(frequency_Hz, phantom.background_kPa);
+    const Complex k = wavenumber(frequency_Hz, phantom.background_kPa);
     const Complex found = -Complex(fit.laplacian[middle]) / Complex(fit.value[middle]);
     EXPECT_NEAR(found.real() / (k * k).real(), 1, 0.01) << frequency_Hz << " Hz";
   }

@@ -7,16 +7,10 @@
 #include <Eigen/Geometry>
 #include <map>
 
-#include "support/wave_phantom.h"
+#include "elastography/wave_phantom.h"
 
 namespace glisson::elastography {
 namespace {
-
-using test::Complex;
-using test::crossing_waves;
-using test::cube_grid;
-using test::measured;
-using test::WavePhantom;
 
 // A body in the shape of a cylinder, and only noise of the whole circle around it.
 struct RoundBody {
@@ -195,7 +189,7 @@ struct UnderCompression {
     phantom.background_kPa = {3, 0};
     const Eigen::Matrix3d turned = Eigen::AngleAxisd(0.4, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
     const auto shear = scattered_wave(phantom, way);
-    const Complex k_long = test::wavenumber(60, {3e4, 0});
+    const Complex k_long = wavenumber(60, {3e4, 0});
     waves.grid = phantom.grid;
     waves.frequency_Hz = 60;
     waves.noise_rad.assign(shear.size(), 0.01F);
@@ -223,7 +217,7 @@ TEST(LongWaves, TheCurlLeavesTheShearWaveAlone) {
   const UnderCompression both;
   const auto curl = curl_of(both.waves, both.along);
   ASSERT_TRUE(curl.has_value()) << curl.error().message();
-  const Complex k = test::wavenumber(60, both.phantom.background_kPa);
+  const Complex k = wavenumber(60, both.phantom.background_kPa);
   const auto shear = scattered_wave(both.phantom, both.way);
   // curl(swing e^(-i k way.x)) = -i k (way x swing) e^(...), and central differences see sin(k h) / h for k.
   const Eigen::Vector3d expected = both.way.cross(both.swing);
@@ -241,7 +235,7 @@ TEST(LongWaves, TheCurlLeavesTheShearWaveAlone) {
 
 TEST(LongWaves, TheHighPassTakesOffCompressionAndKeepsTheWavelength) {
   const UnderCompression both;
-  const double length_mm = test::wavelength_mm(60, both.phantom.background_kPa);
+  const double length_mm = wavelength_mm(60, both.phantom.background_kPa);
   const Waves filtered = without_long_waves(both.waves, 0.5 * length_mm);
   double before = 0;
   double after = 0;

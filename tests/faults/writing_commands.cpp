@@ -11,6 +11,7 @@
 
 #include "base/files.h"
 #include "base/json.h"
+#include "elastography/wave_phantom.h"
 #include "geometry/mesh_file.h"
 #include "imaging/dicom_uid.h"
 #include "imaging/dicom_write.h"
@@ -20,7 +21,6 @@
 #include "support/process.h"
 #include "support/small_liver.h"
 #include "support/stereo_video.h"
-#include "support/wave_phantom.h"
 
 namespace glisson::test {
 
@@ -157,8 +157,8 @@ std::string wave_series(int direction) { return imaging::uid_from_name("waves, "
 // Shear waves of 60 Hz in three directions at four instants, and what they were measured in.
 void write_waves(const fs::path& folder) {
   constexpr int instants = 4;
-  WavePhantom phantom;
-  phantom.grid = cube_grid(24, 5, 2, 4);
+  elastography::WavePhantom phantom;
+  phantom.grid = elastography::cube_grid(24, 5, 2, 4);
   phantom.background_kPa = {4, 0.3};
   const elastography::WaveImages images = measured(phantom, crossing_waves(phantom), 1.0, 0.02, instants);
   const auto series = [](const std::string& name, const std::string& image_type, int number) {

@@ -5,17 +5,18 @@
 #include <QtGlobal>
 
 #include "casefile/case.h"
+#include "elastography/wave_phantom.h"
 #include "imaging/volume_file.h"
-#include "support/wave_phantom.h"
 
 namespace glisson::widgets::test {
 
 // 4 kPa, shaken at 60 Hz: a wavelength of 33 mm in 96 mm.
 inline void write_wave_case(const std::filesystem::path& folder) {
-  glisson::test::WavePhantom phantom;
-  phantom.grid = glisson::test::cube_grid(48, 5, 2, 4);
+  glisson::elastography::WavePhantom phantom;
+  phantom.grid = glisson::elastography::cube_grid(48, 5, 2, 4);
   phantom.background_kPa = {4, 0.3};
-  const auto images = glisson::test::measured(phantom, glisson::test::crossing_waves(phantom), 1.0, 0.02);
+  const auto images =
+      glisson::elastography::measured(phantom, glisson::elastography::crossing_waves(phantom), 1.0, 0.02);
   auto patient = casefile::Case::create(folder);
   if (!patient) qFatal("%s", patient.error().message().c_str());
   int number = 0;
