@@ -7187,6 +7187,30 @@
         <source>Go on along the earlier cut, or keep farther away from it.</source>
         <translation>Setzen Sie den früheren Schnitt fort, oder halten Sie mehr Abstand von ihm.</translation>
     </message>
+    <message>
+        <source>A scene for SOFA cannot hold what the scenario says with {0}.</source>
+        <translation>Eine Szene für SOFA kann nicht aufnehmen, was das Szenario mit {0} sagt.</translation>
+    </message>
+    <message>
+        <source>It holds linear and corotational bodies by finite elements, fixed points, foundations and loads.</source>
+        <translation>Sie nimmt lineare und korotierte Körper aus finiten Elementen auf, feste Punkte, Bettungen und Lasten.</translation>
+    </message>
+    <message>
+        <source>Without a scenario, the scene hoists segment VI with {0} N.</source>
+        <translation>Ohne Szenario hebt die Szene Segment VI mit {0} N an.</translation>
+    </message>
+    <message>
+        <source>A scene for SOFA cannot hold the effect {0}: it is left out.</source>
+        <translation>Eine Szene für SOFA kann den Effekt {0} nicht aufnehmen: Er bleibt weg.</translation>
+    </message>
+    <message>
+        <source>SOFA&apos;s linear tetrahedra are stiffer than the quadratic ones here: the largest displacement should be {0} mm in the scene, and is {1} mm in Glisson.</source>
+        <translation>Die linearen Tetraeder von SOFA sind steifer als die quadratischen hier: Die größte Verschiebung sollte in der Szene {0} mm sein, in Glisson ist sie {1} mm.</translation>
+    </message>
+    <message>
+        <source>--scenario serves a scene for SOFA alone (--format sofa).</source>
+        <translation>--scenario gilt nur für eine Szene für SOFA (--format sofa).</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

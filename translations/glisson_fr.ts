@@ -7187,6 +7187,30 @@
         <source>Go on along the earlier cut, or keep farther away from it.</source>
         <translation>Poursuivez la coupe précédente, ou restez plus loin d’elle.</translation>
     </message>
+    <message>
+        <source>A scene for SOFA cannot hold what the scenario says with {0}.</source>
+        <translation>Une scène pour SOFA ne peut pas contenir ce que le scénario dit par {0}.</translation>
+    </message>
+    <message>
+        <source>It holds linear and corotational bodies by finite elements, fixed points, foundations and loads.</source>
+        <translation>Elle contient des corps linéaires et corotationnels par éléments finis, des points fixes, des fondations et des charges.</translation>
+    </message>
+    <message>
+        <source>Without a scenario, the scene hoists segment VI with {0} N.</source>
+        <translation>Sans scénario, la scène soulève le segment VI avec {0} N.</translation>
+    </message>
+    <message>
+        <source>A scene for SOFA cannot hold the effect {0}: it is left out.</source>
+        <translation>Une scène pour SOFA ne peut pas contenir l&apos;effet {0} : il est omis.</translation>
+    </message>
+    <message>
+        <source>SOFA&apos;s linear tetrahedra are stiffer than the quadratic ones here: the largest displacement should be {0} mm in the scene, and is {1} mm in Glisson.</source>
+        <translation>Les tétraèdres linéaires de SOFA sont plus raides que les quadratiques ici : le plus grand déplacement devrait être de {0} mm dans la scène et est de {1} mm dans Glisson.</translation>
+    </message>
+    <message>
+        <source>--scenario serves a scene for SOFA alone (--format sofa).</source>
+        <translation>--scenario ne sert qu&apos;à une scène pour SOFA (--format sofa).</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>
