@@ -7208,6 +7208,18 @@
         <translation>Die linearen Tetraeder von SOFA sind steifer als die quadratischen hier: Die größte Verschiebung sollte in der Szene {0} mm sein, in Glisson ist sie {1} mm.</translation>
     </message>
     <message>
+        <source>The liver&apos;s points are not those of the liver whose vessels are carried along.</source>
+        <translation>Die Punkte der Leber sind nicht die der Leber, deren Gefäße mitgenommen werden.</translation>
+    </message>
+    <message>
+        <source>Give the spacing of the reference that the model was made with, or draw without vessels.</source>
+        <translation>Geben Sie den Punktabstand der Referenz an, mit dem das Modell gemacht wurde, oder zeichnen Sie ohne Gefäße.</translation>
+    </message>
+    <message>
+        <source>The liver is bent so far that vessels carried along would be turned inside out.</source>
+        <translation>Die Leber ist so stark gebogen, dass mitgenommene Gefäße umgestülpt würden.</translation>
+    </message>
+    <message>
         <source>--scenario serves a scene for SOFA alone (--format sofa).</source>
         <translation>--scenario gilt nur für eine Szene für SOFA (--format sofa).</translation>
     </message>

@@ -7208,6 +7208,18 @@
         <translation>Los tetraedros lineales de SOFA son más rígidos que los cuadráticos de aquí: el mayor desplazamiento debería ser de {0} mm en la escena y es de {1} mm en Glisson.</translation>
     </message>
     <message>
+        <source>The liver&apos;s points are not those of the liver whose vessels are carried along.</source>
+        <translation>Los puntos del hígado no son los del hígado cuyos vasos se llevan consigo.</translation>
+    </message>
+    <message>
+        <source>Give the spacing of the reference that the model was made with, or draw without vessels.</source>
+        <translation>Indique el espaciado de la referencia con el que se hizo el modelo, o genere sin vasos.</translation>
+    </message>
+    <message>
+        <source>The liver is bent so far that vessels carried along would be turned inside out.</source>
+        <translation>El hígado está tan doblado que los vasos llevados consigo quedarían vueltos del revés.</translation>
+    </message>
+    <message>
         <source>--scenario serves a scene for SOFA alone (--format sofa).</source>
         <translation>--scenario sirve solo para una escena para SOFA (--format sofa).</translation>
     </message>

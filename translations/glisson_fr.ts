@@ -7208,6 +7208,18 @@
         <translation>Les tétraèdres linéaires de SOFA sont plus raides que les quadratiques ici : le plus grand déplacement devrait être de {0} mm dans la scène et est de {1} mm dans Glisson.</translation>
     </message>
     <message>
+        <source>The liver&apos;s points are not those of the liver whose vessels are carried along.</source>
+        <translation>Les points du foie ne sont pas ceux du foie dont les vaisseaux sont emportés.</translation>
+    </message>
+    <message>
+        <source>Give the spacing of the reference that the model was made with, or draw without vessels.</source>
+        <translation>Indiquez l&apos;espacement de la référence avec lequel le modèle a été fait, ou tirez sans vaisseaux.</translation>
+    </message>
+    <message>
+        <source>The liver is bent so far that vessels carried along would be turned inside out.</source>
+        <translation>Le foie est si déformé que les vaisseaux emportés seraient retournés.</translation>
+    </message>
+    <message>
         <source>--scenario serves a scene for SOFA alone (--format sofa).</source>
         <translation>--scenario ne sert qu&apos;à une scène pour SOFA (--format sofa).</translation>
     </message>
