@@ -7199,6 +7199,42 @@
         <source>There is no trial {0}; the first one is {1}.</source>
         <translation>Einen Versuch {0} gibt es nicht; der erste ist {1}.</translation>
     </message>
+    <message>
+        <source>A scene for SOFA cannot hold what the scenario says with {0}.</source>
+        <translation>Eine Szene für SOFA kann nicht aufnehmen, was das Szenario mit {0} sagt.</translation>
+    </message>
+    <message>
+        <source>It holds linear and corotational bodies by finite elements, fixed points, foundations and loads.</source>
+        <translation>Sie nimmt lineare und korotierte Körper aus finiten Elementen auf, feste Punkte, Bettungen und Lasten.</translation>
+    </message>
+    <message>
+        <source>Without a scenario, the scene hoists segment VI with {0} N.</source>
+        <translation>Ohne Szenario hebt die Szene Segment VI mit {0} N an.</translation>
+    </message>
+    <message>
+        <source>A scene for SOFA cannot hold the effect {0}: it is left out.</source>
+        <translation>Eine Szene für SOFA kann den Effekt {0} nicht aufnehmen: Er bleibt weg.</translation>
+    </message>
+    <message>
+        <source>SOFA&apos;s linear tetrahedra are stiffer than the quadratic ones here: the largest displacement should be {0} mm in the scene, and is {1} mm in Glisson.</source>
+        <translation>Die linearen Tetraeder von SOFA sind steifer als die quadratischen hier: Die größte Verschiebung sollte in der Szene {0} mm sein, in Glisson ist sie {1} mm.</translation>
+    </message>
+    <message>
+        <source>The liver&apos;s points are not those of the liver whose vessels are carried along.</source>
+        <translation>Die Punkte der Leber sind nicht die der Leber, deren Gefäße mitgenommen werden.</translation>
+    </message>
+    <message>
+        <source>Give the spacing of the reference that the model was made with, or draw without vessels.</source>
+        <translation>Geben Sie den Punktabstand der Referenz an, mit dem das Modell gemacht wurde, oder zeichnen Sie ohne Gefäße.</translation>
+    </message>
+    <message>
+        <source>The liver is bent so far that vessels carried along would be turned inside out.</source>
+        <translation>Die Leber ist so stark gebogen, dass mitgenommene Gefäße umgestülpt würden.</translation>
+    </message>
+    <message>
+        <source>--scenario serves a scene for SOFA alone (--format sofa).</source>
+        <translation>--scenario gilt nur für eine Szene für SOFA (--format sofa).</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

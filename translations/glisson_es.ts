@@ -7199,6 +7199,42 @@
         <source>There is no trial {0}; the first one is {1}.</source>
         <translation>No hay ningún ensayo {0}; el primero es {1}.</translation>
     </message>
+    <message>
+        <source>A scene for SOFA cannot hold what the scenario says with {0}.</source>
+        <translation>Una escena para SOFA no puede contener lo que el escenario dice con {0}.</translation>
+    </message>
+    <message>
+        <source>It holds linear and corotational bodies by finite elements, fixed points, foundations and loads.</source>
+        <translation>Contiene cuerpos lineales y corrotacionales por elementos finitos, puntos fijos, cimentaciones y cargas.</translation>
+    </message>
+    <message>
+        <source>Without a scenario, the scene hoists segment VI with {0} N.</source>
+        <translation>Sin escenario, la escena levanta el segmento VI con {0} N.</translation>
+    </message>
+    <message>
+        <source>A scene for SOFA cannot hold the effect {0}: it is left out.</source>
+        <translation>Una escena para SOFA no puede contener el efecto {0}: se omite.</translation>
+    </message>
+    <message>
+        <source>SOFA&apos;s linear tetrahedra are stiffer than the quadratic ones here: the largest displacement should be {0} mm in the scene, and is {1} mm in Glisson.</source>
+        <translation>Los tetraedros lineales de SOFA son más rígidos que los cuadráticos de aquí: el mayor desplazamiento debería ser de {0} mm en la escena y es de {1} mm en Glisson.</translation>
+    </message>
+    <message>
+        <source>The liver&apos;s points are not those of the liver whose vessels are carried along.</source>
+        <translation>Los puntos del hígado no son los del hígado cuyos vasos se llevan consigo.</translation>
+    </message>
+    <message>
+        <source>Give the spacing of the reference that the model was made with, or draw without vessels.</source>
+        <translation>Indique el espaciado de la referencia con el que se hizo el modelo, o genere sin vasos.</translation>
+    </message>
+    <message>
+        <source>The liver is bent so far that vessels carried along would be turned inside out.</source>
+        <translation>El hígado está tan doblado que los vasos llevados consigo quedarían vueltos del revés.</translation>
+    </message>
+    <message>
+        <source>--scenario serves a scene for SOFA alone (--format sofa).</source>
+        <translation>--scenario sirve solo para una escena para SOFA (--format sofa).</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

@@ -7199,6 +7199,42 @@
         <source>There is no trial {0}; the first one is {1}.</source>
         <translation>Il n’y a pas d’essai {0} ; le premier est {1}.</translation>
     </message>
+    <message>
+        <source>A scene for SOFA cannot hold what the scenario says with {0}.</source>
+        <translation>Une scène pour SOFA ne peut pas contenir ce que le scénario dit par {0}.</translation>
+    </message>
+    <message>
+        <source>It holds linear and corotational bodies by finite elements, fixed points, foundations and loads.</source>
+        <translation>Elle contient des corps linéaires et corotationnels par éléments finis, des points fixes, des fondations et des charges.</translation>
+    </message>
+    <message>
+        <source>Without a scenario, the scene hoists segment VI with {0} N.</source>
+        <translation>Sans scénario, la scène soulève le segment VI avec {0} N.</translation>
+    </message>
+    <message>
+        <source>A scene for SOFA cannot hold the effect {0}: it is left out.</source>
+        <translation>Une scène pour SOFA ne peut pas contenir l&apos;effet {0} : il est omis.</translation>
+    </message>
+    <message>
+        <source>SOFA&apos;s linear tetrahedra are stiffer than the quadratic ones here: the largest displacement should be {0} mm in the scene, and is {1} mm in Glisson.</source>
+        <translation>Les tétraèdres linéaires de SOFA sont plus raides que les quadratiques ici : le plus grand déplacement devrait être de {0} mm dans la scène et est de {1} mm dans Glisson.</translation>
+    </message>
+    <message>
+        <source>The liver&apos;s points are not those of the liver whose vessels are carried along.</source>
+        <translation>Les points du foie ne sont pas ceux du foie dont les vaisseaux sont emportés.</translation>
+    </message>
+    <message>
+        <source>Give the spacing of the reference that the model was made with, or draw without vessels.</source>
+        <translation>Indiquez l&apos;espacement de la référence avec lequel le modèle a été fait, ou tirez sans vaisseaux.</translation>
+    </message>
+    <message>
+        <source>The liver is bent so far that vessels carried along would be turned inside out.</source>
+        <translation>Le foie est si déformé que les vaisseaux emportés seraient retournés.</translation>
+    </message>
+    <message>
+        <source>--scenario serves a scene for SOFA alone (--format sofa).</source>
+        <translation>--scenario ne sert qu&apos;à une scène pour SOFA (--format sofa).</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

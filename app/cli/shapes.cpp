@@ -8,6 +8,7 @@
 #include "command.h"
 #include "geometry/mesh_file.h"
 #include "imaging/volume_file.h"
+#include "one_of.h"
 #include "shapes/completion.h"
 #include "shapes/liver_outline.h"
 #include "shapes/model_file.h"
@@ -121,7 +122,8 @@ void add_complete(CLI::App& shapes, Action& chosen) {
 
 void add_draw(CLI::App& shapes, Action& chosen) {
   CLI::App* command = shapes.add_subcommand(
-      "draw", "SIMULATED livers drawn from a model, meshed, with stiffness by section 4.3; run again, it goes on");
+      "draw",
+      "SIMULATED livers drawn from a model, meshed, with vessels and stiffness by section 4.3; run again, it goes on");
   auto options = std::make_shared<DrawCommand>();
   command->add_option("model", options->model, "model.vtp of \"study shapes\"")->required();
   command->add_option("--out", options->out, "Folder for the livers and their table")->required();
@@ -129,6 +131,17 @@ void add_draw(CLI::App& shapes, Action& chosen) {
       ->capture_default_str()
       ->check(CLI::Range(1, 1000000));
   command->add_option("--seed", options->options.seed, "The same seed gives the same livers")->capture_default_str();
+  using Vessels = studies::DrawnCohortOptions::Vessels;
+  command
+      ->add_option("--vessels", options->options.vessels,
+                   "carried: those of the generated liver by whose points the model describes livers, carried along by "
+                   "each shape's warp, as ID_trees.json; none")
+      ->transform(one_of(Words<Vessels>{{"carried", Vessels::carried}, {"none", Vessels::none}}));
+  command
+      ->add_option("--reference-spacing-mm", options->options.reference_spacing_mm,
+                   "As study shapes was given it for the model")
+      ->capture_default_str()
+      ->check(CLI::Range(4.0, 20.0));
   command->add_option("--target-cells", options->options.target_cells, "Tetrahedra of each")
       ->capture_default_str()
       ->check(CLI::Range(200, 1000000));

@@ -14,7 +14,8 @@ namespace {
 
 struct StudyLandmarksCommand {
   CohortChoice patients;
-  std::string livers;
+  std::string livers, law = "linear";
+  std::optional<int> meshfree_nodes;
   studies::LandmarksOptions landmarks;
 };
 
@@ -36,13 +37,21 @@ Outcome describe_landmarks(const studies::LandmarksSummary& summary) {
       fmt::format("{} patients ({} from an earlier run), {} could not be used; {:.1f} s at most a patient\n",
                   summary.patients, summary.reused, summary.failed, summary.slowest_s) +
           described("Between patients", summary.between) + described("Landmarks", summary.groups) +
-          described("What moves landmarks", summary.sensitivity) + described("Within a liver", summary.within) +
+          described("What moves landmarks", summary.sensitivity) + described("Meshfree", summary.engines) +
+          described("Within a liver", summary.within) +
           fmt::format("In {:.0f} % of the patients one of the three regions at least is 5 mm off\n",
                       100 * summary.any_region_fraction)};
   outcome.document["reused"] = summary.reused;
   outcome.document["slowest_patient_s"] = summary.slowest_s;
   add_rows(summary.rows, outcome);
   return outcome;
+}
+
+studies::LandmarksOptions landmarks_options(const StudyLandmarksCommand& options) {
+  studies::LandmarksOptions chosen = options.landmarks;
+  if (options.law == "by-strain") chosen.retraction.law = studies::RetractionLaw::by_strain;
+  if (options.meshfree_nodes) chosen.retraction.meshfree = {.nodes = *options.meshfree_nodes};
+  return chosen;
 }
 
 Result<Outcome> run_on_livers(const StudyLandmarksCommand& options, const Progress& progress) {
@@ -56,7 +65,7 @@ Result<Outcome> run_on_livers(const StudyLandmarksCommand& options, const Progre
       return outcome;
     });
   }
-  studies::LandmarksOptions chosen = options.landmarks;
+  studies::LandmarksOptions chosen = landmarks_options(options);
   chosen.livers_seed = options.patients.seed;
   chosen.retraction.law = studies::RetractionLaw::by_strain;
   chosen.part = options.patients.part;
@@ -66,9 +75,10 @@ Result<Outcome> run_on_livers(const StudyLandmarksCommand& options, const Progre
 
 Result<Outcome> run(const StudyLandmarksCommand& options, const Progress& progress) {
   if (!options.livers.empty()) return run_on_livers(options, progress);
-  return run_over_cohort(options.patients, options.landmarks, [&](const std::string& folder, const auto& chosen) {
-    return studies::run_landmarks(folder, options.patients.out, chosen, progress).map(describe_landmarks);
-  });
+  return run_over_cohort(
+      options.patients, landmarks_options(options), [&](const std::string& folder, const auto& chosen) {
+        return studies::run_landmarks(folder, options.patients.out, chosen, progress).map(describe_landmarks);
+      });
 }
 
 }  // namespace
@@ -97,6 +107,16 @@ void add_study_landmarks(CLI::App& study, Action& chosen) {
   command->add_option("--target-cells", retraction.target_cells, "Of a liver's mesh")
       ->capture_default_str()
       ->check(CLI::Range(500, 200000));
+  command
+      ->add_option("--law", options->law,
+                   "linear, or by-strain: neo-Hookean where the linear answer leaves small strain, as --livers always")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"linear", "by-strain"}));
+  command
+      ->add_option("--meshfree", options->meshfree_nodes,
+                   "Retract by the meshfree engine as well, with so many nodes (0: one for every 12 points of the "
+                   "mesh), and say how far apart the engines are")
+      ->check(CLI::Range(0, 20000));
   command->add_option("--beam-force-N", options->landmarks.beams.force_N, "That lifts a beam at its middle")
       ->capture_default_str()
       ->check(CLI::Range(1e-6, 100.0));

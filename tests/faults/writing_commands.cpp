@@ -360,7 +360,8 @@ std::vector<WritingCommand> writing_commands() {
        true},
       {"shapes-complete", {"shapes", "complete", "@shapes.vtp", "@cut_off.vtp", "--out", "@whole.vtp"}},
       {"shapes-draw",
-       {"shapes", "draw", "@shapes.vtp", "--count", "1", "--target-cells", "400", "--out", "@drawn"},
+       {"shapes", "draw", "@shapes.vtp", "--count", "1", "--target-cells", "400", "--vessels", "none", "--out",
+        "@drawn"},
        true},
       {"study-stiffness", {"study", "validate-stiffness", "--out", "@validation"}},
       {"study-cohort", {"study", "cohort", "--simulated", "2", "--out", "@cohort"}, true},
@@ -380,7 +381,7 @@ std::vector<WritingCommand> writing_commands() {
       {"study-palpation", {"study", "palpation", "--scans", "@scans", "--out", "@palpation"}, true},
       {"study-beams", {"study", "beams", "@small.glisson", "--nodes", "60", "--out", "@beams"}},
   };
-  for (const char* format : {"nrrd", "nifti", "stl", "obj", "vtp"}) {
+  for (const char* format : {"nrrd", "nifti", "stl", "obj", "vtp", "sofa"}) {
     all.push_back({std::string("export-") + format,
                    {"export", "@small.glisson", "--format", format, "--out", std::string("@exported-") + format}});
   }

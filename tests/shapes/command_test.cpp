@@ -15,6 +15,7 @@
 #include "shapes/smooth_model.h"
 #include "simulated_abdomen.h"
 #include "support/process.h"
+#include "vasculature/tree_file.h"
 
 namespace glisson::test {
 namespace {
@@ -68,8 +69,9 @@ TEST_F(ShapesCommand, RefusesWhatIsNoModelAndWhatIsNoLiverOfIt) {
 }
 
 TEST_F(ShapesCommand, DrawsSimulatedLiversAndGoesOn) {
-  const std::vector<std::string> words{"shapes", "draw",           model(), "--count", "2",           "--seed",
-                                       "3",      "--target-cells", "800",   "--out",   file("drawn"), "--json"};
+  const std::vector<std::string> words{"shapes", "draw",  model(),          "--count", "2",
+                                       "--seed", "3",     "--target-cells", "800",     "--vessels",
+                                       "none",   "--out", file("drawn"),    "--json"};
   const Finished done = glisson_cli(words);
   ASSERT_EQ(done.exit_code, 0) << done.err;
   EXPECT_EQ(Json::parse(done.out)["livers"], 2);
@@ -86,6 +88,36 @@ TEST_F(ShapesCommand, DrawsSimulatedLiversAndGoesOn) {
   ASSERT_EQ(again.exit_code, 0) << again.err;
   EXPECT_EQ(Json::parse(again.out)["reused"], 1);
   EXPECT_EQ(sha256_of_file(second).value(), before);
+}
+
+TEST_F(ShapesCommand, DrawnLiversHaveVesselsThatReadAsAnyTrees) {
+  ASSERT_TRUE(shapes::write_model(file("smooth.vtp"), shapes::smooth_model({.reference_spacing_mm = 9}).value()));
+  const auto draw = [&](const std::string& model_file, const std::string& spacing_mm) {
+    return glisson_cli({"shapes", "draw", model_file, "--count", "1", "--target-cells", "800", "--out", file("drawn"),
+                        "--reference-spacing-mm", spacing_mm, "--json"});
+  };
+  for (const auto& [of, spacing_mm] : {std::pair{model(), "7"}, std::pair{file("smooth.vtp"), "7"}}) {
+    const Finished other = draw(of, spacing_mm);  // ellipsoids, and a model of another spacing
+    EXPECT_EQ(other.exit_code, 1);
+    EXPECT_THAT(other.err, HasSubstr("draw without vessels"));
+    EXPECT_THAT(other.err, HasSubstr(fs::path(of).filename().string()));
+  }
+  const Finished done = draw(file("smooth.vtp"), "9");
+  ASSERT_EQ(done.exit_code, 0) << done.err;
+  const fs::path trees_file = fs::path(file("drawn")) / "simulated-00001_trees.json";
+  const auto trees = vasculature::read_trees(trees_file);
+  ASSERT_TRUE(trees) << trees.error().message();
+  EXPECT_GT(trees->branches.size(), 500u);
+  EXPECT_THAT(read_json_file(trees_file).value()["simulated"].get<std::string>(), HasSubstr("SIMULATED"));
+  const auto mesh = geometry::read_tetrahedra(fs::path(file("drawn")) / "simulated-00001.vtu").value();
+  const geometry::Box box = geometry::bounding_box(mesh.points_mm);
+  for (const auto& branch : trees->branches) {
+    EXPECT_TRUE((branch.points.back().position_mm.array() >= box.min_mm.array()).all());
+    EXPECT_TRUE((branch.points.back().position_mm.array() <= box.max_mm.array()).all());
+  }
+  fs::remove(trees_file);
+  ASSERT_EQ(draw(file("smooth.vtp"), "9").exit_code, 0);
+  EXPECT_TRUE(fs::exists(trees_file));
 }
 
 TEST_F(ShapesCommand, AFolderWithoutLiversIsSaid) {

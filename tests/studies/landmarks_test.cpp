@@ -3,6 +3,7 @@
 #include "studies/dissertation/landmarks.h"
 
 #include <gmock/gmock.h>
+#include <algorithm>
 #include <cmath>
 
 #include "base/files.h"
@@ -103,6 +104,73 @@ TEST(Landmarks, APatientWhoseLiverIsTooSmallStopsNobody) {
   EXPECT_EQ(summary->failed, 1u);
   EXPECT_FALSE(summary->rows[0].error.empty());
   EXPECT_EQ(summary->patients, 1u);
+}
+
+// The meshfree engine's displacements are some of the finite elements': it lifts less, and more nodes come nearer.
+TEST(Landmarks, TheMeshfreeEngineStandsBesideFiniteElementsAndComesNearerWithMoreNodes) {
+  const TemporaryFolder folder;
+  write_liver(folder.path() / "p1-stiffness.nrrd", 1.3, 3.9);
+  const auto subjects = find_subjects(folder.path()).value();
+  auto liver = read_subject(subjects.at(0)).value();
+  const Eigen::Vector3d middle_mm(82, 62, 57);
+  liver.landmarks = {{"deep", middle_mm}, {"right", middle_mm - Eigen::Vector3d(40, 0, 0)}};
+  liver.groups = {{"landmarks", {0, 1}}};
+  RetractionOptions options;
+  options.target_cells = 800;
+  options.force_N = 0.5;
+  EXPECT_FALSE(retract(liver, options).value().meshfree.has_value());
+  std::vector<double> apart_mm;
+  for (const int nodes : {10, 60}) {
+    options.meshfree = mechanics::MeshfreeOptions{.nodes = nodes};
+    const auto retraction = retract(liver, options);
+    ASSERT_TRUE(retraction) << retraction.error().message();
+    ASSERT_TRUE(retraction->meshfree.has_value());
+    const MeshfreeRetraction& meshfree = *retraction->meshfree;
+    EXPECT_EQ(meshfree.measured.scenario.engine, mechanics::Engine::meshfree);
+    EXPECT_LT(meshfree.measured.result.strain_energy_uJ + meshfree.measured.result.foundation_energy_uJ,
+              retraction->measured.result.strain_energy_uJ + retraction->measured.result.foundation_energy_uJ);
+    double farthest_mm = 0;
+    for (std::size_t p = 0; p < meshfree.measured.result.displacement_mm.size(); ++p) {
+      farthest_mm = std::max(
+          farthest_mm,
+          (meshfree.measured.result.displacement_mm[p] - retraction->measured.result.displacement_mm[p]).norm());
+    }
+    EXPECT_GE(farthest_mm, meshfree.against_elements.max_mm - 1e-9);  // that is of the boundary and the landmarks
+    EXPECT_GT(meshfree.against_elements.max_mm, 0.01);
+    ASSERT_EQ(meshfree.against_elements.landmarks.size(), 2u);
+    EXPECT_NEAR(meshfree.against_elements.landmarks[1].difference_mm,
+                (meshfree.measured.landmarks[1].displaced_mm - retraction->measured.landmarks[1].displaced_mm).norm(),
+                1e-12);
+    apart_mm.push_back(meshfree.against_elements.mean_mm);
+  }
+  EXPECT_LT(apart_mm[1], 0.7 * apart_mm[0]);
+}
+
+TEST(Landmarks, TheEnginesHaveColumnsOfTheirOwnWhereBothAreAskedFor) {
+  const TemporaryFolder folder;
+  const fs::path maps = folder.path() / "maps";
+  fs::create_directories(maps);
+  write_liver(maps / "p1-stiffness.nrrd", 1.3, 3.9);
+  LandmarksOptions options;
+  options.retraction.target_cells = 800;
+  options.retraction.law = RetractionLaw::by_strain;
+  options.pictures = 0;
+  const auto without = run_landmarks(maps, folder.path() / "out", options);
+  ASSERT_TRUE(without) << without.error().message();
+  EXPECT_TRUE(without->engines.empty());
+  options.retraction.meshfree = mechanics::MeshfreeOptions{.nodes = 30};
+  const auto summary = run_landmarks(maps, folder.path() / "out", options);
+  ASSERT_TRUE(summary) << summary.error().message();
+  EXPECT_EQ(summary->reused, 0u);
+  const BatchRow& row = summary->rows[0];
+  EXPECT_EQ(value(row, "atlas_near_tool_mm"), value(without->rows[0], "atlas_near_tool_mm"));
+  ASSERT_EQ(value(row, "meshfree_answered"), 1);
+  EXPECT_GT(value(row, "engines_near_tool_mm"), 0);
+  EXPECT_LT(value(row, "engines_mean_mm"), value(row, "lifted_mm"));
+  EXPECT_GT(value(row, "meshfree_atlas_near_tool_mm"), 0);
+  ASSERT_FALSE(summary->engines.empty());
+  EXPECT_EQ(summary->engines.front().mm.mean, value(row, "engines_mean_mm"));
+  EXPECT_THAT(read_text_file(folder.path() / "out" / "report.html").value(), HasSubstr("meshfree nodes (30)"));
 }
 
 // Wilson's bounds are the probabilities whose own 1.96 standard deviations just reach what was seen.

@@ -14,6 +14,8 @@ struct DrawnCohortOptions {
   int count = 10;
   std::uint64_t seed = 1;
   int target_cells = 20000;
+  enum class Vessels { carried, none } vessels = Vessels::carried;  // by the shape's warp (shapes/carried_vessels.h)
+  double reference_spacing_mm = 7;                                  // that the model was made with (ShapesOptions)
 };
 
 struct DrawnCohort {
@@ -23,9 +25,10 @@ struct DrawnCohort {
   double cpu_seconds_a_liver = 0;  // of those made now, on one thread each
 };
 
-// Into `out`: simulated-00001.vtu and so on, with the cell fields "region" and "youngs_modulus_kPa", patients/ID.json,
-// livers.csv, and SIMULATED.txt, which says what they are. A liver depends on the model, the seed and its number alone.
-// Failures: those of read_model and run_batch.
+// Into `out`: simulated-00001.vtu and so on, with the cell fields "region" and "youngs_modulus_kPa";
+// simulated-00001_trees.json, its vessels as a case keeps them; patients/ID.json, livers.csv, and SIMULATED.txt, which
+// says what they are. A liver depends on the model, the seed and its number alone. Failures: those of read_model,
+// reference_vessels and run_batch; "vessels-not-corresponding" (the model was made of another reference).
 Result<DrawnCohort> draw_cohort(const std::filesystem::path& model, const std::filesystem::path& out,
                                 const DrawnCohortOptions& options = {}, const Progress& progress = {});
 

@@ -16,6 +16,7 @@
 #include "mechanics/meshfree/compliance_distance.h"
 #include "rehearsal/comparison.h"
 #include "segmentation/resample.h"
+#include "studies/dissertation/internal/landmark_columns.h"
 #include "studies/dissertation/internal/landmarks_pictures.h"
 #include "studies/dissertation/real_livers.h"
 #include "studies/dissertation/subjects.h"
@@ -43,7 +44,6 @@ constexpr std::array<std::pair<const char*, const char*>, 8> landmark_groups{
 std::string fingerprint_of(const LandmarksOptions& options);
 mechanics::VoxelBody trusted_tissue(const MeasuredLiver& liver, double poisson_ratio);
 Result<NamedNumbers> misplacements_in(const Subject& subject, const LandmarksOptions& options);
-void add_landmarks(const MeasuredLiver& liver, const Retraction& retraction, NamedNumbers& row);
 void summarise(LandmarksSummary& summary);
 
 }  // namespace
@@ -130,8 +130,10 @@ Json summary_json(const LandmarksSummary& summary) {
                 {"intra_organ_any_region_significant_fraction", summary.any_region_fraction},
                 {"landmark_groups", json_of(summary.groups)},
                 {"sensitivity", json_of(summary.sensitivity)},
+                {"engines", json_of(summary.engines)},
                 {"at_large_strain", summary.at_large_strain},
-                {"beyond_linear", summary.beyond_linear}};
+                {"beyond_linear", summary.beyond_linear},
+                {"without_meshfree", summary.without_meshfree}};
   return null_where_not_finite(std::move(document));
 }
 
@@ -140,9 +142,10 @@ namespace {
 std::string fingerprint_of(const LandmarksOptions& options) {
   const RetractionOptions& r = options.retraction;
   const BeamOptions& b = options.beams;
-  return fmt::format("landmarks/2 {:g} {:g} {:g} {} {} {:g} {:g} {} {}", r.reference_kPa, r.force_N, r.poisson_ratio,
+  return fmt::format("landmarks/2 {:g} {:g} {:g} {} {} {:g} {:g} {} {}{}", r.reference_kPa, r.force_N, r.poisson_ratio,
                      r.target_cells, static_cast<int>(r.law), b.force_N, b.foundation_kPa_per_mm,
-                     static_cast<int>(b.engine), b.nodes);
+                     static_cast<int>(b.engine), b.nodes,
+                     r.meshfree ? fmt::format(" meshfree {}", r.meshfree->nodes) : std::string());
 }
 
 // The liver as cubes along the patient's axes, without what the map is not to be trusted in: unconfident voxels, and
@@ -235,49 +238,11 @@ Result<NamedNumbers> misplacements_in(const Subject& subject, const LandmarksOpt
     row.emplace_back("linear_atlas_near_tool_mm",
                      retraction->linear_measured_against_reference.max_near_tool_mm.value_or(0));
   }
-  if (!liver->landmarks.empty()) add_landmarks(*liver, *retraction, row);
+  if (!liver->landmarks.empty()) add_landmark_columns(*liver, *retraction, row);
+  if (options.retraction.meshfree) add_engine_columns(*liver, *retraction, row);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   row.emplace_back("seconds", taken.count());
   return row;
-}
-
-// A group without a member has no columns but its number.
-void add_landmarks(const MeasuredLiver& liver, const Retraction& retraction, NamedNumbers& row) {
-  std::vector<LandmarkGroup> groups = liver.groups;
-  groups.push_back({"near_tool_" + groups.front().name, {}});
-  const auto& tool = std::get<mechanics::ToolLoad>(retraction.measured.scenario.loads.front());
-  for (const std::size_t landmark : groups.front().members) {
-    const Vector3d& rest_mm = liver.landmarks[landmark].position_mm;
-    if ((rest_mm - tool.center_mm).norm() <= 2 * tool.radius_mm) groups.back().members.push_back(landmark);
-  }
-  const auto mean_of = [](const std::vector<rehearsal::LandmarkDifference>& all, const auto& value_of) {
-    double sum = 0;
-    for (const rehearsal::LandmarkDifference& one : all) sum += value_of(one);
-    return sum / static_cast<double>(all.size());
-  };
-  const auto apart = [](const rehearsal::LandmarkDifference& one) { return one.difference_mm; };
-  const auto farthest = [&](const rehearsal::Comparison& compared, const LandmarkGroup& group) {
-    double mm = 0;
-    for (const std::size_t landmark : group.members) mm = std::max(mm, compared.landmarks[landmark].difference_mm);
-    return mm;
-  };
-  for (const LandmarkGroup& group : groups) {
-    row.emplace_back(group.name + "_count", static_cast<double>(group.members.size()));
-    if (group.members.empty()) continue;
-    double sum_mm = 0;
-    for (const std::size_t landmark : group.members) {
-      sum_mm += retraction.measured_against_reference.landmarks[landmark].difference_mm;
-    }
-    row.emplace_back(group.name + "_mean_mm", sum_mm / static_cast<double>(group.members.size()));
-    row.emplace_back(group.name + "_max_mm", farthest(retraction.measured_against_reference, group));
-  }
-  const rehearsal::Comparison& linear = retraction.linear_measured_against_reference;
-  row.emplace_back("linear_landmarks_max_mm", farthest(linear, groups.front()));
-  row.emplace_back("moved_mm", mean_of(linear.landmarks, [](const auto& one) { return one.displacement_a_mm; }));
-  row.emplace_back("atlas_moved_mm", mean_of(linear.landmarks, [](const auto& one) { return one.displacement_b_mm; }));
-  row.emplace_back("by_stiffness_mm", mean_of(retraction.mean_against_reference.landmarks, apart));
-  row.emplace_back("by_texture_mm", mean_of(retraction.measured_against_mean.landmarks, apart));
-  row.emplace_back("by_supports_mm", mean_of(retraction.soft_against_stiff_wall->landmarks, apart));
 }
 
 std::optional<LandmarksSpread> spread_over(const std::vector<BatchRow>& rows, const std::string& column,
@@ -346,6 +311,8 @@ void summarise(LandmarksSummary& summary) {
     add(summary.sensitivity, spread_of("by_supports_mm", "wall of 30 mm, not 15"));
     add(summary.sensitivity, spread_over(with_shape(summary.rows), "by_shape_mm", "own shape, not all's mean"));
   }
+  for (const auto& [column, says] : engine_columns) add(summary.engines, spread_of(column, says));
+  for (const double one : column_of(summary.rows, "meshfree_answered")) summary.without_meshfree += one > 0 ? 0 : 1;
   for (const double one : column_of(summary.rows, "at_large_strain")) summary.at_large_strain += one > 0 ? 1 : 0;
   for (const double one : column_of(summary.rows, "beyond_linear")) summary.beyond_linear += one > 0 ? 1 : 0;
   const auto slowest = column_of(summary.rows, "seconds");

@@ -57,10 +57,13 @@ struct LandmarksSummary {
   std::vector<LandmarksSpread> groups;   // of landmarks, as measured against the atlas; empty where none are known
   // What moves landmarks, on average over a patient's: stiffness, texture, supports, shape.
   std::vector<LandmarksSpread> sensitivity;
-  std::size_t at_large_strain = 0;  // patients whom neo-Hookean bodies answer for
-  std::size_t beyond_linear = 0;    // strained beyond linear elasticity, and no other answer found
-  double any_region_fraction = 0;   // of the patients, in whom one of the three beams at least is 5 mm off
-  double slowest_s = 0;             // a patient took at most
+  // The meshfree engine beside finite elements, where it was asked for.
+  std::vector<LandmarksSpread> engines;
+  std::size_t without_meshfree = 0;  // patients for whom it found no equilibrium by the law that answers
+  std::size_t at_large_strain = 0;   // patients whom neo-Hookean bodies answer for
+  std::size_t beyond_linear = 0;     // strained beyond linear elasticity, and no other answer found
+  double any_region_fraction = 0;    // of the patients, in whom one of the three beams at least is 5 mm off
+  double slowest_s = 0;              // a patient took at most
 };
 
 // Patients as run_cohort takes them, or real livers. Into `out`: patients/ID.json, landmarks.csv, summary.json,

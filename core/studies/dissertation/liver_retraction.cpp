@@ -30,6 +30,8 @@ Result<double> set_measured_stiffness(geometry::TetMesh& mesh, const MeasuredLiv
 Result<rehearsal::Comparison> soft_against_stiff_wall(const geometry::TetMesh& mesh, mechanics::Scenario scenario);
 // Puts both bodies and their comparison in place of the linear ones, where equilibria are found.
 Result<void> answer_at_large_strain(const geometry::TetMesh& mesh, Retraction& retraction, const Progress& progress);
+Result<void> answer_by_meshfree(const geometry::TetMesh& mesh, const mechanics::MeshfreeOptions& nodes,
+                                Retraction& retraction, const Progress& progress);
 
 }  // namespace
 
@@ -88,11 +90,14 @@ Result<Retraction> retract(const MeasuredLiver& liver, const RetractionOptions& 
   }
   retraction.linear_strain =
       std::max(retraction.measured.result.largest_strain, retraction.reference.result.largest_strain);
-  if (options.law == RetractionLaw::linear || retraction.linear_strain <= mechanics::small_strain_limit) {
-    return retraction;
+  if (options.law == RetractionLaw::by_strain && retraction.linear_strain > mechanics::small_strain_limit) {
+    if (auto answered = answer_at_large_strain(*mesh, retraction, progress.part(0.75, 0.85)); !answered) {
+      return failure(answered.error());
+    }
   }
-  if (auto answered = answer_at_large_strain(*mesh, retraction, progress.part(0.75, 1)); !answered) {
-    return failure(answered.error());
+  if (options.meshfree) {
+    auto answered = answer_by_meshfree(*mesh, *options.meshfree, retraction, progress.part(0.85, 1));
+    if (!answered) return failure(answered.error());
   }
   return retraction;
 }
@@ -132,6 +137,29 @@ Result<void> answer_at_large_strain(const geometry::TetMesh& mesh, Retraction& r
   retraction.reference = std::move(*reference);
   retraction.measured_against_reference = std::move(*compared);
   retraction.answered = Retraction::Answered::neo_hookean;
+  return {};
+}
+
+Result<void> answer_by_meshfree(const geometry::TetMesh& mesh, const mechanics::MeshfreeOptions& nodes,
+                                Retraction& retraction, const Progress& progress) {
+  const auto answer = [&](const mechanics::Simulation& by_elements, const Progress& of) {
+    mechanics::Scenario scenario = by_elements.scenario;
+    scenario.engine = mechanics::Engine::meshfree;
+    scenario.meshfree = nodes;
+    return mechanics::simulate(mesh, scenario, {}, of);
+  };
+  auto measured = answer(retraction.measured, progress.part(0, 0.5));
+  if (!measured) return failure(measured.error());
+  if (!mechanics::validity_of(*measured).usable()) return {};
+  auto reference = answer(retraction.reference, progress.part(0.5, 1));
+  if (!reference) return failure(reference.error());
+  if (!mechanics::validity_of(*reference).usable()) return {};
+  auto bodies = rehearsal::compare(*measured, *reference);
+  if (!bodies) return failure(bodies.error());
+  auto engines = rehearsal::compare(*measured, retraction.measured);
+  if (!engines) return failure(engines.error());
+  retraction.meshfree =
+      MeshfreeRetraction{*std::move(measured), *std::move(reference), *std::move(bodies), *std::move(engines)};
   return {};
 }
 

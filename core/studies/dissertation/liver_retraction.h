@@ -28,6 +28,15 @@ struct RetractionOptions {
   // 20,000 cells. On average over the surface they were within 15 %.
   int target_cells = 5000;
   RetractionLaw law = RetractionLaw::linear;
+  // Also by the meshfree engine, by the law that answers, with such nodes.
+  std::optional<mechanics::MeshfreeOptions> meshfree = {};
+};
+
+// Both bodies by the meshfree engine, as finite elements have them.
+struct MeshfreeRetraction {
+  mechanics::Simulation measured, reference;
+  rehearsal::Comparison measured_against_reference;
+  rehearsal::Comparison against_elements;  // the liver as measured, by the two engines
 };
 
 struct Retraction {
@@ -41,6 +50,8 @@ struct Retraction {
   // As measured, on an abdominal wall of 30 mm against one of 15 mm (rehearsal/liver_supports.h); of livers with
   // landmarks alone.
   std::optional<rehearsal::Comparison> soft_against_stiff_wall = {};
+  // Nothing where it was not asked for, or a body found no equilibrium that may be used.
+  std::optional<MeshfreeRetraction> meshfree = {};
   double linear_strain = 0;  // the larger of the two bodies' largest
   enum class Answered {
     linear,            // within small strain, or nothing else was asked for

@@ -41,7 +41,8 @@ report::Table shares(const LandmarksSummary& summary) {
   report::Table table{"In how many patients it matters.",
                       {"Distance", "Patients", "Mean", "Median", "Largest", "5 mm or more", "95 % interval"},
                       {}};
-  for (const auto* spreads : {&summary.between, &summary.groups, &summary.sensitivity, &summary.within}) {
+  for (const auto* spreads :
+       {&summary.between, &summary.groups, &summary.sensitivity, &summary.engines, &summary.within}) {
     for (const LandmarksSpread& spread : *spreads) {
       table.rows.push_back(
           {{spread.says},
@@ -82,6 +83,21 @@ void add_groups(const LandmarksSummary& summary, report::Page& page) {
       "the atlas's; his map in place of his mean; an abdominal wall of 30 mm in place of 15 mm; his shape in "
       "place of all patients' mean, both with the atlas's stiffness.",
       summary.sensitivity));
+}
+
+void add_engines(const LandmarksSummary& summary, const LandmarksOptions& options, report::Page& page) {
+  if (!options.retraction.meshfree) return;
+  page.blocks.emplace_back(report::Heading{"The meshfree engine beside finite elements"});
+  const int nodes = options.retraction.meshfree->nodes;
+  page.blocks.emplace_back(report::Paragraph{fmt::format(
+      "The same liver, law, supports and tool by meshfree nodes ({}). In {} of the patients they found no equilibrium "
+      "that may be used.",
+      nodes > 0 ? std::to_string(nodes) : "one for every 12 points of the mesh", summary.without_meshfree)});
+  if (summary.engines.empty()) return;
+  page.blocks.emplace_back(box_plot(
+      "How far apart the two engines put the liver as measured and its landmarks; and how far off the atlas is "
+      "by the meshfree engine alone.",
+      summary.engines));
 }
 
 report::Table patients(const LandmarksSummary& summary) {
@@ -136,6 +152,7 @@ report::Page landmarks_page(const LandmarksSummary& summary, const LandmarksOpti
       "the landmark that is farthest off, or at the tool where none are known:"});
   page.blocks.emplace_back(report::FigureRow{pictures.between});
   add_groups(summary, page);
+  add_engines(summary, options, page);
   page.blocks.emplace_back(report::Heading{"Within a liver"});
   page.blocks.emplace_back(report::Paragraph{fmt::format(
       "Beams of 50 x 10 x 10 mm from where a liver is softest, stiffest and most uneven, lifted by {:.2g} N, against a "
