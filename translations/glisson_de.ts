@@ -7235,6 +7235,26 @@
         <source>--scenario serves a scene for SOFA alone (--format sofa).</source>
         <translation>--scenario gilt nur für eine Szene für SOFA (--format sofa).</translation>
     </message>
+    <message>
+        <source>A relaxation has at most {0} terms, and {1} are given.</source>
+        <translation>Eine Relaxation hat höchstens {0} Terme, und {1} sind angegeben.</translation>
+    </message>
+    <message>
+        <source>Term {0} of a relaxation needs a weight between 0 and 1 and a time above zero.</source>
+        <translation>Term {0} einer Relaxation braucht ein Gewicht zwischen 0 und 1 und eine Zeit über null.</translation>
+    </message>
+    <message>
+        <source>The weights of a relaxation sum to {0}: they must leave something of the stiffness, and sum to less than 1.</source>
+        <translation>Die Gewichte einer Relaxation ergeben zusammen {0}: Sie müssen etwas von der Steifigkeit übrig lassen und zusammen weniger als 1 ergeben.</translation>
+    </message>
+    <message>
+        <source>Straight from data nothing relaxes: the measured stresses are what is left.</source>
+        <translation>Direkt aus Daten relaxiert nichts: Die gemessenen Spannungen sind das, was übrig bleibt.</translation>
+    </message>
+    <message>
+        <source>Leave out &quot;relaxation&quot;.</source>
+        <translation>&quot;relaxation&quot; weglassen.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

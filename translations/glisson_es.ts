@@ -7235,6 +7235,26 @@
         <source>--scenario serves a scene for SOFA alone (--format sofa).</source>
         <translation>--scenario sirve solo para una escena para SOFA (--format sofa).</translation>
     </message>
+    <message>
+        <source>A relaxation has at most {0} terms, and {1} are given.</source>
+        <translation>Una relajación tiene como mucho {0} términos, y se dan {1}.</translation>
+    </message>
+    <message>
+        <source>Term {0} of a relaxation needs a weight between 0 and 1 and a time above zero.</source>
+        <translation>El término {0} de una relajación necesita un peso entre 0 y 1 y un tiempo mayor que cero.</translation>
+    </message>
+    <message>
+        <source>The weights of a relaxation sum to {0}: they must leave something of the stiffness, and sum to less than 1.</source>
+        <translation>Los pesos de una relajación suman {0}: deben dejar algo de la rigidez y sumar menos de 1.</translation>
+    </message>
+    <message>
+        <source>Straight from data nothing relaxes: the measured stresses are what is left.</source>
+        <translation>Directamente de los datos nada se relaja: las tensiones medidas son lo que queda.</translation>
+    </message>
+    <message>
+        <source>Leave out &quot;relaxation&quot;.</source>
+        <translation>Omita &quot;relaxation&quot;.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

@@ -7235,6 +7235,26 @@
         <source>--scenario serves a scene for SOFA alone (--format sofa).</source>
         <translation>--scenario ne sert qu&apos;à une scène pour SOFA (--format sofa).</translation>
     </message>
+    <message>
+        <source>A relaxation has at most {0} terms, and {1} are given.</source>
+        <translation>Une relaxation a au plus {0} termes, et {1} sont donnés.</translation>
+    </message>
+    <message>
+        <source>Term {0} of a relaxation needs a weight between 0 and 1 and a time above zero.</source>
+        <translation>Le terme {0} d’une relaxation demande un poids entre 0 et 1 et un temps supérieur à zéro.</translation>
+    </message>
+    <message>
+        <source>The weights of a relaxation sum to {0}: they must leave something of the stiffness, and sum to less than 1.</source>
+        <translation>Les poids d’une relaxation font {0} au total&#xa0;: ils doivent laisser quelque chose de la rigidité, et faire moins de 1.</translation>
+    </message>
+    <message>
+        <source>Straight from data nothing relaxes: the measured stresses are what is left.</source>
+        <translation>À partir des seules données, rien ne se relâche&#xa0;: les contraintes mesurées sont ce qui reste.</translation>
+    </message>
+    <message>
+        <source>Leave out &quot;relaxation&quot;.</source>
+        <translation>Omettre &quot;relaxation&quot;.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

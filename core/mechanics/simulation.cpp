@@ -25,6 +25,8 @@ Result<void> check_tools(const Scenario& scenario);
 Result<void> check_anisotropy(const Scenario& scenario, const SimulationOptions& options);
 Result<void> check_walls(const Scenario& scenario, const SimulationOptions& options);
 Result<void> check_device(const Scenario& scenario, const SimulationOptions& options);
+Result<void> check_relaxation(const Scenario& scenario, const SimulationOptions& options);
+std::vector<double> after_long(std::vector<double> youngs_kPa, const Scenario& scenario);
 Result<Answer> answer_to(const Question& question, const OpenedBody& body, const SimulationOptions& options,
                          const Progress& progress);
 Result<Answer> linear_equilibrium(const Question& question, const Progress& progress);
@@ -42,6 +44,7 @@ Result<Simulation> simulate(const geometry::TetMesh& whole, const Scenario& scen
   if (auto available = check_anisotropy(scenario, options); !available) return failure(std::move(available.error()));
   if (auto available = check_walls(scenario, options); !available) return failure(std::move(available.error()));
   if (auto available = check_device(scenario, options); !available) return failure(std::move(available.error()));
+  if (auto available = check_relaxation(scenario, options); !available) return failure(std::move(available.error()));
   const bool meshfree = scenario.engine == Engine::meshfree;
   const auto body = open_cuts(whole, scenario.cuts, meshfree ? Along::exactly : Along::nearly);
   if (!body) return failure(body.error());
@@ -52,7 +55,9 @@ Result<Simulation> simulate(const geometry::TetMesh& whole, const Scenario& scen
   auto places = locate_landmarks(mesh, scenario.landmarks, options.landmark_tolerance_mm);
   if (!places) return failure(std::move(places.error()));
 
-  auto answer = answer_to({mesh, moduli->youngs_kPa, scenario, *places, {}, options.device}, *body, options, progress);
+  const std::vector<double> youngs_kPa =
+      scenario.motion ? moduli->youngs_kPa : after_long(moduli->youngs_kPa, scenario);
+  auto answer = answer_to({mesh, youngs_kPa, scenario, *places, {}, options.device}, *body, options, progress);
   if (!answer) return failure(std::move(answer.error()));
   progress.report(1.0, GLISSON_TEXT("Solved"));
 
@@ -68,6 +73,12 @@ Result<Simulation> simulate(const geometry::TetMesh& whole, const Scenario& scen
                     simulation.mesh);
   simulation.result = std::move(answer->result);
   if (moduli->note) simulation.result.notes.push_back(std::move(*moduli->note));
+  if (!scenario.relaxation.empty() && !scenario.motion) {
+    simulation.result.notes.push_back(fmt::format(
+        "The tissue relaxes: this is its equilibrium after long, with {:.3g} times the stiffness that it has "
+        "at once.",
+        long_term_share(scenario.relaxation)));
+  }
   if (const int inside = cells_in_others(whole); inside > 0) {
     simulation.result.notes.push_back(fmt::format(
         "{} of {} cells lie in others: where the body folds over itself, its tissue counts twice. Mesh it anew.",
@@ -105,7 +116,9 @@ Validity validity_of(const Simulation& simulation) {
 }
 
 Result<std::vector<double>> youngs_modulus_of_cells(const geometry::TetMesh& mesh, const Scenario& scenario) {
-  return moduli_for(mesh, scenario).map([](MeshModuli moduli) { return std::move(moduli.youngs_kPa); });
+  return moduli_for(mesh, scenario).map([&](MeshModuli moduli) {
+    return after_long(std::move(moduli.youngs_kPa), scenario);
+  });
 }
 
 Result<std::vector<PointInMesh>> locate_landmarks(const geometry::TetMesh& mesh, const std::vector<Landmark>& landmarks,
@@ -230,6 +243,23 @@ Result<void> check_device(const Scenario& scenario, const SimulationOptions& opt
   return failure("not-available",
                  GLISSON_TEXT("An OpenCL device solves motions by finite elements with the material \"linear\" or "
                               "\"corotational\", without tools, ligaments, capsule or gas."));
+}
+
+Result<void> check_relaxation(const Scenario& scenario, const SimulationOptions& options) {
+  if (options.data && !scenario.relaxation.empty()) {
+    return failure(Error{"not-available",
+                         GLISSON_TEXT("Straight from data nothing relaxes: the measured stresses are what is left."),
+                         {},
+                         GLISSON_TEXT("Leave out \"relaxation\"."),
+                         {}});
+  }
+  return mechanics::check_relaxation(scenario.relaxation);
+}
+
+std::vector<double> after_long(std::vector<double> youngs_kPa, const Scenario& scenario) {
+  const double left = long_term_share(scenario.relaxation);
+  for (double& modulus_kPa : youngs_kPa) modulus_kPa *= left;
+  return youngs_kPa;
 }
 
 Result<MeshModuli> moduli_for(const geometry::TetMesh& mesh, const Scenario& scenario) {

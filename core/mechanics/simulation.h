@@ -89,8 +89,8 @@ Result<std::vector<PointInMesh>> locate_landmarks(const geometry::TetMesh& mesh,
                                                                  const std::vector<PointInMesh>& places,
                                                                  const std::vector<Eigen::Vector3d>& displacements_mm);
 
-// Young's modulus of every cell as the scenario says (kPa); the mesh's own converted to the scenario's Poisson's ratio
-// (scenario/mesh_moduli.h).
+// Young's modulus of every cell in an equilibrium (kPa): as the scenario says, the mesh's own converted to the
+// scenario's Poisson's ratio (scenario/mesh_moduli.h), and of tissue that relaxes what is left of it after long.
 Result<std::vector<double>> youngs_modulus_of_cells(const geometry::TetMesh& mesh, const Scenario& scenario);
 
 }  // namespace glisson::mechanics

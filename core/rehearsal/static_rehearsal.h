@@ -57,8 +57,8 @@ struct RehearsalSetup {
 // The same, linear, by the meshfree engine, beside its own models.
 [[nodiscard]] RehearsalSetup by_meshfree(RehearsalSetup setup, const mechanics::MeshfreeOptions& options);
 
-// A mesh with what a scenario says of it, without a reference body; its loads stand. Failures: "not-available" (what no
-// session knows: cuts, motion, tools), those of youngs_modulus_of_cells.
+// A mesh with what a scenario says of it, without a reference body; its loads stand, and tissue that relaxes has done
+// so. Failures: "not-available" (what no session knows: cuts, motion, tools), those of youngs_modulus_of_cells.
 Result<RehearsalSetup> rehearsal_setup(geometry::TetMesh mesh, const mechanics::Scenario& scenario);
 
 // The patient's mesh and supports with one modulus and no fibre direction. It is factorised when somebody first asks

@@ -15,6 +15,7 @@
 #include "mechanics/potentials/dead_load.h"
 #include "mechanics/potentials/elastic.h"
 #include "mechanics/potentials/quadratic.h"
+#include "mechanics/potentials/standing_stress.h"
 #include "mechanics/potentials/stiffness_matrix.h"
 #include "mechanics/scenario/patient_position.h"
 #include "mechanics/statics/equilibrium.h"
@@ -106,6 +107,12 @@ TEST(Potentials, ForceIsTheSlopeOfEnergyAndTangentTheSlopeOfForceOfEachTermOfABo
       expect_slopes(ElasticPotential(body, materials), body, u, "elastic");
     }
     expect_slopes(DeadLoad(wavy(body, 3.0)), body, u, "dead load", 0);
+    std::vector<Eigen::Matrix3d> stresses_kPa;
+    for (std::size_t s = 0; s < body.layout.cells.size() * (order == ElementOrder::linear ? 1 : 4); ++s) {
+      const double t = 1.7 * double(s);
+      stresses_kPa.push_back(Eigen::Matrix3d{{std::sin(t), 0.4, std::cos(t)}, {0.4, 1, -0.2}, {std::cos(t), -0.2, -2}});
+    }
+    expect_slopes(StandingStress(body, stresses_kPa), body, u, "standing stress", 1);
     const Eigen::SparseMatrix<double> stiffness = assemble_stiffness(body);
     expect_slopes(QuadraticPotential(0.7, stiffness, wavy(body, 0.3)), body, u, "quadratic");
   }

@@ -57,6 +57,7 @@ constexpr const char* surgical_scenario = R"({
                {"sphere": {"center_mm": [1, 2, 3], "radius_mm": 20},
                 "ligament": {"anchor_mm": [0, -90, 10], "stiffness_N_per_mm": 0.2, "slack_mm": 4}}],
   "capsule": {"thickness_mm": 0.08},
+  "relaxation": [{"weight": 0.3, "time_s": 0.5}, {"weight": 0.25, "time_s": 40}],
   "loads": [{"gravity_of_patient": {"reverse_trendelenburg_deg": 30, "right_tilt_deg": 10, "scanned_supine": true}}],
   "cuts": [{"center_mm": [1, 2, 3], "normal": [0, 0, 2], "radius_mm": 30},
            {"points_mm": [[0, 0, 0], [9, 0, 1], [0, 9, 0], [9, 9, 2]]},
@@ -76,6 +77,9 @@ TEST(ScenarioFile, ReadsLigamentsCapsuleTissueThePositionOfThePatientCutsAndTool
   EXPECT_EQ(std::get<Ligament>(scenario.supports[1].how).slack_mm, 4);
   EXPECT_EQ(scenario.capsule->youngs_modulus_kPa, 8220);
   EXPECT_EQ(scenario.capsule->thickness_mm, 0.08);
+  ASSERT_EQ(scenario.relaxation.size(), 2u);
+  EXPECT_EQ(scenario.relaxation[1].weight, 0.25);
+  EXPECT_EQ(scenario.relaxation[1].time_s, 40);
   // What is new since the scan: towards the feet and the right, and less towards the back.
   const Vector3d gravity = std::get<GravityLoad>(scenario.loads[0]).acceleration_mm_s2;
   EXPECT_NEAR(gravity.z(), -4905, 1e-9);
@@ -148,6 +152,13 @@ TEST(ScenarioFile, ValuesThatCannotBeMeantAreRefusedWithTheirPlace) {
       {R"({"material": "veronda-westmann"})", "give both or neither"},
       {R"({"tissue": "spleen"})", "There is no published tissue spleen"},
       {R"({"tissue": "liver-published-cohort", "youngs_modulus_kPa": 3})", "both say how stiff"},
+      {R"({"relaxation": {"weight": 0.3, "time_s": 1}})", "relaxation must be a list"},
+      {R"({"relaxation": [{"weight": 0.3}]})", "relaxation 1 lacks \"time_s\""},
+      {R"({"relaxation": [{"weight": 0, "time_s": 1}]})", "relaxation 1, weight must be above zero"},
+      {R"({"relaxation": [{"weight": 0.3, "time_s": -1}]})", "relaxation 1, time_s must be above zero"},
+      {R"({"relaxation": [{"weight": 1.5, "time_s": 1}]})", "Term 1 of a relaxation needs a weight between 0 and 1"},
+      {R"({"relaxation": [{"weight": 0.7, "time_s": 1}, {"weight": 0.3, "time_s": 2}]})", "sum to less than 1"},
+      {R"({"relaxation": [{"weight": 0.7, "times": 1}]})", "\"time_s\""},
       {R"({"capsule": {}})", "lacks \"thickness_mm\""},
       {R"({"supports": [{"point_array": "a", "directions": ["x"], "ligament": {}}]})", "is a ligament"},
       {R"({"loads": [{"gravity_of_patient": {"left_tilt_deg": 120}}]})", "between -90 and 90"},

@@ -10,6 +10,7 @@
 
 #include "mechanics/bodies.h"
 #include "mechanics/contact/large_contact.h"
+#include "mechanics/scenario/scenario_file.h"
 #include "mechanics/statics/static_model.h"
 
 namespace glisson::mechanics {
@@ -119,6 +120,77 @@ TEST_F(Simulating, MotionComesToRestNearTheEquilibrium) {
   EXPECT_THAT(moved.result.why_stopped, HasSubstr("All 60 steps converged"));
   // Not nearer: motion has linear cells, which are stiffer than the quadratic ones of the equilibrium.
   EXPECT_NEAR(moved.landmarks[0].displacement_mm, at_rest_mm, 0.2 * at_rest_mm);
+}
+
+TEST_F(Simulating, AMotionOfEveryMaterialCreepsInBothEngines) {
+  scenario.poisson_ratio = 0.3;
+  scenario.loads = {ToolLoad{{15, 15, 30}, 8, {3, 0, 0}}};
+  scenario.meshfree.nodes = 40;
+  scenario.motion = Motion{0.05, 80, 5.0, 0.0};
+  for (const Engine engine : {Engine::fem, Engine::meshfree}) {
+    for (const MaterialLaw law : {MaterialLaw::linear, MaterialLaw::corotational, MaterialLaw::neo_hookean}) {
+      scenario.engine = engine;
+      scenario.material = law;
+      scenario.relaxation = {};
+      const double elastic_mm = simulate(mesh, scenario)->landmarks[0].displacement_mm;
+      // One term: J(t) = 1 + a (1 - exp(-t / T)), a = g / (1 - g), T = tau / (1 - g).
+      scenario.relaxation = {{0.4, 1.2}};
+      const auto moved = simulate(mesh, scenario).value();
+      ASSERT_TRUE(moved.result.may_be_used()) << moved.result.why_stopped;
+      for (const std::size_t step : {19u, 39u, 79u}) {
+        const double crept_mm = (moved.steps[step].landmarks_mm[0] - scenario.landmarks[0].position_mm).norm();
+        const double expected = 1 + 0.4 / 0.6 * (1 - std::exp(-moved.steps[step].time_s / 2.0));
+        EXPECT_NEAR(crept_mm / elastic_mm, expected, 0.02) << name_of(law) << ", step " << step;
+      }
+      // What the supports carry is of the relaxed stress: the tool, all but what still moves.
+      const Vector3d carried_mN = moved.result.fixed_reaction_mN + moved.result.foundation_reaction_mN;
+      EXPECT_LT((carried_mN + Vector3d(3, 0, 0)).norm(), 0.02) << name_of(law);
+    }
+  }
+}
+
+// At a quarter of the block's height too, where creep is no multiple of anything.
+TEST_F(Simulating, AMotionThatRelaxesEndsWhereSofterTissueDoes) {
+  scenario.poisson_ratio = 0.3;
+  scenario.loads = {ToolLoad{{15, 15, 30}, 8, {400, 0, 0}}};
+  scenario.motion = Motion{0.5, 60, 5.0, 0.0};
+  const auto end_mm = [&] {
+    const auto moved = simulate(mesh, scenario).value();
+    EXPECT_TRUE(moved.result.may_be_used()) << moved.result.why_stopped;
+    return moved.landmarks[0].displaced_mm;
+  };
+  for (const MaterialLaw law : {MaterialLaw::corotational, MaterialLaw::neo_hookean, MaterialLaw::veronda_westmann}) {
+    scenario.material = law;
+    scenario.strain_stiffening = law == MaterialLaw::veronda_westmann ? 2 : 0;
+    scenario.relaxation = {{0.2, 0.3}, {0.15, 2.0}};
+    scenario.youngs_modulus = 5.0;
+    const Vector3d relaxed_mm = end_mm();
+    scenario.relaxation = {};
+    const Vector3d at_once_mm = end_mm();
+    scenario.youngs_modulus = 5.0 * 0.65;
+    const Vector3d softer_mm = end_mm();
+    EXPECT_GT((softer_mm - at_once_mm).norm(), 1) << name_of(law);
+    EXPECT_LT((relaxed_mm - softer_mm).norm(), 5e-3 * (softer_mm - scenario.landmarks[0].position_mm).norm())
+        << name_of(law);
+  }
+}
+
+TEST_F(Simulating, AnEquilibriumOfTissueThatRelaxesIsThatAfterLong) {
+  scenario.youngs_modulus = 5.0 * 0.6;
+  const auto softer = simulate(mesh, scenario).value();
+  scenario.youngs_modulus = 5.0;
+  scenario.relaxation = {{0.4, 1.2}};
+  const auto relaxed = simulate(mesh, scenario).value();
+  EXPECT_EQ(relaxed.landmarks[0].displaced_mm, softer.landmarks[0].displaced_mm);
+  EXPECT_THAT(relaxed.result.notes, testing::Contains(HasSubstr("after long, with 0.6 times the stiffness")));
+  EXPECT_EQ(geometry::find_field(relaxed.mesh.cell_fields, youngs_modulus_field)->values, test::uniform(mesh, 5.0));
+  EXPECT_EQ(youngs_modulus_of_cells(mesh, scenario)->front(), 5.0 * 0.6);
+  scenario.relaxation = {{0.7, 1.2}, {0.4, 3}};
+  EXPECT_THAT(refusal(), HasSubstr("relaxation-invalid: The weights of a relaxation sum to 1.1"));
+  scenario.relaxation = {{0.4, 1.2}};
+  SimulationOptions from_data;
+  from_data.data = MaterialData::create({{-0.1, -1}, {-0.05, -0.5}, {0, 0}, {0.05, 0.5}, {0.1, 1}}, {}).value();
+  EXPECT_EQ(simulate(mesh, scenario, from_data).error().code, "not-available");
 }
 
 TEST_F(Simulating, APartOpenCutPartsUnderTheToolInEveryMaterialAndBothEngines) {

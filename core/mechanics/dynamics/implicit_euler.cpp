@@ -5,6 +5,7 @@
 #include "base/stopwatch.h"
 #include "mechanics/dynamics/internal/corotational_elements.h"
 #include "mechanics/elements/load_vector.h"
+#include "mechanics/potentials/elastic.h"
 #include "mechanics/solvers/internal/device_gradients.h"
 
 namespace glisson::mechanics {
@@ -12,12 +13,13 @@ namespace glisson::mechanics {
 struct ImplicitEuler::Impl {
   Body body;
   DynamicsOptions options;
-  CorotationalElements cells;
-  Eigen::VectorXd mass_kg;  // 3 a node, as are all below, in the order of `cells`
-  std::vector<float> mask;  // 1 free, 0 held
-  Eigen::VectorXd free;     // the same
-  BlockCsr constant;        // what of A does not turn: mass and foundations
-  BlockCsr matrix;          // A
+  CorotationalElements cells;            // of a step's stiffness
+  std::optional<StressHistory> history;  // where the body relaxes
+  Eigen::VectorXd mass_kg;               // 3 a node, as are all below, in the order of `cells`
+  std::vector<float> mask;               // 1 free, 0 held
+  Eigen::VectorXd free;                  // the same
+  BlockCsr constant;                     // what of A does not turn: mass and foundations
+  BlockCsr matrix;                       // A
   LatticePreconditioner preconditioner;
   std::optional<DeviceGradients> device;  // in place of the preconditioner
   GradientBuffers buffers;
@@ -48,6 +50,7 @@ Result<void> check(const Body& body, MaterialLaw law);
 std::vector<float> mask_of(const Body& body, const CorotationalElements& cells);
 Eigen::VectorXd masses_of(const Body& body, const CorotationalElements& cells);
 double lattice_spacing_mm(const Body& body);
+std::optional<StressHistory> history_of(const Body& body, MaterialLaw law, const DynamicsOptions& options);
 
 }  // namespace
 
@@ -65,6 +68,7 @@ Result<ImplicitEuler> ImplicitEuler::create(Body body, MaterialLaw law, const Dy
 
 Result<void> check_dynamics_options(const DynamicsOptions& options) {
   const auto at_least_zero = [](double value) { return std::isfinite(value) && value >= 0; };
+  if (auto checked = check_relaxation(options.relaxation); !checked) return checked;
   if (std::isfinite(options.step_s) && options.step_s > 0 && at_least_zero(options.mass_damping_per_s) &&
       at_least_zero(options.stiffness_damping_s) && options.relative_tolerance > 0 && options.max_iterations >= 1) {
     return {};
@@ -76,8 +80,11 @@ Result<void> check_dynamics_options(const DynamicsOptions& options) {
 ImplicitEuler::Impl::Impl(Body given, MaterialLaw law, const DynamicsOptions& given_options)
     : body(std::move(given)),
       options(given_options),
-      cells(body, law == MaterialLaw::linear ? CorotationalElements::Turning::never
-                                             : CorotationalElements::Turning::each_step),
+      cells(
+          body,
+          law == MaterialLaw::linear ? CorotationalElements::Turning::never : CorotationalElements::Turning::each_step,
+          share_within(options.relaxation, options.step_s)),
+      history(history_of(body, law, options)),
       mass_kg(masses_of(body, cells)),
       mask(mask_of(body, cells)),
       free(Eigen::Map<const Eigen::VectorXf>(mask.data(), mass_kg.size()).cast<double>()),
@@ -109,7 +116,8 @@ StepReport ImplicitEuler::step(const Eigen::VectorXd& force_mN) {
   const Stopwatch watch;
   Impl& parts = *impl_;
   const DynamicsOptions& options = parts.options;
-  const Eigen::VectorXd b = parts.right_hand_side(parts.to_inside(force_mN));
+  const Eigen::VectorXd b = parts.right_hand_side(
+      parts.to_inside(parts.history ? (force_mN + parts.history->force_mN(parts.body)).eval() : force_mN));
   const double scale = b.norm();
   StepReport report;
   Eigen::VectorXd dv = parts.last_dv_mm_s;
@@ -151,9 +159,10 @@ StepReport ImplicitEuler::step(const Eigen::VectorXd& force_mN) {
     parts.u_mm += options.step_s * parts.v_mm_s;
     parts.last_dv_mm_s = dv;
     parts.turned = parts.cells.turn(parts.u_mm);
+    if (parts.history) parts.history->advance(parts.body, parts.to_layout(parts.u_mm));
   }
   report.inverted_cells = parts.turned.inverted_cells;
-  report.strain_energy_uJ = parts.turned.strain_energy_uJ;
+  report.strain_energy_uJ = parts.history ? parts.history->free_energy_uJ(parts.body) : parts.turned.strain_energy_uJ;
   report.kinetic_energy_uJ = 0.5 * parts.v_mm_s.cwiseAbs2().dot(parts.mass_kg);
   report.step_ms = 1e3 * watch.seconds();
   return report;
@@ -238,12 +247,14 @@ Result<Eigen::VectorXd> ImplicitEuler::force_of(const Loads& loads) const {
 Eigen::VectorXd ImplicitEuler::displacement_mm() const { return impl_->to_layout(impl_->u_mm); }
 Eigen::VectorXd ImplicitEuler::velocity_mm_s() const { return impl_->to_layout(impl_->v_mm_s); }
 const Body& ImplicitEuler::body() const { return impl_->body; }
+const StressHistory* ImplicitEuler::history() const { return impl_->history ? &*impl_->history : nullptr; }
 
 void ImplicitEuler::set_state(const Eigen::VectorXd& displacement_mm, const Eigen::VectorXd& velocity_mm_s) {
   impl_->u_mm = impl_->to_inside(displacement_mm);
   impl_->v_mm_s = impl_->free.cwiseProduct(impl_->to_inside(velocity_mm_s));
   impl_->last_dv_mm_s.setZero();
   impl_->turned = impl_->cells.turn(impl_->u_mm);
+  if (impl_->history) impl_->history->jump(impl_->body, displacement_mm);
 }
 
 Eigen::VectorXd ImplicitEuler::mass_kg() const {
@@ -266,6 +277,11 @@ Result<void> check(const Body& body, MaterialLaw law) {
   return failure("not-available",
                  GLISSON_TEXT("One linear solve a step moves the materials \"linear\" and \"corotational\", without "
                               "ligaments or a capsule."));
+}
+
+std::optional<StressHistory> history_of(const Body& body, MaterialLaw law, const DynamicsOptions& options) {
+  if (options.relaxation.empty()) return {};
+  return StressHistory(body, materials_of(body, law), options.relaxation, options.step_s);
 }
 
 // One value more than the nodes have: see BlockCsr::multiply.

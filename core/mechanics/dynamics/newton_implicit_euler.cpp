@@ -18,6 +18,11 @@ Result<NewtonImplicitEuler> NewtonImplicitEuler::create(Body body, std::vector<M
   if (auto checked = check_dynamics_options(options); !checked) return failure(std::move(checked.error()));
   NewtonImplicitEuler motion;
   motion.body_ = std::move(body);
+  if (!options.relaxation.empty()) {
+    motion.history_.emplace(motion.body_, materials, options.relaxation, options.step_s);
+    const double share = share_within(options.relaxation, options.step_s);
+    for (Material& material : materials) material = scaled(material, share);
+  }
   motion.materials_ = std::move(materials);
   motion.loads_ = std::move(loads);
   motion.options_ = options;
@@ -30,7 +35,7 @@ Result<NewtonImplicitEuler> NewtonImplicitEuler::create(Body body, std::vector<M
 
 Result<StepReport> NewtonImplicitEuler::step(const Progress& progress) {
   const Stopwatch watch;
-  const ImplicitStep step(body_, materials_, loads_, options_, mass_kg_, u_mm_, v_mm_s_);
+  const ImplicitStep step(body_, materials_, loads_, options_, mass_kg_, u_mm_, v_mm_s_, older());
   const auto found =
       minimise(step.potential(), body_.resolved.fixed, step.scale_mN(), u_mm_,
                {options_.relative_tolerance, options_.max_iterations, body_.options.memory_limit_bytes}, progress);
@@ -43,7 +48,7 @@ Result<StepReport> NewtonImplicitEuler::step(const Progress& progress) {
 Result<StepReport> NewtonImplicitEuler::step(const AppliedLoads& loads, const MinimiseWithTools& minimise_with_tools,
                                              const Progress& progress) {
   const Stopwatch watch;
-  const ImplicitStep step(body_, materials_, loads, options_, mass_kg_, u_mm_, v_mm_s_);
+  const ImplicitStep step(body_, materials_, loads, options_, mass_kg_, u_mm_, v_mm_s_, older());
   Minimum minimum{u_mm_};
   const auto rested =
       minimise_with_tools({step.potential(),
@@ -58,15 +63,18 @@ Result<StepReport> NewtonImplicitEuler::step(const AppliedLoads& loads, const Mi
   return report;
 }
 
+Potentials NewtonImplicitEuler::older() const { return history_ ? history_->potentials(body_) : Potentials(); }
+
 // With what the body is after it.
 StepReport NewtonImplicitEuler::moved_to(const VectorXd& u_mm, StepReport report) {
   report.converged = report.converged && u_mm.allFinite();
   if (report.converged) {
     v_mm_s_ = (u_mm - u_mm_) / options_.step_s;
     u_mm_ = u_mm;
+    if (history_) history_->advance(body_, u_mm_);
   }
   report.inverted_cells = strain_range(body_.mesh, body_.layout, u_mm_, StrainMeasure::stretch).inverted_cells;
-  report.strain_energy_uJ = strain_energy_uJ(body_, materials_, u_mm_);
+  report.strain_energy_uJ = history_ ? history_->free_energy_uJ(body_) : strain_energy_uJ(body_, materials_, u_mm_);
   report.kinetic_energy_uJ = 0.5 * v_mm_s_.dot(mass_kg_ * v_mm_s_);
   return report;
 }

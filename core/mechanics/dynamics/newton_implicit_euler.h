@@ -8,12 +8,15 @@
 // - E: the potential energy of body and supports (total_potential.h), f the loads.
 // - M: the mass, lumped at the nodes; K: the positive part of the tangent at u_n.
 // - alpha, beta: Rayleigh damping.
+// Of a body that relaxes (materials/relaxation.h), E is of tissue with `share_within` of its moduli, and what is left
+// of older stresses is one term more (stress_history.h).
 //
 // Lengths mm, velocities mm/s, forces mN; values of nodes are 3 a node, in the order of NodeLayout.
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "base/progress.h"
@@ -30,7 +33,8 @@ struct BodyProblem;
 class NewtonImplicitEuler {
  public:
   // At rest and still, under loads that stay. The body must be laid out with linear cells. The options' tolerance is of
-  // the forces at the step's start; `max_iterations` is of Newton steps. Failure: "step-invalid".
+  // the forces at the step's start; `max_iterations` is of Newton steps. Failures: those of
+  // check_dynamics_options.
   static Result<NewtonImplicitEuler> create(Body body, std::vector<Material> materials, AppliedLoads loads,
                                             const DynamicsOptions& options);
 
@@ -48,13 +52,17 @@ class NewtonImplicitEuler {
   [[nodiscard]] const Eigen::VectorXd& displacement_mm() const { return u_mm_; }
   [[nodiscard]] const Eigen::VectorXd& velocity_mm_s() const { return v_mm_s_; }
   [[nodiscard]] const Body& body() const { return body_; }
+  // None where nothing relaxes.
+  [[nodiscard]] const StressHistory* history() const { return history_ ? &*history_ : nullptr; }
 
  private:
   NewtonImplicitEuler() = default;
+  [[nodiscard]] Potentials older() const;  // stresses, where the body relaxes
   [[nodiscard]] StepReport moved_to(const Eigen::VectorXd& u_mm, StepReport report);
 
   Body body_;
-  std::vector<Material> materials_;
+  std::vector<Material> materials_;       // of a step
+  std::optional<StressHistory> history_;  // where the body relaxes
   AppliedLoads loads_;
   DynamicsOptions options_;
   Eigen::SparseMatrix<double> mass_kg_;  // diagonal

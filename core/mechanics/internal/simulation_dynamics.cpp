@@ -25,6 +25,7 @@ namespace {
 struct Mover {
   std::function<Result<StepReport>()> step;
   std::function<Eigen::VectorXd()> displacement_mm, velocity_mm_s;
+  std::function<const StressHistory*()> history;       // none of a body that does not relax
   std::function<Eigen::Vector3d()> fixed_reaction_mN;  // none: what is left unbalanced at what is fixed
   // Where there are tools: what they push with, of the whole body and each by itself.
   std::function<Eigen::VectorXd()> tools_force_mN;
@@ -34,8 +35,13 @@ struct Mover {
 // `moving` must outlive it.
 template <typename Moving>
 Mover mover_of(const Moving& moving, std::function<Result<StepReport>()> step) {
-  return {
-      std::move(step), [&] { return moving.displacement_mm(); }, [&] { return moving.velocity_mm_s(); }, {}, {}, {}};
+  return {std::move(step),
+          [&] { return moving.displacement_mm(); },
+          [&] { return moving.velocity_mm_s(); },
+          [&] { return moving.history(); },
+          {},
+          {},
+          {}};
 }
 
 // Lets the mover tell of what presses on its body.
@@ -45,10 +51,12 @@ void press(Mover& mover, const AugmentedLagrangian& lagrangian, const std::vecto
 // The tools' way is gone in equal parts, one a step. Failure: "tool-too-fast" (a tool that would pass the surface by).
 Result<void> check_speed(const Scenario& scenario);
 
+// `materials` are those of a step: of tissue that relaxes with the share of their moduli that it has then.
 Result<Answer> follow(const Mover& mover, const Body& body, const std::vector<Material>& materials,
                       const AppliedLoads& loads, const Scenario& scenario, double setup_s, const Places& places,
                       const Progress& progress);
-DynamicsOptions options_of(const Motion& motion);
+DynamicsOptions motion_options_of(const Scenario& scenario);
+double share_of_step(const Scenario& scenario);
 
 }  // namespace
 
@@ -69,7 +77,7 @@ Result<Answer> fem_dynamics(const Question& question, const Progress& progress) 
   const std::vector<Material> materials = materials_of(*body, scenario.material, scenario.strain_stiffening);
   const auto loads = applied_loads(*body, scenario.loads, pressure_kind_of(materials));
   if (!loads) return failure(loads.error());
-  DynamicsOptions motion_options = options_of(*scenario.motion);
+  DynamicsOptions motion_options = motion_options_of(scenario);
   std::optional<ImplicitEuler> moving;
   std::optional<NewtonImplicitEuler> newton;
   std::optional<AugmentedLagrangian> lagrangian;
@@ -107,20 +115,24 @@ Result<Answer> fem_dynamics(const Question& question, const Progress& progress) 
     newton = std::move(*created);
     mover = mover_of(*newton, [&] { return newton->step(progress); });
   }
-  return follow(mover, *body, materials, *loads, scenario, setting_up.seconds(), question.places, progress);
+  std::vector<Material> of_step = materials;
+  for (Material& material : of_step) material = scaled(material, share_of_step(scenario));
+  return follow(mover, *body, of_step, *loads, scenario, setting_up.seconds(), question.places, progress);
 }
 
 Result<Answer> meshfree_dynamics(const Question& question, const Progress& progress) {
   const Scenario& scenario = question.scenario;
   const Stopwatch setting_up;
-  auto handles = prepare_meshfree_body(question.mesh, question.youngs_kPa, scenario.supports,
+  std::vector<double> youngs_kPa = question.youngs_kPa;
+  for (double& modulus_kPa : youngs_kPa) modulus_kPa *= share_of_step(scenario);
+  auto handles = prepare_meshfree_body(question.mesh, youngs_kPa, scenario.supports,
                                        {scenario.material, scenario.strain_stiffening}, options_of(scenario),
                                        scenario.meshfree, scenario.cuts, Holding::optional, progress);
   if (!handles) return failure(std::move(handles.error()));
   const std::vector<Material> materials = handles->materials;
   const auto loads = applied_loads(handles->body, scenario.loads, pressure_kind_of(materials));
   if (!loads) return failure(loads.error());
-  DynamicsOptions motion_options = options_of(*scenario.motion);
+  DynamicsOptions motion_options = motion_options_of(scenario);
   motion_options.max_iterations = 5000;
   auto moving = MeshfreeImplicitEuler::create(std::move(*handles), motion_options);
   if (!moving) return failure(std::move(moving.error()));
@@ -147,11 +159,14 @@ Result<Answer> meshfree_dynamics(const Question& question, const Progress& progr
 
 namespace {
 
-DynamicsOptions options_of(const Motion& motion) {
-  return {.step_s = motion.step_s,
-          .mass_damping_per_s = motion.mass_damping_per_s,
-          .stiffness_damping_s = motion.stiffness_damping_s};
+DynamicsOptions motion_options_of(const Scenario& scenario) {
+  return {.step_s = scenario.motion->step_s,
+          .mass_damping_per_s = scenario.motion->mass_damping_per_s,
+          .stiffness_damping_s = scenario.motion->stiffness_damping_s,
+          .relaxation = scenario.relaxation};
 }
+
+double share_of_step(const Scenario& scenario) { return share_within(scenario.relaxation, scenario.motion->step_s); }
 
 void press(Mover& mover, const AugmentedLagrangian& lagrangian, const std::vector<ContactTool>& tools,
            const AppliedLoads& loads) {
@@ -206,7 +221,12 @@ Result<Answer> follow(const Mover& mover, const Body& body, const std::vector<Ma
     const Eigen::VectorXd u_mm = mover.displacement_mm();
     Eigen::VectorXd besides_mN = damping_mN(u_mm, mover.velocity_mm_s());
     if (mover.tools_force_mN) besides_mN += mover.tools_force_mN();
+    const StressHistory* history = mover.history();
+    if (history != nullptr) {
+      besides_mN += internal_force_mN(body, materials, u_mm) - history->resisting_force_mN(body);
+    }
     state = state_of(body, materials, u_mm, loads, besides_mN);
+    if (history != nullptr) state.strain_energy_uJ = report->strain_energy_uJ;
     if (mover.fixed_reaction_mN) state.fixed_reaction_mN = mover.fixed_reaction_mN();
     TimeStep step{(done + 1) * motion.step_s,   displacement_at(body, state, places), state.fixed_reaction_mN,
                   state.foundation_reaction_mN, state.ligament_reaction_mN,           *report,
@@ -235,7 +255,8 @@ Result<Answer> follow(const Mover& mover, const Body& body, const std::vector<Ma
     answer.contact->inverted_cells = result.inverted_cells;
   }
   answer.landmark_displacements_mm = displacement_at(body, result, places);
-  answer.von_mises_kPa = von_mises_of_cells(body, materials, mover.displacement_mm());
+  answer.von_mises_kPa = mover.history() != nullptr ? mover.history()->von_mises_of_cells(body, mover.displacement_mm())
+                                                    : von_mises_of_cells(body, materials, mover.displacement_mm());
   return answer;
 }
 

@@ -24,4 +24,7 @@ using Material = std::variant<SmallStrain, Corotational, StableNeoHookean, NeoHo
   return std::visit([&](const auto& law) { return law.tangent_kPa(f); }, material);
 }
 
+// The same law with all moduli `factor` times as large.
+[[nodiscard]] Material scaled(const Material& material, double factor);
+
 }  // namespace glisson::mechanics

@@ -30,4 +30,11 @@ Matrix9d StableNeoHookean::tangent_kPa(const Eigen::Matrix3d& f) const {
          lambda_kPa_ * g * g.transpose() + lambda_kPa_ * (f.determinant() - alpha_) * determinant_hessian(f);
 }
 
+StableNeoHookean StableNeoHookean::scaled(double factor) const {
+  StableNeoHookean other = *this;
+  other.mu_kPa_ *= factor;
+  other.lambda_kPa_ *= factor;
+  return other;
+}
+
 }  // namespace glisson::mechanics

@@ -18,6 +18,8 @@ class StableNeoHookean {
   [[nodiscard]] double energy_density_kPa(const Eigen::Matrix3d& f) const;
   [[nodiscard]] Eigen::Matrix3d first_piola_kPa(const Eigen::Matrix3d& f) const;
   [[nodiscard]] Matrix9d tangent_kPa(const Eigen::Matrix3d& f) const;
+  // All moduli that many times as large.
+  [[nodiscard]] StableNeoHookean scaled(double factor) const;
 
  private:
   double mu_kPa_, lambda_kPa_, alpha_;

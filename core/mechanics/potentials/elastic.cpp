@@ -1,52 +1,12 @@
 #include "mechanics/potentials/elastic.h"
 
-#include <Eigen/LU>
 #include <numeric>
 
-#include "base/parallel.h"
-#include "mechanics/elements/quadrature.h"
-#include "mechanics/elements/shape_functions.h"
 #include "mechanics/elements/strain.h"
+#include "mechanics/potentials/internal/cell_samples.h"
 
 namespace glisson::mechanics {
 namespace {
-
-// Where the cells of a body are sampled. A linear cell deforms uniformly: its centroid stands for it.
-struct Sampling {
-  std::vector<double> weights;
-  std::vector<TetDerivatives> derivatives;
-
-  explicit Sampling(ElementOrder order) {
-    if (order == ElementOrder::linear) {
-      weights = {1.0};
-      derivatives = {tet_derivatives(order, Eigen::Vector4d::Constant(0.25))};
-      return;
-    }
-    for (const TetPoint& point : tet_points_degree_2()) {
-      weights.push_back(point.weight);
-      derivatives.push_back(tet_derivatives(order, point.barycentric));
-    }
-  }
-  [[nodiscard]] std::size_t points() const { return weights.size(); }
-};
-
-// Calls visit(cell, sample, gradients, F, volume of the sample in mm3) for every sample, cells spread over threads.
-template <typename Visit>
-void visit_samples(const Body& body, const Sampling& sampling, const Eigen::VectorXd& u_mm, const Visit& visit) {
-  const NodeLayout& layout = body.layout;
-  parallel_for(layout.cells.size(), 256, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t c = begin; c < end; ++c) {
-      const CellGeometry shape = cell_geometry(body.mesh, c);
-      Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 10> moved(3, layout.nodes_per_cell());
-      for (int i = 0; i < layout.nodes_per_cell(); ++i) moved.col(i) = u_mm.segment<3>(3 * layout.cells[c][i]);
-      for (std::size_t q = 0; q < sampling.points(); ++q) {
-        const TetGradients gradients = tet_gradients(sampling.derivatives[q], shape);
-        const Eigen::Matrix3d f = Eigen::Matrix3d::Identity() + moved * gradients;
-        visit(c, q, gradients, f, sampling.weights[q] * shape.volume_mm3);
-      }
-    }
-  });
-}
 
 Material material_of(const Lame& lame, MaterialLaw law, double strain_stiffening) {
   switch (law) {
@@ -92,21 +52,9 @@ double strain_energy_uJ(const Body& body, const std::vector<Material>& materials
 
 Eigen::VectorXd internal_force_mN(const Body& body, const std::vector<Material>& materials,
                                   const Eigen::VectorXd& u_mm) {
-  const Sampling sampling(body.options.order);
-  using CellForce = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 10>;
-  std::vector<CellForce> of_cell(body.layout.cells.size(), CellForce::Zero(3, body.layout.nodes_per_cell()));
-  visit_samples(
-      body, sampling, u_mm,
-      [&](std::size_t c, std::size_t, const TetGradients& gradients, const Eigen::Matrix3d& f, double volume_mm3) {
-        of_cell[c] += volume_mm3 * first_piola_kPa(materials[c], f) * gradients.transpose();
-      });
-  Eigen::VectorXd force_mN = Eigen::VectorXd::Zero(u_mm.size());
-  for (std::size_t c = 0; c < of_cell.size(); ++c) {
-    for (int i = 0; i < body.layout.nodes_per_cell(); ++i) {
-      force_mN.segment<3>(3 * body.layout.cells[c][i]) += of_cell[c].col(i);
-    }
-  }
-  return force_mN;
+  return resisting_force_mN(body, u_mm, [&](std::size_t c, std::size_t, const Eigen::Matrix3d& f) {
+    return first_piola_kPa(materials[c], f);
+  });
 }
 
 void ElasticPotential::add_tangent(const Eigen::VectorXd& u_mm, Tangent which, TangentSum& sum) const {

@@ -15,6 +15,7 @@
 #include "geometry/surface.h"
 #include "mechanics/materials/anisotropy.h"
 #include "mechanics/materials/capsule.h"
+#include "mechanics/materials/relaxation.h"
 #include "mechanics/scenario/cut.h"
 #include "mechanics/scenario/meshfree_options.h"
 #include "mechanics/scenario/rigid_tool.h"
@@ -144,6 +145,8 @@ struct Scenario {
   std::vector<Support> supports;
   std::optional<Capsule> capsule;
   std::optional<TransverseIsotropy> anisotropy;  // equilibrium by finite elements, material `linear`
+  // How the tissue's stress relaxes; moduli are then those at once. An equilibrium is that after long.
+  Relaxation relaxation = {};
   Loads loads;
   std::optional<Motion> motion;
   std::vector<Landmark> landmarks;

@@ -29,6 +29,7 @@ Load load_from(const Json& json, const std::string& where);
 Vector3d gravity_of_patient_from(const Json& json, const std::string& where);
 Capsule capsule_from(const Json& json, const std::string& where);
 TransverseIsotropy anisotropy_from(const Json& json, const std::string& where);
+RelaxationTerm relaxation_term_from(const Json& json, const std::string& where);
 Landmark landmark_from(const Json& json, const std::string& where);
 Motion motion_from(const Json& json, const std::string& where);
 MeshfreeOptions meshfree_from(const Json& json, const std::string& where);
@@ -90,6 +91,9 @@ std::string scenario_text(const Scenario& scenario) {
                      {"ratio", scenario.anisotropy->ratio},
                      {"law", scenario.anisotropy->law == AnisotropyLaw::fibres ? "fibres" : "engineering"}};
   }
+  for (const RelaxationTerm& term : scenario.relaxation) {
+    json["relaxation"].push_back({{"weight", term.weight}, {"time_s", term.time_s}});
+  }
   json["loads"] = Json::array();
   for (const Load& load : scenario.loads) json["loads"].push_back(load_json(load));
   if (scenario.motion) {
@@ -129,11 +133,11 @@ void refuse_same_ids(const std::vector<Named>& named, const char* each) {
 }
 
 Scenario scenario_from(const Json& json) {
-  only_keys(
-      json,
-      {"engine", "material", "strain_stiffening", "poisson_ratio", "density_kg_m3", "youngs_modulus_kPa", "tissue",
-       "supports", "capsule", "grain", "loads", "motion", "landmarks", "cuts", "cut_walls", "tools", "meshfree"},
-      "The scenario");
+  only_keys(json,
+            {"engine", "material", "strain_stiffening", "poisson_ratio", "density_kg_m3", "youngs_modulus_kPa",
+             "tissue", "supports", "capsule", "grain", "relaxation", "loads", "motion", "landmarks", "cuts",
+             "cut_walls", "tools", "meshfree"},
+            "The scenario");
   Scenario scenario;
   if (json.contains("engine")) {
     scenario.engine = one_of<Engine>(json["engine"], "engine", {{"fem", Engine::fem}, {"meshfree", Engine::meshfree}});
@@ -173,6 +177,10 @@ Scenario scenario_from(const Json& json) {
     scenario.youngs_modulus = tissue.youngs_modulus_kPa(scenario.poisson_ratio);
   }
   if (json.contains("capsule")) scenario.capsule = capsule_from(json["capsule"], "capsule");
+  scenario.relaxation = list_of<RelaxationTerm>(json, "relaxation", "relaxation", relaxation_term_from);
+  if (auto checked = check_relaxation(scenario.relaxation); !checked) {
+    refuse("", checked.error().text, checked.error().arguments);
+  }
   if (json.contains("grain")) scenario.anisotropy = anisotropy_from(json["grain"], "grain");
   scenario.supports = list_of<Support>(json, "supports", "support", support_from);
   scenario.loads = list_of<Load>(json, "loads", "load", load_from);
@@ -296,6 +304,12 @@ TransverseIsotropy anisotropy_from(const Json& json, const std::string& where) {
         json["law"], where + ", law", {{"fibres", AnisotropyLaw::fibres}, {"engineering", AnisotropyLaw::engineering}});
   }
   return anisotropy;
+}
+
+RelaxationTerm relaxation_term_from(const Json& json, const std::string& where) {
+  only_keys(json, {"weight", "time_s"}, where);
+  return {positive_in(required(json, "weight", where), where + ", weight"),
+          positive_in(required(json, "time_s", where), where + ", time_s")};
 }
 
 Landmark landmark_from(const Json& json, const std::string& where) {

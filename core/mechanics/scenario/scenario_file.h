@@ -9,6 +9,7 @@
 //                 each with at most one of "foundation_kPa_per_mm": k and "directions": ["x","y","z"]],
 //    "loads": [{"tool": {"center_mm": [x,y,z], "radius_mm": r, "force_N": [x,y,z]}}
 //              | {"pressure_kPa": p} | {"gravity_m_s2": [x,y,z]}],
+//    "relaxation": [{"weight": 0.3, "time_s": 5}],
 //    "motion": {"step_s": 0.02, "steps": 50, "mass_damping_per_s": 0, "stiffness_damping_s": 0},
 //    "landmarks": [{"id": "tumour-1", "position_mm": [x,y,z]}]}
 

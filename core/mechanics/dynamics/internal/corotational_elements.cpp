@@ -47,7 +47,7 @@ void slow_rotation(const double f[3][3], double r[3][3]) {
 
 }  // namespace
 
-CorotationalElements::CorotationalElements(const Body& body, Turning turning) : turning_(turning) {
+CorotationalElements::CorotationalElements(const Body& body, Turning turning, double share) : turning_(turning) {
   GLISSON_ASSERT(body.layout.order == ElementOrder::linear);
   const NodeLayout& layout = body.layout;
   Eigen::Index longest = 0;
@@ -69,8 +69,8 @@ CorotationalElements::CorotationalElements(const Body& body, Turning turning) : 
     Cell cell;
     for (int i = 0; i < 4; ++i) cell.nodes[i] = node_of_layout_[layout.cells[c][i]];
     cell.gradients = shape.barycentric_gradients.bottomRows<3>().transpose();
-    cell.lambda_volume = body.materials[c].lambda_kPa * shape.volume_mm3;
-    cell.mu_volume = body.materials[c].mu_kPa * shape.volume_mm3;
+    cell.lambda_volume = share * body.materials[c].lambda_kPa * shape.volume_mm3;
+    cell.mu_volume = share * body.materials[c].mu_kPa * shape.volume_mm3;
     cells.push_back(cell);
   }
   std::stable_sort(cells.begin(), cells.end(),

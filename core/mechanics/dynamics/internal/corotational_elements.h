@@ -19,8 +19,8 @@ class CorotationalElements {
  public:
   enum class Turning { each_step, never };  // never: linear elasticity
 
-  // The body's cells must be linear.
-  CorotationalElements(const Body& body, Turning turning);
+  // The body's cells must be linear; they are as stiff as that share of its moduli makes them.
+  CorotationalElements(const Body& body, Turning turning, double share = 1);
 
   [[nodiscard]] int nodes() const { return static_cast<int>(node_of_layout_.size()); }
   [[nodiscard]] const std::vector<int>& node_of_layout() const { return node_of_layout_; }

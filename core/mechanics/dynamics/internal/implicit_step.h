@@ -11,11 +11,11 @@ namespace glisson::mechanics {
 
 class ImplicitStep {
  public:
-  // From u, moving with v. `mass_kg` is the lower triangle of the mass over the nodes, lumped or not. What is named
-  // must outlive it.
+  // From u, moving with v. `mass_kg` is the lower triangle of the mass over the nodes, lumped or not. `besides` are
+  // terms more that act. What is named must outlive it.
   ImplicitStep(const Body& body, const std::vector<Material>& materials, const AppliedLoads& loads,
                const DynamicsOptions& options, const Eigen::SparseMatrix<double>& mass_kg, const Eigen::VectorXd& u_mm,
-               const Eigen::VectorXd& v_mm_s);
+               const Eigen::VectorXd& v_mm_s, const Potentials& besides = {});
   ImplicitStep(const ImplicitStep&) = delete;  // its terms name its stiffness
   ImplicitStep& operator=(const ImplicitStep&) = delete;
 

@@ -1,6 +1,5 @@
 #include "mechanics/meshfree/internal/meshfree_dynamics.h"
 
-#include <cmath>
 #include <Eigen/LU>
 
 #include "base/stopwatch.h"
@@ -13,6 +12,18 @@
 
 namespace glisson::mechanics {
 
+namespace {
+
+std::optional<StressHistory> history_of(const MeshfreeBody& of_step, const DynamicsOptions& options) {
+  if (options.relaxation.empty()) return {};
+  std::vector<Material> at_once;
+  const double share = share_within(options.relaxation, options.step_s);
+  for (const Material& material : of_step.materials) at_once.push_back(scaled(material, 1 / share));
+  return StressHistory(of_step.body, std::move(at_once), options.relaxation, options.step_s);
+}
+
+}  // namespace
+
 struct MeshfreeImplicitEuler::Impl {
   MeshfreeBody handles;
   DynamicsOptions options;
@@ -21,6 +32,7 @@ struct MeshfreeImplicitEuler::Impl {
   ReducedOperator system;     // A
   ReducedPreconditioner preconditioner;
   Eigen::VectorXd q_mm, v_mm_s, last_dv_mm_s;
+  std::optional<StressHistory> history;  // where the body relaxes
 
   Impl(MeshfreeBody given, const DynamicsOptions& given_options)
       : handles(std::move(given)),
@@ -31,7 +43,8 @@ struct MeshfreeImplicitEuler::Impl {
         preconditioner(ReducedPreconditioner::of(system, handles.body.options.memory_limit_bytes)),
         q_mm(Eigen::VectorXd::Zero(handles.basis->unknowns())),
         v_mm_s(q_mm),
-        last_dv_mm_s(q_mm) {}
+        last_dv_mm_s(q_mm),
+        history(history_of(handles, options)) {}
 
   [[nodiscard]] ReducedOperator system_of(const ReducedOperator& k) const {
     const double h = options.step_s;
@@ -59,13 +72,12 @@ namespace {
 
 constexpr int newton_steps_of_a_frame = 40;
 
-Result<void> check(const DynamicsOptions& options);
 int cells_turned_inside_out(const Body& body, const Eigen::VectorXd& u_mm);
 
 }  // namespace
 
 Result<MeshfreeImplicitEuler> MeshfreeImplicitEuler::create(MeshfreeBody handles, const DynamicsOptions& options) {
-  if (auto checked = check(options); !checked) return failure(std::move(checked.error()));
+  if (auto checked = check_dynamics_options(options); !checked) return failure(std::move(checked.error()));
   return MeshfreeImplicitEuler(std::make_unique<Impl>(std::move(handles), options));
 }
 
@@ -79,10 +91,11 @@ StepReport MeshfreeImplicitEuler::step(const AppliedLoads& loads) {
                                             loads.follower_pressure_kPa);
     parts.system = parts.system_of(parts.stiffness);
   }
-  const Eigen::VectorXd b =
-      h * (parts.handles.basis->reduce(loads.dead_mN) + parts.force_mN(loads.follower_pressure_kPa) -
-           (h + options.stiffness_damping_s) * (parts.stiffness * parts.v_mm_s) -
-           options.mass_damping_per_s * (parts.mass * parts.v_mm_s));
+  const Eigen::VectorXd dead_mN =
+      parts.history ? (loads.dead_mN + parts.history->force_mN(parts.handles.body)).eval() : loads.dead_mN;
+  const Eigen::VectorXd b = h * (parts.handles.basis->reduce(dead_mN) + parts.force_mN(loads.follower_pressure_kPa) -
+                                 (h + options.stiffness_damping_s) * (parts.stiffness * parts.v_mm_s) -
+                                 options.mass_damping_per_s * (parts.mass * parts.v_mm_s));
   const ReducedSolution solution = parts.solve(b);
 
   StepReport report;
@@ -93,6 +106,7 @@ StepReport MeshfreeImplicitEuler::step(const AppliedLoads& loads) {
     parts.last_dv_mm_s = solution.x;
     parts.v_mm_s += solution.x;
     parts.q_mm += h * parts.v_mm_s;
+    if (parts.history) parts.history->advance(parts.handles.body, displacement_mm());
   }
   return parts.described(report, watch);
 }
@@ -104,7 +118,7 @@ Result<StepReport> MeshfreeImplicitEuler::step(const AppliedLoads& loads, const 
   const Body& body = parts.handles.body;
   const Eigen::SparseMatrix<double> mass_kg = consistent_mass_kg(body);
   const ImplicitStep step(body, parts.handles.materials, loads, parts.options, mass_kg, displacement_mm(),
-                          velocity_mm_s());
+                          velocity_mm_s(), parts.history ? parts.history->potentials(body) : Potentials());
   Minimum minimum{parts.q_mm};
   const Result<bool> rested =
       minimise_with_tools({step.potential(),
@@ -121,6 +135,7 @@ Result<StepReport> MeshfreeImplicitEuler::step(const AppliedLoads& loads, const 
   if (report.converged) {
     parts.v_mm_s = (minimum.x_mm - parts.q_mm) / parts.options.step_s;
     parts.q_mm = std::move(minimum.x_mm);
+    if (parts.history) parts.history->advance(body, displacement_mm());
   }
   return parts.described(report, watch);
 }
@@ -128,7 +143,8 @@ Result<StepReport> MeshfreeImplicitEuler::step(const AppliedLoads& loads, const 
 StepReport MeshfreeImplicitEuler::Impl::described(StepReport report, const Stopwatch& watch) const {
   const Eigen::VectorXd u_mm = handles.basis->displacement(q_mm);
   report.inverted_cells = cells_turned_inside_out(handles.body, u_mm);
-  report.strain_energy_uJ = strain_energy_uJ(handles.body, handles.materials, u_mm);
+  report.strain_energy_uJ =
+      history ? history->free_energy_uJ(handles.body) : strain_energy_uJ(handles.body, handles.materials, u_mm);
   report.kinetic_energy_uJ = 0.5 * v_mm_s.dot(mass * v_mm_s);
   report.step_ms = 1e3 * watch.seconds();
   return report;
@@ -161,6 +177,7 @@ Eigen::VectorXd MeshfreeImplicitEuler::velocity_mm_s() const {
   return impl_->handles.basis->displacement(impl_->v_mm_s);
 }
 const Body& MeshfreeImplicitEuler::body() const { return impl_->handles.body; }
+const StressHistory* MeshfreeImplicitEuler::history() const { return impl_->history ? &*impl_->history : nullptr; }
 
 void MeshfreeImplicitEuler::set_rigid_velocity(const Eigen::Vector3d& velocity_mm_s,
                                                const Eigen::Vector3d& spin_per_s) {
@@ -185,16 +202,6 @@ Eigen::Vector3d MeshfreeImplicitEuler::momentum_kg_mm_s() const {
 }
 
 namespace {
-
-Result<void> check(const DynamicsOptions& options) {
-  const auto at_least_zero = [](double value) { return std::isfinite(value) && value >= 0; };
-  if (!std::isfinite(options.step_s) || options.step_s <= 0 || !at_least_zero(options.mass_damping_per_s) ||
-      !at_least_zero(options.stiffness_damping_s) || !(options.relative_tolerance > 0) || options.max_iterations < 1) {
-    return failure("step-invalid",
-                   GLISSON_TEXT("A motion needs a step and a tolerance above zero, and damping not below it."));
-  }
-  return {};
-}
 
 int cells_turned_inside_out(const Body& body, const Eigen::VectorXd& u_mm) {
   int cells = 0;

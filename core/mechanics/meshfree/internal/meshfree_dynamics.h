@@ -18,7 +18,8 @@ struct BodyProblem;
 
 class MeshfreeImplicitEuler {
  public:
-  // At rest and still. Failures: "step-invalid" (a number of the options is out of range).
+  // At rest and still. Where the options say that it relaxes, the handles' moduli are `share_within` of those at once.
+  // Failures: those of check_dynamics_options.
   static Result<MeshfreeImplicitEuler> create(MeshfreeBody handles, const DynamicsOptions& options);
   MeshfreeImplicitEuler(MeshfreeImplicitEuler&&) noexcept;
   MeshfreeImplicitEuler& operator=(MeshfreeImplicitEuler&&) noexcept;
@@ -48,6 +49,7 @@ class MeshfreeImplicitEuler {
   [[nodiscard]] Eigen::Vector3d momentum_kg_mm_s() const;
 
   [[nodiscard]] const Body& body() const;
+  [[nodiscard]] const StressHistory* history() const;  // none where nothing relaxes
 
  private:
   struct Impl;
