@@ -7255,6 +7255,54 @@
         <source>Leave out &quot;relaxation&quot;.</source>
         <translation>&quot;relaxation&quot; weglassen.</translation>
     </message>
+    <message>
+        <source>A line that cuts needs 2 to {0} places; there are {1}.</source>
+        <translation>Eine schneidende Linie braucht 2 bis {0} Stellen; es sind {1}.</translation>
+    </message>
+    <message>
+        <source>A line that cuts needs a way into the body with a length.</source>
+        <translation>Eine schneidende Linie braucht einen Weg in den Körper hinein, der eine Länge hat.</translation>
+    </message>
+    <message>
+        <source>A place of the line that cuts is not finite.</source>
+        <translation>Eine Stelle der schneidenden Linie ist nicht endlich.</translation>
+    </message>
+    <message>
+        <source>Places {0} and {1} of the line that cuts lie above each other, along its way into the body.</source>
+        <translation>Die Stellen {0} und {1} der schneidenden Linie liegen übereinander, längs ihres Weges in den Körper.</translation>
+    </message>
+    <message>
+        <source>The line turns more sharply than the model&apos;s cells can follow, or meets itself.</source>
+        <translation>Die Linie biegt enger ab, als die Zellen des Modells folgen können, oder trifft auf sich selbst.</translation>
+    </message>
+    <message>
+        <source>Draw a wider curve, or begin a new cut farther away.</source>
+        <translation>Zeichnen Sie einen weiteren Bogen, oder beginnen Sie einen neuen Schnitt weiter weg.</translation>
+    </message>
+    <message>
+        <source>Meshfree nodes reach ahead of a cut: its line cannot be drawn further once it is cut along.</source>
+        <translation>Netzfreie Knoten reichen über einen Schnitt hinaus: Seine Linie lässt sich nicht weiterzeichnen, sobald an ihr geschnitten ist.</translation>
+    </message>
+    <message>
+        <source>Give the whole line before its first advance, or begin a new cut.</source>
+        <translation>Geben Sie die ganze Linie vor ihrem ersten Schritt, oder beginnen Sie einen neuen Schnitt.</translation>
+    </message>
+    <message>
+        <source>The line leaves the surface that it was drawn on.</source>
+        <translation>Die Linie verlässt die Oberfläche, auf der sie gezeichnet wurde.</translation>
+    </message>
+    <message>
+        <source>Turn the liver until you look onto it, and go on from there.</source>
+        <translation>Drehen Sie die Leber, bis Sie darauf blicken, und fahren Sie von dort fort.</translation>
+    </message>
+    <message>
+        <source>Lift, and begin a new cut farther away.</source>
+        <translation>Lassen Sie los, und beginnen Sie einen neuen Schnitt weiter weg.</translation>
+    </message>
+    <message>
+        <source>Cut freehand</source>
+        <translation>Freihand schneiden</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>
@@ -7314,10 +7362,6 @@
 <context>
     <name>glisson::widgets::AdvanceControls</name>
     <message>
-        <source>Cut along the plan</source>
-        <translation>Nach Plan schneiden</translation>
-    </message>
-    <message>
         <source>Cut 5 mm further</source>
         <translation>5 mm weiter schneiden</translation>
     </message>
@@ -7328,10 +7372,6 @@
     <message>
         <source>Take back</source>
         <translation>Zurücknehmen</translation>
-    </message>
-    <message>
-        <source>Closes the last 5 mm, as long as no tool was moved since</source>
-        <translation>Schließt die letzten 5 mm, solange seither kein Instrument bewegt wurde</translation>
     </message>
     <message>
         <source>Tick the rigid tool above, to cut while tools hold the liver.</source>
@@ -7356,6 +7396,42 @@
     <message>
         <source>By finite elements: %1 mm.</source>
         <translation>Nach finiten Elementen: %1 mm.</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Schneiden</translation>
+    </message>
+    <message>
+        <source>Closes the last advance, as long as no tool was moved since</source>
+        <translation>Schließt den letzten Schritt, solange seither kein Instrument bewegt wurde</translation>
+    </message>
+    <message>
+        <source>Cut freehand</source>
+        <translation>Freihand schneiden</translation>
+    </message>
+    <message>
+        <source>Then draw over the liver in the 3D view with the left button held: it parts behind the pointer, straight away from you, as deep as is said here. From the end of the last line the cut goes on.</source>
+        <translation>Dann bei gehaltener linker Taste in der 3D-Ansicht über die Leber zeichnen: Sie teilt sich hinter dem Zeiger, gerade von Ihnen weg, so tief wie hier gesagt. Vom Ende der letzten Linie an geht der Schnitt weiter.</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>How deep the knife goes from the surface, away from you</source>
+        <translation>Wie tief das Messer von der Oberfläche an geht, von Ihnen weg</translation>
+    </message>
+    <message>
+        <source>%1 cm² are cut, open by up to %2 mm.</source>
+        <translation>%1 cm² sind geschnitten, bis zu %2 mm weit offen.</translation>
+    </message>
+    <message>
+        <source>Cut freehand, or plan a plane or a sheet in Resect and keep the plan, to cut along it here.</source>
+        <translation>Schneiden Sie freihand, oder planen Sie in Resektion eine Ebene oder Fläche und behalten den Plan, um hier an ihm entlang zu schneiden.</translation>
     </message>
 </context>
 <context>
@@ -8574,6 +8650,21 @@ Keine Messungen zur Hand? Probieren Sie das Beispiel: eine simulierte Gewebeprob
     <message>
         <source>changes nothing in the rehearsal</source>
         <translation>ändert an der Probe nichts</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::FreehandKnife</name>
+    <message>
+        <source>The last line is still being cut.</source>
+        <translation>Die letzte Linie wird noch geschnitten.</translation>
+    </message>
+    <message>
+        <source>The cut would skim the liver here: turn it until you look onto its surface.</source>
+        <translation>Der Schnitt würde die Leber hier nur streifen: Drehen Sie sie, bis Sie auf ihre Oberfläche blicken.</translation>
+    </message>
+    <message>
+        <source>The line left the liver: the cut ends at its edge.</source>
+        <translation>Die Linie hat die Leber verlassen: Der Schnitt endet an ihrem Rand.</translation>
     </message>
 </context>
 <context>

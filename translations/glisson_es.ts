@@ -7255,6 +7255,54 @@
         <source>Leave out &quot;relaxation&quot;.</source>
         <translation>Omita &quot;relaxation&quot;.</translation>
     </message>
+    <message>
+        <source>A line that cuts needs 2 to {0} places; there are {1}.</source>
+        <translation>Una línea de corte necesita de 2 a {0} puntos; hay {1}.</translation>
+    </message>
+    <message>
+        <source>A line that cuts needs a way into the body with a length.</source>
+        <translation>Una línea de corte necesita una dirección hacia el interior del cuerpo que tenga longitud.</translation>
+    </message>
+    <message>
+        <source>A place of the line that cuts is not finite.</source>
+        <translation>Un punto de la línea de corte no es finito.</translation>
+    </message>
+    <message>
+        <source>Places {0} and {1} of the line that cuts lie above each other, along its way into the body.</source>
+        <translation>Los puntos {0} y {1} de la línea de corte están uno sobre otro, en su dirección hacia el interior del cuerpo.</translation>
+    </message>
+    <message>
+        <source>The line turns more sharply than the model&apos;s cells can follow, or meets itself.</source>
+        <translation>La línea gira más cerrado de lo que las celdas del modelo pueden seguir, o se encuentra consigo misma.</translation>
+    </message>
+    <message>
+        <source>Draw a wider curve, or begin a new cut farther away.</source>
+        <translation>Dibuje una curva más amplia o empiece un corte nuevo más lejos.</translation>
+    </message>
+    <message>
+        <source>Meshfree nodes reach ahead of a cut: its line cannot be drawn further once it is cut along.</source>
+        <translation>Los nodos sin malla alcanzan más allá de un corte: su línea no se puede prolongar una vez que se ha cortado por ella.</translation>
+    </message>
+    <message>
+        <source>Give the whole line before its first advance, or begin a new cut.</source>
+        <translation>Dé la línea entera antes de su primer avance o empiece un corte nuevo.</translation>
+    </message>
+    <message>
+        <source>The line leaves the surface that it was drawn on.</source>
+        <translation>La línea sale de la superficie sobre la que se dibujó.</translation>
+    </message>
+    <message>
+        <source>Turn the liver until you look onto it, and go on from there.</source>
+        <translation>Gire el hígado hasta mirarlo de frente y siga desde ahí.</translation>
+    </message>
+    <message>
+        <source>Lift, and begin a new cut farther away.</source>
+        <translation>Suelte y empiece un corte nuevo más lejos.</translation>
+    </message>
+    <message>
+        <source>Cut freehand</source>
+        <translation>Cortar a mano alzada</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>
@@ -7314,10 +7362,6 @@
 <context>
     <name>glisson::widgets::AdvanceControls</name>
     <message>
-        <source>Cut along the plan</source>
-        <translation>Cortar según el plan</translation>
-    </message>
-    <message>
         <source>Cut 5 mm further</source>
         <translation>Cortar 5 mm más</translation>
     </message>
@@ -7328,10 +7372,6 @@
     <message>
         <source>Take back</source>
         <translation>Deshacer el paso</translation>
-    </message>
-    <message>
-        <source>Closes the last 5 mm, as long as no tool was moved since</source>
-        <translation>Cierra los últimos 5 mm mientras no se haya movido ningún instrumento</translation>
     </message>
     <message>
         <source>Tick the rigid tool above, to cut while tools hold the liver.</source>
@@ -7356,6 +7396,42 @@
     <message>
         <source>By finite elements: %1 mm.</source>
         <translation>Por elementos finitos: %1 mm.</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Corte</translation>
+    </message>
+    <message>
+        <source>Closes the last advance, as long as no tool was moved since</source>
+        <translation>Cierra el último avance mientras no se haya movido ningún instrumento</translation>
+    </message>
+    <message>
+        <source>Cut freehand</source>
+        <translation>Cortar a mano alzada</translation>
+    </message>
+    <message>
+        <source>Then draw over the liver in the 3D view with the left button held: it parts behind the pointer, straight away from you, as deep as is said here. From the end of the last line the cut goes on.</source>
+        <translation>Después dibuje sobre el hígado en la vista 3D con el botón izquierdo pulsado: se separa detrás del puntero, recto desde usted hacia dentro, tan hondo como se dice aquí. Desde el extremo de la última línea el corte continúa.</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Profundidad</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>How deep the knife goes from the surface, away from you</source>
+        <translation>Cuánto entra el cuchillo desde la superficie, alejándose de usted</translation>
+    </message>
+    <message>
+        <source>%1 cm² are cut, open by up to %2 mm.</source>
+        <translation>%1 cm² están cortados, abiertos hasta %2 mm.</translation>
+    </message>
+    <message>
+        <source>Cut freehand, or plan a plane or a sheet in Resect and keep the plan, to cut along it here.</source>
+        <translation>Corte a mano alzada, o planifique un plano o una superficie en Resección y conserve el plan, para cortar aquí a lo largo de él.</translation>
     </message>
 </context>
 <context>
@@ -8574,6 +8650,21 @@ Glisson dice cuánto se equivoca el modelo declarado, qué le falta y con qué c
     <message>
         <source>changes nothing in the rehearsal</source>
         <translation>no cambia nada en el ensayo</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::FreehandKnife</name>
+    <message>
+        <source>The last line is still being cut.</source>
+        <translation>La última línea todavía se está cortando.</translation>
+    </message>
+    <message>
+        <source>The cut would skim the liver here: turn it until you look onto its surface.</source>
+        <translation>El corte solo rozaría el hígado aquí: gírelo hasta mirar su superficie de frente.</translation>
+    </message>
+    <message>
+        <source>The line left the liver: the cut ends at its edge.</source>
+        <translation>La línea salió del hígado: el corte termina en su borde.</translation>
     </message>
 </context>
 <context>

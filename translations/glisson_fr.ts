@@ -7255,6 +7255,54 @@
         <source>Leave out &quot;relaxation&quot;.</source>
         <translation>Omettre &quot;relaxation&quot;.</translation>
     </message>
+    <message>
+        <source>A line that cuts needs 2 to {0} places; there are {1}.</source>
+        <translation>Une ligne de coupe demande de 2 à {0} points ; il y en a {1}.</translation>
+    </message>
+    <message>
+        <source>A line that cuts needs a way into the body with a length.</source>
+        <translation>Une ligne de coupe demande une direction vers l’intérieur du corps, de longueur non nulle.</translation>
+    </message>
+    <message>
+        <source>A place of the line that cuts is not finite.</source>
+        <translation>Un point de la ligne de coupe n’est pas fini.</translation>
+    </message>
+    <message>
+        <source>Places {0} and {1} of the line that cuts lie above each other, along its way into the body.</source>
+        <translation>Les points {0} et {1} de la ligne de coupe sont l’un au-dessus de l’autre, dans sa direction vers l’intérieur du corps.</translation>
+    </message>
+    <message>
+        <source>The line turns more sharply than the model&apos;s cells can follow, or meets itself.</source>
+        <translation>La ligne tourne plus court que les cellules du modèle ne peuvent suivre, ou se rencontre elle-même.</translation>
+    </message>
+    <message>
+        <source>Draw a wider curve, or begin a new cut farther away.</source>
+        <translation>Dessinez une courbe plus large, ou commencez une nouvelle coupe plus loin.</translation>
+    </message>
+    <message>
+        <source>Meshfree nodes reach ahead of a cut: its line cannot be drawn further once it is cut along.</source>
+        <translation>Les nœuds sans maillage s’étendent au-delà d’une coupe : sa ligne ne peut plus être prolongée une fois qu’elle est entamée.</translation>
+    </message>
+    <message>
+        <source>Give the whole line before its first advance, or begin a new cut.</source>
+        <translation>Donnez toute la ligne avant sa première avancée, ou commencez une nouvelle coupe.</translation>
+    </message>
+    <message>
+        <source>The line leaves the surface that it was drawn on.</source>
+        <translation>La ligne quitte la surface sur laquelle elle a été dessinée.</translation>
+    </message>
+    <message>
+        <source>Turn the liver until you look onto it, and go on from there.</source>
+        <translation>Tournez le foie jusqu’à le voir de face, et continuez de là.</translation>
+    </message>
+    <message>
+        <source>Lift, and begin a new cut farther away.</source>
+        <translation>Relâchez, et commencez une nouvelle coupe plus loin.</translation>
+    </message>
+    <message>
+        <source>Cut freehand</source>
+        <translation>Couper à main levée</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>
@@ -7314,10 +7362,6 @@
 <context>
     <name>glisson::widgets::AdvanceControls</name>
     <message>
-        <source>Cut along the plan</source>
-        <translation>Couper selon le plan</translation>
-    </message>
-    <message>
         <source>Cut 5 mm further</source>
         <translation>Couper 5 mm de plus</translation>
     </message>
@@ -7328,10 +7372,6 @@
     <message>
         <source>Take back</source>
         <translation>Revenir</translation>
-    </message>
-    <message>
-        <source>Closes the last 5 mm, as long as no tool was moved since</source>
-        <translation>Referme les 5 derniers mm, tant qu’aucun instrument n’a bougé depuis</translation>
     </message>
     <message>
         <source>Tick the rigid tool above, to cut while tools hold the liver.</source>
@@ -7356,6 +7396,42 @@
     <message>
         <source>By finite elements: %1 mm.</source>
         <translation>Par éléments finis : %1 mm.</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Coupe</translation>
+    </message>
+    <message>
+        <source>Closes the last advance, as long as no tool was moved since</source>
+        <translation>Referme la dernière avancée, tant qu’aucun instrument n’a bougé depuis</translation>
+    </message>
+    <message>
+        <source>Cut freehand</source>
+        <translation>Couper à main levée</translation>
+    </message>
+    <message>
+        <source>Then draw over the liver in the 3D view with the left button held: it parts behind the pointer, straight away from you, as deep as is said here. From the end of the last line the cut goes on.</source>
+        <translation>Puis dessinez sur le foie dans la vue 3D, bouton gauche tenu : il se sépare derrière le pointeur, droit devant vous, aussi profond qu’il est dit ici. Depuis le bout de la dernière ligne, la coupe continue.</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Profondeur</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>How deep the knife goes from the surface, away from you</source>
+        <translation>À quelle profondeur va le couteau depuis la surface, droit devant vous</translation>
+    </message>
+    <message>
+        <source>%1 cm² are cut, open by up to %2 mm.</source>
+        <translation>%1 cm² sont coupés, ouverts de %2 mm au plus.</translation>
+    </message>
+    <message>
+        <source>Cut freehand, or plan a plane or a sheet in Resect and keep the plan, to cut along it here.</source>
+        <translation>Coupez à main levée, ou planifiez un plan ou une surface dans Résection et gardez-le, pour couper ici le long de lui.</translation>
     </message>
 </context>
 <context>
@@ -8574,6 +8650,21 @@ Pas de mesures sous la main&#xa0;? Essayez l’exemple&#xa0;: un échantillon de
     <message>
         <source>changes nothing in the rehearsal</source>
         <translation>ne change rien à la répétition</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::FreehandKnife</name>
+    <message>
+        <source>The last line is still being cut.</source>
+        <translation>La dernière ligne est encore en train d’être coupée.</translation>
+    </message>
+    <message>
+        <source>The cut would skim the liver here: turn it until you look onto its surface.</source>
+        <translation>La coupe ne ferait qu’effleurer le foie ici : tournez-le jusqu’à voir sa surface de face.</translation>
+    </message>
+    <message>
+        <source>The line left the liver: the cut ends at its edge.</source>
+        <translation>La ligne a quitté le foie : la coupe se termine à son bord.</translation>
     </message>
 </context>
 <context>

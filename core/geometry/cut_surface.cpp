@@ -1,10 +1,12 @@
 #include "geometry/cut_surface.h"
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <cmath>
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <limits>
 
 namespace glisson::geometry {
 namespace {
@@ -100,6 +102,44 @@ Result<CutSurface> CutSurface::through(const std::vector<Vector3d>& points_mm) {
   return surface;
 }
 
+Result<CutSurface> CutSurface::swept(const std::vector<Vector3d>& line_mm, const Vector3d& into_mm) {
+  constexpr std::size_t maximum_places = 2000;
+  constexpr double shortest_mm = 1e-3;
+  if (line_mm.size() < 2 || line_mm.size() > maximum_places) {
+    return invalid(GLISSON_TEXT("A line that cuts needs 2 to {0} places; there are {1}."),
+                   {std::to_string(maximum_places), std::to_string(line_mm.size())});
+  }
+  if (!into_mm.allFinite() || !(into_mm.norm() > 0)) {
+    return invalid(GLISSON_TEXT("A line that cuts needs a way into the body with a length."));
+  }
+  CutSurface surface;
+  surface.through_mm_ = line_mm;
+  surface.into_mm_ = into_mm;
+  surface.point_mm_ = line_mm.front();
+  const Vector3d in = into_mm.normalized();
+  surface.plane_ = axes_across(in);
+  const auto count = static_cast<Eigen::Index>(line_mm.size());
+  surface.centers_mm_.resize(2, count);
+  surface.along_mm_ = surface.below_mm_ = Eigen::VectorXd::Zero(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Vector3d& place_mm = line_mm[static_cast<std::size_t>(i)];
+    if (!place_mm.allFinite()) return invalid(GLISSON_TEXT("A place of the line that cuts is not finite."));
+    surface.centers_mm_.col(i) = surface.across_mm(place_mm);
+    surface.below_mm_[i] = (place_mm - surface.point_mm_).dot(in);
+    if (i == 0) continue;
+    const double step_mm = (surface.centers_mm_.col(i) - surface.centers_mm_.col(i - 1)).norm();
+    if (step_mm < shortest_mm) {
+      return invalid(GLISSON_TEXT("Places {0} and {1} of the line that cuts lie above each other, along its way into "
+                                  "the body."),
+                     {std::to_string(i), std::to_string(i + 1)});
+    }
+    surface.along_mm_[i] = surface.along_mm_[i - 1] + step_mm;
+  }
+  const Vector2d first_mm = surface.centers_mm_.col(1) - surface.centers_mm_.col(0);
+  surface.normal_ = in.cross(Vector3d(surface.plane_.transpose() * first_mm)).normalized();
+  return surface;
+}
+
 Vector2d CutSurface::across_mm(const Vector3d& position_mm) const { return plane_ * (position_mm - point_mm_); }
 
 Vector3d CutSurface::on_surface_mm(const Vector2d& across_mm) const {
@@ -108,11 +148,54 @@ Vector3d CutSurface::on_surface_mm(const Vector2d& across_mm) const {
 }
 
 bool CutSurface::is_same(const CutSurface& other) const {
-  if (!is_plane() || !other.is_plane()) return through_mm_ == other.through_mm_;
+  if (!is_plane() || !other.is_plane()) return through_mm_ == other.through_mm_ && into_mm_ == other.into_mm_;
   return normal_.isApprox(other.normal_, 1e-9) && std::abs(height_mm(other.point_mm_)) < 1e-6;
 }
 
+bool CutSurface::goes_on(const CutSurface& other) const {
+  return is_swept() && into_mm_ == other.into_mm_ && through_mm_.size() >= other.through_mm_.size() &&
+         std::equal(other.through_mm_.begin(), other.through_mm_.end(), through_mm_.begin());
+}
+
+// Of the nearest piece. Where that is a corner, the side is that of both pieces' mean way.
+CutSurface::Foot CutSurface::foot_of(const Vector2d& across_mm) const {
+  const Eigen::Index last = centers_mm_.cols() - 2;
+  const auto way = [&](Eigen::Index piece) -> Vector2d {
+    return (centers_mm_.col(piece + 1) - centers_mm_.col(piece)) / (along_mm_[piece + 1] - along_mm_[piece]);
+  };
+  double nearest_mm2 = std::numeric_limits<double>::infinity();
+  Foot foot{};
+  for (Eigen::Index piece = 0; piece <= last; ++piece) {
+    const double length_mm = along_mm_[piece + 1] - along_mm_[piece];
+    const Vector2d arm_mm = across_mm - centers_mm_.col(piece);
+    const Vector2d ahead = way(piece);
+    double at_mm = arm_mm.dot(ahead);
+    Vector2d side = ahead;
+    if (at_mm < 0 && piece > 0) {
+      at_mm = 0;
+      side += way(piece - 1);
+    } else if (at_mm > length_mm && piece < last) {
+      at_mm = length_mm;
+      side += way(piece + 1);
+    }
+    const Vector2d off_mm = arm_mm - at_mm * ahead;
+    if (!(off_mm.squaredNorm() < nearest_mm2)) continue;
+    nearest_mm2 = off_mm.squaredNorm();
+    const double left = side.x() * off_mm.y() - side.y() * off_mm.x();
+    const double share = std::clamp(at_mm / length_mm, 0.0, 1.0);
+    foot = {along_mm_[piece] + at_mm, left < 0 ? -off_mm.norm() : off_mm.norm(),
+            below_mm_[piece] + share * (below_mm_[piece + 1] - below_mm_[piece])};
+  }
+  return foot;
+}
+
+CutSurface::OnLine CutSurface::on_line(const Vector3d& position_mm) const {
+  const Foot foot = foot_of(across_mm(position_mm));
+  return {foot.along_mm, (position_mm - point_mm_).dot(into_mm_) / into_mm_.norm() - foot.below_mm};
+}
+
 double CutSurface::height_mm(const Vector3d& position_mm) const {
+  if (is_swept()) return foot_of(across_mm(position_mm)).from_line_mm;
   const Vector3d arm = position_mm - point_mm_;
   double sheet_mm = 0;
   if (!is_plane()) {

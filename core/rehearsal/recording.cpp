@@ -124,6 +124,7 @@ Json json_of(const mechanics::CutStrip& strip) {
   Json cut{{"from_mm", json_of(strip.from_mm)}, {"to_mm", json_of(strip.to_mm)}};
   if (!strip.surface.is_plane()) {
     for (const Vector3d& point : strip.surface.through_mm()) cut["points_mm"].push_back(json_of(point));
+    if (strip.surface.is_swept()) cut["into_mm"] = json_of(strip.surface.into_mm());
     return cut;
   }
   cut["plane"] = json_of(strip.surface.point_mm());
@@ -136,7 +137,9 @@ geometry::CutSurface surface_from(const Json& json) {
     std::vector<Vector3d> points_mm;
     for (const Json& point : list_under(json, "points_mm", "the cut"))
       points_mm.push_back(vector_in(point, "points_mm"));
-    auto sheet = geometry::CutSurface::through(points_mm);
+    auto sheet = json.contains("into_mm")
+                     ? geometry::CutSurface::swept(points_mm, vector_under(json, "into_mm", "the cut"))
+                     : geometry::CutSurface::through(points_mm);
     if (!sheet) refuse_at("points_mm", "{0}: {1}", {sheet.error().message()});
     return std::move(*sheet);
   }
@@ -153,7 +156,7 @@ geometry::CutSurface surface_from(const Json& json) {
 }
 
 mechanics::CutStrip strip_from(const Json& json) {
-  check_keys(json, {"plane", "points_mm", "from_mm", "to_mm"});
+  check_keys(json, {"plane", "points_mm", "into_mm", "from_mm", "to_mm"});
   return {surface_from(json), vector_under(json, "from_mm", "the cut"), vector_under(json, "to_mm", "the cut")};
 }
 

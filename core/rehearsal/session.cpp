@@ -67,6 +67,7 @@ const SessionState& SessionEngine::step(const SessionCommand& command, const Pro
   const Stopwatch watch;
   Impl& parts = *impl_;
   std::string refused;
+  std::optional<Error> refusal;
   Tools tools = parts.moments.back().tools;
   const auto of_id = [&](const std::string& id) {
     return std::find_if(tools.begin(), tools.end(), [&](const ContactTool& tool) { return tool.id == id; });
@@ -112,6 +113,7 @@ const SessionState& SessionEngine::step(const SessionCommand& command, const Pro
     if (!moment && settles && progress.cancelled()) return *parts.latest;
     if (!moment) {
       refused = moment.error().message();
+      refusal = moment.error();
     } else if (settles) {
       parts.moments.back() = std::move(*moment);
     } else {
@@ -125,6 +127,7 @@ const SessionState& SessionEngine::step(const SessionCommand& command, const Pro
   state.number = parts.commands;
   state.settles = parts.settles;
   state.refused = std::move(refused);
+  state.refusal = std::move(refusal);
   state.step_ms = 1e3 * watch.seconds();
   parts.latest = std::make_shared<SessionState>(std::move(state));
   return *parts.latest;

@@ -97,6 +97,7 @@ struct SessionState {
   // Empty where the last command was carried out. Otherwise why it was not. The state then shows what was before it,
   // and says so here. A shape that did not converge is never shown.
   std::string refused;
+  std::optional<Error> refusal = {};  // the same, where the body or the tools said it
   double step_ms = 0;
   // SHA-256 of forces and displacements, at small strain of the surface and the landmarks: two states of the same
   // digest are the same bits there.

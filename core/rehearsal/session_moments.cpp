@@ -172,6 +172,11 @@ Result<Moment> SessionEngine::Impl::cut(const Moment& from, const mechanics::Cut
   if (!patient_body) return failure(std::move(patient_body.error()));
   opened.patient_body = std::move(*patient_body);
   opened.cuts.push_back(strip);
+  for (std::size_t s = 0; s < structures.size(); ++s) {
+    if (mechanics::crosses(strip, structures[s])) opened.crossed.push_back(s);
+  }
+  std::sort(opened.crossed.begin(), opened.crossed.end());
+  opened.crossed.erase(std::unique(opened.crossed.begin(), opened.crossed.end()), opened.crossed.end());
   return moved(opened, from.tools);
 }
 
@@ -225,12 +230,7 @@ std::shared_ptr<const SessionCut> SessionEngine::Impl::cut_of(const Moment& mome
   auto cut = moment.patient_body.cut(moment.patient);
   if (!cut) return nullptr;
   cut->advances = moment.cuts.size();
-  for (std::size_t s = 0; s < structures.size(); ++s) {
-    if (std::any_of(moment.cuts.begin(), moment.cuts.end(),
-                    [&](const mechanics::CutStrip& strip) { return mechanics::crosses(strip, structures[s]); })) {
-      cut->crossed.push_back(s);
-    }
-  }
+  cut->crossed = moment.crossed;
   return std::make_shared<const SessionCut>(*std::move(cut));
 }
 

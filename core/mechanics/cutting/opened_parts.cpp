@@ -49,11 +49,12 @@ std::vector<Bridge> Opening::bridges() const {
   std::vector<Bridge> bridges;
   for (const PartlyCut& cut : state_->cuts) {
     const std::vector<int> number = state_->jumps_along(*cut.along);
+    const CutSoFar opened(cut.strips);
     for (const CrossedCell& crossed : cut.along->crossing.cells) {
       std::array<int, 4> jump{};
       for (std::size_t i = 0; i < 4; ++i) jump[i] = number[mesh.cells[crossed.cell][i]];
       if (std::all_of(jump.begin(), jump.end(), [](int j) { return j < 0; })) continue;
-      for (const auto& [at, area_mm2] : whole_places(mesh, crossed, cut.strips)) {
+      for (const auto& [at, area_mm2] : whole_places(mesh, crossed, opened)) {
         bridges.push_back({crossed.cell, jump, at, area_mm2, bridged_mm(mesh, crossed.cell)});
       }
     }

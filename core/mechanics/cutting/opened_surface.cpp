@@ -22,6 +22,7 @@ class OpenedSurface {
   void add_walls(const OpenCell& cell);
   geometry::Surface take() {
     geometry::set_field(made_.cell_fields, std::move(wall_));
+    geometry::set_field(made_.point_fields, std::move(at_rest_));
     return std::move(made_);
   }
 
@@ -29,6 +30,10 @@ class OpenedSurface {
   void add(const std::array<int, 3>& triangle, bool wall) {
     made_.triangles.push_back(triangle);
     wall_.values.push_back(wall ? 1.0 : 0.0);
+  }
+  void add_point(const Vector3d& place_mm, const Vector3d& at_rest_mm) {
+    made_.points_mm.push_back(place_mm);
+    at_rest_.values.insert(at_rest_.values.end(), at_rest_mm.begin(), at_rest_mm.end());
   }
   // Where the cut crosses the edge between two corners of a cell, on its side above (1) or below (0).
   int on_edge(const OpenCell& cell, int a, int b, int side);
@@ -38,7 +43,7 @@ class OpenedSurface {
   const std::vector<Vector3d>& displacement_mm_;
   const std::vector<Vector3d>& jumps_mm_;
   geometry::Surface made_;
-  geometry::Field wall_{"wall", 1, {}};
+  geometry::Field wall_{"wall", 1, {}}, at_rest_{"at_rest_mm", 3, {}};
   std::map<std::array<int, 3>, int> place_;  // by points of the mesh, the smaller first, and the side
 };
 
@@ -61,8 +66,8 @@ void OpenedSurface::add_boundary(const geometry::Surface& boundary, const std::v
   const auto& mesh_point = geometry::find_field(boundary.point_fields, "mesh_point")->values;
   const auto& mesh_cell = geometry::find_field(boundary.cell_fields, "mesh_cell")->values;
   for (const double p : mesh_point) {
-    made_.points_mm.push_back(mesh_.points_mm[static_cast<std::size_t>(p)] +
-                              displacement_mm_[static_cast<std::size_t>(p)]);
+    const Vector3d& at_rest_mm = mesh_.points_mm[static_cast<std::size_t>(p)];
+    add_point(at_rest_mm + displacement_mm_[static_cast<std::size_t>(p)], at_rest_mm);
   }
   for (std::size_t t = 0; t < boundary.triangles.size(); ++t) {
     const auto& triangle = boundary.triangles[t];
@@ -133,16 +138,17 @@ int OpenedSurface::on_edge(const OpenCell& cell, int a, int b, int side) {
   const auto [place, is_new] = place_.try_emplace(key, static_cast<int>(made_.points_mm.size()));
   if (!is_new) return place->second;
   const double share_of_b = cell.height_mm[a] / (cell.height_mm[a] - cell.height_mm[b]);
-  Vector3d at_mm = Vector3d::Zero();
+  Vector3d at_mm = Vector3d::Zero(), at_rest_mm = Vector3d::Zero();
   for (const auto& [corner, share] : {std::pair{a, 1.0 - share_of_b}, {b, share_of_b}}) {
     Vector3d moved_mm = displacement_mm_[points[corner]];
     if (cell.jump[corner] >= 0) {
       moved_mm +=
           (side - (cell.height_mm[corner] > 0 ? 1 : 0)) * jumps_mm_[static_cast<std::size_t>(cell.jump[corner])];
     }
+    at_rest_mm += share * mesh_.points_mm[points[corner]];
     at_mm += share * (mesh_.points_mm[points[corner]] + moved_mm);
   }
-  made_.points_mm.push_back(at_mm);
+  add_point(at_mm, at_rest_mm);
   return place->second;
 }
 

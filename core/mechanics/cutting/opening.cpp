@@ -38,10 +38,23 @@ Result<Opening> Opening::advanced(const CutStrip& strip) const {
     return failure("cut-invalid", GLISSON_TEXT("The cut's advance needs two different places to go between."));
   }
   auto next = std::make_shared<State>(*state_);
-  auto cut = std::find_if(next->cuts.begin(), next->cuts.end(),
-                          [&](const PartlyCut& known) { return known.along->surface.is_same(strip.surface); });
-  if (cut == next->cuts.end())
+  const auto leads_on = [&](const PartlyCut& known) {
+    return strip.surface.is_same(known.along->surface) || strip.surface.goes_on(known.along->surface);
+  };
+  auto cut = std::find_if(next->cuts.begin(), next->cuts.end(), leads_on);
+  if (cut == next->cuts.end()) {
     cut = next->cuts.insert(cut, {surface_in_body(next->model, next->standing_loads, strip), {}, {}});
+  } else if (!strip.surface.is_same(cut->along->surface)) {
+    if (state_->model.reduced_functions() != nullptr) {
+      return failure(Error{"not-available",
+                           GLISSON_TEXT("Meshfree nodes reach ahead of a cut: its line cannot be drawn further once it "
+                                        "is cut along."),
+                           {},
+                           GLISSON_TEXT("Give the whole line before its first advance, or begin a new cut."),
+                           {}});
+    }
+    if (auto led = next->lead_on(*cut, strip); !led) return failure(std::move(led.error()));
+  }
   const std::vector<WholeWall> before = std::exchange(cut->walls, {});
   cut->strips.push_back(strip);
   cut->walls = whole_walls(body.mesh, cut->along->crossing, cut->strips);
@@ -67,7 +80,7 @@ Result<Opening> Opening::advanced(const CutStrip& strip) const {
 Result<bool> Opening::prepare(const CutStrip& ahead) const {
   const auto cut = std::find_if(state_->cuts.begin(), state_->cuts.end(),
                                 [&](const PartlyCut& known) { return known.along->surface.is_same(ahead.surface); });
-  if (cut == state_->cuts.end()) return false;
+  if (cut == state_->cuts.end() || ahead.surface.is_swept()) return false;
   const SurfaceInBody& along = *cut->along;
   const double from_mm = (ahead.from_mm - along.begin_mm).dot(along.forward);
   const double until_mm = (ahead.to_mm - along.begin_mm).dot(along.forward);
@@ -122,14 +135,16 @@ VectorXd Opening::seen_mm(const VectorXd& amplitudes_mm, Index rows) const {
 }
 
 double Opening::open_mm2() const {
-  double all_mm2 = 0;
-  for (const PartlyCut& cut : state_->cuts) all_mm2 += all_area_mm2(cut.walls);
-  return all_mm2 - whole_mm2();
+  double sum_mm2 = 0;
+  for (const PartlyCut& cut : state_->cuts) sum_mm2 += all_area_mm2(cut.walls) - whole_area_mm2(cut.walls);
+  return sum_mm2;
 }
 
 double Opening::whole_mm2() const {
   double sum_mm2 = 0;
-  for (const PartlyCut& cut : state_->cuts) sum_mm2 += whole_area_mm2(cut.walls);
+  for (const PartlyCut& cut : state_->cuts) {
+    if (!cut.along->surface.is_swept()) sum_mm2 += whole_area_mm2(cut.walls);
+  }
   return sum_mm2;
 }
 

@@ -85,15 +85,18 @@ class Opening {
   // Nothing is open yet. Failures: those of load_vector; "not-converged".
   static Result<Opening> of(StaticModel model, Loads standing_loads, SeenPart seen);
 
-  // Opens a strip. Points that are fixed stay together. Fails with "cut-invalid" (a strip without a length along its
+  // Opens a strip, along a new surface or one that is cut already, or along a swept line that is longer than the one
+  // that is cut: that one is led on, and what is open stays as it is to the bit. Points that are fixed stay together.
+  // Fails with "cut-invalid" (a strip without a length along its
   // surface) or "cut-misses" (it opens nothing that was not open). Fails with "cuts-meet" (it crosses cells, or
   // comes into the reach of meshfree nodes, that a cut along another surface has opened). Fails with "cut-frees-part"
-  // (nothing would hold what is cut off), "not-available" (a capsule) or "not-converged".
+  // (nothing would hold what is cut off), "not-available" (a capsule; a longer line with meshfree nodes),
+  // "not-converged", or "cut-turns" (cells that are open lead another way than the line does further on).
   [[nodiscard]] Result<Opening> advanced(const CutStrip& strip) const;
 
   // Solves ahead for some of the points that such an advance would open, so that the advance need not. On a liver that
-  // is a tenth of a second's work. False where all of them are known. What is opened stays as it is, to the bit.
-  // Failure: "not-converged".
+  // is a tenth of a second's work. False where all of them are known, and along a swept line. What is opened stays as
+  // it is, to the bit. Failure: "not-converged".
   [[nodiscard]] Result<bool> prepare(const CutStrip& ahead) const;
 
   // Points of the mesh whose jump is open, in the order of `jumps_mm`, and the normals of their walls, to above.
@@ -127,9 +130,10 @@ class Opening {
   [[nodiscard]] Eigen::VectorXd seen_mm(const Eigen::VectorXd& amplitudes_mm) const;
   [[nodiscard]] Eigen::VectorXd seen_mm(const Eigen::VectorXd& amplitudes_mm, Eigen::Index rows) const;
 
-  // Of the cuts' walls within the body (mm2), one side of them.
+  // Of the cuts' walls within the body (mm2), one side of them, and what still bridges them. A swept line is cut as it
+  // is drawn, and nothing of it counts as whole.
   [[nodiscard]] double open_mm2() const;
-  [[nodiscard]] double whole_mm2() const;  // what still bridges them
+  [[nodiscard]] double whole_mm2() const;
 
   // What they push on the body's nodes with. Under these forces and the loads, the whole body has the displacements of
   // the cut one, less what the functions move of it by themselves (mm, 3 a node; of finite elements nothing).

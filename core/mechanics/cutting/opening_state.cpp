@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <mutex>
 #include <numeric>
@@ -72,28 +73,36 @@ bool Opening::State::meets_another_cut(const std::vector<int>& functions, const 
 Result<std::shared_ptr<const SolvedFunction>> Opening::State::solved(const SurfaceInBody& along, int function) const {
   const std::lock_guard lock(along.mutex);
   const auto f = static_cast<std::size_t>(function);
-  const auto knows_all = [&](const SolvedFunction& known) {
-    return std::all_of(cuts.begin(), cuts.end(), [&](const PartlyCut& cut) {
-      return std::any_of(known.products.begin(), known.products.end(),
-                         [&](const auto& product) { return product.first == cut.along.get(); });
-    });
-  };
-  if (!along.solved[f] || !knows_all(*along.solved[f])) {
-    if (auto done = solve_group(along, f / functions_in_a_group(*along.functions)); !done)
-      return failure(std::move(done.error()));
+  if (!knows(along, function)) {
+    const std::size_t in_a_group = functions_in_a_group(*along.functions);
+    const std::size_t first = f / in_a_group * in_a_group;
+    std::vector<int> members(std::min(in_a_group, along.functions->points_of.size() - first));
+    std::iota(members.begin(), members.end(), static_cast<int>(first));
+    if (auto done = solve_group(along, members); !done) return failure(std::move(done.error()));
   }
   return along.solved[f];
 }
 
-Result<void> Opening::State::solve_group(const SurfaceInBody& along, std::size_t group) const {
+// With its products with all surfaces that there are.
+bool Opening::State::knows(const SurfaceInBody& along, int function) const {
+  const auto& known = along.solved[static_cast<std::size_t>(function)];
+  return known && std::all_of(cuts.begin(), cuts.end(), [&](const PartlyCut& cut) {
+           return std::any_of(known->products.begin(), known->products.end(),
+                              [&](const auto& product) { return product.first == cut.along->number; });
+         });
+}
+
+Result<void> Opening::State::solve_group(const SurfaceInBody& along, const std::vector<int>& members) const {
   const OpeningFunctions& functions = *along.functions;
-  const Index each = functions.size;
-  const std::size_t in_a_group = functions_in_a_group(functions);
-  const std::size_t first = group * in_a_group;
-  std::vector<int> members(std::min(in_a_group, functions.points_of.size() - first));
-  std::iota(members.begin(), members.end(), static_cast<int>(first));
-  const Index begin = each * static_cast<Index>(first), columns = each * static_cast<Index>(members.size());
-  const StaticModel::Responses solved = model.respond(MatrixXd(functions.coupling.middleCols(begin, columns)));
+  const Index each = functions.size, columns = each * static_cast<Index>(members.size());
+  MatrixXd of_members(functions.coupling.rows(), columns);
+  VectorXd load(columns);
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    const Index from = each * members[i], to = each * static_cast<Index>(i);
+    of_members.middleCols(to, each) = functions.coupling.middleCols(from, each);
+    load.segment(to, each) = along.standing_load.segment(from, each);
+  }
+  const StaticModel::Responses solved = model.respond(of_members);
   if (!solved.converged) {
     return failure("not-converged",
                    GLISSON_TEXT("The body's answer to the cut was not found: the relative residual stayed at {0}."),
@@ -102,7 +111,7 @@ Result<void> Opening::State::solve_group(const SurfaceInBody& along, std::size_t
   const MatrixXd& w = solved.displacement_mm;
   MatrixXd v = seen.of_nodes(w);
   functions.take_off(seen, members, v);
-  const VectorXd load = along.standing_load.segment(begin, columns) - w.transpose() * standing_force_mN;
+  load -= w.transpose() * standing_force_mN;
   std::vector<MatrixXd> products;
   const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> by_rows = w;  // which the product reads
   for (const PartlyCut& cut : cuts) products.emplace_back(cut.along->functions->coupling.transpose() * by_rows);
@@ -112,10 +121,10 @@ Result<void> Opening::State::solve_group(const SurfaceInBody& along, std::size_t
     one->v = v.middleCols(column, each);
     one->standing_load = load.segment(column, each);
     for (std::size_t c = 0; c < cuts.size(); ++c) {
-      one->products.emplace_back(cuts[c].along.get(), products[c].middleCols(column, each));
+      one->products.emplace_back(cuts[c].along->number, products[c].middleCols(column, each));
     }
     one->relative_residual = solved.relative_residual;
-    along.solved[first + i] = std::move(one);
+    along.solved[static_cast<std::size_t>(members[i])] = std::move(one);
   }
   return {};
 }
@@ -123,6 +132,16 @@ Result<void> Opening::State::solve_group(const SurfaceInBody& along, std::size_t
 Result<void> Opening::State::open_functions(const std::vector<int>& functions,
                                             const std::shared_ptr<const SurfaceInBody>& along) {
   const std::size_t known = open.size();
+  if (along->surface.is_swept()) {
+    // It is drawn as it is cut: nobody knows what lies ahead, and none but these are solved for, all together.
+    const std::lock_guard lock(along->mutex);
+    std::vector<int> unknown;
+    std::copy_if(functions.begin(), functions.end(), std::back_inserter(unknown),
+                 [&](int f) { return !knows(*along, f); });
+    if (!unknown.empty()) {
+      if (auto done = solve_group(*along, unknown); !done) return done;
+    }
+  }
   const Index first = standing_load.size(), each = along->functions->size;
   Index all = first;
   for (const int function : functions) {
@@ -143,7 +162,7 @@ Result<void> Opening::State::open_functions(const std::vector<int>& functions,
     for (const OpenFunction& other : open) {
       const auto& products = open[j].solved->products;
       const auto of_surface = std::find_if(products.begin(), products.end(),
-                                           [&](const auto& product) { return product.first == other.along.get(); });
+                                           [&](const auto& product) { return product.first == other.along->number; });
       stiffness.block(other.first, open[j].first, other.size(), each) =
           -of_surface->second.middleRows(Index{other.size()} * other.function, other.size());
     }
@@ -163,6 +182,28 @@ Result<void> Opening::State::open_functions(const std::vector<int>& functions,
       own_stiffness.segment(row_of[i], each) = rows.middleCols(row_of[i] - first, each).diagonal();
   }
   stiffness.block(first, 0, all - first, first) = stiffness.block(0, first, first, all - first).transpose();
+  return {};
+}
+
+Result<void> Opening::State::lead_on(PartlyCut& cut, const CutStrip& strip) {
+  const std::shared_ptr<const SurfaceInBody> before = cut.along;
+  std::vector<int> jumping;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (surface_of_jump[i] == before.get()) jumping.push_back(points[i]);
+  }
+  auto grown = grown_surface(model, standing_loads, *before, jumping, strip);
+  if (!grown) return failure(std::move(grown.error()));
+  cut.along = std::move(*grown);
+  std::vector<int> function_of(model.mesh().points_mm.size(), -1);
+  const auto& points_of = cut.along->functions->points_of;
+  for (std::size_t f = 0; f < points_of.size(); ++f) function_of[points_of[f].front()] = static_cast<int>(f);
+  for (OpenFunction& opened : open) {
+    if (opened.along != before) continue;
+    opened.function = function_of[before->functions->points_of[static_cast<std::size_t>(opened.function)].front()];
+    GLISSON_ASSERT(opened.function >= 0);
+    opened.along = cut.along;
+  }
+  std::replace(surface_of_jump.begin(), surface_of_jump.end(), before.get(), cut.along.get());
   return {};
 }
 

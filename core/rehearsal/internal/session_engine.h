@@ -20,6 +20,7 @@ struct Moment {
   BodyState patient;
   std::optional<BodyState> reference;
   std::vector<mechanics::CutStrip> cuts = {};
+  std::vector<std::size_t> crossed = {};          // of the setup's structures, ascending
   std::optional<SessionBody> elements_body = {};  // of a meshfree session: the patient by finite elements
   std::optional<BodyState> elements = {};         // absent where they found no shape
   double patient_ms = 0, elements_ms = 0;

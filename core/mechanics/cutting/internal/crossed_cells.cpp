@@ -1,6 +1,8 @@
 #include "mechanics/cutting/internal/crossed_cells.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
@@ -12,6 +14,9 @@ using Eigen::Vector4d;
 namespace {
 
 double mean_edge_mm(const geometry::TetMesh& mesh);
+// Of each point whether cells around it are looked at; empty where all are.
+std::vector<std::uint8_t> near_line(const geometry::TetMesh& mesh, const geometry::CutSurface& surface,
+                                    const std::vector<double>& height_mm);
 
 // Where the edge between two corners meets the surface.
 Vector4d on_edge(const Vector4d& height_mm, int a, int b) {
@@ -102,19 +107,29 @@ std::vector<CellPiece> pieces_of(const Vector4d& height_mm) {
   return pieces;
 }
 
-Crossing crossing_of(const geometry::TetMesh& mesh, const geometry::CutSurface& surface) {
-  Crossing crossing;
+std::vector<double> heights_mm(const geometry::TetMesh& mesh, const geometry::CutSurface& surface) {
+  std::vector<double> heights;
   const double nearest_mm = 0.01 * mean_edge_mm(mesh);
   for (const Vector3d& point : mesh.points_mm) {
     const double height_mm = surface.height_mm(point);
-    crossing.height_mm.push_back(std::abs(height_mm) < nearest_mm ? nearest_mm : height_mm);
+    heights.push_back(std::abs(height_mm) < nearest_mm ? nearest_mm : height_mm);
   }
+  return heights;
+}
+
+Crossing crossing_of(const geometry::TetMesh& mesh, const geometry::CutSurface& surface,
+                     std::vector<double> height_of_points_mm) {
+  Crossing crossing;
+  crossing.height_mm = std::move(height_of_points_mm);
+  const std::vector<std::uint8_t> is_near = near_line(mesh, surface, crossing.height_mm);
   crossing.cells_of_point.resize(mesh.points_mm.size());
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
     const auto& corners = mesh.cells[c];
     Vector4d height_mm;
     for (int i = 0; i < 4; ++i) height_mm[i] = crossing.height_mm[corners[i]];
     if (height_mm.minCoeff() > 0 || height_mm.maxCoeff() < 0) continue;
+    if (!is_near.empty() && std::none_of(corners.begin(), corners.end(), [&](int p) { return is_near[p] != 0; }))
+      continue;
     for (const int point : corners) crossing.cells_of_point[point].push_back(static_cast<int>(crossing.cells.size()));
 
     CrossedCell crossed{static_cast<int>(c), divide(height_mm), 0, Vector4d::Zero(), Vector3d::Zero()};
@@ -157,6 +172,31 @@ std::vector<std::pair<Vector4d, double>> places_on_wall(const CrossedCell& cross
 }
 
 namespace {
+
+std::vector<std::uint8_t> near_line(const geometry::TetMesh& mesh, const geometry::CutSurface& surface,
+                                    const std::vector<double>& height_mm) {
+  if (!surface.is_swept()) return {};
+  double longest_mm = 0;
+  for (const auto& cell : mesh.cells) {
+    for (int i = 0; i < 4; ++i) {
+      for (int k = 0; k < i; ++k) {
+        longest_mm = std::max(longest_mm, (mesh.points_mm[cell[i]] - mesh.points_mm[cell[k]]).norm());
+      }
+    }
+  }
+  const double reach_mm = 2 * longest_mm, depth_mm = surface.into_mm().norm();
+  const double length_mm = surface.on_line(surface.through_mm().back()).along_mm;
+  std::vector<std::uint8_t> is_near(mesh.points_mm.size(), 0);
+  for (std::size_t p = 0; p < is_near.size(); ++p) {
+    if (std::abs(height_mm[p]) > longest_mm) continue;  // no corner of a cell that is crossed
+    const auto at = surface.on_line(mesh.points_mm[p]);
+    is_near[p] = at.along_mm > -reach_mm && at.along_mm < length_mm + reach_mm && at.deep_mm > -depth_mm - reach_mm &&
+                         at.deep_mm < depth_mm + reach_mm
+                     ? 1
+                     : 0;
+  }
+  return is_near;
+}
 
 double mean_edge_mm(const geometry::TetMesh& mesh) {
   double sum_mm = 0;

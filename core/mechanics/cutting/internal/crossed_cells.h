@@ -47,7 +47,12 @@ struct Crossing {
 
 // A point nearer to the surface than a hundredth of the mean edge is taken to lie that far above it. So what is cut off
 // of a cell is never much thinner.
-[[nodiscard]] Crossing crossing_of(const geometry::TetMesh& mesh, const geometry::CutSurface& surface);
+[[nodiscard]] std::vector<double> heights_mm(const geometry::TetMesh& mesh, const geometry::CutSurface& surface);
+
+// Where these heights change sign. Of a swept line the cells near it alone: all around the points of those that it
+// parts, for which twice the longest edge suffices.
+[[nodiscard]] Crossing crossing_of(const geometry::TetMesh& mesh, const geometry::CutSurface& surface,
+                                   std::vector<double> height_mm);
 
 // Places spread evenly over a cell's wall: barycentric, with the area (mm2) that each stands for.
 [[nodiscard]] std::vector<std::pair<Eigen::Vector4d, double>> places_on_wall(

@@ -62,7 +62,9 @@ struct Opening::State {
   [[nodiscard]] bool meets_another_cut(const std::vector<int>& functions, const SurfaceInBody& along) const;
   // What is known of a function, solved for with its group where it was not.
   Result<std::shared_ptr<const SolvedFunction>> solved(const SurfaceInBody& along, int function) const;
-  [[nodiscard]] Result<void> solve_group(const SurfaceInBody& along, std::size_t group) const;
+  [[nodiscard]] bool knows(const SurfaceInBody& along, int function) const;
+  [[nodiscard]] Result<void> solve_group(const SurfaceInBody& along, const std::vector<int>& members) const;
+  [[nodiscard]] Result<void> lead_on(PartlyCut& cut, const CutStrip& strip);  // a swept line that was drawn further
   Result<void> open_functions(const std::vector<int>& functions, const std::shared_ptr<const SurfaceInBody>& along);
   void add_points(const OpenFunction& opened);
   void find_jumps();  // of amplitudes

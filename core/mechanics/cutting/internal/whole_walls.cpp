@@ -6,8 +6,6 @@
 
 namespace glisson::mechanics {
 
-using Eigen::Vector3d;
-
 namespace {
 
 using Corners = Eigen::Matrix<double, 3, 4>;
@@ -24,26 +22,23 @@ double bridged_mm(const geometry::TetMesh& mesh, int cell) {
 }
 
 std::vector<std::pair<Eigen::Vector4d, double>> whole_places(const geometry::TetMesh& mesh, const CrossedCell& crossed,
-                                                             const std::vector<CutStrip>& strips) {
+                                                             const CutSoFar& opened) {
   const Corners corner_mm = corners_of(mesh, crossed.cell);
   auto places = places_on_wall(crossed, corner_mm);
-  std::erase_if(places, [&](const auto& place) {
-    const Vector3d place_mm = corner_mm * place.first;
-    return std::any_of(strips.begin(), strips.end(),
-                       [&](const CutStrip& strip) { return lies_within(strip, place_mm); });
-  });
+  std::erase_if(places, [&](const auto& place) { return opened.covers(corner_mm * place.first); });
   return places;
 }
 
 std::vector<WholeWall> whole_walls(const geometry::TetMesh& mesh, const Crossing& crossing,
                                    const std::vector<CutStrip>& strips) {
+  const CutSoFar opened(strips);
   std::vector<WholeWall> walls;
   for (const CrossedCell& crossed : crossing.cells) {
     WholeWall wall;
     for (const auto& [at, area_mm2] : places_on_wall(crossed, corners_of(mesh, crossed.cell))) {
       wall.all_mm2 += area_mm2 * at;
     }
-    for (const auto& [at, area_mm2] : whole_places(mesh, crossed, strips)) {
+    for (const auto& [at, area_mm2] : whole_places(mesh, crossed, opened)) {
       wall.whole_mm2 += area_mm2 * at;
       wall.products_mm2 += area_mm2 * at * at.transpose();
     }

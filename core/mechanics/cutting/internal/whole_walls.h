@@ -30,7 +30,7 @@ inline constexpr double bridge_stiffness = 2.5;
 // Places of a crossed cell's wall that are still whole: barycentric, with the area (mm2) that each stands for.
 [[nodiscard]] std::vector<std::pair<Eigen::Vector4d, double>> whole_places(const geometry::TetMesh& mesh,
                                                                            const CrossedCell& crossed,
-                                                                           const std::vector<CutStrip>& strips);
+                                                                           const CutSoFar& opened);
 
 // Of the crossing's cells, in their order, where these strips are cut.
 [[nodiscard]] std::vector<WholeWall> whole_walls(const geometry::TetMesh& mesh, const Crossing& crossing,
