@@ -19,8 +19,8 @@ namespace glisson::rehearsal {
 
 class Stroke {
  public:
-  static constexpr double apart_mm = 2.5;           // places of the line, across the way in
-  static constexpr double shortest_advance_mm = 3;  // a hand's 30 mm/s in a tenth of a second
+  static constexpr double apart_mm = 2.5;  // places of the line, across the way in
+  static constexpr double shortest_advance_mm = 2.5;
   static constexpr double longest_advance_mm = 8;
   static constexpr double behind_mm = 5;  // the front behind the hand, while it draws
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <ctime>
+#include <limits>
 #include <numbers>
 #include <random>
 #include <sstream>
@@ -15,8 +16,10 @@
 #include "base/stopwatch.h"
 #include "benchmarks/exact_contact.h"
 #include "casefile/model.h"
+#include "geometry/line_and_triangle.h"
 #include "rehearsal/session.h"
 #include "rehearsal/static_rehearsal.h"
+#include "rehearsal/stroke.h"
 #include "rehearsal/tool_presets.h"
 
 namespace glisson {
@@ -55,12 +58,64 @@ void PlacingATool(benchmark::State& state) {
   }
 }
 
+// A stroke of the knife over the demo's front, 15 mm deep, while a grasper holds it: from its middle towards the left
+// along a wave, a hand's 30 mm/s told every tenth of a millimetre; the front follows as far as the engine is ready, as
+// in the window. `advance_ms` is an advance's step, `mm_per_s` how fast the front goes on by that alone.
+void StrokeOnACase(benchmark::State& state) {
+  auto model = model_of_case();
+  if (!model) {
+    state.SkipWithError(model.error().message().c_str());
+    return;
+  }
+  auto setup = casefile::live_rehearsal_setup(*model).setup;
+  if (state.range(0) == 1) setup.reference_youngs_kPa.reset();
+  const geometry::Surface surface = geometry::boundary_surface(setup.mesh);
+  const Vector3d middle_mm = geometry::bounding_box(surface.points_mm).center_mm();
+  const auto seen_at = [&](double x_mm, double z_mm) {
+    double nearest = std::numeric_limits<double>::infinity();
+    const Vector3d eye(x_mm, middle_mm.y() - 500, z_mm);
+    for (const auto& [a, b, c] : surface.triangles) {
+      const auto at = [&](int p) -> const Vector3d& { return surface.points_mm[static_cast<std::size_t>(p)]; };
+      const auto met = geometry::line_meets_triangle(eye, {0, 1, 0}, at(a), at(b), at(c));
+      if (met) nearest = std::min(nearest, met->at);
+    }
+    return Vector3d(eye + nearest * Vector3d(0, 1, 0));
+  };
+  auto engine = rehearsal::SessionEngine::create(std::move(setup)).value();
+  engine.step(rehearsal::HoldTool{
+      {"grasper", mechanics::Grasp{seen_at(middle_mm.x() + 25, middle_mm.z() + 18), 8, 500.0, {0.3, -1, 0.5}}}});
+  double slowest_ms = 0, all_ms = 0, refused = engine.state().refused.empty() ? 0 : 1;
+  int advances = 0;
+  using rehearsal::Stroke;
+  Stroke stroke(seen_at(middle_mm.x(), middle_mm.z()), {0, 15, 0});
+  for (auto _ : state) {
+    for (double along_mm = 0; along_mm <= 60; along_mm += 0.1) {
+      if (!stroke.draw_to(seen_at(middle_mm.x() + along_mm, middle_mm.z() + 6 * std::sin(along_mm / 12)))) ++refused;
+      const auto hand = along_mm + 0.1 > 60 ? Stroke::Hand::lifted : Stroke::Hand::draws;
+      while (const auto strip = stroke.next_advance(hand)) {
+        engine.step(rehearsal::AdvanceCut{*strip});
+        if (!engine.state().refused.empty()) ++refused;
+        slowest_ms = std::max(slowest_ms, engine.state().step_ms);
+        all_ms += engine.state().step_ms;
+        ++advances;
+      }
+    }
+  }
+  state.counters["advances"] = advances;
+  state.counters["advance_ms"] = all_ms / advances;
+  state.counters["slowest_ms"] = slowest_ms;
+  state.counters["mm_per_s"] = 1e3 * stroke.cut_mm() / all_ms;
+  state.counters["open_cm2"] = engine.state().cut ? 1e-2 * engine.state().cut->open_mm2 : 0;
+  state.counters["opening_mm"] = engine.state().cut ? engine.state().cut->largest_opening_mm : 0;
+  state.counters["refused"] = refused;
+}
+
 // A retractor is pushed at segment VI with 2 N and held, and a probe of 0.3 N drawn over the front, half
 // a millimetre a step, 80 steps there and back. `place_ms` is the retractor's first touch, `first_ms` a step of the
 // probe's first way, on which each new place is solved for once; `error_mm` how far the last state's landmarks are from
 // those of a hundredfold tighter contact. With nodes it is the meshfree engine, and `apart_mm` how far its landmarks
-// were at most from those of finite elements, which answer beside it; `prepare_s` is until there is a first state. Ahead
-// all that tools may touch is solved for before, as a session does while nothing is asked of it: `ahead_s`.
+// were at most from those of finite elements, which answer beside it; `prepare_s` is until there is a first state.
+// Ahead all that tools may touch is solved for before, as a session does while nothing is asked of it: `ahead_s`.
 void SessionOnACase(benchmark::State& state) {
   auto model = model_of_case();
   if (!model) {
@@ -239,6 +294,13 @@ BENCHMARK(SessionAtLargeStrain)
     ->ArgNames({"path", "law"})
     ->Apply(paths)
     ->Iterations(40)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK(StrokeOnACase)
+    ->ArgName("bodies")
+    ->Arg(1)
+    ->Arg(2)
+    ->Iterations(1)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 BENCHMARK(SessionOnACase)

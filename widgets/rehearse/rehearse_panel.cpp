@@ -228,6 +228,7 @@ void RehearsePanel::set_ready(bool ready) {
   controls_->setVisible(ready);
   room_->setVerticalScrollBarPolicy(ready ? Qt::ScrollBarAsNeeded : Qt::ScrollBarAlwaysOff);  // nothing to scroll to
   tool_->stop_placing();
+  advance_->put_knife_away();
   comparison_->choose(Bodies::patient);
   by_displacement_->setChecked(false);
   show_state();

@@ -47,6 +47,7 @@ class RehearsePanel : public QWidget {
   // The landmarks that were set by hand.
   void show_placed_landmarks(std::vector<mechanics::Landmark> landmarks);
   [[nodiscard]] bool placing() const { return tool_->placing(); }
+  void stop_placing() { tool_->stop_placing(); }
   // A click on the liver, while placing, or the tool dragged over it: it goes there (at rest).
   void place_at(const Eigen::Vector3d& position_mm, const Eigen::Vector3d& outward) {
     tool_->place_at(position_mm, outward);
@@ -62,6 +63,7 @@ class RehearsePanel : public QWidget {
   [[nodiscard]] std::vector<ToolInView> tools_in_view() const;
   [[nodiscard]] TrackControls& track() { return *track_; }
   [[nodiscard]] KeptOrders& orders() { return *orders_; }
+  [[nodiscard]] AdvanceControls& cutting() { return *advance_; }
   void show_drawing_ms(double drawing_ms) { light_->show_drawing_ms(drawing_ms); }
 
  Q_SIGNALS:

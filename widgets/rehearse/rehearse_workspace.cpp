@@ -1,5 +1,6 @@
 // Rehearse as a workspace: what its panel hears of the views, of the patient and of the live rehearsal.
 
+#include "widgets/rehearse/freehand_knife.h"
 #include "widgets/rehearse/keeping_orders.h"
 #include "widgets/rehearse/planned_course.h"
 #include "widgets/rehearse/rehearse_panel.h"
@@ -8,6 +9,7 @@ namespace glisson::widgets {
 namespace {
 
 void connect_views(RehearsePanel& panel, const WorkspaceContext& context);
+void connect_knife(RehearsePanel& panel, const WorkspaceContext& context);
 void connect_status(RehearsePanel& panel, const WorkspaceContext& context);
 void show_patient(RehearsePanel& panel, const Patient& patient);
 
@@ -16,6 +18,7 @@ void show_patient(RehearsePanel& panel, const Patient& patient);
 Workspace RehearsePanel::workspace(const WorkspaceContext& context, KeepLandmarks keep_landmarks) {
   auto* panel = new RehearsePanel(context.rehearsal);
   connect_views(*panel, context);
+  connect_knife(*panel, context);
   connect_status(*panel, context);
   connect_orders(panel->orders(), context);
   connect(panel, &RehearsePanel::landmark_wanted, panel, [panel, views = &context.views](const std::string& name) {
@@ -38,11 +41,18 @@ Workspace RehearsePanel::workspace(const WorkspaceContext& context, KeepLandmark
 
 namespace {
 
+std::vector<std::string> names_of(const Patient& patient) {
+  std::vector<std::string> names;
+  for (const PatientStructure& structure : patient.structures) names.push_back(structure.name);
+  return names;
+}
+
 void show_patient(RehearsePanel& panel, const Patient& patient) {
   panel.set_ready(patient.rehearsal != nullptr);
   panel.show_image(patient.anatomy);
   panel.show_evidence(patient.evidence);
   panel.show_assumed_stiffness(patient.assumed_stiffness);
+  panel.cutting().set_structure_names(names_of(patient));
 }
 
 void connect_views(RehearsePanel& panel, const WorkspaceContext& context) {
@@ -81,6 +91,23 @@ void connect_views(RehearsePanel& panel, const WorkspaceContext& context) {
                    });
 }
 
+void connect_knife(RehearsePanel& panel, const WorkspaceContext& context) {
+  auto* knife = new FreehandKnife(context.views, context.patient_views, context.rehearsal, &panel);
+  const auto follow = [&panel, knife] {
+    if (panel.cutting().knife_in_hand()) panel.stop_placing();
+    knife->set_depth_mm(panel.cutting().depth_mm());
+    knife->take_in_hand(panel.cutting().knife_in_hand());
+  };
+  QObject::connect(&panel.cutting(), &AdvanceControls::knife_changed, knife, follow);
+  QObject::connect(&panel, &RehearsePanel::placing_changed, knife, [&panel](bool placing) {
+    if (placing) panel.cutting().put_knife_away();
+  });
+  QObject::connect(&panel, &RehearsePanel::at_work, knife, [&panel](bool here) {
+    if (!here) panel.cutting().put_knife_away();
+  });
+  QObject::connect(knife, &FreehandKnife::said, &panel, context.tell_status);
+}
+
 void connect_status(RehearsePanel& panel, const WorkspaceContext& context) {
   QObject::connect(&panel, &RehearsePanel::placing_changed, &panel,
                    [&views = context.views, tell = context.tell_status](bool placing) {
@@ -88,10 +115,8 @@ void connect_status(RehearsePanel& panel, const WorkspaceContext& context) {
                      tell(placing ? RehearsePanel::tr("Click on the liver where the tool is to touch it.") : QString());
                    });
   const auto show_plan = [&panel, patient = context.patient] {
-    std::vector<std::string> names;
-    for (const PatientStructure& structure : patient().structures) names.push_back(structure.name);
     const PlannedCourse plan = planned_course(patient());
-    panel.show_plan(plan.course, plan.why_not, std::move(names));
+    panel.show_plan(plan.course, plan.why_not, names_of(patient()));
   };
   QObject::connect(&panel, &RehearsePanel::at_work, &panel, [show_plan](bool here) {
     if (here) show_plan();

@@ -128,6 +128,7 @@ void LiveRehearsal::start_anew() {
   session_.reset();
   session_number_.reset();
   contact_.reset();
+  answered_ = false;
   cut_steps_ = cuts_since_tool_ = 0;
   strips_.clear();
   session_name_.clear();
@@ -161,7 +162,7 @@ void LiveRehearsal::hold(const PlacedTool& tool) {
     constexpr double jump_mm = 20;
     if (was && touch_ == Touch::rigid &&
         (was->preset != tool.preset || (was->center_mm - tool.center_mm).norm() > jump_mm)) {
-      session_->post(rehearsal::ReleaseTool{session_id(numbers_.back())});
+      post(rehearsal::ReleaseTool{session_id(numbers_.back())});
       numbers_.back() = next_number_++;
     }
     post_tool();
@@ -221,7 +222,7 @@ void LiveRehearsal::take_tool_away() {
   takes_another_ = false;
   refusal_.reset();
   if (tools_.empty()) return;
-  if (session_) session_->post(rehearsal::ReleaseTool{session_id(numbers_.back())});
+  if (session_) post(rehearsal::ReleaseTool{session_id(numbers_.back())});
   cuts_since_tool_ = 0;
   tools_.pop_back();
   numbers_.pop_back();
@@ -238,7 +239,7 @@ void LiveRehearsal::take_tool_away() {
 void LiveRehearsal::advance_cut(const mechanics::CutStrip& strip) {
   if (!session_ || frozen_) return;
   go_on();
-  session_->post(rehearsal::AdvanceCut{strip});
+  post(rehearsal::AdvanceCut{strip});
   strips_.push_back(strip);
   ++cuts_since_tool_;
   set_solving(Solving::solving);
@@ -247,7 +248,7 @@ void LiveRehearsal::advance_cut(const mechanics::CutStrip& strip) {
 void LiveRehearsal::take_cut_back() {
   if (!can_take_cut_back()) return;
   go_on();
-  session_->post(rehearsal::Undo{});
+  post(rehearsal::Undo{});
   if (!strips_.empty()) strips_.pop_back();
   --cuts_since_tool_;
   set_solving(Solving::solving);
@@ -272,7 +273,7 @@ void LiveRehearsal::cut_all(const std::vector<mechanics::CutStrip>& wanted) {
       return;
     }
     go_on();
-    for (int step = 0; step < fewer; ++step) session_->post(rehearsal::Undo{});
+    for (int step = 0; step < fewer; ++step) post(rehearsal::Undo{});
     strips_ = wanted;
     cuts_since_tool_ -= fewer;
     set_solving(Solving::solving);
@@ -302,13 +303,18 @@ Eigen::Vector3d LiveRehearsal::tool_center_mm() const {
   return has_tool() ? tools().back().center_mm : Eigen::Vector3d::Zero();
 }
 
+void LiveRehearsal::post(rehearsal::SessionCommand command) {
+  answered_ = false;
+  session_->post(std::move(command));
+}
+
 void LiveRehearsal::post_tool() {
   auto hand = contact_tool(tools_.back(), session_id(numbers_.back()), touch_);
   if (!hand) {
     refuse(hand.error());
     return;
   }
-  session_->post(rehearsal::HoldTool{*std::move(hand)});
+  post(rehearsal::HoldTool{*std::move(hand)});
   cuts_since_tool_ = 0;
   set_solving(Solving::solving);
   Q_EMIT state_changed();

@@ -99,6 +99,8 @@ class LiveRehearsal : public QObject {
   [[nodiscard]] const std::optional<rehearsal::RehearsalState>& state() const { return state_; }
 
   [[nodiscard]] Solving solving() const { return solving_; }
+  // Of a session: the state is of all that was asked for.
+  [[nodiscard]] bool answered() const { return session_ && answered_; }
   // A session is on its way that has nothing to show yet.
   [[nodiscard]] bool preparing() const { return session_ && !session_number_ && !refusal_; }
   // What is shown, where a session answered it; nullptr otherwise.
@@ -134,6 +136,7 @@ class LiveRehearsal : public QObject {
   void show_answer(const rehearsal::PlacedTool& placed, const PlacedTool& tool);
   void show_contact(const std::shared_ptr<const rehearsal::SessionState>& state, Solving solving);
   void look_for_contact();
+  void post(rehearsal::SessionCommand command);
   void post_tool();
   void record(std::shared_ptr<const rehearsal::SessionState> contact);
   [[nodiscard]] bool in_session() const { return touch_ == Touch::rigid || deformations_ != Deformations::small; }
@@ -154,7 +157,8 @@ class LiveRehearsal : public QObject {
   std::vector<int> numbers_;       // of the tools in the session of rigid ones
   int next_number_ = 0;
   bool takes_another_ = false;
-  bool eases_ = false;  // the force is nobody's choice yet
+  bool eases_ = false;     // the force is nobody's choice yet
+  bool answered_ = false;  // all that the session was asked
   std::optional<rehearsal::RehearsalState> state_;
   Solving solving_ = Solving::no_tool;
   std::optional<Error> refusal_;

@@ -148,6 +148,7 @@ void LiveRehearsal::look_for_contact() {
   if (!state) return;
   const std::pair number(state->number, state->on_the_way);
   const bool is_new = number != session_number_.value_or(std::pair<std::uint64_t, int>(0, 0));
+  answered_ = phase != rehearsal::SessionPhase::stepping;
   if (!session_number_) Q_EMIT solving_changed();  // prepared
   session_number_ = number;
   if (is_new) {
@@ -185,6 +186,11 @@ void LiveRehearsal::show_contact(const std::shared_ptr<const rehearsal::SessionS
   const bool stays_refused = state->settles > 0 && refusal_;  // it only comes nearer to rest
   if (!stays_refused) {
     refusal_.reset();
+    // A cut that cannot go on says why by itself.
+    if (state->refusal && state->refusal->code.starts_with("cut")) {
+      refuse(*state->refusal);
+      return;
+    }
     if (!state->refused.empty() && state->settles == 0) {
       refuse(Error{"not-converged",
                    GLISSON_TEXT("The liver's shape with the tools there was not found: {0}"),

@@ -56,7 +56,10 @@ Sentence name_of(const QJsonObject& before, const QJsonObject& after) {
   const QJsonArray were = before["tools"].toArray(), are = after["tools"].toArray();
   if (before["touch"] != after["touch"]) return {GLISSON_TEXT("Another way of touching"), {}};
   if (kind_of(before) != kind_of(after)) return {GLISSON_TEXT("Small or large deformations"), {}};
-  if (before[cut_key] != after[cut_key]) return {GLISSON_TEXT("Cut along the plan"), {}};
+  if (before[cut_key] != after[cut_key]) {
+    const bool by_hand = (before[cut_key].toString() + after[cut_key].toString()).contains("into_mm");
+    return {by_hand ? GLISSON_TEXT("Cut freehand") : GLISSON_TEXT("Cut along the plan"), {}};
+  }
   if (were.isEmpty()) return {GLISSON_TEXT("Place the tool"), {}};
   if (were.size() < are.size()) return {GLISSON_TEXT("Place another tool"), {}};
   if (were.size() > are.size()) return {GLISSON_TEXT("Take the tool away"), {}};

@@ -38,6 +38,16 @@ double round_range_mm(double largest_mm) {
   }
 }
 
+// Of a triangle by its corners, one a column: along its first side, within it across that, and along its normal.
+Eigen::Matrix3d frame_of(const Eigen::Matrix3d& corners_mm) {
+  const Eigen::Vector3d side_mm = corners_mm.col(1) - corners_mm.col(0);
+  Eigen::Matrix3d frame;
+  frame.col(0) = side_mm.normalized();
+  frame.col(2) = side_mm.cross(corners_mm.col(2) - corners_mm.col(0)).normalized();
+  frame.col(1) = frame.col(2).cross(frame.col(0));
+  return frame;
+}
+
 // Large organs around must not hide the liver.
 scene::SurfaceItem fixed_item(const PatientStructure& structure) {
   constexpr double large_ml = 150;
@@ -164,14 +174,29 @@ void PatientViews::set_tool_movable(bool movable) {
 }
 
 std::optional<PatientViews::PlaceOnLiver> PatientViews::place_on_liver(const scene::View::Pick& pick) const {
-  const bool liver = !patient_body_.empty() && (pick.surface == patient_body_[0] || pick.surface == reference_body_[0]);
+  const bool cut = !cut_body_.empty() && pick.surface == cut_body_[0];
+  const bool reference = !reference_body_.empty() && pick.surface == reference_body_[0];
+  const bool liver = cut || reference || (!patient_body_.empty() && pick.surface == patient_body_[0]);
   if (!liver) return std::nullopt;
-  const auto& rest_mm = patient_.structures.front().surface->points_mm;
-  std::array<Eigen::Vector3d, 3> corners_mm;
-  for (std::size_t k = 0; k < 3; ++k) corners_mm[k] = rest_mm[static_cast<std::size_t>(pick.corners[k])];
-  return PlaceOnLiver{
-      pick.weights[0] * corners_mm[0] + pick.weights[1] * corners_mm[1] + pick.weights[2] * corners_mm[2],
-      (corners_mm[1] - corners_mm[0]).cross(corners_mm[2] - corners_mm[0]).normalized()};
+  const auto& rest_mm = cut ? cut_rest_mm_ : patient_.structures.front().surface->points_mm;
+  const rehearsal::RehearsalBody* body = !state_ || at_rest() ? nullptr
+                                         : !reference         ? &state_->patient
+                                         : state_->reference  ? &*state_->reference
+                                                              : nullptr;
+  const bool moved = body != nullptr && !body->structures_mm.empty();
+  const auto& now_mm = cut ? cut_now_mm_ : moved ? body->structures_mm.front() : rest_mm;
+  const auto corners_of = [&](const std::vector<Eigen::Vector3d>& points_mm) {
+    Eigen::Matrix3d corners_mm;
+    for (int k = 0; k < 3; ++k) corners_mm.col(k) = points_mm[static_cast<std::size_t>(pick.corners[k])];
+    return corners_mm;
+  };
+  const Eigen::Matrix3d at_rest_mm = corners_of(rest_mm);
+  const Eigen::Matrix3d rest = frame_of(at_rest_mm);
+  return PlaceOnLiver{at_rest_mm * pick.weights, rest.col(2), rest * frame_of(corners_of(now_mm)).transpose()};
+}
+
+bool PatientViews::on_wall(const scene::View::Pick& pick) const {
+  return !cut_body_.empty() && pick.surface == cut_body_[1];
 }
 
 std::optional<PatientViews::PlaceOnLiver> PatientViews::nearest_on_liver(const Eigen::Vector3d& position_mm) const {

@@ -46,10 +46,12 @@ class PatientViews : public QObject {
 
   struct PlaceOnLiver {
     Eigen::Vector3d at_rest_mm{0, 0, 0};
-    Eigen::Vector3d outward{0, -1, 0};  // unit, at rest
+    Eigen::Vector3d outward{0, -1, 0};                             // unit, at rest
+    Eigen::Matrix3d turned_to_rest = Eigen::Matrix3d::Identity();  // a way of the tissue as it lies now
   };
-  // What was picked, where it is at rest; nothing where it is not the liver.
+  // What was picked, where it is at rest; nothing where it is not the liver, or a wall of its cut.
   [[nodiscard]] std::optional<PlaceOnLiver> place_on_liver(const scene::View::Pick& pick) const;
+  [[nodiscard]] bool on_wall(const scene::View::Pick& pick) const;
   // The place of the liver's surface that is nearest to a position; nothing without a liver.
   [[nodiscard]] std::optional<PlaceOnLiver> nearest_on_liver(const Eigen::Vector3d& position_mm) const;
 
@@ -115,7 +117,8 @@ class PatientViews : public QObject {
   std::string marked_landmark_;
   double colour_range_mm_ = 20;
   VesselTubes vessel_tubes_;
-  Body patient_tubes_, reference_tubes_;  // null where a structure has none
+  Body patient_tubes_, reference_tubes_;                   // null where a structure has none
+  std::vector<Eigen::Vector3d> cut_rest_mm_, cut_now_mm_;  // of the cut body's outside
 };
 
 }  // namespace glisson::widgets

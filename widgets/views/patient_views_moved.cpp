@@ -21,6 +21,16 @@ geometry::Surface part_on_wall(const geometry::Surface& cut, bool wall) {
   return geometry::kept_part(cut, [&](std::size_t t) { return (on_wall[t] != 0) == wall; });
 }
 
+// An opened surface as it lies without tools and opening.
+geometry::Surface at_rest_of(const geometry::Surface& cut) {
+  geometry::Surface rest = cut;
+  const auto& at_rest_mm = geometry::find_field(cut.point_fields, "at_rest_mm")->values;
+  for (std::size_t p = 0; p < rest.points_mm.size(); ++p) {
+    rest.points_mm[p] = Eigen::Map<const Eigen::Vector3d>(&at_rest_mm[3 * p]);
+  }
+  return rest;
+}
+
 // Where the tissue is now that was at a place on a surface at rest: with its nearest point.
 Eigen::Vector3d moved_with(const std::vector<Eigen::Vector3d>& rest_mm, const std::vector<Eigen::Vector3d>& now_mm,
                            const Eigen::Vector3d& place_mm) {
@@ -123,9 +133,11 @@ void PatientViews::move_tubes(const Body& tubes, const rehearsal::RehearsalBody*
 void PatientViews::draw_cut(const rehearsal::SessionCut* cut) {
   std::vector<geometry::Surface> parts;
   if (cut != nullptr) parts = {part_on_wall(cut->patient, false), part_on_wall(cut->patient, true)};
+  cut_now_mm_ = parts.empty() ? std::vector<Eigen::Vector3d>() : parts.front().points_mm;
   const bool same = std::equal(parts.begin(), parts.end(), cut_body_.begin(), cut_body_.end(),
                                [](const auto& a, const auto& b) { return a.triangles == b->triangles; });
   if (!same) {
+    cut_rest_mm_ = cut != nullptr ? part_on_wall(at_rest_of(cut->patient), false).points_mm : cut_now_mm_;
     cut_body_.clear();
     for (geometry::Surface& part : parts) {
       cut_body_.push_back(std::make_shared<const geometry::Surface>(std::move(part)));

@@ -37,6 +37,7 @@ class SpaceView : public RenderWidget {
     Eigen::Vector3d free_end_mm{0, 0, 0};
   };
   void set_grips(const std::optional<Grips>& grips);
+  [[nodiscard]] bool over_grip(const QPointF& position) const { return grip_at(position) != Grip::none; }
 
  Q_SIGNALS:
   void clicked(const glisson::scene::View::Pick& pick);
