@@ -18,13 +18,19 @@ struct StudyPalpationCommand {
 std::string said_of(const studies::BatchRow& row, bool judged) {
   if (!row.error.empty()) return fmt::format("{:16} {}\n", row.id, row.error);
   const auto value = [&](const char* name) { return studies::column_of({row}, name).front(); };
+  const auto if_any = [&](const char* name, const char* format) {
+    const auto values = studies::column_of({row}, name);
+    return values.empty() ? std::string() : fmt::format(fmt::runtime(format), values.front());
+  };
   if (!judged) {
     return fmt::format("{:16} {:5.2f} mm, near the tool {:5.2f} mm, pressed in by {:5.2f} mm\n", row.id,
                        value("mean_mm"), value("near_tool_mm"), value("depth_mm"));
   }
-  return fmt::format(
-      "{:16} surface {:5.2f} mm off, near the tool {:5.2f}; depth {:5.2f} mm, true {:5.2f}: {:+6.1f} %\n", row.id,
-      value("mean_mm"), value("near_tool_mm"), value("depth_mm"), value("true_depth_mm"), value("off_percent"));
+  return fmt::format("{:14} {:5.2f} mm deep, true {:5.2f}: {:+5.1f} %{}; surface {:.2f} mm off{};{}{}\n", row.id,
+                     value("depth_mm"), value("true_depth_mm"), value("off_percent"),
+                     if_any("told_off_percent", " ({:+.1f} with the true moduli)"), value("mean_mm"),
+                     if_any("reported_mm", ", in table 4.4 {:.2f}"), if_any("soft_kPa", " A {:.1f} kPa"),
+                     if_any("stiff_kPa", " B {:.1f} kPa"));
 }
 
 Outcome describe_palpation(const studies::PalpationSummary& summary) {
