@@ -118,7 +118,9 @@ Result<void> draw_livers(const Subject& subject, const fs::path& folder, const f
   if (!liver) return failure(liver.error());
   const auto vessels = vessels_of(subject);
   if (!vessels) return failure(vessels.error());
-  const auto retraction = retract(*liver, options.retraction);
+  RetractionOptions by_elements = options.retraction;
+  by_elements.meshfree.reset();
+  const auto retraction = retract(*liver, by_elements);
   if (!retraction) return failure(retraction.error());
   auto saved = casefile::write_result(folder / "measured", retraction->measured).and_then([&] {
     return casefile::write_result(folder / "atlas", retraction->reference);
