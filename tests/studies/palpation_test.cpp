@@ -62,32 +62,32 @@ TEST(Palpation, ThePlanIsTheTableTwoPhantomsMoreAndThreeFaults) {
 }
 
 // Elastography, inversion, mesh and contact together miss the other solver's truth by less than the limit, and each
-// fault by more.
+// fault by more. The ball goes deep enough for a law to matter.
 TEST(Palpation, AModelThatIsRightHoldsAndWrongModuliAndAWrongLawDoNot) {
+  constexpr double force_N = 5;
   const PalpationSpecimen specimen = small_gel();
   const PalpationOptions options = coarse();
   const auto found = elastography_of(specimen, palpation_mesh(specimen, {options.bricks_across, options.bricks_high}),
                                      {}, options.poisson_ratio);
   ASSERT_TRUE(found) << found.error().message();
+  const auto truth_with = [&](PalpationFault fault) {
+    return truth_of(specimen, fault, options.ball_radius_mm, {force_N}, {.finest_mm = 2.5, .layers = 10});
+  };
+  const auto truth = truth_with(PalpationFault::none), stiffening = truth_with(PalpationFault::law);
+  ASSERT_TRUE(truth) << truth.error().message();
+  ASSERT_TRUE(stiffening) << stiffening.error().message();
   const auto row_of = [&](PalpationFault fault) {
-    const auto truth = truth_of(specimen, fault == PalpationFault::law ? fault : PalpationFault::none,
-                                options.ball_radius_mm, {2.5}, {.finest_mm = 2.5, .layers = 10});
-    EXPECT_TRUE(truth) << truth.error().message();
-    const auto row =
-        judged_trial(specimen, {"small", 2.5, {}, fault},
-                     {truth->rest_profile_mm, truth->at_force.front(), *found, fault == PalpationFault::none}, options);
+    const auto row = judged_trial(specimen, {"small", force_N, {}, fault},
+                                  {truth->rest_profile_mm, truth->at_force.front(), *found}, options);
     EXPECT_TRUE(row) << row.error().message();
     return row.value_or(NamedNumbers{});
   };
-  const NamedNumbers honest = row_of(PalpationFault::none);
+  const NamedNumbers honest = row_of(PalpationFault::none), modulus = row_of(PalpationFault::modulus);
   EXPECT_LT(std::abs(value_of(honest, "off_percent")), 100 * palpation_limit);
-  EXPECT_LT(std::abs(value_of(honest, "told_off_percent")), 100 * palpation_limit);
   EXPECT_NEAR(value_of(honest, "soft_kPa"), machine_soft_kPa, 0.15 * machine_soft_kPa);
-  EXPECT_GT(value_of(honest, "true_depth_mm"), 0.15 * specimen.height_mm);
-  const NamedNumbers modulus = row_of(PalpationFault::modulus), law = row_of(PalpationFault::law);
   EXPECT_LT(value_of(modulus, "off_percent"), -100 * palpation_limit);
-  EXPECT_GT(value_of(law, "off_percent"), 100 * palpation_limit);
-  EXPECT_EQ(value_of(law, "depth_mm"), value_of(honest, "depth_mm")) << "the model does not know";
+  // The model is the same whatever the gel's law is.
+  EXPECT_GT(value_of(honest, "depth_mm") / stiffening->at_force.front().depth_mm, 1 + palpation_limit);
 }
 
 TEST(Palpation, AStatedModulusThatIsWrongMakesTheStudyFail) {
