@@ -3360,10 +3360,6 @@
         <translation>Das ganze Organ ist {0}-mal so steif wie angegeben.</translation>
     </message>
     <message>
-        <source>Held for long, the organ creeps: it is {0} times as stiff as at once.</source>
-        <translation>Lange gehalten, kriecht das Organ: Es ist dann {0}-mal so steif wie im ersten Augenblick.</translation>
-    </message>
-    <message>
         <source>The specimen&apos;s hard spot has no place in the organ: the specimen is not this organ in this place.</source>
         <translation>Die harte Stelle des Prüfkörpers hat im Organ keinen Ort: Der Prüfkörper ist nicht dieses Organ an diesem Ort.</translation>
     </message>
@@ -7234,6 +7230,14 @@
     <message>
         <source>--scenario serves a scene for SOFA alone (--format sofa).</source>
         <translation>--scenario gilt nur für eine Szene für SOFA (--format sofa).</translation>
+    </message>
+    <message>
+        <source>The scenario says itself how the organ relaxes: the effect {0} is left out.</source>
+        <translation>Das Szenario sagt selbst, wie das Organ relaxiert: Der Effekt {0} bleibt weg.</translation>
+    </message>
+    <message>
+        <source>Held for long, the organ creeps: it is {0} times as stiff as at once. In motion it relaxes on the way there, with times of {1} s.</source>
+        <translation>Lange gehalten, kriecht das Organ: Es ist dann {0}-mal so steif wie im ersten Augenblick. In Bewegung relaxiert es bis dahin mit Zeiten von {1} s.</translation>
     </message>
     <message>
         <source>A relaxation has at most {0} terms, and {1} are given.</source>

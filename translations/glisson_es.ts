@@ -3360,10 +3360,6 @@
         <translation>El órgano entero es {0} veces tan rígido como se declaró.</translation>
     </message>
     <message>
-        <source>Held for long, the organ creeps: it is {0} times as stiff as at once.</source>
-        <translation>Sujetado mucho tiempo, el órgano fluye: es entonces {0} veces tan rígido como al instante.</translation>
-    </message>
-    <message>
         <source>The specimen&apos;s hard spot has no place in the organ: the specimen is not this organ in this place.</source>
         <translation>El punto duro de la muestra no tiene lugar en el órgano: la muestra no es este órgano en este lugar.</translation>
     </message>
@@ -7234,6 +7230,14 @@
     <message>
         <source>--scenario serves a scene for SOFA alone (--format sofa).</source>
         <translation>--scenario sirve solo para una escena para SOFA (--format sofa).</translation>
+    </message>
+    <message>
+        <source>The scenario says itself how the organ relaxes: the effect {0} is left out.</source>
+        <translation>El escenario dice él mismo cómo se relaja el órgano: el efecto {0} se omite.</translation>
+    </message>
+    <message>
+        <source>Held for long, the organ creeps: it is {0} times as stiff as at once. In motion it relaxes on the way there, with times of {1} s.</source>
+        <translation>Sujetado mucho tiempo, el órgano fluye: es entonces {0} veces tan rígido como al instante. En movimiento se relaja hasta ahí con tiempos de {1} s.</translation>
     </message>
     <message>
         <source>A relaxation has at most {0} terms, and {1} are given.</source>

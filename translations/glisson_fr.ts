@@ -3360,10 +3360,6 @@
         <translation>L’organe entier est {0} fois aussi rigide que déclaré.</translation>
     </message>
     <message>
-        <source>Held for long, the organ creeps: it is {0} times as stiff as at once.</source>
-        <translation>Tenu longtemps, l’organe flue&#xa0;: il est alors {0} fois aussi rigide qu’au premier instant.</translation>
-    </message>
-    <message>
         <source>The specimen&apos;s hard spot has no place in the organ: the specimen is not this organ in this place.</source>
         <translation>Le point dur de l’échantillon n’a pas de place dans l’organe&#xa0;: l’échantillon n’est pas cet organe à cette place.</translation>
     </message>
@@ -7234,6 +7230,14 @@
     <message>
         <source>--scenario serves a scene for SOFA alone (--format sofa).</source>
         <translation>--scenario ne sert qu&apos;à une scène pour SOFA (--format sofa).</translation>
+    </message>
+    <message>
+        <source>The scenario says itself how the organ relaxes: the effect {0} is left out.</source>
+        <translation>Le scénario dit lui-même comment l’organe se relâche&#xa0;: l’effet {0} est laissé de côté.</translation>
+    </message>
+    <message>
+        <source>Held for long, the organ creeps: it is {0} times as stiff as at once. In motion it relaxes on the way there, with times of {1} s.</source>
+        <translation>Tenu longtemps, l’organe flue&#xa0;: il est alors {0} fois aussi rigide qu’au premier instant. En mouvement, il se relâche jusque-là avec des temps de {1} s.</translation>
     </message>
     <message>
         <source>A relaxation has at most {0} terms, and {1} are given.</source>

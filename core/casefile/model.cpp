@@ -165,6 +165,7 @@ Result<PatientModel> read_model(const Case& patient) {
   model->capsule = learnt->organ.capsule;
   model->anisotropy = learnt->organ.anisotropy;
   model->strain_stiffening = learnt->organ.strain_stiffening;
+  model->relaxation = std::move(learnt->organ.relaxation);
   model->standing_loads = std::move(learnt->organ.standing_loads);
   model->evidence = std::move(learnt->evidence);
   const auto& effects = model->evidence.effects;

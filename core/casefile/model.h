@@ -63,9 +63,10 @@ struct PatientModel {
   std::optional<Sentence> assumed = {};
   double reference_youngs_kPa = 0;  // of the reference body that it is compared with
   std::vector<mechanics::Support> supports;
-  std::optional<mechanics::Capsule> capsule;  // these four by evidence alone
+  std::optional<mechanics::Capsule> capsule;  // these five by evidence alone
   std::optional<mechanics::TransverseIsotropy> anisotropy;
   std::optional<double> strain_stiffening = {};  // Veronda and Westmann's c2
+  mechanics::Relaxation relaxation = {};         // of what the mesh's moduli are left after long
   mechanics::Loads standing_loads;
   Evidence evidence;  // that is in all of this
   std::vector<mechanics::Landmark> landmarks;
@@ -97,8 +98,9 @@ struct LiveSetup {
 // What a case brings to a scenario: the modulus in the mesh, and what was accepted of the evidence. Supports and
 // landmarks come where the scenario has none. What the scenario says itself stands. Of the evidence some is left out
 // for that, or because the scenario's engine or material cannot hold it. The answer says what is left out, and what is
-// carried.
-std::vector<Sentence> put_into(mechanics::Scenario& scenario, const PatientModel& model);
+// carried. Where a motion takes over how the organ relaxes, or the scenario says it itself, the moduli of the model's
+// mesh become those at once, as a scenario speaks of them, and the model's own relaxation is gone.
+std::vector<Sentence> put_into(mechanics::Scenario& scenario, PatientModel& model);
 
 // Takes out of the model what measured strain and stress say in its place: stiffness, capsule and fibre direction that
 // evidence found. What holds the organ stays.

@@ -16,8 +16,8 @@ using mechanics::Simulation;
 // One tool at segment VI; the rest is the model's.
 Result<Scenario> retraction(const PatientModel& model, double force_N);
 
-Result<Simulation> converged(const PatientModel& model, const Scenario& scenario,
-                             const mechanics::SimulationOptions& options, const Progress& progress);
+Result<Simulation> converged(PatientModel model, const Scenario& scenario, const mechanics::SimulationOptions& options,
+                             const Progress& progress);
 
 void compare(const Simulation& from_data, const Simulation& by_model, RetractionFromData& answer);
 
@@ -58,8 +58,8 @@ Result<Scenario> retraction(const PatientModel& model, double force_N) {
   });
 }
 
-Result<Simulation> converged(const PatientModel& model, const Scenario& scenario,
-                             const mechanics::SimulationOptions& options, const Progress& progress) {
+Result<Simulation> converged(PatientModel model, const Scenario& scenario, const mechanics::SimulationOptions& options,
+                             const Progress& progress) {
   Scenario asked = scenario;
   static_cast<void>(put_into(asked, model));
   auto simulation = mechanics::simulate(model.mesh, asked, options, progress);

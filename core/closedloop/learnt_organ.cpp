@@ -133,16 +133,21 @@ void scale(OrganModel& organ, double factor) {
   for (double& youngs_kPa : organ.youngs_kPa) youngs_kPa *= factor;
 }
 
-// The share of the instantaneous modulus that is left after long. A palpation's terms are of the creep function, a
-// material test's of the relaxation function.
-double left_after_long(const Learnt& effect, bool material_test) {
-  double sum = 0;
-  for (const double amplitude : effect.numbers("amplitude")) {
-    if (amplitude < 0) throw Misfit{"amplitude"};
-    sum += amplitude;
+// A palpation's terms are of the creep function, a material test's of the relaxation function.
+mechanics::Relaxation relaxation_in(const Learnt& effect, bool material_test) {
+  const std::vector<double> amplitudes = effect.numbers("amplitude");
+  const std::vector<double> times_s = effect.numbers("time_s", amplitudes.size());
+  mechanics::Relaxation relaxation;
+  std::vector<mechanics::CreepTerm> creep;
+  for (std::size_t k = 0; k < amplitudes.size(); ++k) {
+    if (amplitudes[k] < 0) throw Misfit{"amplitude"};
+    if (times_s[k] <= 0) throw Misfit{"time_s"};
+    if (amplitudes[k] > 0) relaxation.push_back({amplitudes[k], times_s[k]});
+    creep.push_back({amplitudes[k], times_s[k]});
   }
-  if (material_test && sum >= 1) throw Misfit{"amplitude"};
-  return material_test ? 1 - sum : 1 / (1 + sum);
+  if (!material_test) relaxation = mechanics::relaxation_of(std::move(creep));
+  if (!mechanics::check_relaxation(relaxation)) throw Misfit{"amplitude"};
+  return relaxation;
 }
 
 void put_in(const Inclusion& inclusion, const geometry::TetMesh& mesh, std::vector<double>& youngs_kPa) {
@@ -253,6 +258,19 @@ LearntEffect stiffening(const Learnt& effect, const Circumstances& about, OrganM
       {shown(*c2)});
 }
 
+LearntEffect relaxing(const Learnt& effect, const Circumstances& about, OrganModel& organ) {
+  mechanics::Relaxation relaxation = relaxation_in(effect, about.material_test);
+  const double left = mechanics::long_term_share(relaxation);
+  std::string times_s;
+  for (const auto& term : relaxation) times_s += (times_s.empty() ? "" : ", ") + shown(term.time_s);
+  scale(organ, left / mechanics::long_term_share(organ.relaxation));
+  organ.relaxation = std::move(relaxation);
+  return carried(effect,
+                 GLISSON_TEXT("Held for long, the organ creeps: it is {0} times as stiff as at once. In motion it "
+                              "relaxes on the way there, with times of {1} s."),
+                 {shown(left), times_s});
+}
+
 LearntEffect preloaded(const Learnt& effect, const Circumstances& about, OrganModel& organ) {
   if (!about.same_organ) {
     return left_out(effect, GLISSON_TEXT("What loaded the specimen while it was measured does not load the organ."));
@@ -322,10 +340,7 @@ LearntEffect take(const Learnt& effect, const Circumstances& about, OrganModel& 
     return carried(effect, GLISSON_TEXT("The whole organ is {0} times as stiff as was declared."), {shown(factor)});
   }
   if (effect.kind == palpation::viscoelastic_creep) {
-    const double left = left_after_long(effect, about.material_test);
-    scale(organ, left);
-    return carried(effect, GLISSON_TEXT("Held for long, the organ creeps: it is {0} times as stiff as at once."),
-                   {shown(left)});
+    return relaxing(effect, about, organ);
   }
   if (effect.kind == palpation::stiff_inclusion) {
     const Inclusion inclusion{{effect.vector("center_mm"), effect.above_zero("radius_mm")}, effect.above_zero("ratio")};

@@ -2,7 +2,10 @@
 // What a diagnosis learnt from a specimen, as changes of the organ that is rehearsed:
 //
 // - stiffness-scale: Young's modulus of every cell, by the factor.
-// - viscoelastic-creep: Young's modulus of every cell, to what is left of it after long: a retractor stays.
+// - viscoelastic-creep: Young's modulus of every cell, to what is left of it after long: a retractor stays. How it gets
+//   there is the organ's relaxation: a palpation's creep function and a material test's relaxation function are that
+//   exactly, term for term (mechanics/materials/relaxation.h). Explain lets the springs that hold a specimen and its
+//   skin creep along; here they do not.
 // - stiff-inclusion: the modulus of the cells in the ball, where the specimen was this organ in this place.
 // - anisotropy: a fibre direction (mechanics/materials/anisotropy.h), its axis taken as a direction of the patient.
 // - support-compliance: what holds it gives way by so much more a kPa: springs in series, in place of what is fixed.
@@ -41,6 +44,7 @@ struct OrganModel {
   std::optional<mechanics::TransverseIsotropy> anisotropy;
   mechanics::Loads standing_loads;
   std::optional<double> strain_stiffening = {};  // Veronda and Westmann's c2 (mechanics/materials/isochoric.h)
+  mechanics::Relaxation relaxation = {};         // of what the moduli above are left after long
 };
 
 struct LearntEffect {

@@ -117,11 +117,48 @@ TEST_F(EvidenceTest, StrainStiffeningComesIntoTheSessionAtLargeStrain) {
   EXPECT_EQ(largest_mm(mechanics::MaterialLaw::linear, true), largest_mm(mechanics::MaterialLaw::linear, false));
   mechanics::Scenario scenario;
   scenario.material = mechanics::MaterialLaw::veronda_westmann;
-  put_into(scenario, read_model(patient).value());
+  PatientModel stiffening = read_model(patient).value();
+  put_into(scenario, stiffening);
   EXPECT_GT(scenario.strain_stiffening, 1);
   mechanics::Scenario linear;
-  const auto said = put_into(linear, read_model(patient).value());
+  const auto said = put_into(linear, stiffening);
   EXPECT_THAT(said.front().message(), testing::HasSubstr("Only the material veronda-westmann stiffens"));
+}
+
+// What a rehearsal holds for long stays long; a motion takes over how the organ gets there, from its moduli at once.
+TEST_F(EvidenceTest, CreepComesIntoAMotionAndLeavesAnEquilibriumAsItWas) {
+  Case patient = open();
+  ASSERT_TRUE(accept(patient, model({effect("viscoelastic-creep", {{"amplitude", 0.5}, {"time_s", 3.0}})})));
+  const PatientModel long_held = read_model(patient).value();
+  EXPECT_NEAR(youngs_kPa(long_held).front(), 6.0 / 1.5, 1e-12);
+
+  mechanics::Scenario still;
+  PatientModel of_still = long_held;
+  EXPECT_THAT(put_into(still, of_still).front().message(), HasSubstr("relaxes on the way there, with times of 2 s"));
+  EXPECT_TRUE(still.relaxation.empty());
+  EXPECT_EQ(youngs_kPa(of_still), youngs_kPa(long_held));
+
+  mechanics::Scenario moving;
+  moving.motion = mechanics::Motion{0.1, 10};
+  PatientModel of_moving = long_held;
+  put_into(moving, of_moving);
+  ASSERT_THAT(moving.relaxation, SizeIs(1));
+  EXPECT_NEAR(moving.relaxation[0].weight, 0.5 / 1.5, 1e-12);
+  EXPECT_NEAR(moving.relaxation[0].time_s, 3.0 / 1.5, 1e-12);
+  EXPECT_NEAR(youngs_kPa(of_moving).front(), 6.0, 1e-12);
+
+  for (const bool own_modulus : {true, false}) {
+    mechanics::Scenario own;
+    own.motion = moving.motion;
+    if (own_modulus) own.youngs_modulus = 5.0;
+    if (!own_modulus) own.relaxation = {{0.1, 1.0}};
+    PatientModel of_own = long_held;
+    EXPECT_THAT(put_into(own, of_own).front().message(), HasSubstr("The scenario says itself how"));
+    EXPECT_THAT(own.relaxation, SizeIs(own_modulus ? 0 : 1));
+    if (!own_modulus) {
+      EXPECT_NEAR(youngs_kPa(of_own).front(), 6.0, 1e-12);  // which the scenario's relaxation is of
+    }
+  }
 }
 
 TEST_F(EvidenceTest, TheCaseSaysWhereItIsFrom) {
@@ -232,7 +269,7 @@ TEST_F(EvidenceTest, WhatAScenarioSaysItselfStandsAndThatIsSaid) {
   Case patient = open();
   ASSERT_TRUE(accept(patient, model({scaled, skin, effect("support-compliance", {{"foundation_kPa_per_mm", 0.5}}),
                                      effect("anisotropy", {{"axis", {0, 0, 1}}, {"ratio", 2.0}})})));
-  const PatientModel model_now = read_model(patient).value();
+  PatientModel model_now = read_model(patient).value();
   mechanics::Scenario plain;
   const auto carried = put_into(plain, model_now);
   ASSERT_THAT(carried, SizeIs(4));

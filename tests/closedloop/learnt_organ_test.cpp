@@ -216,8 +216,64 @@ TEST_F(LearntOrganTest, CreepLeavesTheModulusOfALongHold) {
   Json model =
       model_json({effect_json("viscoelastic-creep", {{"amplitude", {0.3, 0.2}}, {"time_s", {2, 60}}}, "prony-2")}, pad);
   EXPECT_NEAR(learn(model, pad)->organ.youngs_kPa.front(), 17.5 / 1.5, 1e-12);
+  EXPECT_EQ(learn(model, pad)->organ.relaxation.size(), 2u);
   model["kind"] = "material";
-  EXPECT_NEAR(learn(model, pad)->organ.youngs_kPa.front(), 17.5 * 0.5, 1e-12);
+  const OrganModel tested = learn(model, pad)->organ;
+  EXPECT_NEAR(tested.youngs_kPa.front(), 17.5 * 0.5, 1e-12);
+  ASSERT_EQ(tested.relaxation.size(), 2u);  // as it stands
+  EXPECT_EQ(tested.relaxation[1].weight, 0.2);
+  EXPECT_EQ(tested.relaxation[1].time_s, 60);
+  model["effects"][0]["parameters"]["time_s"] = {2, 0};
+  EXPECT_THAT(learn(model, pad).error().message(), HasSubstr("time_s"));
+}
+
+// Explain's creeping pad under a ramp that is held, against a Maxwell body whose strain is found by small steps so that
+// its stress is the ramp's: two functions of time, one organ.
+TEST_F(LearntOrganTest, RelaxesAsExplainsModelCreeps) {
+  Palpation pad = pressed_once();
+  PalpationTrial& trial = pad.trials.front();
+  const PalpationSample pressed = trial.samples.back();
+  for (const double time_s : {4.0, 7.0, 20.0, 60.0}) {
+    trial.samples.push_back(pressed);
+    trial.samples.back().time_s = time_s;
+  }
+  const auto model = palpation_model(pad).value();
+  Eigen::VectorXd terms(4);
+  terms << 0.3, 0.2, 2.0, 30.0;
+  const Eigen::VectorXd crept_mm = model->predict({Setting{"viscoelastic-creep", "prony-2", terms}}).value();
+  const Eigen::VectorXd elastic_mm = model->predict({}).value();
+  const OrganModel organ =
+      learn(model_json({effect_json("viscoelastic-creep", {{"amplitude", {0.3, 0.2}}, {"time_s", {2, 30}}}, "prony-2")},
+                       pad),
+            pad)
+          ->organ;
+  const double ramp_s = pressed.time_s, h = 1e-3;
+  std::vector<double> relaxing(organ.relaxation.size(), 0.0);
+  double strain = 0, time_s = 0;
+  Eigen::Index row = 0;
+  const Eigen::Index rows = 3 * static_cast<Eigen::Index>(pressed.markers.size());
+  for (std::size_t s = 1; s < trial.samples.size(); ++s) {
+    for (; time_s < trial.samples[s].time_s - h / 2; time_s += h) {
+      // Backward Euler of every branch: q = tau / (tau + h) (q + g de), sum q + rest = stress.
+      const double stress = std::min(1.0, (time_s + h) / ramp_s);
+      double answers = mechanics::long_term_share(organ.relaxation), left = answers * strain;
+      for (std::size_t k = 0; k < relaxing.size(); ++k) {
+        const auto& [weight, tau_s] = organ.relaxation[k];
+        answers += weight * tau_s / (tau_s + h);
+        left += relaxing[k] * tau_s / (tau_s + h);
+      }
+      const double change = (stress - left) / answers;
+      for (std::size_t k = 0; k < relaxing.size(); ++k) {
+        const auto& [weight, tau_s] = organ.relaxation[k];
+        relaxing[k] = tau_s / (tau_s + h) * (relaxing[k] + weight * change);
+      }
+      strain += change;
+    }
+    const Eigen::VectorXd of_sample = crept_mm.segment(row, rows), once = elastic_mm.segment(row, rows);
+    EXPECT_LT((of_sample - strain * once).norm(), 1e-3 * of_sample.norm()) << trial.samples[s].time_s;
+    row += rows;
+  }
+  EXPECT_GT(strain, 1.45);
 }
 
 TEST_F(LearntOrganTest, SpringsInSeriesGiveWayTogether) {

@@ -19,7 +19,8 @@ Result<void> check_relaxation(const Relaxation& relaxation) {
                    GLISSON_TEXT("Term {0} of a relaxation needs a weight between 0 and 1 and a time above zero."),
                    {fmt::format("{}", k + 1)});
   }
-  if (long_term_share(relaxation) > 0) return {};
+  constexpr double rounding = 1e-9;
+  if (long_term_share(relaxation) > rounding) return {};
   return failure("relaxation-invalid",
                  GLISSON_TEXT("The weights of a relaxation sum to {0}: they must leave something of the stiffness, and "
                               "sum to less than 1."),

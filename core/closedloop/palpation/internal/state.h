@@ -9,6 +9,7 @@
 
 #include "closedloop/experiment/effect.h"
 #include "closedloop/palpation/internal/structure.h"
+#include "mechanics/materials/relaxation.h"
 
 namespace glisson::closedloop {
 
@@ -30,11 +31,7 @@ struct Stiffening {
   double coefficient = 0;  // b, or Ogden's exponent; 0: no stiffening, whatever the law
 };
 
-// J(t) / J(0) = 1 + sum of amplitude (1 - exp(-t / time)).
-struct CreepTerm {
-  double amplitude = 0;
-  double time_s = 1;
-};
+using mechanics::CreepTerm;
 
 // What settings say of supports refers to these.
 struct DeclaredSupports {
