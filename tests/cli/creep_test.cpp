@@ -147,7 +147,7 @@ TEST(Creep, ThatAPalpationShowsIsAcceptedAndTheMotionCreepsByItsClosedForm) {
       mechanics::find_equilibrium(body, materials_of(body, mechanics::MaterialLaw::linear), mechanics::Loads{push})
           .value(),
       mechanics::locate_points(mesh, places));
-  ASSERT_GT(elastic[0].norm(), 1.0);
+  ASSERT_GT(elastic[0].norm(), 0.5);
   for (const int step : {24, 49, 99, 199, 299}) {
     const double time_s = 0.02 * (step + 1);
     const double crept = 1 + amplitude * (1 - std::exp(-time_s / delay_s));
