@@ -24,6 +24,7 @@ using mechanics::Scenario;
 
 Result<void> check_can_hold(const Scenario& scenario);
 Result<Scenario> usual_retraction(const PatientModel& model, std::vector<Sentence>& remarks);
+Sentence left_out(const char* effect);
 void leave_out(Scenario& scenario, std::vector<Sentence>& remarks);
 Result<SofaScene> scene_of(const mechanics::Body& body, const Scenario& scenario, const PatientModel& model);
 Result<std::string> expected_places(const mechanics::Body& body, const Scenario& scenario,
@@ -36,7 +37,7 @@ Result<SofaExport> export_sofa(const Case& patient, std::optional<Scenario> aske
   if (asked) {
     if (auto can = check_can_hold(*asked); !can) return failure(std::move(can.error()));
   }
-  const auto model = read_model(patient);
+  auto model = read_model(patient);
   if (!model) return failure(model.error());
   SofaExport written;
   written.remarks = model_remarks(patient);
@@ -47,6 +48,8 @@ Result<SofaExport> export_sofa(const Case& patient, std::optional<Scenario> aske
   }
   Scenario& scenario = *asked;
   if (model->assumed && !scenario.youngs_modulus) written.remarks.push_back(*model->assumed);
+  if (scenario.motion && !model->relaxation.empty()) written.remarks.push_back(left_out("viscoelastic-creep"));
+  model->relaxation.clear();  // the scene has the moduli that are left after long
   for (Sentence& said : put_into(scenario, *model)) written.remarks.push_back(std::move(said));
   leave_out(scenario, written.remarks);
 
@@ -110,6 +113,7 @@ Result<void> check_can_hold(const Scenario& scenario) {
   if (!scenario.tools.empty()) return cannot("\"tools\"");
   if (scenario.capsule) return cannot("\"capsule\"");
   if (scenario.anisotropy) return cannot("\"anisotropy\"");
+  if (!scenario.relaxation.empty()) return cannot("\"relaxation\"");
   for (const mechanics::Support& support : scenario.supports) {
     if (std::holds_alternative<mechanics::Ligament>(support.how)) return cannot("\"ligament\"");
     const auto* fixed = std::get_if<mechanics::Fixed>(&support.how);
@@ -133,18 +137,19 @@ Result<Scenario> usual_retraction(const PatientModel& model, std::vector<Sentenc
   });
 }
 
+Sentence left_out(const char* effect) {
+  return {GLISSON_TEXT("A scene for SOFA cannot hold the effect {0}: it is left out."), {effect}};
+}
+
 void leave_out(Scenario& scenario, std::vector<Sentence>& remarks) {
-  const auto tell = [&](const char* effect) {
-    remarks.push_back({GLISSON_TEXT("A scene for SOFA cannot hold the effect {0}: it is left out."), {effect}});
-  };
-  if (scenario.capsule) tell("capsule");
-  if (scenario.anisotropy) tell("anisotropy");
+  if (scenario.capsule) remarks.push_back(left_out("capsule"));
+  if (scenario.anisotropy) remarks.push_back(left_out("anisotropy"));
   scenario.capsule.reset();
   scenario.anisotropy.reset();
   if (scenario.material == mechanics::MaterialLaw::linear) return;
   // Gas that follows the surface of a body that turns.
   const auto is_gas = [](const mechanics::Load& load) { return std::holds_alternative<mechanics::PressureLoad>(load); };
-  if (std::erase_if(scenario.loads, is_gas) > 0) tell("preload");
+  if (std::erase_if(scenario.loads, is_gas) > 0) remarks.push_back(left_out("preload"));
 }
 
 Result<SofaScene> scene_of(const mechanics::Body& body, const Scenario& scenario, const PatientModel& model) {

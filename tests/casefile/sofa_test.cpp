@@ -360,6 +360,9 @@ TEST_F(SofaScenes, WhatNoSceneCanHoldIsRefusedByItsName) {
   other.engine = mechanics::Engine::meshfree;
   EXPECT_EQ(code_of(other), "sofa-cannot-hold");
   other = scenario_;
+  other.relaxation = {{0.3, 5}};
+  EXPECT_EQ(code_of(other), "sofa-cannot-hold");
+  other = scenario_;
   other.supports.push_back({mechanics::NamedPoints{"diaphragm"}, mechanics::Ligament{{0, 0, 200}, 1, 0}});
   EXPECT_EQ(code_of(other), "sofa-cannot-hold");
   other = scenario_;

@@ -44,9 +44,9 @@ double crept(const std::vector<CreepTerm>& creep, double time_s) {
 }
 
 // 60 x 20 x 20 mm of 20 kPa on three frictionless walls: pulled at its end it is strained evenly.
-constexpr double length_mm = 60, youngs_kPa = 20, area_mm2 = 400;
+constexpr double bar_length_mm = 60, bar_youngs_kPa = 20, bar_area_mm2 = 400;
 Body bar(double density_kg_mm3, double poisson_ratio = 0.4) {
-  auto mesh = test::box(3, 2, 2, {length_mm, 20, 20});
+  auto mesh = test::box(3, 2, 2, {bar_length_mm, 20, 20});
   test::disturb_inner_points(mesh, 1.0);
   test::name_points(mesh, "x0", [](const Vector3d& p) { return p.x() == 0; });
   test::name_points(mesh, "y0", [](const Vector3d& p) { return p.y() == 0; });
@@ -55,7 +55,7 @@ Body bar(double density_kg_mm3, double poisson_ratio = 0.4) {
   options.order = ElementOrder::linear;
   options.poisson_ratio = poisson_ratio;
   options.density_kg_mm3 = density_kg_mm3;
-  auto youngs = test::uniform(mesh, youngs_kPa);
+  auto youngs = test::uniform(mesh, bar_youngs_kPa);
   return prepare_body(std::move(mesh), std::move(youngs),
                       {test::held_along("x0", true, false, false), test::held_along("y0", false, true, false),
                        test::held_along("z0", false, false, true)},
@@ -65,9 +65,9 @@ Body bar(double density_kg_mm3, double poisson_ratio = 0.4) {
 constexpr double no_inertia = 1e-12, water = 1e-6;  // kg/mm3
 
 // Even over the end face alone.
-Loads pull(double force_mN) { return {ToolLoad{{length_mm + 50, 10, 10}, 51.5, {force_mN, 0, 0}}}; }
-double elastic_mm(double force_mN) { return force_mN / area_mm2 / youngs_kPa * length_mm; }
-int end_node(const Body& body) { return body.layout.node_of_point[test::point_at(body.mesh, {length_mm, 20, 20})]; }
+Loads pull(double force_mN) { return {ToolLoad{{bar_length_mm + 50, 10, 10}, 51.5, {force_mN, 0, 0}}}; }
+double elastic_mm(double force_mN) { return force_mN / bar_area_mm2 / bar_youngs_kPa * bar_length_mm; }
+int end_node(const Body& body) { return body.layout.node_of_point[test::point_at(body.mesh, {bar_length_mm, 20, 20})]; }
 double end_mm(const Body& body, const VectorXd& u_mm) { return u_mm[3 * end_node(body)]; }
 
 TEST(Relaxation, ThatOfACreepFunctionIsItsResolventKernel) {
@@ -226,11 +226,11 @@ TEST(Relaxation, AHeldBodyRelaxesByItsModulus) {
 
 // And in the movers: its ends held, nothing moves inside, and the walls' reaction relaxes.
 TEST(Relaxation, WhatIsHeldAtBothEndsStaysAndPullsLess) {
-  auto mesh = test::box(3, 2, 2, {length_mm, 20, 20});
-  test::name_points(mesh, "ends", [](const Vector3d& p) { return p.x() == 0 || p.x() == length_mm; });
+  auto mesh = test::box(3, 2, 2, {bar_length_mm, 20, 20});
+  test::name_points(mesh, "ends", [](const Vector3d& p) { return p.x() == 0 || p.x() == bar_length_mm; });
   StaticOptions options;
   options.order = ElementOrder::linear;
-  auto youngs = test::uniform(mesh, youngs_kPa);
+  auto youngs = test::uniform(mesh, bar_youngs_kPa);
   const Body body =
       prepare_body(std::move(mesh), std::move(youngs), {test::fixed("ends")}, options, Holding::required).value();
   // Drawn out by 1 mm: the equilibrium of an elastic body with that end held there.
@@ -254,7 +254,7 @@ TEST(Relaxation, WhatIsHeldAtBothEndsStaysAndPullsLess) {
     return -sum;
   };
   const double at_once_mN = pulls_mN();
-  EXPECT_GT(at_once_mN, youngs_kPa * area_mm2 / length_mm);
+  EXPECT_GT(at_once_mN, bar_youngs_kPa * bar_area_mm2 / bar_length_mm);
   for (int step = 1; step <= 50; ++step) {
     ASSERT_TRUE(moving.step(VectorXd::Zero(u_mm.size())).converged);
     EXPECT_NEAR(pulls_mN(), at_once_mN * left_after(two_terms, 0.1 * step), 1e-5 * at_once_mN);
@@ -284,10 +284,10 @@ TEST(Relaxation, ASinusoidalPullShowsStorageAndLoss) {
       u_mm[step - before - 1] = end_mm(body, moving.displacement_mm());
     }
     const Eigen::VectorXd part = waves.colPivHouseholderQr().solve(u_mm);
-    const std::complex<double> measured_kPa = youngs_kPa * elastic_mm(4.0) / std::complex(part[0], part[1]);
-    std::complex<double> expected_kPa = youngs_kPa;
+    const std::complex<double> measured_kPa = bar_youngs_kPa * elastic_mm(4.0) / std::complex(part[0], part[1]);
+    std::complex<double> expected_kPa = bar_youngs_kPa;
     for (const auto& [weight, tau_s] : two_terms) {
-      expected_kPa -= youngs_kPa * weight / std::complex(1.0, omega_per_s * tau_s);
+      expected_kPa -= bar_youngs_kPa * weight / std::complex(1.0, omega_per_s * tau_s);
     }
     EXPECT_NEAR(measured_kPa.real(), expected_kPa.real(), 0.002 * std::abs(expected_kPa)) << omega_per_s;
     EXPECT_NEAR(measured_kPa.imag(), expected_kPa.imag(), 0.002 * std::abs(expected_kPa)) << omega_per_s;

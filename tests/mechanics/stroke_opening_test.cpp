@@ -27,12 +27,12 @@ using test::loads;
 using test::nothing_open;
 using test::on_front_mm;
 using test::wall;
-using test::youngs_kPa;
 
 StaticModel held_bar(geometry::TetMesh mesh) {
   test::name_supports_of_bar(mesh);
   const std::size_t cells = mesh.cells.size();
-  return StaticModel::create(std::move(mesh), std::vector<double>(cells, youngs_kPa), test::supports_of_bar()).value();
+  return StaticModel::create(std::move(mesh), std::vector<double>(cells, test::youngs_kPa), test::supports_of_bar())
+      .value();
 }
 
 // Over the bar's top from one side to the other, downwards along the oblique cut.
@@ -218,7 +218,7 @@ TEST(StrokeOpening, PartsUnderTractionAtSmallStrainAndAtLarge) {
 TEST(StrokeOpening, MeshfreeNodesAreSplitByAWholeLine) {
   geometry::TetMesh mesh = bar(20, 6, 9);
   test::name_supports_of_bar(mesh);
-  const std::vector<double> moduli(mesh.cells.size(), youngs_kPa);
+  const std::vector<double> moduli(mesh.cells.size(), test::youngs_kPa);
   const StaticModel model =
       MeshfreeModel::create(mesh, moduli, test::supports_of_bar(), MaterialLaw::linear, {}, {.nodes = 100})
           ->static_model()
