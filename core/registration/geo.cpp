@@ -43,7 +43,8 @@ struct Found {
 Matching matching_of(const Side& source, const Side& target, const GeoOptions& options);
 Result<Found> found_from_anywhere(const Matching& matching, const GeoOptions& options, const Progress& progress);
 // From a start, which may be of the first nodes only.
-Result<Found> found_from(const Matching& matching, const Labelling& start, const GeoOptions& options);
+Result<Found> found_from(const Matching& matching, const Labelling& start, const GeoOptions& options,
+                         const Progress& progress);
 SurfaceMatch match_of(const Matching& matching, Found found, GeodesicSamples source, GeodesicSamples target);
 
 // The nearest of some places.
@@ -98,8 +99,9 @@ Result<SurfaceMatch> FrameMatcher::match(const Surface& frame, const Progress& p
       start.push_back(static_cast<int>(
           nearest_of(places_mm, last_->places_mm[static_cast<std::size_t>(known - last_->samples.begin())])));
     }
-    auto followed = found_from(matching, start, options);
+    auto followed = found_from(matching, start, options, progress.part(0.5, 0.5));
     if (!followed) return failure(followed.error());
+    if (progress.cancelled()) return cancelled();
     const double misfit = followed->solution.energy / matching.problem.tau_mm;
     if (followed->turned_right() && misfit <= far_worse * last_->misfit) found = std::move(*followed);
   }
@@ -170,9 +172,10 @@ std::vector<int> densify(const SurfaceMatch& match) {
 namespace {
 
 Eigen::MatrixXd position_seed(const Side& nodes, const Side& labels, double tau_mm, double weight);
-Result<MatchingSolution> solve(const MatchingProblem& problem, const GeoOptions& options);
+Result<MatchingSolution> solve(const MatchingProblem& problem, const GeoOptions& options, const Progress& progress);
 std::vector<Labelling> rough_matchings(const MatchingProblem& problem);
-Result<MatchingSolution> solve_from(MatchingProblem problem, const Labelling& start, const GeoOptions& options);
+Result<MatchingSolution> solve_from(MatchingProblem problem, const Labelling& start, const GeoOptions& options,
+                                    const Progress& progress);
 double orientation_kept(const Side& nodes, const Side& labels, const Labelling& labelling);
 
 Matching matching_of(const Side& source, const Side& target, const GeoOptions& options) {
@@ -195,7 +198,8 @@ Matching matching_of(const Side& source, const Side& target, const GeoOptions& o
 
 Result<Found> found_from_anywhere(const Matching& matching, const GeoOptions& options, const Progress& progress) {
   progress.report(0, GLISSON_TEXT("matching"));
-  auto first = solve(matching.problem, options);
+  const Progress solving = progress.part(0, 0);  // each solver goes through its own passes
+  auto first = solve(matching.problem, options, solving);
   if (!first) return failure(first.error());
   Found best{std::move(*first)};
   best.orientation_kept = orientation_kept(matching.nodes, matching.labels, best.solution.labels);
@@ -203,7 +207,7 @@ Result<Found> found_from_anywhere(const Matching& matching, const GeoOptions& op
   const double lower_bound = best.solution.lower_bound;  // of the field as it is, without any start
   for (const Labelling& start : rough_matchings(matching.problem)) {
     if (progress.cancelled()) return cancelled();
-    auto other = found_from(matching, start, options);
+    auto other = found_from(matching, start, options, solving);
     if (!other) return other;
     solve_ms += other->solution.solve_ms;
     if (other->turned_right() != best.turned_right() ? other->turned_right()
@@ -217,8 +221,9 @@ Result<Found> found_from_anywhere(const Matching& matching, const GeoOptions& op
   return best;
 }
 
-Result<Found> found_from(const Matching& matching, const Labelling& start, const GeoOptions& options) {
-  auto solution = solve_from(matching.problem, start, options);
+Result<Found> found_from(const Matching& matching, const Labelling& start, const GeoOptions& options,
+                         const Progress& progress) {
+  auto solution = solve_from(matching.problem, start, options, progress);
   if (!solution) return failure(solution.error());
   const double kept = orientation_kept(matching.nodes, matching.labels, solution->labels);
   return Found{std::move(*solution), kept};
@@ -262,18 +267,19 @@ Eigen::MatrixXd position_seed(const Side& nodes, const Side& labels, double tau_
   return seed;
 }
 
-Result<MatchingSolution> solve(const MatchingProblem& problem, const GeoOptions& options) {
+// A solver that is cancelled answers the best so far: whoever asks looks at `progress`.
+Result<MatchingSolution> solve(const MatchingProblem& problem, const GeoOptions& options, const Progress& progress) {
   if (options.solver == Solver::trws) {
-    const auto mrf = store(problem);
+    const auto mrf = store(problem, std::uint64_t{8} << 30, progress);
     if (!mrf) return failure(mrf.error());
-    return trws(*mrf, options.solving);
+    return trws(*mrf, options.solving, progress);
   }
   TrwlsOptions solving;
   solving.starts = Starts::one;  // match_surfaces has its own, and orientation to tell them apart
   solving.width = options.width;
   solving.device = options.device;
   static_cast<SolverOptions&>(solving) = options.solving;
-  return trwls(problem, solving);
+  return trwls(problem, solving, progress);
 }
 
 Eigen::MatrixXd seed_of(const MatchingProblem& problem) {
@@ -308,7 +314,7 @@ std::vector<Labelling> rough_matchings(const MatchingProblem& problem) {
     noisy.seed += Eigen::MatrixXd::NullaryExpr(nodes, problem.labels(), [&] { return noise(random); });
     const auto solution = trwls(noisy, solving);
     if (!solution) continue;
-    auto settled = solve_from(rough, solution->labels, GeoOptions{.solving = solving});
+    auto settled = solve_from(rough, solution->labels, GeoOptions{.solving = solving}, {});
     if (!settled) continue;
     found.push_back({energy(settled->labels), std::move(settled->labels)});
   }
@@ -331,7 +337,8 @@ std::vector<Labelling> rough_matchings(const MatchingProblem& problem) {
 
 // Leaving the start, which may be of the first nodes only, costs; so the solver begins there. Where it ends is polished
 // and judged by the field itself.
-Result<MatchingSolution> solve_from(MatchingProblem problem, const Labelling& start, const GeoOptions& options) {
+Result<MatchingSolution> solve_from(MatchingProblem problem, const Labelling& start, const GeoOptions& options,
+                                    const Progress& progress) {
   const Eigen::MatrixXd own_seed = seed_of(problem);
   const double cost_of_leaving = 0.1 * problem.q * problem.tau_mm * (problem.nodes() - 1);
   problem.seed = own_seed;
@@ -339,7 +346,7 @@ Result<MatchingSolution> solve_from(MatchingProblem problem, const Labelling& st
     problem.seed.row(static_cast<Eigen::Index>(i)) +=
         cost_of_leaving * (problem.target_mm.row(start[i]) / problem.tau_mm).cwiseMin(1.0);
   }
-  auto solution = solve(problem, options);
+  auto solution = solve(problem, options, progress);
   if (!solution) return solution;
   problem.seed = own_seed;
   solution->energy = MatchingEnergy(problem)(solution->labels);

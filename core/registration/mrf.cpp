@@ -100,7 +100,7 @@ double StoredMrf::energy(const Labelling& labelling) const {
   return energy;
 }
 
-Result<StoredMrf> store(const MatchingProblem& problem, std::uint64_t limit_bytes) {
+Result<StoredMrf> store(const MatchingProblem& problem, std::uint64_t limit_bytes, const Progress& progress) {
   if (auto good = check(problem); !good) return tl::unexpected(good.error());
   const int nodes = problem.nodes();
   const int labels = problem.labels();
@@ -121,6 +121,7 @@ Result<StoredMrf> store(const MatchingProblem& problem, std::uint64_t limit_byte
   double* cell = mrf.pairwise.data();
   for (int i = 0; i < nodes; ++i) {
     for (int j = i + 1; j < nodes; ++j) {
+      if (progress.cancelled()) return cancelled();
       const double x = problem.source_mm(i, j);
       for (int k = 0; k < labels; ++k) {
         for (int l = 0; l < labels; ++l) {

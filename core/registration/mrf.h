@@ -13,6 +13,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "base/progress.h"
 #include "base/result.h"
 
 namespace glisson::registration {
@@ -69,7 +70,9 @@ struct StoredMrf {
 
 // Evaluates eq. 3.1, exponential and all, for every pair of nodes and of labels: the step "GH" of the dissertation's
 // baseline. Refuses a bad problem as check() does, and one that needs more than `limit_bytes` ("mrf-too-large").
-Result<StoredMrf> store(const MatchingProblem& problem, std::uint64_t limit_bytes = std::uint64_t{8} << 30);
+// Fails with "cancelled".
+Result<StoredMrf> store(const MatchingProblem& problem, std::uint64_t limit_bytes = std::uint64_t{8} << 30,
+                        const Progress& progress = {});
 
 // ---- What a solver answers ----
 
