@@ -4,6 +4,7 @@
 #include <openssl/evp.h>
 
 #include "base/files.h"
+#include "base/markup.h"
 
 namespace glisson::report {
 namespace {
@@ -50,29 +51,29 @@ Result<std::string> html_of(const Figure& figure) {
   return read_text_file(figure.png, std::uint64_t{256} << 20).map([&](const std::string& bytes) {
     return fmt::format(
         "<figure><img alt=\"{0}\" src=\"data:image/png;base64,{1}\"><figcaption>{0}</figcaption></figure>\n",
-        escaped(figure.caption), base64(bytes));
+        escaped_markup(figure.caption), base64(bytes));
   });
 }
 
 std::string html_of(const Cell& cell) {
   switch (cell.emphasis) {
-    case Cell::Emphasis::flag: return fmt::format("<td class=\"flag\">{}</td>", escaped(cell.text));
-    case Cell::Emphasis::good: return fmt::format("<td class=\"good\">{}</td>", escaped(cell.text));
+    case Cell::Emphasis::flag: return fmt::format("<td class=\"flag\">{}</td>", escaped_markup(cell.text));
+    case Cell::Emphasis::good: return fmt::format("<td class=\"good\">{}</td>", escaped_markup(cell.text));
     case Cell::Emphasis::none: break;
   }
-  return fmt::format("<td>{}</td>", escaped(cell.text));
+  return fmt::format("<td>{}</td>", escaped_markup(cell.text));
 }
 
 struct BlockWriter {
   Result<std::string> operator()(const Heading& heading) const {
-    return fmt::format("<h2>{}</h2>\n", escaped(heading.text));
+    return fmt::format("<h2>{}</h2>\n", escaped_markup(heading.text));
   }
   Result<std::string> operator()(const Paragraph& paragraph) const {
-    return fmt::format("<p>{}</p>\n", escaped(paragraph.text));
+    return fmt::format("<p>{}</p>\n", escaped_markup(paragraph.text));
   }
   Result<std::string> operator()(const Table& table) const {
-    std::string html = fmt::format("<table><caption>{}</caption><thead><tr>", escaped(table.caption));
-    for (const std::string& column : table.columns) html += fmt::format("<th>{}</th>", escaped(column));
+    std::string html = fmt::format("<table><caption>{}</caption><thead><tr>", escaped_markup(table.caption));
+    for (const std::string& column : table.columns) html += fmt::format("<th>{}</th>", escaped_markup(column));
     html += "</tr></thead><tbody>\n";
     for (const auto& row : table.rows) {
       html += "<tr>";
@@ -83,7 +84,7 @@ struct BlockWriter {
   }
   Result<std::string> operator()(const Plot& plot) const {
     return fmt::format("<figure class=\"plot\">{}<figcaption>{}</figcaption></figure>\n", svg_of(plot),
-                       escaped(plot.caption));
+                       escaped_markup(plot.caption));
   }
   Result<std::string> operator()(const FigureRow& row) const {
     std::string html = "<div class=\"figures\">";
@@ -97,7 +98,8 @@ struct BlockWriter {
   Result<std::string> operator()(const DrawingRow& row) const {
     std::string html = "<div class=\"figures\">";
     for (const Drawing& drawing : row.drawings)
-      html += fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", drawing.svg, escaped(drawing.caption));
+      html +=
+          fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", drawing.svg, escaped_markup(drawing.caption));
     return html + "</div>\n";
   }
 };
@@ -109,31 +111,16 @@ Result<void> write_html(const std::filesystem::path& file, const Page& page) {
       "<!doctype html>\n<html lang=\"{4}\"><head><meta charset=\"utf-8\">"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"><title>{0}</title><style>{1}</style>"
       "</head>\n<body>{2}<main><h1>{0}</h1><p class=\"subtitle\">{3}</p>\n",
-      escaped(page.title), style,
-      page.warning.empty() ? "" : fmt::format("<div class=\"warning\">{}</div>", escaped(page.warning)),
-      escaped(page.subtitle), escaped(page.language));
+      escaped_markup(page.title), style,
+      page.warning.empty() ? "" : fmt::format("<div class=\"warning\">{}</div>", escaped_markup(page.warning)),
+      escaped_markup(page.subtitle), escaped_markup(page.language));
   for (const Block& block : page.blocks) {
     auto made = std::visit(BlockWriter{}, block);
     if (!made) return failure(made.error());
     html += *made;
   }
-  html += fmt::format("<footer>{}</footer></main></body></html>\n", escaped(page.footer));
+  html += fmt::format("<footer>{}</footer></main></body></html>\n", escaped_markup(page.footer));
   return write_text_file(file, html);
-}
-
-std::string escaped(const std::string& text) {
-  std::string safe;
-  for (const char c : text) {
-    switch (c) {
-      case '&': safe += "&amp;"; break;
-      case '<': safe += "&lt;"; break;
-      case '>': safe += "&gt;"; break;
-      case '"': safe += "&quot;"; break;
-      case '\'': safe += "&#39;"; break;
-      default: safe += c;
-    }
-  }
-  return safe;
 }
 
 }  // namespace glisson::report

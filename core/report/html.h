@@ -2,7 +2,6 @@
 // A report as one HTML file that needs nothing beside it: styles and pictures are inside, no script, no network.
 
 #include <filesystem>
-#include <string>
 
 #include "base/result.h"
 #include "report/page.h"
@@ -11,8 +10,5 @@ namespace glisson::report {
 
 // Fails with "file-not-readable" for a picture, "file-not-writable" for the page.
 Result<void> write_html(const std::filesystem::path& file, const Page& page);
-
-// Text as it may stand in HTML, in an element or a quoted attribute.
-std::string escaped(const std::string& text);
 
 }  // namespace glisson::report

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "base/json.h"
+#include "base/markup.h"
 #include "planning/plan_file.h"
-#include "report/html.h"
 #include "vasculature/couinaud.h"
 
 namespace glisson::report {
@@ -205,7 +205,7 @@ std::string svg_of(const planning::Resectogram& map) {
     svg += fmt::format(
         R"(<circle cx="{:.1f}" cy="{:.1f}" r="{:.1f}" fill="none" stroke="{}" stroke-width="0.8"><title>{}</title></circle>)",
         vessel.column + 0.5, map.rows - 0.5 - vessel.row, std::max(1.5, vessel.radius_mm / map.step_mm),
-        stroke.at(static_cast<std::size_t>(vessel.system)), escaped(vessel.name));
+        stroke.at(static_cast<std::size_t>(vessel.system)), escaped_markup(vessel.name));
   }
   svg += fmt::format(R"(<path d="M0 {0}h{1}" stroke="#333" stroke-width="1"/>)", map.rows + 2, 20 / map.step_mm);
   return svg + fmt::format(R"(<text x="{}" y="{}" font-size="4" fill="#333">20 mm</text></svg>)", 20 / map.step_mm + 2,

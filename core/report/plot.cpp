@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "report/html.h"
+#include "base/markup.h"
 
 namespace glisson::report {
 namespace {
@@ -69,7 +69,7 @@ class PlotDrawing {
   std::string svg() {
     out_ = fmt::format(
         "<svg viewBox=\"0 0 {:.0f} {:.0f}\" role=\"img\" aria-label=\"{}\" font-size=\"13\" fill=\"currentColor\">\n",
-        width_px, height_px, escaped(plot_.caption));
+        width_px, height_px, escaped_markup(plot_.caption));
     for (std::size_t n = 0; n < plot_.bands.size(); ++n) band(plot_.bands[n], colour_of_band(n));
     axes();
     if (plot_.histogram) bars(*plot_.histogram);
@@ -136,7 +136,7 @@ class PlotDrawing {
   [[nodiscard]] double py(double y) const { return height_px - bottom_px - (y - y_.low) / y_.length() * room_px_y; }
   void text(double x_px, double y_px, const std::string& words, const char* anchor, const std::string& more = "") {
     out_ += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\"{}>{}</text>\n", x_px, y_px, anchor, more,
-                        escaped(words));
+                        escaped_markup(words));
   }
   void stroke(double x0, double y0, double x1, double y1, const std::string& look) {
     out_ += fmt::format("<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" {}/>\n", x0, y0, x1, y1, look);

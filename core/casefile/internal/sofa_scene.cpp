@@ -5,27 +5,14 @@
 #include <map>
 #include <set>
 
+#include "base/markup.h"
+
 namespace glisson::casefile {
 namespace {
 
 using Eigen::Index;
 using Eigen::Vector3d;
 using mechanics::Body;
-
-// Of an XML attribute.
-std::string escaped(const std::string& text) {
-  std::string safe;
-  for (const char c : text) {
-    switch (c) {
-      case '&': safe += "&amp;"; break;
-      case '<': safe += "&lt;"; break;
-      case '>': safe += "&gt;"; break;
-      case '"': safe += "&quot;"; break;
-      default: safe += c;
-    }
-  }
-  return safe;
-}
 
 // A node's name in SOFA is part of paths: letters, digits, '-' and '_'.
 std::string node_name(const std::string& text, std::set<std::string>& taken) {
@@ -162,7 +149,8 @@ std::string mapped(const SofaScene& scene) {
         "      <OglModel name=\"shape\" src=\"@surface\" color=\"{} {} {} 1\"/>\n"
         "      <BarycentricMapping name=\"mapping\" input=\"@../nodes\" output=\"@shape\"/>\n"
         "    </Node>\n",
-        node_name(shape.name, taken), escaped(shape.file), shape.color_rgb[0], shape.color_rgb[1], shape.color_rgb[2]);
+        node_name(shape.name, taken), escaped_markup(shape.file), shape.color_rgb[0], shape.color_rgb[1],
+        shape.color_rgb[2]);
   }
   return text;
 }

@@ -7,9 +7,9 @@
 #include <map>
 #include <utility>
 
+#include "base/markup.h"
 #include "base/result.h"
 #include "closedloop/inference/posterior.h"
-#include "report/html.h"
 #include "report/plot.h"
 
 namespace glisson::report {
@@ -52,7 +52,7 @@ Drawing probability_bars(const closedloop::Posterior& posterior, const Words& wo
   for (std::size_t i = 0; i < count; ++i) {
     const double top = line_px * static_cast<double>(i) + 4;
     svg += fmt::format("<text x=\"{:.0f}\" y=\"{:.0f}\" text-anchor=\"end\">{}</text>", name_px - 8, top + 14,
-                       escaped(explanation_name(posterior[i], words)));
+                       escaped_markup(explanation_name(posterior[i], words)));
     svg += fmt::format("<rect x=\"{:.0f}\" y=\"{:.0f}\" width=\"{:.1f}\" height=\"{:.0f}\" fill=\"#0072b2\"/>", name_px,
                        top, std::max(1.0, bar_px * posterior[i].probability), line_px - 6);
     svg += fmt::format("<text x=\"{:.1f}\" y=\"{:.0f}\">{:.1f} %</text>",

@@ -5,6 +5,7 @@
 
 #include "base/files.h"
 #include "base/json.h"
+#include "base/markup.h"
 #include "base/write_file.h"
 #include "report/html.h"
 #include "studies/gate/gate.h"
@@ -248,13 +249,13 @@ std::string junit_of(const Gate& gate) {
   int count = 0, failures = 0, skipped = 0;
   const auto add = [&](const std::string& name, const std::string& kind, GateVerdict verdict, const std::string& text) {
     ++count;
-    cases += fmt::format("    <testcase classname=\"{}\" name=\"{}\"", kind, report::escaped(name));
+    cases += fmt::format("    <testcase classname=\"{}\" name=\"{}\"", kind, escaped_markup(name));
     if (verdict == GateVerdict::worse) {
       ++failures;
-      cases += fmt::format(">\n      <failure message=\"{}\"/>\n    </testcase>\n", report::escaped(text));
+      cases += fmt::format(">\n      <failure message=\"{}\"/>\n    </testcase>\n", escaped_markup(text));
     } else if (verdict == GateVerdict::undecided) {
       ++skipped;
-      cases += fmt::format(">\n      <skipped message=\"{}\"/>\n    </testcase>\n", report::escaped(text));
+      cases += fmt::format(">\n      <skipped message=\"{}\"/>\n    </testcase>\n", escaped_markup(text));
     } else {
       cases += "/>\n";
     }

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "base/files.h"
-#include "report/html.h"
+#include "base/markup.h"
 
 namespace glisson::studies {
 namespace {
@@ -70,7 +70,7 @@ std::string chart(const std::string& title, const std::vector<double>& a, const 
       "<text x=\"52\" y=\"25\" text-anchor=\"end\" font-size=\"14\" fill=\"currentColor\">{1:.1f}</text>"
       "<text x=\"52\" y=\"124\" text-anchor=\"end\" font-size=\"14\" fill=\"currentColor\">0</text>{2}{3}"
       "<line class=\"cursor\" y1=\"15\" y2=\"125\" x1=\"60\" x2=\"60\" stroke=\"currentColor\"/></svg>\n",
-      report::escaped(title), largest, curve(a, largest, "a"), curve(b, largest, "b"));
+      escaped_markup(title), largest, curve(a, largest, "a"), curve(b, largest, "b"));
 }
 
 double mean(const std::vector<double>& values) {
@@ -83,7 +83,7 @@ std::string row(const StoredQuality& judged, const char* eye, double tolerance_m
   const auto& errors_mm = judged.quality.error_mm;
   const auto off = std::count_if(errors_mm.begin(), errors_mm.end(), [&](double mm) { return mm >= tolerance_mm; });
   return fmt::format("<tr><td class=\"{}\">{}</td><td>{:.3f}</td><td>{:.0f} %</td><td>{:.2f}</td><td>{}</td></tr>\n",
-                     eye, report::escaped(judged.method), judged.quality.mean_correlation,
+                     eye, escaped_markup(judged.method), judged.quality.mean_correlation,
                      errors_mm.empty() ? 0.0 : 100.0 * static_cast<double>(off) / static_cast<double>(errors_mm.size()),
                      mean(judged.quality.tre_mm),
                      judged.quality.rmse_mm.empty() ? "-" : fmt::format("{:.2f}", mean(judged.quality.rmse_mm)));
@@ -98,12 +98,12 @@ Result<void> write_review_page(const std::filesystem::path& file, const StoredQu
       "<h1>Two registrations of one video</h1><p>{}. One colour scale for both; light green is good, dark blue is bad; "
       "grey "
       "triangles are off by {:g} mm or more.</p>\n",
-      report::escaped(a.sequence.string()), tolerance_mm);
+      escaped_markup(a.sequence.string()), tolerance_mm);
   page += fmt::format(
       "<div class=\"pair\"><figure><img id=\"a\" alt=\"{0}\" src=\"a000.jpg\"><figcaption "
       "class=\"a\">{0}</figcaption></figure>"
       "<figure><img id=\"b\" alt=\"{1}\" src=\"b000.jpg\"><figcaption class=\"b\">{1}</figcaption></figure></div>\n",
-      report::escaped(a.method), report::escaped(b.method));
+      escaped_markup(a.method), escaped_markup(b.method));
   page += fmt::format(
       "<div class=\"line\"><button id=\"play\">Play</button><input id=\"time\" type=\"range\" min=\"0\" max=\"{}\" "
       "value=\"0\" aria-label=\"Frame\"><span>frame <b id=\"frame\">0</b></span></div>\n",
