@@ -2,7 +2,8 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <limits>
+
+#include "geometry/spread_points.h"
 
 namespace glisson::casefile {
 namespace {
@@ -59,20 +60,15 @@ std::vector<Eigen::Vector3d> spread_points(const imaging::Mask& mask, const imag
   if (voxels.empty()) return {};
   centroid /= static_cast<double>(voxels.size());
 
-  std::vector<Eigen::Vector3d> taken;
-  std::vector<double> squared_distance(voxels.size(), std::numeric_limits<double>::max());
   const auto farthest_from_centroid =
       std::max_element(voxels.begin(), voxels.end(), [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
         return (a - centroid).squaredNorm() < (b - centroid).squaredNorm();
       });
-  taken.push_back(*farthest_from_centroid);
-  while (static_cast<int>(taken.size()) < count) {
-    for (std::size_t v = 0; v < voxels.size(); ++v) {
-      squared_distance[v] = std::min(squared_distance[v], (voxels[v] - taken.back()).squaredNorm());
-    }
-    const auto farthest = std::max_element(squared_distance.begin(), squared_distance.end());
-    if (*farthest <= 0) break;
-    taken.push_back(voxels[static_cast<std::size_t>(farthest - squared_distance.begin())]);
+  std::vector<Eigen::Vector3d> taken;
+  for (const std::size_t v :
+       geometry::spread_points(voxels, static_cast<std::size_t>(std::max(count, 1)),
+                               static_cast<std::size_t>(farthest_from_centroid - voxels.begin()))) {
+    taken.push_back(voxels[v]);
   }
   return taken;
 }

@@ -8,6 +8,7 @@
 
 #include "base/parallel.h"
 #include "geometry/nearest.h"
+#include "geometry/spread_points.h"
 #include "registration/rigid.h"
 
 namespace glisson::registration {
@@ -278,16 +279,10 @@ double mean_square_before(const Sightings& sightings, const std::vector<std::vec
 // The farthest from one another, so that a few stand for all.
 std::vector<Pair> spread(const std::vector<Pair>& pairs, std::size_t count) {
   if (pairs.size() <= count) return pairs;
-  std::vector<double> squared_mm2(pairs.size(), std::numeric_limits<double>::infinity());
+  std::vector<Vector3d> seen_mm;
+  for (const Pair& pair : pairs) seen_mm.push_back(pair.seen_mm);
   std::vector<Pair> chosen;
-  std::size_t next = 0;
-  while (chosen.size() < count) {
-    chosen.push_back(pairs[next]);
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-      squared_mm2[i] = std::min(squared_mm2[i], (pairs[i].seen_mm - chosen.back().seen_mm).squaredNorm());
-    }
-    next = static_cast<std::size_t>(std::max_element(squared_mm2.begin(), squared_mm2.end()) - squared_mm2.begin());
-  }
+  for (const std::size_t p : geometry::spread_points(seen_mm, count)) chosen.push_back(pairs[p]);
   return chosen;
 }
 

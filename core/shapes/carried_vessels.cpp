@@ -3,15 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <Eigen/LU>
-#include <limits>
 
 #include "anatomy/level_surface.h"
 #include "anatomy/patient.h"
 #include "geometry/nearest.h"
+#include "geometry/spread_points.h"
 #include "registration/thin_plate.h"
 #include "segmentation/rasterise.h"
 #include "shapes/correspondence.h"
 #include "vasculature/couinaud.h"
+#include "vasculature/measured_branch.h"
 
 namespace glisson::shapes {
 namespace {
@@ -25,23 +26,21 @@ using Depths = std::vector<std::vector<double>>;
 
 constexpr double step_mm = 2;  // between points of a branch
 
-void measure(TreeBranch& branch);
 void add_tree(const anatomy::Patient& patient, const anatomy::VesselTree& tree, vasculature::System system,
               VesselTrees& trees);
 void set_entries(VesselTrees& trees);
-int cut_shallow_twigs(double least_mm, VesselTrees& trees, Depths& depth_mm, Depths* before_mm = nullptr);
+int cut_shallow_twigs(double minimum_mm, VesselTrees& trees, Depths& depth_mm, Depths* before_mm = nullptr);
 imaging::LabelMap segments_of(const anatomy::Patient& patient, const geometry::Surface& liver);
 void pull_in(const Depths& before_mm, const geometry::Surface& liver, CarriedVessels& carried);
 void keep_apart(const VesselTrees& before, VesselTrees& after);
 int come_out(const Depths& before_mm, const Depths& after_mm);
-std::vector<std::size_t> spread_points(const std::vector<Vector3d>& points_mm, std::size_t count);
 
 // From one surface to the other in equal steps of all points, a spline each.
 class Flow {
  public:
   Flow(const geometry::Surface& from, const geometry::Surface& to) {
-    constexpr std::size_t most_controls = 900;  // as many as bent the reference onto each liver (correspondence.h)
-    for (const std::size_t p : spread_points(from.points_mm, most_controls)) {
+    constexpr std::size_t maximum_controls = 900;  // as many as bent the reference onto each liver (correspondence.h)
+    for (const std::size_t p : geometry::spread_points(from.points_mm, maximum_controls)) {
       now_mm_.push_back(from.points_mm[p]);
       step_mm_.emplace_back((to.points_mm[p] - from.points_mm[p]) / steps);
     }
@@ -118,7 +117,7 @@ Result<CarriedVessels> carry_vessels(const LiverWithVessels& from, const geometr
   }
   pull_in(from.depth_mm, to, carried);
   keep_apart(from.trees, trees);
-  for (TreeBranch& branch : trees.branches) measure(branch);
+  for (TreeBranch& branch : trees.branches) vasculature::measure_by_points(branch);
   carried.depth_mm = depths_mm(trees, to);
   Depths before_mm = from.depth_mm;
   constexpr double out_mm = 0.1;  // what pull_in could not set under the surface
@@ -142,19 +141,6 @@ std::vector<std::vector<double>> depths_mm(const VesselTrees& trees, const geome
 
 namespace {
 
-// Length, and the median of the radii.
-void measure(TreeBranch& branch) {
-  branch.length_mm = 0;
-  std::vector<double> radii_mm;
-  for (std::size_t i = 0; i < branch.points.size(); ++i) {
-    if (i > 0) branch.length_mm += (branch.points[i].position_mm - branch.points[i - 1].position_mm).norm();
-    radii_mm.push_back(branch.points[i].radius_mm);
-  }
-  const auto middle = radii_mm.begin() + static_cast<std::ptrdiff_t>(radii_mm.size() / 2);
-  std::nth_element(radii_mm.begin(), middle, radii_mm.end());
-  branch.radius_mm = *middle;
-}
-
 // Straight pieces between the nodes become points every few millimetres, so that they can bend.
 void add_tree(const anatomy::Patient& patient, const anatomy::VesselTree& tree, vasculature::System system,
               VesselTrees& trees) {
@@ -177,7 +163,7 @@ void add_tree(const anatomy::Patient& patient, const anatomy::VesselTree& tree, 
         branch.points.push_back({from.position_mm + way_mm * piece / pieces, node.radius_mm});
       }
     }
-    measure(branch);
+    vasculature::measure_by_points(branch);
     trees.branches.push_back(std::move(branch));
   }
 }
@@ -197,7 +183,7 @@ void set_entries(VesselTrees& trees) {
 }
 
 // From the tips inwards; what is left of a branch has two points at least. Rows of depths are cut alike.
-int cut_shallow_twigs(double least_mm, VesselTrees& trees, Depths& depth_mm, Depths* before_mm) {
+int cut_shallow_twigs(double minimum_mm, VesselTrees& trees, Depths& depth_mm, Depths* before_mm) {
   int cut = 0;
   std::vector<int> children(trees.branches.size(), 0), number(trees.branches.size(), -1);
   for (const TreeBranch& branch : trees.branches) {
@@ -207,7 +193,7 @@ int cut_shallow_twigs(double least_mm, VesselTrees& trees, Depths& depth_mm, Dep
     if (children[b] > 0) continue;
     TreeBranch& branch = trees.branches[b];
     const std::size_t points = branch.points.size();
-    while (!branch.points.empty() && depth_mm[b][branch.points.size() - 1] < least_mm) branch.points.pop_back();
+    while (!branch.points.empty() && depth_mm[b][branch.points.size() - 1] < minimum_mm) branch.points.pop_back();
     if (branch.points.size() < 2) {
       branch.points.clear();
       if (branch.parent >= 0) --children[static_cast<std::size_t>(branch.parent)];
@@ -222,7 +208,7 @@ int cut_shallow_twigs(double least_mm, VesselTrees& trees, Depths& depth_mm, Dep
     if (branch.points.empty()) continue;
     number[b] = left++;
     if (branch.parent >= 0) branch.parent = number[static_cast<std::size_t>(branch.parent)];
-    measure(branch);
+    vasculature::measure_by_points(branch);
   }
   std::erase_if(trees.branches, [](const TreeBranch& branch) { return branch.points.empty(); });
   for (Depths* rows : {&depth_mm, before_mm}) {
@@ -305,20 +291,6 @@ int come_out(const Depths& before_mm, const Depths& after_mm) {
     for (std::size_t i = 0; i < before_mm[b].size(); ++i) out += before_mm[b][i] > 0 && !(after_mm[b][i] > 0) ? 1 : 0;
   }
   return out;
-}
-
-// So many of the points, each the farthest from those before it.
-std::vector<std::size_t> spread_points(const std::vector<Vector3d>& points_mm, std::size_t count) {
-  std::vector<std::size_t> chosen;
-  std::vector<double> squared_mm2(points_mm.size(), std::numeric_limits<double>::infinity());
-  for (std::size_t next = 0; chosen.size() < std::min(count, points_mm.size());) {
-    chosen.push_back(next);
-    for (std::size_t p = 0; p < points_mm.size(); ++p) {
-      squared_mm2[p] = std::min(squared_mm2[p], (points_mm[p] - points_mm[next]).squaredNorm());
-    }
-    next = static_cast<std::size_t>(std::max_element(squared_mm2.begin(), squared_mm2.end()) - squared_mm2.begin());
-  }
-  return chosen;
 }
 
 }  // namespace

@@ -6,6 +6,8 @@
 #include <numeric>
 #include <set>
 
+#include "vasculature/measured_branch.h"
+
 namespace glisson::vasculature {
 
 using Eigen::Vector3d;
@@ -27,17 +29,7 @@ std::vector<std::vector<int>> VesselGraph::branches_at_vertices() const {
   return at;
 }
 
-void measure(GraphBranch& branch) {
-  branch.length_mm = 0;
-  std::vector<double> radii;
-  for (std::size_t i = 0; i < branch.points.size(); ++i) {
-    radii.push_back(branch.points[i].radius_mm);
-    if (i > 0) branch.length_mm += (branch.points[i].position_mm - branch.points[i - 1].position_mm).norm();
-  }
-  if (radii.empty()) return;
-  std::nth_element(radii.begin(), radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2), radii.end());
-  branch.radius_mm = radii[radii.size() / 2];
-}
+void measure(GraphBranch& branch) { measure_by_points(branch); }
 
 void join(VesselGraph& graph, const std::vector<NewJoint>& joints) {
   std::map<int, std::set<int>> cuts;  // points by branch
