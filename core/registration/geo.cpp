@@ -45,9 +45,9 @@ Result<Found> found_from_anywhere(const Matching& matching, const GeoOptions& op
 // From a start, which may be of the first nodes only.
 Result<Found> found_from(const Matching& matching, const Labelling& start, const GeoOptions& options,
                          const Progress& progress);
-SurfaceMatch match_of(const Matching& matching, Found found, GeodesicSamples source, GeodesicSamples target);
+// Without the samples.
+SurfaceMatch match_of(const Matching& matching, Found found);
 
-// The nearest of some places.
 std::size_t nearest_of(const std::vector<Eigen::Vector3d>& places_mm, const Eigen::Vector3d& here_mm);
 
 }  // namespace
@@ -61,7 +61,10 @@ Result<SurfaceMatch> match_surfaces(const Surface& source, const Surface& target
   const Matching matching = matching_of({source, *source_samples}, {target, *target_samples}, options);
   auto found = found_from_anywhere(matching, options, progress.part(0.9, 1));
   if (!found) return failure(found.error());
-  return match_of(matching, std::move(*found), *source_samples, *target_samples);
+  SurfaceMatch match = match_of(matching, std::move(*found));
+  match.source_samples = std::move(*source_samples);
+  match.target_samples = std::move(*target_samples);
+  return match;
 }
 
 struct FrameMatcher::Model {
@@ -69,6 +72,23 @@ struct FrameMatcher::Model {
   GeodesicSamples samples;
   GeoOptions options;
 };
+
+// Where the last frame's match leads the nodes: those before the first one that it does not know.
+Labelling FrameMatcher::start_from(const Last& last, const std::vector<Eigen::Vector3d>& frame_mm,
+                                   bool nodes_are_frame) {
+  Labelling start;
+  if (nodes_are_frame) {
+    for (const Eigen::Vector3d& place_mm : frame_mm)
+      start.push_back(last.samples[nearest_of(last.places_mm, place_mm)]);
+    return start;
+  }
+  for (int node = 0;; ++node) {
+    const auto known = std::find(last.samples.begin(), last.samples.end(), node);
+    if (known == last.samples.end()) return start;
+    const auto match = static_cast<std::size_t>(known - last.samples.begin());
+    start.push_back(static_cast<int>(nearest_of(frame_mm, last.places_mm[match])));
+  }
+}
 
 Result<FrameMatcher> FrameMatcher::create(Surface model, const GeoOptions& options, const Progress& progress) {
   auto samples = sample_surface(model, options.points, 0, progress);
@@ -81,24 +101,14 @@ Result<SurfaceMatch> FrameMatcher::match(const Surface& frame, const Progress& p
   const auto& [surface, model_samples, options] = *model_;
   auto samples = sample_surface(frame, options.points, 0, progress.part(0, 0.5));
   if (!samples) return failure(samples.error());
-  const Side of_frame{frame, *samples};
-  const Matching matching = matching_of(of_frame, {surface, model_samples}, options);
+  const Matching matching = matching_of({frame, *samples}, {surface, model_samples}, options);
+
+  std::vector<Eigen::Vector3d> places_mm;
+  for (const int point : samples->points) places_mm.push_back(frame.points_mm[static_cast<std::size_t>(point)]);
 
   std::optional<Found> found;
   if (last_) {
-    Labelling start;
-    for (int node = 0; node < matching.problem.nodes(); ++node) {
-      if (!matching.swapped) {
-        start.push_back(last_->samples[nearest_of(last_->places_mm, of_frame.position_mm(node))]);
-        continue;
-      }
-      const auto known = std::find(last_->samples.begin(), last_->samples.end(), node);
-      if (known == last_->samples.end()) break;
-      std::vector<Eigen::Vector3d> places_mm;
-      for (const int point : samples->points) places_mm.push_back(frame.points_mm[static_cast<std::size_t>(point)]);
-      start.push_back(static_cast<int>(
-          nearest_of(places_mm, last_->places_mm[static_cast<std::size_t>(known - last_->samples.begin())])));
-    }
+    const Labelling start = start_from(*last_, places_mm, !matching.swapped);
     auto followed = found_from(matching, start, options, progress.part(0.5, 0.5));
     if (!followed) return failure(followed.error());
     if (progress.cancelled()) return cancelled();
@@ -114,10 +124,13 @@ Result<SurfaceMatch> FrameMatcher::match(const Surface& frame, const Progress& p
   last_ = Last{{}, {}, found->solution.energy / matching.problem.tau_mm};
   for (int node = 0; node < matching.problem.nodes(); ++node) {
     const int label = found->solution.labels[static_cast<std::size_t>(node)];
-    last_->places_mm.push_back(of_frame.position_mm(matching.swapped ? label : node));
+    last_->places_mm.push_back(places_mm[static_cast<std::size_t>(matching.swapped ? label : node)]);
     last_->samples.push_back(matching.swapped ? node : label);
   }
-  return match_of(matching, std::move(*found), *samples, model_samples);
+  SurfaceMatch match = match_of(matching, std::move(*found));
+  match.source_samples = std::move(*samples);
+  match.target_samples = model_samples;
+  return match;
 }
 
 std::vector<int> densify(const SurfaceMatch& match) {
@@ -229,7 +242,7 @@ Result<Found> found_from(const Matching& matching, const Labelling& start, const
   return Found{std::move(*solution), kept};
 }
 
-SurfaceMatch match_of(const Matching& matching, Found found, GeodesicSamples source, GeodesicSamples target) {
+SurfaceMatch match_of(const Matching& matching, Found found) {
   SurfaceMatch match;
   const std::vector<int>& node_points = matching.nodes.samples.points;
   const std::vector<int>& label_points = matching.labels.samples.points;
@@ -241,8 +254,6 @@ SurfaceMatch match_of(const Matching& matching, Found found, GeodesicSamples sou
   match.solution = std::move(found.solution);
   match.orientation_kept = found.orientation_kept;
   match.swapped = matching.swapped;
-  match.source_samples = std::move(source);
-  match.target_samples = std::move(target);
   return match;
 }
 

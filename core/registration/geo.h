@@ -79,6 +79,7 @@ class FrameMatcher {
     std::vector<int> samples;                // of the model, where they belong
     double misfit = 0;                       // the energy over tau
   };
+  static Labelling start_from(const Last& last, const std::vector<Eigen::Vector3d>& frame_mm, bool nodes_are_frame);
   explicit FrameMatcher(std::shared_ptr<const Model> model) : model_(std::move(model)) {}
 
   std::shared_ptr<const Model> model_;
