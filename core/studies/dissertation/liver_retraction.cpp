@@ -118,48 +118,59 @@ Result<rehearsal::Comparison> soft_against_stiff_wall(const geometry::TetMesh& m
   return rehearsal::compare(*soft, *stiff);
 }
 
-Result<void> answer_at_large_strain(const geometry::TetMesh& mesh, Retraction& retraction, const Progress& progress) {
-  retraction.answered = Retraction::Answered::linear_beyond_it;
-  const auto answer = [&](const mechanics::Simulation& linear, const Progress& of) {
-    mechanics::Scenario scenario = linear.scenario;
-    scenario.material = mechanics::MaterialLaw::neo_hookean;
+// Both bodies otherwise: as `change` makes their scenarios.
+struct AnsweredAgain {
+  mechanics::Simulation measured, reference;
+  rehearsal::Comparison compared;
+};
+// Nothing where an answer is of no use.
+template <typename Change>
+Result<std::optional<AnsweredAgain>> answered_again(const geometry::TetMesh& mesh, const Retraction& retraction,
+                                                    const Change& change, const Progress& progress) {
+  const auto answer = [&](const mechanics::Simulation& before, const Progress& of) {
+    mechanics::Scenario scenario = before.scenario;
+    change(scenario);
     return mechanics::simulate(mesh, scenario, {}, of);
   };
   auto measured = answer(retraction.measured, progress.part(0, 0.5));
   if (!measured) return failure(measured.error());
-  if (!mechanics::validity_of(*measured).usable()) return {};
+  if (!mechanics::validity_of(*measured).usable()) return std::nullopt;
   auto reference = answer(retraction.reference, progress.part(0.5, 1));
   if (!reference) return failure(reference.error());
-  if (!mechanics::validity_of(*reference).usable()) return {};
+  if (!mechanics::validity_of(*reference).usable()) return std::nullopt;
   auto compared = rehearsal::compare(*measured, *reference);
   if (!compared) return failure(compared.error());
-  retraction.measured = std::move(*measured);
-  retraction.reference = std::move(*reference);
-  retraction.measured_against_reference = std::move(*compared);
+  return AnsweredAgain{*std::move(measured), *std::move(reference), *std::move(compared)};
+}
+
+Result<void> answer_at_large_strain(const geometry::TetMesh& mesh, Retraction& retraction, const Progress& progress) {
+  retraction.answered = Retraction::Answered::linear_beyond_it;
+  const auto neo_hookean = [](mechanics::Scenario& scenario) {
+    scenario.material = mechanics::MaterialLaw::neo_hookean;
+  };
+  auto again = answered_again(mesh, retraction, neo_hookean, progress);
+  if (!again) return failure(std::move(again.error()));
+  if (!*again) return {};
+  retraction.measured = std::move((*again)->measured);
+  retraction.reference = std::move((*again)->reference);
+  retraction.measured_against_reference = std::move((*again)->compared);
   retraction.answered = Retraction::Answered::neo_hookean;
   return {};
 }
 
 Result<void> answer_by_meshfree(const geometry::TetMesh& mesh, const mechanics::MeshfreeOptions& nodes,
                                 Retraction& retraction, const Progress& progress) {
-  const auto answer = [&](const mechanics::Simulation& by_elements, const Progress& of) {
-    mechanics::Scenario scenario = by_elements.scenario;
+  const auto by_nodes = [&](mechanics::Scenario& scenario) {
     scenario.engine = mechanics::Engine::meshfree;
     scenario.meshfree = nodes;
-    return mechanics::simulate(mesh, scenario, {}, of);
   };
-  auto measured = answer(retraction.measured, progress.part(0, 0.5));
-  if (!measured) return failure(measured.error());
-  if (!mechanics::validity_of(*measured).usable()) return {};
-  auto reference = answer(retraction.reference, progress.part(0.5, 1));
-  if (!reference) return failure(reference.error());
-  if (!mechanics::validity_of(*reference).usable()) return {};
-  auto bodies = rehearsal::compare(*measured, *reference);
-  if (!bodies) return failure(bodies.error());
-  auto engines = rehearsal::compare(*measured, retraction.measured);
+  auto again = answered_again(mesh, retraction, by_nodes, progress);
+  if (!again) return failure(std::move(again.error()));
+  if (!*again) return {};
+  auto engines = rehearsal::compare((*again)->measured, retraction.measured);
   if (!engines) return failure(engines.error());
-  retraction.meshfree =
-      MeshfreeRetraction{*std::move(measured), *std::move(reference), *std::move(bodies), *std::move(engines)};
+  retraction.meshfree = MeshfreeRetraction{std::move((*again)->measured), std::move((*again)->reference),
+                                           std::move((*again)->compared), *std::move(engines)};
   return {};
 }
 
