@@ -25,6 +25,15 @@ double energy_density_of_stress_kPa(const Lame& lame, const Matrix3d& stress) {
   return (stress.squaredNorm() - share * trace * trace) / (4 * lame.mu_kPa);
 }
 
+// What first Piola-Kirchhoff stresses resist with, one a sample, whatever the body's shape is now.
+template <typename Stress>
+Eigen::VectorXd resisted_by_samples_mN(const Body& body, const Stress& first_piola_kPa) {
+  const std::size_t points = Sampling(body.options.order).points();
+  const Eigen::VectorXd anywhere = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(body.layout.nodes()));
+  return resisting_force_mN(
+      body, anywhere, [&](std::size_t c, std::size_t q, const Matrix3d&) { return first_piola_kPa(points * c + q); });
+}
+
 Lame at_rest(const Material& material) {
   const Matrix9d tangent = tangent_kPa(material, Matrix3d::Identity());
   return {tangent(0, 4), 0.5 * (tangent(0, 0) - tangent(0, 4))};
@@ -43,11 +52,7 @@ StressHistory::StressHistory(const Body& body, std::vector<Material> materials, 
 }
 
 Eigen::VectorXd StressHistory::force_mN(const Body& body) const {
-  const std::size_t points = Sampling(body.options.order).points();
-  const Eigen::VectorXd anywhere = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(body.layout.nodes()));
-  return -mechanics::resisting_force_mN(body, anywhere, [&](std::size_t c, std::size_t q, const Matrix3d&) {
-    return (samples_[points * c + q].frame * older_kPa(points * c + q)).eval();
-  });
+  return -resisted_by_samples_mN(body, [&](std::size_t s) { return (samples_[s].frame * older_kPa(s)).eval(); });
 }
 
 Potentials StressHistory::potentials(const Body& body) const {
@@ -109,11 +114,7 @@ Matrix3d StressHistory::stress_kPa(std::size_t sample) const {
 }
 
 Eigen::VectorXd StressHistory::resisting_force_mN(const Body& body) const {
-  const std::size_t points = Sampling(body.options.order).points();
-  const Eigen::VectorXd anywhere = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(body.layout.nodes()));
-  return mechanics::resisting_force_mN(body, anywhere, [&](std::size_t c, std::size_t q, const Matrix3d&) {
-    return (samples_[points * c + q].frame * stress_kPa(points * c + q)).eval();
-  });
+  return resisted_by_samples_mN(body, [&](std::size_t s) { return (samples_[s].frame * stress_kPa(s)).eval(); });
 }
 
 double StressHistory::free_energy_uJ(const Body& body) const {

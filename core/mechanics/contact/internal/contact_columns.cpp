@@ -8,6 +8,8 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
+// What the graspers pull with.
+PointForces given_forces(const std::vector<ContactTool>& tools, const std::vector<Gripped>& grips);
 // By the surface moved by moved_mm, for 1 mN of the column's force.
 double work(const ContactColumn& column, const VectorXd& moved_mm);
 // Of the meetings among themselves: a thousand and more, by products of matrices, the columns being sparse.
@@ -20,20 +22,6 @@ Eigen::MatrixXd compliance_of_jumps(const SurfaceResponses& responses, const Con
 const TouchingTool* pushed(const ContactTool& tool) {
   const auto* touching = std::get_if<TouchingTool>(&tool.what);
   return touching != nullptr && touching->push_mN ? touching : nullptr;
-}
-
-PointForces given_forces(const std::vector<ContactTool>& tools, const std::vector<Gripped>& grips) {
-  PointForces given_mN;
-  for (const Gripped& gripped : grips) {
-    const auto& grasp = std::get<Grasp>(tools[gripped.tool].what);
-    const double* pull_mN = std::get_if<double>(&grasp.drawn);
-    if (pull_mN == nullptr) continue;
-    for (std::size_t i = 0; i < gripped.points.size(); ++i) {
-      given_mN.try_emplace(gripped.points[i], Vector3d::Zero()).first->second +=
-          *pull_mN * (gripped.weights[i] * unit_or_zero(grasp.direction));
-    }
-  }
-  return given_mN;
 }
 
 Result<ContactColumns> columns_of(const SurfaceResponses& responses, const Touching& touching) {
@@ -129,6 +117,20 @@ ContactProblem problem_of(const SurfaceResponses& responses, const std::vector<C
 }
 
 namespace {
+
+PointForces given_forces(const std::vector<ContactTool>& tools, const std::vector<Gripped>& grips) {
+  PointForces given_mN;
+  for (const Gripped& gripped : grips) {
+    const auto& grasp = std::get<Grasp>(tools[gripped.tool].what);
+    const double* pull_mN = std::get_if<double>(&grasp.drawn);
+    if (pull_mN == nullptr) continue;
+    for (std::size_t i = 0; i < gripped.points.size(); ++i) {
+      given_mN.try_emplace(gripped.points[i], Vector3d::Zero()).first->second +=
+          *pull_mN * (gripped.weights[i] * unit_or_zero(grasp.direction));
+    }
+  }
+  return given_mN;
+}
 
 double work(const ContactColumn& column, const VectorXd& moved_mm) {
   double sum = 0;

@@ -39,9 +39,6 @@ struct Touching {
   const Eigen::VectorXd& surface_mm;
 };
 
-// What the graspers pull with.
-[[nodiscard]] PointForces given_forces(const std::vector<ContactTool>& tools, const std::vector<Gripped>& grips);
-
 // The answers to forces at the places must be remembered. Failures: those of SurfaceResponses::surface_under.
 [[nodiscard]] Result<ContactColumns> columns_of(const SurfaceResponses& responses, const Touching& touching);
 

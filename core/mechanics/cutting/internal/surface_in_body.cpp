@@ -41,9 +41,9 @@ Result<std::shared_ptr<const SurfaceInBody>> grown_surface(const StaticModel& mo
   const Led wanted = led_along(mesh, crossing_of(mesh, strip.surface, drawn_mm), strip);
   const Led led = led_along(mesh, crossing, strip);
   // Along what was drawn both are the same but for what a wall bends within a cell or two.
-  constexpr double least = 0.75, most = 1.25;
-  if (led.off_mm > 0.5 * mean_edge_mm(mesh, crossing) || led.area_mm2 < least * wanted.area_mm2 ||
-      led.area_mm2 > most * wanted.area_mm2) {
+  constexpr double minimum = 0.75, maximum = 1.25;
+  if (led.off_mm > 0.5 * mean_edge_mm(mesh, crossing) || led.area_mm2 < minimum * wanted.area_mm2 ||
+      led.area_mm2 > maximum * wanted.area_mm2) {
     return failure(
         Error{"cut-turns",
               GLISSON_TEXT("The line turns more sharply than the model's cells can follow, or meets itself."),
