@@ -10,6 +10,7 @@
 #include "base/units.h"
 #include "closedloop/inference/fit.h"
 #include "closedloop/palpation/internal/effects.h"
+#include "closedloop/palpation/internal/error_at_strain.h"
 #include "closedloop/palpation/internal/frame.h"
 #include "closedloop/palpation/internal/further.h"
 #include "closedloop/palpation/internal/linear_derivatives.h"
@@ -24,6 +25,8 @@
 namespace glisson::closedloop {
 namespace {
 
+std::vector<LoadRange> load_ranges(const std::vector<History>& histories, const std::vector<FaceLoad>& tools);
+
 class PalpationModel : public ForwardModel {
  public:
   PalpationModel(Palpation experiment, PalpationSolver solver, LoadColumns columns, std::vector<History> histories,
@@ -35,10 +38,17 @@ class PalpationModel : public ForwardModel {
         markers_(std::move(markers)),
         catalogue_(palpation_catalogue(experiment_, solver_.specimen())),
         supports_(declared_supports(solver_.specimen())),
-        stiffened_(solver_, [this](const Settings& settings) {
-          const PalpationState at = state(settings);
-          return Acting{at, loading(at).amounts / at.stiffness_factor};
-        }) {}
+        tools_(tool_loads(experiment_, histories_, solver_.specimen().body)),
+        error_at_strain_(solver_, markers_.places_mm, tools_, load_ranges(histories_, tools_)),
+        stiffened_(
+            solver_,
+            [this](const Settings& settings) {
+              const PalpationState at = state(settings);
+              return Acting{at, loading(at).amounts / at.stiffness_factor};
+            },
+            [this](const Acting& acting) {
+              return error_at_strain_.beyond_linear_mm(*acting.state.stiffening, acting.amounts);
+            }) {}
 
   [[nodiscard]] const Observations& observations() const override { return markers_.observations; }
   [[nodiscard]] const std::vector<Effect>& catalogue() const override { return catalogue_; }
@@ -73,6 +83,8 @@ class PalpationModel : public ForwardModel {
   std::vector<Effect> catalogue_;
   DeclaredSupports supports_;
 
+  std::vector<FaceLoad> tools_;
+  ErrorAtStrain error_at_strain_;
   StiffenedResponse stiffened_;
   [[nodiscard]] const ForwardModel* further() const;
 
@@ -147,8 +159,7 @@ Result<Linearisation> PalpationModel::linearise(const Settings& settings) const 
 SystematicUncertainty PalpationModel::systematic_uncertainty() const {
   constexpr double at_each_marker = 1.0 / 3, of_the_response = 0.5;
   std::call_once(uncertainty_once_, [&] {
-    const std::vector<FaceLoad> tools = tool_loads(experiment_, histories_, solver_.specimen().body);
-    const Eigen::MatrixXd error_mm = discretisation_error_mm(solver_, markers_.places_mm, tools);
+    const Eigen::MatrixXd error_mm = discretisation_error_mm(solver_, markers_.places_mm, tools_);
     const auto response_mm = solver_.at_markers({});
     const Eigen::Index loads = error_mm.cols();
     if (loads == 0 || !response_mm) return;
@@ -183,6 +194,20 @@ SystematicUncertainty PalpationModel::systematic_uncertainty() const {
                               std::sqrt(static_cast<double>(markers_.observations.rows())) / experiment_.noise_mm;
   });
   return uncertainty_;
+}
+
+std::vector<LoadRange> load_ranges(const std::vector<History>& histories, const std::vector<FaceLoad>& tools) {
+  std::vector<LoadRange> ranges;
+  for (const FaceLoad& tool : tools) {
+    LoadRange range;
+    for (const History& history : histories) {
+      if (history.load != tool.load || history.reading_mN.size() == 0) continue;
+      range.pulled_mN = std::min(range.pulled_mN, history.reading_mN.minCoeff());
+      range.pressed_mN = std::max(range.pressed_mN, history.reading_mN.maxCoeff());
+    }
+    ranges.push_back(range);
+  }
+  return ranges;
 }
 
 // In each trial and direction a linear function of the place that grows with the load, as an elastic body's answer

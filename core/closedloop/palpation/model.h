@@ -14,7 +14,8 @@
 //
 // Observations are displacements, measured position minus rest (mm): three rows a marker and moment. Derivatives are
 // exact, with strain-stiffening to 1e-3 of themselves.
-// The systematic uncertainty is the discretisation error (internal/refinement.h).
+// The systematic uncertainty is the discretisation error (internal/refinement.h). Where tissue stiffens with strain, the
+// part of it that is not linear in the load is in the prediction itself (internal/error_at_strain.h).
 
 #include <memory>
 

@@ -113,10 +113,21 @@ Eigen::MatrixXd discretisation_error_mm(const PalpationSolver& solver,
     energy = now;
   }
 
-  constexpr double of_first_step = 1.6;  // the header says why
   const Interpolation at(fine->body.layout, mechanics::locate_points(fine->body.mesh, marker_places_mm));
   const Eigen::MatrixXd fine_mm = prolonged(*fine, coarse, coarse_mm) + correction_mm;
-  return of_first_step * (at.at_places(fine_mm) - solver.markers().at_places(coarse_mm));
+  return error_of_first_step * (at.at_places(fine_mm) - solver.markers().at_places(coarse_mm));
+}
+
+Result<PalpationSolver> refined_solver(const PalpationSolver& solver,
+                                       const std::vector<Eigen::Vector3d>& marker_places_mm,
+                                       const std::vector<FaceLoad>& loads) {
+  auto fine = fine_body(solver, loads);
+  if (!fine) return failure(std::move(fine.error()));
+  SpecimenBody specimen;
+  specimen.elements = elements_of(fine->body);
+  specimen.body = std::move(fine->body);
+  Interpolation markers(specimen.body.layout, mechanics::locate_points(specimen.body.mesh, marker_places_mm));
+  return PalpationSolver::create(std::move(specimen), std::move(fine->loads_mN), std::move(markers), {});
 }
 
 geometry::TetMesh refined(const mechanics::Body& body) {

@@ -25,14 +25,23 @@ struct FaceLoad {
 [[nodiscard]] std::vector<FaceLoad> tool_loads(const Palpation& experiment, const std::vector<History>& histories,
                                                const mechanics::Body& body);
 
-// The change at the markers (mm, 3 rows a marker, a column a load), times 1.6 for what is still missing then. By the
-// edges of tools and of clamps errors fall with the cells' size to the power of 1.4. So the whole error is 1.6 times
-// the first step. No columns where the mesh has more than `maximum_cells_refined`: refining would take longer than all
-// the rest.
+// By the edges of tools and of clamps errors fall with the cells' size to the power of 1.4. So the whole error is 1.6
+// times what the first step changes.
+inline constexpr double error_of_first_step = 1.6;
+
+// The change at the markers (mm, 3 rows a marker, a column a load), times `error_of_first_step`. No columns where the
+// mesh has more than `maximum_cells_refined`: refining would take longer than all the rest.
 inline constexpr std::size_t maximum_cells_refined = 16000;
 [[nodiscard]] Eigen::MatrixXd discretisation_error_mm(const PalpationSolver& solver,
                                                       const std::vector<Eigen::Vector3d>& marker_places_mm,
                                                       const std::vector<FaceLoad>& loads);
+
+// The declared specimen with every cell divided into eight, ready to be solved under the tools' loads, in their order.
+// Its markers are those of `marker_places_mm`. Failures: those of mechanics/elements/body.h and
+// PalpationSolver::create.
+Result<PalpationSolver> refined_solver(const PalpationSolver& solver,
+                                       const std::vector<Eigen::Vector3d>& marker_places_mm,
+                                       const std::vector<FaceLoad>& loads);
 
 // Each cell divided into eight. The points are the nodes of the coarse layout, in its order. In a quadratic layout
 // displacements are then values at the fine mesh's points.

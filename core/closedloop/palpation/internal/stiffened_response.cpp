@@ -196,8 +196,12 @@ struct StiffenedResponse::Memory {
   }
 };
 
-StiffenedResponse::StiffenedResponse(PalpationSolver solver, std::function<Acting(const Settings&)> acting)
-    : solver_(std::move(solver)), acting_(std::move(acting)), memory_(std::make_shared<Memory>()) {}
+StiffenedResponse::StiffenedResponse(PalpationSolver solver, std::function<Acting(const Settings&)> acting,
+                                     std::function<Eigen::MatrixXd(const Acting&)> mesh_error_mm)
+    : solver_(std::move(solver)),
+      acting_(std::move(acting)),
+      mesh_error_mm_(std::move(mesh_error_mm)),
+      memory_(std::make_shared<Memory>()) {}
 
 Result<Eigen::MatrixXd> StiffenedResponse::at_markers(const Settings& settings) const {
   {
@@ -206,7 +210,8 @@ Result<Eigen::MatrixXd> StiffenedResponse::at_markers(const Settings& settings) 
   }
   const auto solved = equilibria(settings);
   if (!solved) return failure(solved.error());
-  Eigen::MatrixXd at_markers = (*solved)->at_shots(solver_.markers(), (*solved)->u_mm);
+  Eigen::MatrixXd at_markers =
+      (*solved)->at_shots(solver_.markers(), (*solved)->u_mm) + mesh_error_mm_((*solved)->acting);
   const std::lock_guard lock(memory_->guard);
   memory_->note({settings, at_markers, {}});
   return at_markers;
@@ -298,6 +303,7 @@ Result<std::vector<Eigen::MatrixXd>> StiffenedResponse::derivatives_at_markers(c
     return force_mN;
   };
   Eigen::MatrixXd forces_mN(here.u_mm.rows(), loads * parameters);
+  std::vector<Eigen::MatrixXd> error_slopes;
   std::vector<Eigen::Index> load_of_column;
   Settings moved = settings;
   Eigen::Index column = 0;
@@ -307,7 +313,9 @@ Result<std::vector<Eigen::MatrixXd>> StiffenedResponse::derivatives_at_markers(c
       moved[s].parameters[p] = value + step;
       const Acting ahead = acting_(moved);
       moved[s].parameters[p] = value - step;
-      forces_mN.middleCols(column * loads, loads) = -imbalance_between_mN(acting_(moved), ahead) / (2 * step);
+      const Acting behind = acting_(moved);
+      forces_mN.middleCols(column * loads, loads) = -imbalance_between_mN(behind, ahead) / (2 * step);
+      error_slopes.emplace_back((mesh_error_mm_(ahead) - mesh_error_mm_(behind)) / (2 * step));
       moved[s].parameters[p] = value;
       for (Eigen::Index l = 0; l < loads; ++l) load_of_column.push_back(l);
     }
@@ -326,10 +334,11 @@ Result<std::vector<Eigen::MatrixXd>> StiffenedResponse::derivatives_at_markers(c
   }
 
   auto with_slopes = std::make_shared<Nodal>(here);
-  Memory::Entry entry{settings, here.at_shots(solver_.markers(), here.u_mm), {}};
+  Memory::Entry entry{settings, here.at_shots(solver_.markers(), here.u_mm) + mesh_error_mm_(here.acting), {}};
   for (Eigen::Index i = 0; i < parameters; ++i) {
     with_slopes->by_parameter.emplace_back(slopes.middleCols(i * loads, loads));
-    entry.by_parameter.push_back(here.at_shots(solver_.markers(), with_slopes->by_parameter.back()));
+    entry.by_parameter.push_back(here.at_shots(solver_.markers(), with_slopes->by_parameter.back()) +
+                                 error_slopes[static_cast<std::size_t>(i)]);
   }
   std::vector<Eigen::MatrixXd> derivatives = entry.by_parameter;
   const std::lock_guard lock(memory_->guard);

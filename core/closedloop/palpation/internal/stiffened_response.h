@@ -22,7 +22,9 @@ struct Acting {
 
 class StiffenedResponse {
  public:
-  StiffenedResponse(PalpationSolver solver, std::function<Acting(const Settings&)> acting);
+  // `mesh_error_mm` is added to what the mesh's equations say: 3 rows a marker, a column a shot.
+  StiffenedResponse(PalpationSolver solver, std::function<Acting(const Settings&)> acting,
+                    std::function<Eigen::MatrixXd(const Acting&)> mesh_error_mm);
 
   // Displacements (mm): 3 rows a marker, a column a shot. The settings stiffen the specimen. Failures: those of
   // PalpationSolver, "stiffening-diverged".
@@ -37,6 +39,7 @@ class StiffenedResponse {
 
   PalpationSolver solver_;
   std::function<Acting(const Settings&)> acting_;
+  std::function<Eigen::MatrixXd(const Acting&)> mesh_error_mm_;
   std::shared_ptr<Memory> memory_;
 };
 

@@ -229,8 +229,7 @@ Eigen::VectorXd resisting_force_mN(const SpecimenBody& specimen, const Structure
 
 Result<Eigen::MatrixXd> stiffened_equilibria(const SpecimenBody& specimen, const PalpationSolver::Solution& linear,
                                              const Stiffening& stiffening, const Eigen::MatrixXd& forces_mN,
-                                             const Eigen::MatrixXd& start_mm) {
-  constexpr double tolerance = 1e-6;  // of the load: some 1e-5 mm
+                                             const Eigen::MatrixXd& start_mm, double tolerance) {
   constexpr int maximum_steps = 40, maximum_halvings = 12;
   const StiffeningBody body(specimen, linear.structure, stiffening);
   const Preconditioner precondition(specimen, linear);

@@ -18,10 +18,10 @@ namespace glisson::closedloop {
                                                  const Eigen::Ref<const Eigen::VectorXd>& u_mm);
 
 // One equilibrium a column of forces (mN), from the displacements given. `linear` is the structure's solution without
-// stiffening. Failure: "stiffening-diverged".
+// stiffening. They are in balance to `tolerance` of the load. Failure: "stiffening-diverged".
 Result<Eigen::MatrixXd> stiffened_equilibria(const SpecimenBody& specimen, const PalpationSolver::Solution& linear,
                                              const Stiffening& stiffening, const Eigen::MatrixXd& forces_mN,
-                                             const Eigen::MatrixXd& start_mm);
+                                             const Eigen::MatrixXd& start_mm, double tolerance = 1e-6);
 
 // (tangent at equilibrium `state_of_column[c]`)^-1 times column c of the forces. Failure: "stiffening-diverged".
 Result<Eigen::MatrixXd> solve_tangent(const SpecimenBody& specimen, const PalpationSolver::Solution& linear,
