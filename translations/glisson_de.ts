@@ -7307,6 +7307,10 @@
         <source>Cut freehand</source>
         <translation>Freihand schneiden</translation>
     </message>
+    <message>
+        <source>What holds the specimen gives way otherwise along its surface than across it; the rehearsal knows springs that are alike in all directions alone.</source>
+        <translation>Was den Prüfkörper hält, gibt längs seiner Oberfläche anders nach als quer dazu; die Probe kennt nur Federn, die in allen Richtungen gleich sind.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

@@ -7307,6 +7307,10 @@
         <source>Cut freehand</source>
         <translation>Cortar a mano alzada</translation>
     </message>
+    <message>
+        <source>What holds the specimen gives way otherwise along its surface than across it; the rehearsal knows springs that are alike in all directions alone.</source>
+        <translation>Lo que sujeta la muestra cede de otro modo a lo largo de su superficie que a través de ella; el ensayo solo conoce resortes iguales en todas las direcciones.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

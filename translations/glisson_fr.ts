@@ -7307,6 +7307,10 @@
         <source>Cut freehand</source>
         <translation>Couper à main levée</translation>
     </message>
+    <message>
+        <source>What holds the specimen gives way otherwise along its surface than across it; the rehearsal knows springs that are alike in all directions alone.</source>
+        <translation>Ce qui tient l’échantillon cède autrement le long de sa surface qu'en travers ; la répétition ne connaît que des ressorts égaux dans toutes les directions.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

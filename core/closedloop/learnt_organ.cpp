@@ -288,10 +288,9 @@ LearntEffect preloaded(const Learnt& effect, const Circumstances& about, OrganMo
 }
 
 LearntEffect anisotropic(const Learnt& effect, const Circumstances& about, OrganModel& organ) {
-  const mechanics::TransverseIsotropy anisotropy{effect.form == palpation::form_engineering
-                                                     ? mechanics::AnisotropyLaw::engineering
-                                                     : mechanics::AnisotropyLaw::fibres,
-                                                 effect.vector("axis"), effect.above_zero("ratio")};
+  const mechanics::TransverseIsotropy anisotropy{
+      anisotropy_law(effect.form), effect.vector("axis"), effect.above_zero("ratio"),
+      effect.form == palpation::form_three_moduli ? effect.above_zero("shear_ratio") : 1.0};
   if (!mechanics::check_anisotropy(anisotropy, mechanics::Scenario{}.poisson_ratio)) throw Misfit{"ratio"};
   organ.anisotropy = anisotropy;
   const Eigen::Vector3d axis = anisotropy.axis.normalized();
@@ -354,6 +353,11 @@ LearntEffect take(const Learnt& effect, const Circumstances& about, OrganModel& 
                    {shown(inclusion.ball.radius_mm), fmt::format("{:.0f}", inclusion.ball.center_mm.x()),
                     fmt::format("{:.0f}", inclusion.ball.center_mm.y()),
                     fmt::format("{:.0f}", inclusion.ball.center_mm.z()), shown(inclusion.ratio)});
+  }
+  if (effect.kind == palpation::support_compliance && effect.form == palpation::form_layer) {
+    return left_out(effect,
+                    GLISSON_TEXT("What holds the specimen gives way otherwise along its surface than across it; "
+                                 "the rehearsal knows springs that are alike in all directions alone."));
   }
   if (effect.kind == palpation::support_compliance) {
     const double foundation_kPa_per_mm = effect.above_zero("foundation_kPa_per_mm");

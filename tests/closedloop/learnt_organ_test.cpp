@@ -285,6 +285,16 @@ TEST_F(LearntOrganTest, SpringsInSeriesGiveWayTogether) {
   EXPECT_NEAR(std::get<mechanics::Foundation>(learnt->organ.supports.front().how).stiffness_kPa_per_mm, 0.2, 1e-12);
 }
 
+TEST_F(LearntOrganTest, ALayerThatShearsIsNoSpringOfTheRehearsal) {
+  const Palpation pad = pressed_once();
+  const Json layer =
+      effect_json("support-compliance", {{"foundation_kPa_per_mm", 0.25}, {"sideways_kPa_per_mm", 0.05}}, "layer");
+  const auto learnt = learn(model_json({layer}, pad), pad);
+  ASSERT_TRUE(learnt);
+  EXPECT_FALSE(learnt->effects[0].carried);
+  EXPECT_TRUE(std::holds_alternative<mechanics::Fixed>(learnt->organ.supports.front().how));
+}
+
 TEST_F(LearntOrganTest, AnotherBodysInclusionAndLoadStayWithIt) {
   const Palpation specimen = pressed_once();
   const Palpation organ = pressed_once({.size_mm = {90, 60, 30}});

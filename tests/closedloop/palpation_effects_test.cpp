@@ -34,6 +34,7 @@ Settings examples(const ForwardModel& model) {
           setting(model, palpation::strain_stiffening, "yeoh", {3}),
           setting(model, palpation::strain_stiffening, "ogden", {9}),
           setting(model, palpation::support_compliance, "", {0.6}),
+          setting(model, palpation::support_compliance, "layer", {0.6, 0.15}),
           setting(model, palpation::stiff_inclusion, "", {36, 26, 17, 9, 5}),
           setting(model, palpation::viscoelastic_creep, "prony-1", {0.4, 3}),
           setting(model, palpation::viscoelastic_creep, "prony-2", {0.2, 0.3, 1, 8}),
@@ -41,6 +42,7 @@ Settings examples(const ForwardModel& model) {
           setting(model, palpation::frame_misalignment, "", {0.5, -1, 0.7, 0.3, -0.2, 0.4}),
           setting(model, palpation::anisotropy, "fibres", {0.8, 0.6, 0.1, 2}),
           setting(model, palpation::anisotropy, "engineering", {0.8, 0.6, 0.1, 2}),
+          setting(model, palpation::anisotropy, "three-moduli", {0.8, 0.6, 0.1, 2, 0.6}),
           setting(model, palpation::capsule, "", {0.15}),
           setting(model, palpation::preload, "gravity", {1, -2, -9}),
           setting(model, palpation::preload, "pressure", {0.8})};
@@ -72,6 +74,8 @@ TEST(PalpationEffects, DerivativesOfEffectsThatActTogether) {
                            {named("strain-stiffening"), named("stiffness-scale"), named("support-compliance"),
                             named("viscoelastic-creep"), named("preload"), named("frame-misalignment")},
                            "with stiffening");
+  const Setting layer = setting(*model, palpation::support_compliance, "layer", {0.6, 0.15});
+  expect_exact_derivatives(*model, {named("stiffness-scale"), layer, named("capsule")}, "on a layer");
 }
 
 TEST(PalpationEffects, EachIsFoundAgainFromItsOwnData) {

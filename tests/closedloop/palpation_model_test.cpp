@@ -90,6 +90,20 @@ TEST(PalpationModel, PredictsWhatTheSolverOfMechanicsDoes) {
             1e-7);
 }
 
+TEST(PalpationModel, ALayerGivesWayOtherwiseAcrossThanSideways) {
+  Palpation experiment = pad({.bricks = {4, 4, 2}});
+  experiment.cell_young_kPa.assign(experiment.mesh.cells.size(), 1e6);  // as good as rigid
+  PalpationTrial push{"push", {{30, 30, 30}, 20.0, {0.6, 0, -0.8}}, {{0, 0, {}}}};
+  push.samples.push_back({1, 1600, {{"base", {30, 30, 0}, {30, 30, 0}}}});
+  experiment.trials = {push};
+  const Eigen::VectorXd u =
+      model_of(experiment)->predict({setting(palpation::support_compliance, "layer", {0.6, 0.15})}).value();
+  constexpr double base_mm2 = 60 * 60;
+  EXPECT_NEAR(u[0], 0.6 * 1600 / (0.15 * base_mm2), 1e-3);
+  EXPECT_NEAR(u[1], 0, 1e-3);
+  EXPECT_NEAR(u[2], -0.8 * 1600 / (0.6 * base_mm2), 1e-3);
+}
+
 // A bar on rollers under a uniform pull of its end is uniformly strained, whatever its law.
 Palpation bar() {
   Palpation experiment;

@@ -129,7 +129,8 @@ std::vector<Effect> catalogue_of(const Guidance& experiment, const SpecimenBody&
   for (const PalpationTrial& frame : experiment.organ.trials) pushed = pushed || frame.samples.back().force_mN != 0;
   std::vector<Effect> catalogue;
   for (Effect& effect : palpation_catalogue(experiment.organ, specimen)) {
-    const bool of_frames = effect.kind == palpation::stiffness_scale || effect.kind == palpation::support_compliance ||
+    const bool of_frames = effect.kind == palpation::stiffness_scale ||
+                           (effect.kind == palpation::support_compliance && effect.form != palpation::form_layer) ||
                            effect.kind == palpation::stiff_inclusion || effect.kind == palpation::frame_misalignment ||
                            (effect.kind == palpation::force_bias && pushed);
     if (!of_frames) continue;

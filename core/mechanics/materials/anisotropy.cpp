@@ -9,13 +9,15 @@
 namespace glisson::mechanics {
 namespace {
 
+Matrix9d normal_tangent(const TransverseIsotropy& anisotropy, double poisson_ratio);
+Matrix9d shear_along(const Eigen::Vector3d& axis);
 Matrix9d inverse_on_symmetric(const Matrix9d& compliance);
 
 }  // namespace
 
 Result<void> check_anisotropy(const TransverseIsotropy& anisotropy, double poisson_ratio) {
   if (!anisotropy.axis.allFinite() || anisotropy.axis.norm() < 1e-12 || !std::isfinite(anisotropy.ratio) ||
-      anisotropy.ratio <= 0) {
+      anisotropy.ratio <= 0 || !std::isfinite(anisotropy.shear_ratio) || anisotropy.shear_ratio <= 0) {
     return failure("grain-invalid", GLISSON_TEXT("A grain needs an axis of some length and a ratio above zero."));
   }
   const SymmetricModes modes = symmetric_modes(unit_tangent(anisotropy, poisson_ratio));
@@ -28,6 +30,15 @@ Result<void> check_anisotropy(const TransverseIsotropy& anisotropy, double poiss
 }
 
 Matrix9d unit_tangent(const TransverseIsotropy& anisotropy, double poisson_ratio) {
+  const Matrix9d tangent = normal_tangent(anisotropy, poisson_ratio);
+  if (anisotropy.shear_ratio == 1.0) return tangent;
+  return tangent + (anisotropy.shear_ratio - 1.0) / (1.0 + poisson_ratio) * shear_along(anisotropy.axis.normalized());
+}
+
+namespace {
+
+// With the isotropic shear moduli.
+Matrix9d normal_tangent(const TransverseIsotropy& anisotropy, double poisson_ratio) {
   const Matrix9d isotropic = isotropic_tangent_kPa(lame_from_youngs(1.0, poisson_ratio));
   if (anisotropy.ratio == 1.0) return isotropic;
   const Eigen::Vector3d axis = anisotropy.axis.normalized();
@@ -42,7 +53,18 @@ Matrix9d unit_tangent(const TransverseIsotropy& anisotropy, double poisson_ratio
   return inverse_on_symmetric(compliance);
 }
 
-namespace {
+// Takes of a tensor its symmetric part that shears planes along the axis.
+Matrix9d shear_along(const Eigen::Vector3d& axis) {
+  Eigen::Index smallest = 0;
+  axis.cwiseAbs().minCoeff(&smallest);
+  const Eigen::Vector3d first = axis.cross(Eigen::Vector3d::Unit(smallest)).normalized(), second = axis.cross(first);
+  Matrix9d sum = Matrix9d::Zero();
+  for (const Eigen::Vector3d& across : {first, second}) {
+    const Vector9d shear = std::sqrt(0.5) * as_vector(axis * across.transpose() + across * axis.transpose());
+    sum += shear * shear.transpose();
+  }
+  return sum;
+}
 
 // The stiffness whose inverse, on symmetric tensors, is the compliance.
 Matrix9d inverse_on_symmetric(const Matrix9d& compliance) {

@@ -8,6 +8,10 @@
 //                nu_transverse, and the isotropic shear moduli, which is how programs for orthotropic bodies are
 //                usually fed (e.g. Bower, Applied Mechanics of Solids, 3.2.12); not positive definite for ratios below
 //                about (4 nu - 1) / (2 - 2 nu)
+//
+// In both the shear modulus in planes along the axis is `shear_ratio` times the isotropic one. A body that hardly
+// changes its volume has no more constants than these three (Spencer, Continuum Theory of the Mechanics of
+// Fibre-Reinforced Composites, 1984, 1.3).
 
 #include <Eigen/Core>
 
@@ -22,9 +26,10 @@ struct TransverseIsotropy {
   AnisotropyLaw law = AnisotropyLaw::fibres;
   Eigen::Vector3d axis{0, 0, 1};  // of any length but zero
   double ratio = 1;               // of Young's modulus along the axis to that across it
+  double shear_ratio = 1;         // of the shear modulus along the axis to that across it
 };
 
-// Fails with "grain-invalid": an axis of no length, or a ratio that is not above zero. A ratio is refused too that is
+// Fails with "grain-invalid": an axis of no length, or ratios that are not above zero. A ratio is refused too that is
 // so low that the body would give energy back when it is strained.
 Result<void> check_anisotropy(const TransverseIsotropy& anisotropy, double poisson_ratio);
 

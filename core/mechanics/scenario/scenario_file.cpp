@@ -90,6 +90,7 @@ std::string scenario_text(const Scenario& scenario) {
     json["grain"] = {{"axis", {axis.x(), axis.y(), axis.z()}},
                      {"ratio", scenario.anisotropy->ratio},
                      {"law", scenario.anisotropy->law == AnisotropyLaw::fibres ? "fibres" : "engineering"}};
+    if (scenario.anisotropy->shear_ratio != 1) json["grain"]["shear_ratio"] = scenario.anisotropy->shear_ratio;
   }
   for (const RelaxationTerm& term : scenario.relaxation) {
     json["relaxation"].push_back({{"weight", term.weight}, {"time_s", term.time_s}});
@@ -295,10 +296,13 @@ Capsule capsule_from(const Json& json, const std::string& where) {
 }
 
 TransverseIsotropy anisotropy_from(const Json& json, const std::string& where) {
-  only_keys(json, {"axis", "ratio", "law"}, where);
+  only_keys(json, {"axis", "ratio", "law", "shear_ratio"}, where);
   TransverseIsotropy anisotropy;
   anisotropy.axis = vector_in(required(json, "axis", where), where + ", axis");
   anisotropy.ratio = positive_in(required(json, "ratio", where), where + ", ratio");
+  if (json.contains("shear_ratio")) {
+    anisotropy.shear_ratio = positive_in(json["shear_ratio"], where + ", shear_ratio");
+  }
   if (json.contains("law")) {
     anisotropy.law = one_of<AnisotropyLaw>(
         json["law"], where + ", law", {{"fibres", AnisotropyLaw::fibres}, {"engineering", AnisotropyLaw::engineering}});

@@ -24,8 +24,9 @@ class Body:
     poisson_ratio: float = 0.45
     density_kg_mm3: float = 1e-6
     hyperelastic: str = None              # CalculiX's card and its constants, instead of the two above
-    fibres: tuple = None                  # axis, ratio of the moduli along and across
+    fibres: tuple = None                  # axis, ratio of the moduli along and across, and of the shear moduli
     foundation_kPa_per_mm: float = None   # under the held faces, instead of holding them
+    sideways_kPa_per_mm: float = None     # ... along x and y, where that is another
     capsule_N_per_mm: float = None        # on all other faces
     attached: list = None                 # (which faces, kPa/mm): springs to the ground besides
     held_too: np.ndarray = None           # nodes that are held besides
@@ -141,15 +142,17 @@ def materials(body):
         axis = np.asarray(body.fibres[0], float) / np.linalg.norm(body.fibres[0])
         other = np.cross(axis, np.eye(3)[np.argmin(np.abs(axis))])
         lines += ["*ORIENTATION, NAME=FIBRES", ", ".join(f"{x:.9g}" for x in (*axis, *(other / np.linalg.norm(other))))]
-    springs = [("GROUND", body.foundation_kPa_per_mm)] if body.foundation_kPa_per_mm else []
-    springs += [(f"PATCH{patch}", stiffness) for patch, (_, stiffness) in enumerate(body.attached or [])]
-    for name, kPa_per_mm in springs:
-        # A thin layer with no cross effect between directions gives each square mm the same spring in all three,
-        # where the ground is flat and along the axes.
-        stiffness = kPa_per_mm * FOUNDATION_MM
+    springs = []
+    if body.foundation_kPa_per_mm:
+        springs = [("GROUND", body.foundation_kPa_per_mm, body.sideways_kPa_per_mm or body.foundation_kPa_per_mm)]
+    springs += [(f"PATCH{patch}", stiffness, stiffness) for patch, (_, stiffness) in enumerate(body.attached or [])]
+    for name, kPa_per_mm, sideways_kPa_per_mm in springs:
+        # A thin layer with no cross effect between directions gives each square mm one spring along z and one along x
+        # and y, where the ground is flat and along the axes.
+        stiffness, shear = kPa_per_mm * FOUNDATION_MM, sideways_kPa_per_mm * FOUNDATION_MM
         lines += [f"*MATERIAL, NAME=SPRINGS{name}", "*ELASTIC, TYPE=ENGINEERING CONSTANTS",
-                  f"{stiffness:.9g}, {stiffness:.9g}, {stiffness:.9g}, 0., 0., 0., {stiffness:.9g}, {stiffness:.9g},",
-                  f"{stiffness:.9g}", "*DENSITY", "1e-12", f"*SOLID SECTION, ELSET={name}, MATERIAL=SPRINGS{name}"]
+                  f"{stiffness:.9g}, {stiffness:.9g}, {stiffness:.9g}, 0., 0., 0., {shear:.9g}, {shear:.9g},",
+                  f"{shear:.9g}", "*DENSITY", "1e-12", f"*SOLID SECTION, ELSET={name}, MATERIAL=SPRINGS{name}"]
     if body.capsule_N_per_mm:
         lines += ["*MATERIAL, NAME=SKIN", "*ELASTIC", f"{1000 * body.capsule_N_per_mm / CAPSULE_MM:.9g}, 0.4", "*DENSITY",
                   "1e-12", "*SOLID SECTION, ELSET=CAPSULE, MATERIAL=SKIN"]
@@ -165,8 +168,9 @@ def elastic_card(body, youngs, softest):
     if not body.fibres:
         return ["*ELASTIC", f"{youngs:.9g}, {body.poisson_ratio}"]
     nu, shear, along = body.poisson_ratio, youngs / (2 + 2 * body.poisson_ratio), youngs * body.fibres[1]
+    sheared = shear * (body.fibres[2] if len(body.fibres) > 2 else 1)
     return ["*ELASTIC, TYPE=ENGINEERING CONSTANTS",
-            f"{along:.9g}, {youngs:.9g}, {youngs:.9g}, {nu}, {nu}, {nu}, {shear:.9g}, {shear:.9g},", f"{shear:.9g}"]
+            f"{along:.9g}, {youngs:.9g}, {youngs:.9g}, {nu}, {nu}, {nu}, {sheared:.9g}, {sheared:.9g},", f"{shear:.9g}"]
 
 
 def step(body, load):

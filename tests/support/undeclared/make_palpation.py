@@ -69,6 +69,17 @@ def inclusion(scene, rng):
     return Effects(inclusion=(np.round(center, 2).tolist(), round(radius, 2), round(rng.uniform(4, 10), 2)))
 
 
+def foam(scene, rng):
+    """A layer that shears more easily than it is pressed together, as confined foam and rubber do."""
+    across = scene.youngs_kPa * one_of(rng, (0.05, 0.3))
+    return Effects(foundation_kPa_per_mm=across, sideways_kPa_per_mm=across * one_of(rng, (0.05, 0.35)))
+
+
+def grain_that_shears(scene, rng):
+    """Fibres whose matrix shears otherwise along them than across."""
+    return Effects(fibres=(unit_vector(rng).round(4).tolist(), one_of(rng, (1.6, 4)), one_of(rng, (0.4, 0.7), (1.5, 2.5))))
+
+
 # Each kind of the catalogue, drawn anew for every case.
 INSIDE = {
     "stiffness-scale": lambda s, r: Effects(stiffness_factor=one_of(r, (0.5, 0.85), (1.2, 2))),
@@ -92,6 +103,8 @@ OUTSIDE = {
     "tilting-force": lambda s, r: Effects(tilt_deg=float(r.uniform(25, 45))),
     "drying": lambda s, r: Effects(drying_per_s=float(r.uniform(0.0008, 0.002))),
 }
+# Other forms of a kind: made where they are asked for.
+FORMS = {"support-compliance.layer": foam, "anisotropy.three-moduli": grain_that_shears}
 PAIRS = [("stiffness-scale", "support-compliance"), ("stiff-inclusion", "frame-misalignment"),
          ("viscoelastic-creep", "force-bias"), ("support-compliance", "preload"), ("anisotropy", "stiffness-scale"),
          ("viscoelastic-creep", "support-compliance"), ("capsule", "frame-misalignment")]
@@ -118,7 +131,7 @@ def make(folder, specimen, kinds, size, seed, noise_is):
         return
     scene = scene_of(specimen, "strain-stiffening" in kinds)
     rng = np.random.default_rng([seed, *map(ord, "".join(kinds))])
-    parts = [(INSIDE | OUTSIDE)[kind](scene, rng) for kind in kinds]
+    parts = [(INSIDE | OUTSIDE | FORMS)[kind](scene, rng) for kind in kinds]
     outside = any(kind in OUTSIDE for kind in kinds)
     if not parts:
         noise, size, effects = float(rng.choice([0.05, 0.1, 0.2])), 0.0, Effects()
@@ -130,7 +143,7 @@ def make(folder, specimen, kinds, size, seed, noise_is):
             return print(f"{folder.name}: is not made, it would take a noise of {effect / size:.3f} mm", flush=True)
         size = effect / noise
     shown = {k: v for k, v in vars(effects).items() if v != getattr(Effects(), k)}
-    write_case(folder, scene, effects, noise, seed, {"kinds": list(kinds), "outside": outside, "size": round(size, 2),
+    write_case(folder, scene, effects, noise, seed, {"kinds": [kind.split(".")[0] for kind in kinds], "outside": outside, "size": round(size, 2),
                                                      "noise": noise_is, "parameters": shown})
     print(f"{folder.name}: {size:.1f} times a noise of {noise} mm", flush=True)
 

@@ -54,13 +54,14 @@ class Effects:
     """What is switched on. The defaults are the declared model."""
     stiffness_factor: float = 1.0
     foundation_kPa_per_mm: float = None
+    sideways_kPa_per_mm: float = None      # of the foundation, where it is another along the ground
     inclusion: tuple = None                # centre, radius, ratio
     creep: list = field(default_factory=list)       # (amplitude, time_s) of the compliance's terms
     gain: float = 1.0
     zero_N: float = 0.0
     rotation_deg: tuple = (0, 0, 0)
     translation_mm: tuple = (0, 0, 0)
-    fibres: tuple = None                   # axis, ratio
+    fibres: tuple = None                   # axis, ratio, ratio of the shear moduli where it is not 1
     capsule_N_per_mm: float = None
     gravity_m_s2: tuple = None
     pressure_kPa: float = 0.0
@@ -259,7 +260,8 @@ def truth_body(scene, effects):
         else:
             tied = ligament_nodes(scene, mesh)
     return calculix.Body(mesh, youngs, scene.poisson_ratio, 1e-6, effects.hyperelastic, effects.fibres,
-                         effects.foundation_kPa_per_mm, effects.capsule_N_per_mm, attached, tied)
+                         effects.foundation_kPa_per_mm, effects.sideways_kPa_per_mm, effects.capsule_N_per_mm, attached,
+                         tied)
 
 
 def faces_within(mesh, center, radius):

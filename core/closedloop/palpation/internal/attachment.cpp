@@ -86,9 +86,13 @@ void add_springs(const mechanics::Body& body, const std::vector<SpringFace>& fac
     const auto& nodes = body.boundary[under.face].nodes;
     for (std::size_t a = 0; a < 6; ++a) {
       for (std::size_t b = 0; b < 6; ++b) {
-        if (nodes[a] < nodes[b]) continue;
-        for (int d = 0; d < 3; ++d)
-          lower.coeffRef(3 * nodes[a] + d, 3 * nodes[b] + d) += under.springs(Eigen::Index(a), Eigen::Index(b));
+        const Eigen::Matrix3d block = under.springs(Eigen::Index(a), Eigen::Index(b)) * under.directions;
+        for (int d = 0; d < 3; ++d) {
+          for (int e = 0; e < 3; ++e) {
+            const int row = 3 * nodes[a] + d, column = 3 * nodes[b] + e;
+            if (row >= column && block(d, e) != 0) lower.coeffRef(row, column) += block(d, e);
+          }
+        }
       }
     }
   }
@@ -101,7 +105,7 @@ void add_spring_forces(const mechanics::Body& body, const std::vector<SpringFace
     for (std::size_t a = 0; a < 6; ++a) {
       for (std::size_t b = 0; b < 6; ++b)
         force_mN.segment<3>(3 * nodes[a]) +=
-            under.springs(Eigen::Index(a), Eigen::Index(b)) * u_mm.segment<3>(3 * nodes[b]);
+            under.springs(Eigen::Index(a), Eigen::Index(b)) * (under.directions * u_mm.segment<3>(3 * nodes[b]));
     }
   }
 }

@@ -16,10 +16,12 @@ struct Attachment {
   double foundation_kPa_per_mm = 0;
 };
 
-// The springs under one face of the boundary, between its six nodes, alike for x, y and z (mN/mm).
+// The springs under one face of the boundary, between its six nodes (mN/mm). A displacement's force is `directions`
+// times it, alike for x, y and z unless said.
 struct SpringFace {
   std::size_t face = 0;
   Eigen::Matrix<double, 6, 6> springs;
+  Eigen::Matrix3d directions = Eigen::Matrix3d::Identity();
 };
 
 // Of the faces that it reaches; and how these change with the ball, per mm.

@@ -26,7 +26,7 @@ Sizes sizes_of(const Palpation& experiment, const SpecimenBody& specimen);
 
 Effect stiffness_scale();
 std::vector<Effect> strain_stiffening();
-Effect support_compliance(const Sizes& sizes, const SpecimenBody& specimen);
+std::vector<Effect> support_compliance(const Sizes& sizes, const SpecimenBody& specimen);
 Effect stiff_inclusion(const Sizes& sizes);
 std::vector<Parameter> ball_parameters(const Sizes& sizes, const Eigen::Vector3d& center_mm, double beyond_mm);
 Effect undeclared_attachment(const Sizes& sizes, const DeclaredSupports& supports, const Eigen::Vector3d& center_mm);
@@ -49,7 +49,7 @@ std::vector<Effect> palpation_catalogue(const Palpation& experiment, const Speci
   };
   add({stiffness_scale()});
   add(strain_stiffening());
-  if (specimen.soft) add({support_compliance(sizes, specimen)});
+  if (specimen.soft) add(support_compliance(sizes, specimen));
   add({stiff_inclusion(sizes)});
   if (sizes.longest_s > 0) add({creep(sizes, 1), creep(sizes, 2)});
   add({force_bias(sizes, experiment), frame_misalignment(sizes)});
@@ -157,13 +157,23 @@ std::vector<Effect> strain_stiffening() {
   return effects;
 }
 
-Effect support_compliance(const Sizes& sizes, const SpecimenBody& specimen) {
+std::vector<Effect> support_compliance(const Sizes& sizes, const SpecimenBody& specimen) {
   const double usual = sizes.youngs_kPa / sizes.extent_mm, held = declared_supports(specimen).fixed_from_kPa_per_mm;
-  return {palpation::support_compliance,
-          "",
-          {{"foundation_kPa_per_mm", held, 1e-3 * usual, held, 0.1 * usual, 10 * usual, Scale::logarithmic}},
-          GLISSON_TEXT("What holds the specimen gives way like a spring: all of it moves a little when it is pressed."),
-          {numbers_of({usual})}};
+  const auto stiffness = [&](const std::string& name) {
+    return Parameter{name, held, 1e-3 * usual, held, 0.1 * usual, 10 * usual, Scale::logarithmic};
+  };
+  const std::string sentence =
+      GLISSON_TEXT("What holds the specimen gives way like a spring: all of it moves a little when it is pressed.");
+  Effect spring{
+      palpation::support_compliance, "", {stiffness("foundation_kPa_per_mm")}, sentence, {numbers_of({usual})}};
+  // A confined layer of foam shears four times as easily as it is pressed together.
+  Effect layer{palpation::support_compliance,
+               palpation::form_layer,
+               {stiffness("foundation_kPa_per_mm"), stiffness("sideways_kPa_per_mm")},
+               sentence,
+               {numbers_of({usual, 0.25 * usual})}};
+  layer.late = true;
+  return {std::move(spring), std::move(layer)};
 }
 
 // Its centre, in the box or so far beyond it, and a radius.
@@ -303,6 +313,14 @@ std::vector<Effect> anisotropy(double poisson_ratio) {
          {numbers_of({1, 0, 0, 1.3}), numbers_of({0, 1, 0, 1.3}), numbers_of({0, 0, 1, 1.3})},
          form == palpation::form_engineering});
   }
+  Effect sheared = effects.back();
+  sheared.form = palpation::form_three_moduli;
+  sheared.parameters.push_back({"shear_ratio", 1, 0.1, 10, 0.5, 2, Scale::logarithmic});
+  for (Eigen::VectorXd& start : sheared.starts) {
+    start.conservativeResize(5);
+    start[4] = 1.1;
+  }
+  effects.push_back(std::move(sheared));
   return effects;
 }
 

@@ -3,14 +3,16 @@
 //
 // - stiffness-scale {factor}: Young's modulus everywhere.
 // - strain-stiffening {coefficient}: StiffeningLaw in state.h.
-// - support-compliance {foundation_kPa_per_mm}: structure.h.
+// - support-compliance {foundation_kPa_per_mm}: structure.h. The form layer {foundation_kPa_per_mm,
+//   sideways_kPa_per_mm} is another across the surface than along it.
 // - stiff-inclusion {center_mm[3], radius_mm, ratio}: structure.h.
 // - viscoelastic-creep, prony-1 or prony-2 {amplitude, time_s, each a vector}: the load that acts is the load that was
 //   put on, by the creep function. Exact where all of the specimen creeps alike.
 // - force-bias {zero_N, gain}: reading = gain * force + zero. Of guidance {gain}: a tool's stated force has no zero.
 // - frame-misalignment {rotation_deg[3], translation_mm[3]}: seen = R place + t; R by its rotation vector, about the
 //   origin of the coordinates.
-// - anisotropy, fibres or engineering {axis[3], ratio}: structure.h; the axis's length has no meaning.
+// - anisotropy, fibres or engineering {axis[3], ratio}: structure.h; the axis's length has no meaning. The form
+//   three-moduli {axis[3], ratio, shear_ratio} is engineering with a shear modulus of its own along the axis.
 // - undeclared-attachment {center_mm[3], radius_mm, foundation_kPa_per_mm}: attachment.h.
 // - missing-attachment, its form the declared support (DeclaredSupports::names) {left_kPa_per_mm}: that support is in
 //   series with a spring as stiff as this.
@@ -44,8 +46,9 @@ inline const std::string preload = "preload";
 
 inline const std::string form_exponential = "exponential", form_linear = "linear", form_yeoh = "yeoh",
                          form_ogden = "ogden";
+inline const std::string form_layer = "layer";
 inline const std::string form_prony_1 = "prony-1", form_prony_2 = "prony-2";
-inline const std::string form_fibres = "fibres", form_engineering = "engineering";
+inline const std::string form_fibres = "fibres", form_engineering = "engineering", form_three_moduli = "three-moduli";
 inline const std::string form_gravity = "gravity", form_pressure = "pressure";
 }  // namespace palpation
 

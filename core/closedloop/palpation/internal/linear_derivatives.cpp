@@ -29,11 +29,18 @@ std::vector<Chain> chain(const Setting& setting, const PalpationState& state) {
     const double compliance = state.structure.loosened->compliance_mm_per_kPa;
     return {{S::loosened_compliance, -compliance * compliance * state.stiffness_factor}};
   }
-  if (setting.kind == palpation::anisotropy) return {{S::axis_x}, {S::axis_y}, {S::axis_z}, {S::anisotropy_ratio}};
+  if (setting.kind == palpation::anisotropy) {
+    std::vector<Chain> links{{S::axis_x}, {S::axis_y}, {S::axis_z}, {S::anisotropy_ratio}};
+    if (setting.parameters.size() > 4) links.push_back({S::anisotropy_shear_ratio});
+    return links;
+  }
   if (setting.kind == palpation::capsule) return {{S::capsule, units::mN_from_N(1.0) / state.stiffness_factor}};
   if (setting.kind == palpation::support_compliance && state.structure.compliance_mm_per_kPa > 0) {
-    const double compliance = state.structure.compliance_mm_per_kPa;
-    return {{S::compliance, -compliance * compliance * state.stiffness_factor}};
+    const double across = state.structure.compliance_mm_per_kPa;
+    const double sideways = state.structure.sideways_compliance_mm_per_kPa;
+    const double factor = -across * across * state.stiffness_factor;
+    if (setting.form != palpation::form_layer) return {{S::compliance, factor}};
+    return {{S::compliance_across, factor}, {S::compliance_sideways, -sideways * sideways * state.stiffness_factor}};
   }
   return {};
 }
@@ -55,7 +62,10 @@ Result<std::vector<Eigen::MatrixXd>> linear_derivatives(const PalpationSolver& s
   if (state.stiffness_factor != 1 || std::any_of(settings.begin(), settings.end(), [](const Setting& setting) {
         return setting.kind == palpation::stiffness_scale;
       })) {
-    if (structure.compliance_mm_per_kPa > 0) wanted.push_back(StructureParameter::compliance);
+    if (structure.compliance_mm_per_kPa > 0) {
+      wanted.push_back(StructureParameter::compliance_across);
+      wanted.push_back(StructureParameter::compliance_sideways);
+    }
     if (structure.capsule_mN_per_mm > 0) wanted.push_back(StructureParameter::capsule);
     if (structure.attachment) wanted.push_back(StructureParameter::attachment_foundation);
     if (structure.loosened) wanted.push_back(StructureParameter::loosened_compliance);
@@ -85,7 +95,8 @@ Result<std::vector<Eigen::MatrixXd>> linear_derivatives(const PalpationSolver& s
         const double factor = state.stiffness_factor;
         Eigen::MatrixXd field = -(*response * amounts) / factor;
         if (structure.compliance_mm_per_kPa > 0) {
-          field += state.structure.compliance_mm_per_kPa * by(StructureParameter::compliance);
+          field += state.structure.compliance_mm_per_kPa * by(StructureParameter::compliance_across) +
+                   state.structure.sideways_compliance_mm_per_kPa * by(StructureParameter::compliance_sideways);
         }
         if (structure.capsule_mN_per_mm > 0) {
           field -= state.structure.capsule_mN_per_mm / (factor * factor) * by(StructureParameter::capsule);

@@ -77,15 +77,19 @@ Eigen::VectorXd one(double value) { return Eigen::VectorXd::Constant(1, value); 
 // Springs as soft as usual, as a measure: what they change, and how much of that is left over.
 std::vector<Start> compliance_starts(const Effect& effect, const PalpationSolver& solver, const PalpationState& state,
                                      const ResidualField& left, const PalpationStartOptions& options) {
+  const Eigen::VectorXd usual = effect.starts.front().cwiseInverse();
   Structure soft = state.scaled_structure();
-  const double usual = 1.0 / effect.starts.front()[0];
-  soft.compliance_mm_per_kPa += usual * state.stiffness_factor;
+  soft.compliance_mm_per_kPa += usual[0] * state.stiffness_factor;
+  soft.sideways_compliance_mm_per_kPa += usual[usual.size() - 1] * state.stiffness_factor;
   const auto before = solver.at_markers(state.scaled_structure());
   const auto after = solver.at_markers(soft);
   if (!before || !after) return {};
   const Match found = match_response(left, *after - *before);
-  const double compliance = usual * std::clamp(found.amount, options.minimum_compliance, options.maximum_compliance);
-  return {{one(clamped(1.0 / compliance, effect.parameters[0])), found.gain}};
+  const double amount = std::clamp(found.amount, options.minimum_compliance, options.maximum_compliance);
+  Eigen::VectorXd start = (amount * usual).cwiseInverse();
+  for (Eigen::Index p = 0; p < start.size(); ++p)
+    start[p] = clamped(start[p], effect.parameters[static_cast<std::size_t>(p)]);
+  return {{start, found.gain}};
 }
 
 std::vector<Start> capsule_starts(const Effect& effect, const PalpationSolver& solver, const PalpationState& state,
@@ -119,9 +123,7 @@ std::vector<Start> anisotropy_starts(const Effect& effect, const PalpationSolver
   if (!solution) return {};
   const Eigen::MatrixXd& u_mm = (*solution)->u_mm;
   const auto axes = directions();
-  const mechanics::AnisotropyLaw law = effect.form == palpation::form_engineering
-                                           ? mechanics::AnisotropyLaw::engineering
-                                           : mechanics::AnisotropyLaw::fibres;
+  const mechanics::AnisotropyLaw law = anisotropy_law(effect.form);
   Eigen::MatrixXd forces_mN(u_mm.rows(), u_mm.cols() * static_cast<Eigen::Index>(axes.size()));
   parallel_for(static_cast<std::size_t>(forces_mN.cols()), 1, [&](std::size_t begin, std::size_t end) {
     for (auto c = static_cast<Eigen::Index>(begin); c < static_cast<Eigen::Index>(end); ++c) {
@@ -145,8 +147,9 @@ std::vector<Start> anisotropy_starts(const Effect& effect, const PalpationSolver
   for (const std::size_t a : order) {
     if (starts.size() == options.maximum_axes || matches[a].gain < options.worth_of_axis * matches[order.front()].gain)
       break;
-    Eigen::VectorXd start(4);
-    start << axes[a],
+    Eigen::VectorXd start = effect.starts.front();
+    start.head<3>() = axes[a];
+    start[3] =
         clamped(std::clamp(std::exp(matches[a].amount), options.minimum_fibre_ratio, options.maximum_fibre_ratio),
                 effect.parameters[3]);
     const double away = options.away_from_isotropic;

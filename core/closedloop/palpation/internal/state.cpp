@@ -17,9 +17,14 @@ StiffeningLaw stiffening_law(const std::string& form) {
 
 }  // namespace
 
+mechanics::AnisotropyLaw anisotropy_law(const std::string& form) {
+  return form == palpation::form_fibres ? mechanics::AnisotropyLaw::fibres : mechanics::AnisotropyLaw::engineering;
+}
+
 Structure PalpationState::scaled_structure() const {
   Structure scaled = structure;
   scaled.compliance_mm_per_kPa *= stiffness_factor;
+  scaled.sideways_compliance_mm_per_kPa *= stiffness_factor;
   scaled.capsule_mN_per_mm /= stiffness_factor;
   if (scaled.attachment) scaled.attachment->foundation_kPa_per_mm /= stiffness_factor;
   if (scaled.loosened) scaled.loosened->compliance_mm_per_kPa *= stiffness_factor;
@@ -35,7 +40,10 @@ PalpationState state_of(const Settings& settings, const DeclaredSupports& suppor
     } else if (setting.kind == palpation::strain_stiffening) {
       state.stiffening = Stiffening{stiffening_law(setting.form), p[0]};
     } else if (setting.kind == palpation::support_compliance) {
-      state.structure.compliance_mm_per_kPa = p[0] >= supports.fixed_from_kPa_per_mm ? 0.0 : 1.0 / p[0];
+      if (p.minCoeff() < supports.fixed_from_kPa_per_mm) {
+        state.structure.compliance_mm_per_kPa = 1.0 / p[0];
+        state.structure.sideways_compliance_mm_per_kPa = 1.0 / p[p.size() - 1];
+      }
     } else if (setting.kind == palpation::stiff_inclusion) {
       state.structure.inclusion = Inclusion{{p.head<3>(), p[3]}, p[4]};
     } else if (setting.kind == palpation::undeclared_attachment) {
@@ -55,10 +63,8 @@ PalpationState state_of(const Settings& settings, const DeclaredSupports& suppor
       state.rotation_deg = p.head<3>();
       state.translation_mm = p.tail<3>();
     } else if (setting.kind == palpation::anisotropy) {
-      state.structure.anisotropy = mechanics::TransverseIsotropy{setting.form == palpation::form_engineering
-                                                                     ? mechanics::AnisotropyLaw::engineering
-                                                                     : mechanics::AnisotropyLaw::fibres,
-                                                                 p.head<3>(), p[3]};
+      state.structure.anisotropy =
+          mechanics::TransverseIsotropy{anisotropy_law(setting.form), p.head<3>(), p[3], p.size() > 4 ? p[4] : 1.0};
     } else if (setting.kind == palpation::capsule) {
       state.structure.capsule_mN_per_mm = units::mN_from_N(p[0]);
     } else if (setting.kind == palpation::preload && setting.form == palpation::form_pressure) {

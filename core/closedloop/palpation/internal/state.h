@@ -57,6 +57,9 @@ struct PalpationState {
   [[nodiscard]] Structure scaled_structure() const;
 };
 
+// Of an anisotropy's form in effects.h.
+[[nodiscard]] mechanics::AnisotropyLaw anisotropy_law(const std::string& form);
+
 // Settings of effects.h.
 [[nodiscard]] PalpationState state_of(const Settings& settings, const DeclaredSupports& supports);
 

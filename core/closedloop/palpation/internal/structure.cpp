@@ -13,17 +13,25 @@ using mechanics::Matrix9d;
 
 std::optional<SoftSupports> soft_supports(const mechanics::Body& body);
 
-// How far a face of the supports gives way in a structure, and the springs under all faces.
-double compliance_of(const SoftSupports::Face& face, const Structure& structure) {
+bool gives_way(const Structure& structure) { return structure.compliance_mm_per_kPa > 0 || structure.loosened; }
+
+// How far a face of the supports gives way in a structure.
+struct Compliance {
+  double across_mm_per_kPa = 0, sideways_mm_per_kPa = 0;
+};
+Compliance compliance_of(const SoftSupports::Face& face, const Structure& structure) {
   const bool loose = structure.loosened && structure.loosened->support == face.support;
-  return face.declared_compliance_mm_per_kPa + structure.compliance_mm_per_kPa +
-         (loose ? structure.loosened->compliance_mm_per_kPa : 0.0);
+  const double anyway = face.declared_compliance_mm_per_kPa + (loose ? structure.loosened->compliance_mm_per_kPa : 0.0);
+  return {anyway + structure.compliance_mm_per_kPa, anyway + structure.sideways_compliance_mm_per_kPa};
 }
-std::vector<mechanics::FoundationFace> foundations_of(const SpecimenBody& specimen, const Structure& structure);
-// How their springs change with the compliance of those that `moves` says.
+
+// The springs under the supports' faces of a structure that gives way; and how they change with the compliance of those
+// that `moves` says, across the surface, along it or both.
+std::vector<SpringFace> soft_springs(const SpecimenBody& specimen, const Structure& structure);
+enum class Direction { across, sideways, all };
 template <typename Moves>
-std::vector<SpringFace> foundations_by_compliance(const SpecimenBody& specimen, const Structure& structure,
-                                                  const Moves& moves);
+std::vector<SpringFace> springs_by_compliance(const SpecimenBody& specimen, const Structure& structure,
+                                              Direction direction, const Moves& moves);
 
 // The 18x18 matrix of a face's membrane for a capsule of 1 mN/mm.
 using FaceMembrane = Eigen::Matrix<double, 18, 18>;
@@ -65,9 +73,11 @@ bool operator==(const Structure& a, const Structure& b) {
               }) &&
          same(a.anisotropy, b.anisotropy,
               [](const mechanics::TransverseIsotropy& x, const mechanics::TransverseIsotropy& y) {
-                return x.law == y.law && x.axis == y.axis && x.ratio == y.ratio;
+                return x.law == y.law && x.axis == y.axis && x.ratio == y.ratio && x.shear_ratio == y.shear_ratio;
               }) &&
-         a.compliance_mm_per_kPa == b.compliance_mm_per_kPa && a.capsule_mN_per_mm == b.capsule_mN_per_mm;
+         a.compliance_mm_per_kPa == b.compliance_mm_per_kPa &&
+         a.sideways_compliance_mm_per_kPa == b.sideways_compliance_mm_per_kPa &&
+         a.capsule_mN_per_mm == b.capsule_mN_per_mm;
 }
 
 Result<SpecimenBody> specimen_body(geometry::TetMesh mesh, std::vector<double> youngs_kPa,
@@ -113,26 +123,31 @@ Eigen::SparseMatrix<double> stiffness(const SpecimenBody& specimen, const Struct
   const std::vector<double> factors = modulus_factors(specimen, structure);
   const Matrix9d tangent = unit_tangent(specimen, structure);
 
-  const std::vector<mechanics::FoundationFace> springs = foundations_of(specimen, structure);
-  auto lower = mechanics::assemble_blocks(body.layout, body.boundary, springs, [&](std::size_t cell, int b) {
-    // Moving node b by e changes the gradient by e g_b^T: the stress follows by these 9x3, the force on a by its g_a.
-    std::array<Eigen::Matrix<double, 9, 3>, Elements::points_per_cell> stress_by_b;
-    const Elements::Point* points = &elements.points[cell * Elements::points_per_cell];
-    for (std::size_t q = 0; q < stress_by_b.size(); ++q) {
-      const double modulus = body.youngs_kPa[cell] * factors[cell * Elements::points_per_cell + q];
-      const Eigen::Vector3d g = points[q].gradients.col(b);
-      stress_by_b[q] =
-          modulus * points[q].volume_mm3 *
-          (g[0] * tangent.middleCols<3>(0) + g[1] * tangent.middleCols<3>(3) + g[2] * tangent.middleCols<3>(6));
-    }
-    return [stress_by_b, points](int a) {
-      Eigen::Matrix3d block = Eigen::Matrix3d::Zero();
-      for (std::size_t q = 0; q < stress_by_b.size(); ++q) {
-        for (int d = 0; d < 3; ++d) block += points[q].gradients(d, a) * stress_by_b[q].template middleRows<3>(3 * d);
-      }
-      return block;
-    };
-  });
+  const bool soft = gives_way(structure);
+  const std::vector<mechanics::FoundationFace> none;
+  auto lower = mechanics::assemble_blocks(
+      body.layout, body.boundary, soft ? none : body.resolved.foundations, [&](std::size_t cell, int b) {
+        // Moving node b by e changes the gradient by e g_b^T: the stress follows by these 9x3, the force on a by its
+        // g_a.
+        std::array<Eigen::Matrix<double, 9, 3>, Elements::points_per_cell> stress_by_b;
+        const Elements::Point* points = &elements.points[cell * Elements::points_per_cell];
+        for (std::size_t q = 0; q < stress_by_b.size(); ++q) {
+          const double modulus = body.youngs_kPa[cell] * factors[cell * Elements::points_per_cell + q];
+          const Eigen::Vector3d g = points[q].gradients.col(b);
+          stress_by_b[q] =
+              modulus * points[q].volume_mm3 *
+              (g[0] * tangent.middleCols<3>(0) + g[1] * tangent.middleCols<3>(3) + g[2] * tangent.middleCols<3>(6));
+        }
+        return [stress_by_b, points](int a) {
+          Eigen::Matrix3d block = Eigen::Matrix3d::Zero();
+          for (std::size_t q = 0; q < stress_by_b.size(); ++q) {
+            for (int d = 0; d < 3; ++d)
+              block += points[q].gradients(d, a) * stress_by_b[q].template middleRows<3>(3 * d);
+          }
+          return block;
+        };
+      });
+  if (soft) add_springs(body, soft_springs(specimen, structure), lower);
   if (structure.attachment) add_springs(body, springs_of(body, *structure.attachment), lower);
   if (structure.capsule_mN_per_mm != 0) {
     for (const mechanics::BoundaryFace& face : body.boundary) {
@@ -182,12 +197,15 @@ Eigen::VectorXd stiffness_derivative(const SpecimenBody& specimen, const Structu
     case StructureParameter::axis_x:
     case StructureParameter::axis_y:
     case StructureParameter::axis_z:
-    case StructureParameter::anisotropy_ratio: {
+    case StructureParameter::anisotropy_ratio:
+    case StructureParameter::anisotropy_shear_ratio: {
       // The tangent is one 9x9 matrix for the whole body: differencing it costs nothing and errs by 1e-10.
       const auto moved = [&](double by) {
         mechanics::TransverseIsotropy anisotropy = structure.anisotropy.value();
         if (parameter == StructureParameter::anisotropy_ratio) {
           anisotropy.ratio += by;
+        } else if (parameter == StructureParameter::anisotropy_shear_ratio) {
+          anisotropy.shear_ratio += by;
         } else {
           anisotropy.axis[static_cast<int>(parameter) - static_cast<int>(StructureParameter::axis_x)] += by;
         }
@@ -213,12 +231,17 @@ Eigen::VectorXd stiffness_derivative(const SpecimenBody& specimen, const Structu
     case StructureParameter::loosened_compliance: {
       const std::size_t loose = structure.loosened.value().support;
       const auto moves = [&](const SoftSupports::Face& face) { return face.support == loose; };
-      return spring_forces(specimen, foundations_by_compliance(specimen, structure, moves), u_mm);
+      return spring_forces(specimen, springs_by_compliance(specimen, structure, Direction::all, moves), u_mm);
     }
-    case StructureParameter::compliance: {
+    case StructureParameter::compliance:
+    case StructureParameter::compliance_across:
+    case StructureParameter::compliance_sideways: {
       GLISSON_ASSERT(structure.compliance_mm_per_kPa > 0);
+      const Direction direction = parameter == StructureParameter::compliance          ? Direction::all
+                                  : parameter == StructureParameter::compliance_across ? Direction::across
+                                                                                       : Direction::sideways;
       const auto all = [](const SoftSupports::Face& /*face*/) { return true; };
-      return spring_forces(specimen, foundations_by_compliance(specimen, structure, all), u_mm);
+      return spring_forces(specimen, springs_by_compliance(specimen, structure, direction, all), u_mm);
     }
     case StructureParameter::capsule: {
       Structure membrane;
@@ -243,13 +266,14 @@ Eigen::VectorXd surface_force_mN(const SpecimenBody& specimen, const Structure& 
     force_mN +=
         structure.capsule_mN_per_mm * stiffness_derivative(specimen, structure, StructureParameter::capsule, u_mm);
   }
-  std::vector<SpringFace> springs;
-  if (structure.attachment) springs = springs_of(specimen.body, *structure.attachment);
-  for (const mechanics::FoundationFace& foundation : foundations_of(specimen, structure)) {
-    springs.push_back(whole_face(specimen.body, foundation.face));
-    springs.back().springs *= foundation.stiffness_kPa_per_mm;
+  if (structure.attachment) force_mN += spring_forces(specimen, springs_of(specimen.body, *structure.attachment), u_mm);
+  if (gives_way(structure)) return force_mN + spring_forces(specimen, soft_springs(specimen, structure), u_mm);
+  std::vector<SpringFace> declared;
+  for (const mechanics::FoundationFace& foundation : specimen.body.resolved.foundations) {
+    declared.push_back(whole_face(specimen.body, foundation.face));
+    declared.back().springs *= foundation.stiffness_kPa_per_mm;
   }
-  return force_mN + spring_forces(specimen, springs, u_mm);
+  return force_mN + spring_forces(specimen, declared, u_mm);
 }
 
 namespace {
@@ -292,27 +316,36 @@ std::optional<SoftSupports> soft_supports(const mechanics::Body& body) {
   return soft;
 }
 
+// `across` times what is normal to a face, `sideways` times what lies in it.
+Eigen::Matrix3d of_directions(const mechanics::BoundaryFace& face, double across, double sideways) {
+  const Eigen::Matrix3d normal = face.normal * face.normal.transpose();
+  return across * normal + sideways * (Eigen::Matrix3d::Identity() - normal);
+}
+
 // What is held has no spring.
-std::vector<mechanics::FoundationFace> foundations_of(const SpecimenBody& specimen, const Structure& structure) {
-  if (structure.compliance_mm_per_kPa == 0 && !structure.loosened) return specimen.body.resolved.foundations;
+std::vector<SpringFace> soft_springs(const SpecimenBody& specimen, const Structure& structure) {
   GLISSON_ASSERT(specimen.soft.has_value());
-  std::vector<mechanics::FoundationFace> springs;
+  std::vector<SpringFace> springs;
   for (const SoftSupports::Face& face : specimen.soft->faces) {
-    const double compliance = compliance_of(face, structure);
-    if (compliance > 0) springs.push_back({face.face, 1.0 / compliance});
+    const auto [across, sideways] = compliance_of(face, structure);
+    if (!(across > 0)) continue;
+    springs.push_back(whole_face(specimen.body, face.face));
+    springs.back().directions = of_directions(specimen.body.boundary[face.face], 1 / across, 1 / sideways);
   }
   return springs;
 }
 
 template <typename Moves>
-std::vector<SpringFace> foundations_by_compliance(const SpecimenBody& specimen, const Structure& structure,
-                                                  const Moves& moves) {
+std::vector<SpringFace> springs_by_compliance(const SpecimenBody& specimen, const Structure& structure,
+                                              Direction direction, const Moves& moves) {
   std::vector<SpringFace> changes;
   for (const SoftSupports::Face& face : specimen.soft->faces) {
     if (!moves(face)) continue;
-    const double compliance = compliance_of(face, structure);
+    const auto [across, sideways] = compliance_of(face, structure);
     changes.push_back(whole_face(specimen.body, face.face));
-    changes.back().springs *= -1.0 / (compliance * compliance);
+    changes.back().directions =
+        of_directions(specimen.body.boundary[face.face], direction == Direction::sideways ? 0 : -1 / (across * across),
+                      direction == Direction::across ? 0 : -1 / (sideways * sideways));
   }
   return changes;
 }

@@ -7,8 +7,9 @@
 // - An attachment is springs under a part of the surface (attachment.h); a loosened support has springs per unit area
 // in
 //   place of what it declares, and the other supports stay as they are.
-// - Compliant supports are springs per unit area, equal in all directions, in place of what is fixed. They lie under
-//   the boundary faces all of whose points a support holds. A declared foundation gets the compliance in series.
+// - Compliant supports are springs per unit area in place of what is fixed, equal in all directions or, as a thin layer
+//   of foam, softer along the surface than across it. They lie under the boundary faces all of whose points a support
+//   holds. A declared foundation gets the compliance in series.
 // - A capsule is a membrane on the whole surface, without bending stiffness: Young's modulus times thickness (mN/mm),
 //   in plane stress with the specimen's Poisson's ratio.
 //
@@ -41,7 +42,8 @@ struct Structure {
   std::optional<Attachment> attachment;
   std::optional<Loosened> loosened;
   std::optional<mechanics::TransverseIsotropy> anisotropy;
-  double compliance_mm_per_kPa = 0;  // of the supports; 0 holds as declared
+  double compliance_mm_per_kPa = 0;           // of the supports, across the surface; 0 holds as declared
+  double sideways_compliance_mm_per_kPa = 0;  // ... and along it; 0 where the other is, and only there
   double capsule_mN_per_mm = 0;
 };
 [[nodiscard]] bool operator==(const Structure& a, const Structure& b);
@@ -62,7 +64,10 @@ enum class StructureParameter {
   axis_y,
   axis_z,
   anisotropy_ratio,
-  compliance,
+  anisotropy_shear_ratio,
+  compliance,  // in all directions
+  compliance_across,
+  compliance_sideways,
   capsule
 };
 
@@ -100,8 +105,8 @@ Result<SpecimenBody> specimen_body(geometry::TetMesh mesh, std::vector<double> y
 [[nodiscard]] Eigen::SparseMatrix<double> stiffness(const SpecimenBody& specimen, const Structure& structure);
 [[nodiscard]] const std::vector<std::uint8_t>& fixed_unknowns(const SpecimenBody& specimen, const Structure& structure);
 
-// (d stiffness / d parameter) u, mN per unit of the parameter. `compliance` needs a structure whose compliance is
-// above zero, `axis` and `anisotropy_ratio` one that has an anisotropy, and so on.
+// (d stiffness / d parameter) u, mN per unit of the parameter. Those of the compliance need a structure whose
+// compliance is above zero, `axis` and the ratios one that has an anisotropy, and so on.
 [[nodiscard]] Eigen::VectorXd stiffness_derivative(const SpecimenBody& specimen, const Structure& structure,
                                                    StructureParameter parameter,
                                                    const Eigen::Ref<const Eigen::VectorXd>& u_mm);
