@@ -5,14 +5,14 @@
 #   tests/benchmarks/closed_loop.sh SET [FOLDER]     # build/closed-loop
 #
 #   material | platform | guidance | ties | planes | waves | waves-2     minutes
-#   wave-nulls | small | livers | palpations                             a quarter of an hour to hours
+#   wave-nulls | small | stiffening | forms | livers | palpations        a quarter of an hour to hours
 #
 # It may be stopped and taken up again: cases made once stay, and what a program said of a case is asked again only of another
 # program (judge.py). Other seeds: the makers in tests/support/undeclared, then judge.py. Needs python3-numpy and, for organs,
 # calculix-ccx.
 set -e
 cd "$(dirname "$0")/../.."
-set=${1:?which set: material, platform, guidance, ties, planes, waves, waves-2, wave-nulls, small, livers or palpations}
+set=${1:?which set: material, platform, guidance, ties, planes, waves, waves-2, wave-nulls, small, stiffening, forms, livers or palpations}
 cases=${2:-build/closed-loop}/$set
 make() { sort=$1; shift; tests/support/undeclared/make_"$sort".py "$cases" "$@" > /dev/null; }
 
@@ -41,6 +41,15 @@ case $set in
   small)
     make palpation --seed 41 --specimens small --sizes 2,4,8
     make palpation --seed 41 --specimens small --kinds pairs --sizes 8 ;;
+  stiffening)
+    for seed in 3956 47254; do make palpation --seed $seed --specimens tiny,small --kinds strain-stiffening --sizes 2.4,4; done
+    make palpation --seed 3956 --specimens tiny --kinds viscoelastic-creep,stiffness-scale,null --sizes 2.4 ;;
+  forms)
+    for seed in 52447 64650; do
+      make palpation --seed $seed --specimens tiny,small --kinds support-compliance.layer --sizes 2,4,8
+      make palpation --seed $seed --specimens tiny --kinds anisotropy.three-moduli --sizes 2,4
+      make palpation --seed $seed --specimens tiny --kinds support-compliance,null --sizes 2
+    done ;;
   livers)
     make palpation --seed 61 --specimens liver-12 --sizes 4
     make palpation --seed 71 --specimens liver-21 --kinds null,preload,cut,drying --sizes 2,4,8
