@@ -6052,10 +6052,6 @@
         <translation>Rest: {0}</translation>
     </message>
     <message>
-        <source>A command is {&quot;hold&quot;: {...}}, {&quot;release&quot;: id}, {&quot;cut&quot;: {...}}, {&quot;undo&quot;: true}, {&quot;settle&quot;: true} or {&quot;compare&quot;: true}.</source>
-        <translation>Ein Befehl ist {&quot;hold&quot;: {...}}, {&quot;release&quot;: id}, {&quot;cut&quot;: {...}}, {&quot;undo&quot;: true}, {&quot;settle&quot;: true} oder {&quot;compare&quot;: true}.</translation>
-    </message>
-    <message>
         <source>The image cuts the liver off towards {0}: only whole ones can be retracted.</source>
         <translation>Das Bild schneidet die Leber ab, Richtung: {0}. Nur ganze lassen sich anheben.</translation>
     </message>
@@ -7310,6 +7306,38 @@
     <message>
         <source>What holds the specimen gives way otherwise along its surface than across it; the rehearsal knows springs that are alike in all directions alone.</source>
         <translation>Was den Prüfkörper hält, gibt längs seiner Oberfläche anders nach als quer dazu; die Probe kennt nur Federn, die in allen Richtungen gleich sind.</translation>
+    </message>
+    <message>
+        <source>A body in motion keeps its moduli.</source>
+        <translation>Ein Körper in Bewegung behält seine Moduln.</translation>
+    </message>
+    <message>
+        <source>A session in motion is by quadratic finite elements.</source>
+        <translation>Eine Sitzung in Bewegung rechnet mit quadratischen finiten Elementen.</translation>
+    </message>
+    <message>
+        <source>A command is {&quot;hold&quot;: {...}}, {&quot;release&quot;: id}, {&quot;cut&quot;: {...}}, {&quot;undo&quot;: true}, {&quot;settle&quot;: true}, {&quot;compare&quot;: true} or {&quot;wait_steps&quot;: n}.</source>
+        <translation>Ein Befehl ist {&quot;hold&quot;: {...}}, {&quot;release&quot;: id}, {&quot;cut&quot;: {...}}, {&quot;undo&quot;: true}, {&quot;settle&quot;: true}, {&quot;compare&quot;: true} oder {&quot;wait_steps&quot;: n}.</translation>
+    </message>
+    <message>
+        <source>A cut does not advance in a session in motion.</source>
+        <translation>In einer Sitzung in Bewegung lässt sich kein Schnitt weiterführen.</translation>
+    </message>
+    <message>
+        <source>Cut in a session at rest.</source>
+        <translation>Schneiden Sie in einer Sitzung in Ruhe.</translation>
+    </message>
+    <message>
+        <source>At large strain a session in motion is damped by its mass alone.</source>
+        <translation>Bei großen Dehnungen dämpft eine Sitzung in Bewegung allein über die Masse.</translation>
+    </message>
+    <message>
+        <source>A session in motion is by finite elements.</source>
+        <translation>Eine Sitzung in Bewegung rechnet mit finiten Elementen.</translation>
+    </message>
+    <message>
+        <source>Take the engine &quot;fem&quot;, or no motion.</source>
+        <translation>Nehmen Sie das Verfahren &quot;fem&quot;, oder keine Bewegung.</translation>
     </message>
 </context>
 <context>

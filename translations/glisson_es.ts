@@ -6052,10 +6052,6 @@
         <translation>residuo: {0}</translation>
     </message>
     <message>
-        <source>A command is {&quot;hold&quot;: {...}}, {&quot;release&quot;: id}, {&quot;cut&quot;: {...}}, {&quot;undo&quot;: true}, {&quot;settle&quot;: true} or {&quot;compare&quot;: true}.</source>
-        <translation>Una orden es {&quot;hold&quot;: {...}}, {&quot;release&quot;: id}, {&quot;cut&quot;: {...}}, {&quot;undo&quot;: true}, {&quot;settle&quot;: true} o {&quot;compare&quot;: true}.</translation>
-    </message>
-    <message>
         <source>The image cuts the liver off towards {0}: only whole ones can be retracted.</source>
         <translation>La imagen corta el hígado (lado: {0}): solo se retraen hígados enteros.</translation>
     </message>
@@ -7310,6 +7306,38 @@
     <message>
         <source>What holds the specimen gives way otherwise along its surface than across it; the rehearsal knows springs that are alike in all directions alone.</source>
         <translation>Lo que sujeta la muestra cede de otro modo a lo largo de su superficie que a través de ella; el ensayo solo conoce resortes iguales en todas las direcciones.</translation>
+    </message>
+    <message>
+        <source>A body in motion keeps its moduli.</source>
+        <translation>Un cuerpo en movimiento conserva sus módulos.</translation>
+    </message>
+    <message>
+        <source>A session in motion is by quadratic finite elements.</source>
+        <translation>Una sesión en movimiento se calcula con elementos finitos cuadráticos.</translation>
+    </message>
+    <message>
+        <source>A command is {&quot;hold&quot;: {...}}, {&quot;release&quot;: id}, {&quot;cut&quot;: {...}}, {&quot;undo&quot;: true}, {&quot;settle&quot;: true}, {&quot;compare&quot;: true} or {&quot;wait_steps&quot;: n}.</source>
+        <translation>Una orden es {&quot;hold&quot;: {...}}, {&quot;release&quot;: id}, {&quot;cut&quot;: {...}}, {&quot;undo&quot;: true}, {&quot;settle&quot;: true}, {&quot;compare&quot;: true} o {&quot;wait_steps&quot;: n}.</translation>
+    </message>
+    <message>
+        <source>A cut does not advance in a session in motion.</source>
+        <translation>Un corte no avanza en una sesión en movimiento.</translation>
+    </message>
+    <message>
+        <source>Cut in a session at rest.</source>
+        <translation>Corte en una sesión en reposo.</translation>
+    </message>
+    <message>
+        <source>At large strain a session in motion is damped by its mass alone.</source>
+        <translation>Con deformaciones grandes, una sesión en movimiento se amortigua solo por su masa.</translation>
+    </message>
+    <message>
+        <source>A session in motion is by finite elements.</source>
+        <translation>Una sesión en movimiento se calcula con elementos finitos.</translation>
+    </message>
+    <message>
+        <source>Take the engine &quot;fem&quot;, or no motion.</source>
+        <translation>Tome el método &quot;fem&quot;, o ningún movimiento.</translation>
     </message>
 </context>
 <context>

@@ -6052,10 +6052,6 @@
         <translation>résidu : {0}</translation>
     </message>
     <message>
-        <source>A command is {&quot;hold&quot;: {...}}, {&quot;release&quot;: id}, {&quot;cut&quot;: {...}}, {&quot;undo&quot;: true}, {&quot;settle&quot;: true} or {&quot;compare&quot;: true}.</source>
-        <translation>Une commande est {&quot;hold&quot;: {...}}, {&quot;release&quot;: id}, {&quot;cut&quot;: {...}}, {&quot;undo&quot;: true}, {&quot;settle&quot;: true} ou {&quot;compare&quot;: true}.</translation>
-    </message>
-    <message>
         <source>The image cuts the liver off towards {0}: only whole ones can be retracted.</source>
         <translation>L&apos;image coupe le foie (côté : {0}) : seuls des foies entiers peuvent être rétractés.</translation>
     </message>
@@ -7310,6 +7306,38 @@
     <message>
         <source>What holds the specimen gives way otherwise along its surface than across it; the rehearsal knows springs that are alike in all directions alone.</source>
         <translation>Ce qui tient l’échantillon cède autrement le long de sa surface qu'en travers ; la répétition ne connaît que des ressorts égaux dans toutes les directions.</translation>
+    </message>
+    <message>
+        <source>A body in motion keeps its moduli.</source>
+        <translation>Un corps en mouvement garde ses modules.</translation>
+    </message>
+    <message>
+        <source>A session in motion is by quadratic finite elements.</source>
+        <translation>Une session en mouvement se calcule par éléments finis quadratiques.</translation>
+    </message>
+    <message>
+        <source>A command is {&quot;hold&quot;: {...}}, {&quot;release&quot;: id}, {&quot;cut&quot;: {...}}, {&quot;undo&quot;: true}, {&quot;settle&quot;: true}, {&quot;compare&quot;: true} or {&quot;wait_steps&quot;: n}.</source>
+        <translation>Une commande est {&quot;hold&quot;: {...}}, {&quot;release&quot;: id}, {&quot;cut&quot;: {...}}, {&quot;undo&quot;: true}, {&quot;settle&quot;: true}, {&quot;compare&quot;: true} ou {&quot;wait_steps&quot;: n}.</translation>
+    </message>
+    <message>
+        <source>A cut does not advance in a session in motion.</source>
+        <translation>Une coupe n’avance pas dans une session en mouvement.</translation>
+    </message>
+    <message>
+        <source>Cut in a session at rest.</source>
+        <translation>Coupez dans une session au repos.</translation>
+    </message>
+    <message>
+        <source>At large strain a session in motion is damped by its mass alone.</source>
+        <translation>En grandes déformations, une session en mouvement n’est amortie que par sa masse.</translation>
+    </message>
+    <message>
+        <source>A session in motion is by finite elements.</source>
+        <translation>Une session en mouvement se calcule par éléments finis.</translation>
+    </message>
+    <message>
+        <source>Take the engine &quot;fem&quot;, or no motion.</source>
+        <translation>Prenez la méthode &quot;fem&quot;, ou pas de mouvement.</translation>
     </message>
 </context>
 <context>

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <cmath>
 
 #include "base/files.h"
 #include "base/write_file.h"
@@ -92,6 +93,12 @@ Json json_of(const rehearsal::SessionState& state) {
   add_reaction(json, state.patient_step);
   if (!state.refused.empty()) json["refused"] = state.refused;
   if (state.reference_step) json["atlas"] = json_of(*state.reference_step);
+  if (const auto& motion = state.motion) {
+    json["motion"] = {
+        {"time_s", motion->time_s}, {"largest_speed_mm_s", motion->largest_speed_mm_s}, {"moves", motion->moves}};
+    json["patient"].erase("energy_uJ");  // which is not computed live
+    if (state.reference_step) json["atlas"].erase("energy_uJ");
+  }
   if (const auto& beside = state.beside_elements) {
     json["finite_elements"] = {{"landmarks_mm", beside->landmarks_mm},
                                {"surface_mm", beside->surface_mm},
@@ -142,6 +149,9 @@ std::string in_words(const rehearsal::SessionState& state) {
   if (state.error_bound_mm) {
     moved += fmt::format(", landmarks within {:.2f} mm{}", *state.error_bound_mm,
                          *state.error_bound_mm > rehearsal::SessionEngine::shown_mm ? " (still settling)" : "");
+  }
+  if (const auto& motion = state.motion) {
+    moved += fmt::format(", after {:.2f} s at {:.1f} mm/s", motion->time_s, motion->largest_speed_mm_s);
   }
   return fmt::format("{:3}  {}, in {:6.1f} ms. {}{}\n", state.number, moved, state.step_ms,
                      state.validity.sentence().message(), state.refused.empty() ? "" : "  REFUSED: " + state.refused);
@@ -203,7 +213,11 @@ Result<Outcome> run(const SessionCommand& options, const Progress& progress) {
   if (question->setup.law.law == MaterialLaw::linear && has_friction(*commands)) {
     question->remarks.emplace_back("At small strain every tool is smooth: friction is computed at large strain alone.");
   }
+  if (question->setup.motion && question->setup.law.law != MaterialLaw::linear && !question->setup.relaxation.empty()) {
+    question->remarks.emplace_back("At large strain tissue does not creep in motion: its moduli are those after long.");
+  }
   const MaterialLaw law = question->setup.law.law;
+  const std::optional<mechanics::Motion> motion = question->setup.motion;
   const auto reference =
       options.source.live ? rehearsal::WithReference::when_asked : rehearsal::reference_in(*commands);
   auto engine = rehearsal::SessionEngine::create(std::move(question->setup), progress.part(0.0, 0.5), reference);
@@ -218,7 +232,8 @@ Result<Outcome> run(const SessionCommand& options, const Progress& progress) {
   outcome.text += bullet_list(question->remarks);
   rehearsal::Recording recording;
   std::optional<std::size_t> first_other;
-  double all_ms = 0;
+  double all_ms = 0, time_s = 0;
+  long steps_of_time = 0;
   for (std::size_t i = 0; i < commands->size(); ++i) {
     progress.report(0.5 + 0.5 * double(i) / double(commands->size()), GLISSON_TEXT("Moving the tools"));
     if (progress.cancelled()) return cancelled();
@@ -227,6 +242,10 @@ Result<Outcome> run(const SessionCommand& options, const Progress& progress) {
     if (!recorded.empty() && recorded != state.digest && !first_other) first_other = i;
     recording.emplace_back(command, state.digest);
     all_ms += state.step_ms;
+    if (state.motion) {
+      steps_of_time += std::max(0L, std::lround((state.motion->time_s - time_s) / motion->step_s));
+      time_s = state.motion->time_s;  // which undo sets back
+    }
     Json json = json_of(state);
     json["settled_ms"] = state.step_ms;
     const bool is_last = i + 1 == commands->size();
@@ -241,6 +260,10 @@ Result<Outcome> run(const SessionCommand& options, const Progress& progress) {
     outcome.text += in_words(state);
   }
   if (all_ms > 0) outcome.document["frames_per_s"] = 1e3 * double(commands->size()) / all_ms;
+  if (motion) {
+    outcome.document["motion"] = {{"step_s", motion->step_s}, {"steps", steps_of_time}};
+    if (all_ms > 0) outcome.document["motion"]["steps_per_s"] = 1e3 * double(steps_of_time) / all_ms;
+  }
   if (first_other) {
     return failure(Error{"replay-differs",
                          GLISSON_TEXT("Command {0} led to another state than was recorded."),
@@ -316,7 +339,8 @@ void add_session(CLI::App& app, Action& chosen) {
   scenario->needs(mesh);
   command
       ->add_option("--commands", options->commands_files,
-                   "\"glisson-session/1\" (JSON): hold, release, cut, undo and settle; a digest that stands there must "
+                   "\"glisson-session/1\" (JSON): hold, release, cut, undo, settle and wait_steps; a digest that "
+                   "stands there must "
                    "come out again. Several files are orders of steps, which are compared")
       ->required();
   CLI::Option* engine =
@@ -342,6 +366,23 @@ void add_session(CLI::App& app, Action& chosen) {
       ->add_option("--strain-stiffening", options->source.strain_stiffening,
                    "Of veronda-westmann: how soon it stiffens (its c2)")
       ->check(CLI::PositiveNumber);
+  CLI::Option* step =
+      command
+          ->add_option("--motion", options->source.step_s,
+                       "In motion by steps of so many seconds: each small move of a tool passes one, wait_steps more; "
+                       "tissue that "
+                       "creeps does so at small strain. Default: what the scenario says, of a case at rest")
+          ->check(CLI::PositiveNumber);
+  command
+      ->add_option("--mass-damping", options->source.mass_damping_per_s,
+                   "In motion, Rayleigh damping: times the mass (1/s); default 0")
+      ->check(CLI::NonNegativeNumber)
+      ->needs(step);
+  command
+      ->add_option("--stiffness-damping", options->source.stiffness_damping_s,
+                   "In motion, Rayleigh damping: times the tissue's stiffness (s); default 0")
+      ->check(CLI::NonNegativeNumber)
+      ->needs(step);
   command
       ->add_option("--settle", options->settle,
                    "At large strain, bring frames to rest beside the run: each (default), the last one, none")

@@ -41,6 +41,16 @@ Result<SessionQuestion> question_of_mesh(const std::string& mesh_file, const std
   return SessionQuestion{std::move(*setup), {}, {}, {}, {}};
 }
 
+void put_into_motion(rehearsal::RehearsalSetup& setup, const SessionSource& source) {
+  if (source.step_s) {
+    if (!setup.motion) setup.motion.emplace();
+    setup.motion->step_s = *source.step_s;
+  }
+  if (!setup.motion) return;
+  if (source.mass_damping_per_s) setup.motion->mass_damping_per_s = *source.mass_damping_per_s;
+  if (source.stiffness_damping_s) setup.motion->stiffness_damping_s = *source.stiffness_damping_s;
+}
+
 }  // namespace
 
 Result<SessionQuestion> question_of(const SessionSource& source, bool with_structures) {
@@ -50,6 +60,7 @@ Result<SessionQuestion> question_of(const SessionSource& source, bool with_struc
   if (source.engine == mechanics::Engine::fem) question->setup.meshfree.reset();
   if (source.engine == mechanics::Engine::meshfree && !question->setup.meshfree) question->setup.meshfree.emplace();
   if (source.nodes && question->setup.meshfree) question->setup.meshfree->nodes = *source.nodes;
+  put_into_motion(question->setup, source);
   mechanics::ChosenLaw& law = question->setup.law;
   if (source.material) law.law = *source.material;
   if (source.strain_stiffening) {

@@ -25,6 +25,8 @@ struct SessionSource {
   std::optional<int> nodes;                 // of the meshfree engine
   std::optional<mechanics::MaterialLaw> material;
   std::optional<double> strain_stiffening;
+  // A step in time, and Rayleigh's damping; absent: what the scenario says, of a case none.
+  std::optional<double> step_s, mass_damping_per_s, stiffness_damping_s;
   // Of a case: as the window rehearses it, to the bit.
   bool live = false;
 };

@@ -42,6 +42,7 @@ rehearsal::RehearsalSetup rehearsal_setup(PatientModel model) {
   setup.options.capsule = model.capsule;
   setup.options.anisotropy = model.anisotropy;
   setup.patient_stiffening = model.strain_stiffening;
+  setup.relaxation = std::move(model.relaxation);
   return setup;
 }
 

@@ -20,6 +20,18 @@ bool replaces(const SessionCommand& later, const SessionCommand& earlier) {
          now->tool.what.index() == before->tool.what.index();
 }
 
+// Steps of time that pass one by one are one wait in a recording.
+void record(const SessionCommand& command, const std::string& digest, Recording& recording) {
+  const auto* wait = std::get_if<Wait>(&command);
+  auto* before = recording.empty() ? nullptr : std::get_if<Wait>(&recording.back().first);
+  if (wait == nullptr || before == nullptr || before->steps + wait->steps > SessionEngine::most_waited_steps) {
+    recording.emplace_back(command, digest);
+    return;
+  }
+  before->steps += wait->steps;
+  recording.back().second = digest;
+}
+
 }  // namespace
 
 struct LiveSession::Impl {
@@ -53,6 +65,7 @@ LiveSession::~LiveSession() {
 }
 
 void LiveSession::Impl::run(const std::stop_token& closing, RehearsalSetup setup) {
+  const double step_s = setup.motion ? setup.motion->step_s : 0;
   auto engine = SessionEngine::create(std::move(setup), Progress({}, closing), WithReference::when_asked);
   std::future<void> making;  // it ends before the engine does, and after the lock is given back
   std::unique_lock lock(mutex);
@@ -61,7 +74,7 @@ void LiveSession::Impl::run(const std::stop_token& closing, RehearsalSetup setup
     return;
   }
   latest = engine->shared_state();
-  if (engine->has_reference()) {
+  if (engine->has_reference() && !latest->reference) {
     reference = Reference::on_its_way;
     making = std::async(std::launch::async, [this, &engine, closing] {
       auto made = engine->make_reference(Progress({}, closing));
@@ -75,18 +88,21 @@ void LiveSession::Impl::run(const std::stop_token& closing, RehearsalSetup setup
   }
   int settles = 0;  // since the last command
   bool may_prepare = true;
+  bool may_go_on = true;  // in motion: the last step was made
+  auto next_step = std::chrono::steady_clock::now();
   for (;;) {
+    const auto moves = [&] { return latest->motion && latest->motion->moves && may_go_on; };
     const auto may_settle = [&] { return !latest->settled && settles < SessionEngine::most_settles; };
     const auto may_compare = [&] { return reference == Reference::made; };
     changed.wait(lock, [&] {
-      return closing.stop_requested() || !waiting.empty() || may_settle() || may_prepare || may_compare();
+      return closing.stop_requested() || !waiting.empty() || may_settle() || may_prepare || may_compare() || moves();
     });
     if (closing.stop_requested() || error) return;
     if (waiting.empty() && may_compare()) {
       waiting.push_back(Compare{});
       reference = Reference::compared;
     }
-    if (waiting.empty() && !may_settle()) {
+    if (waiting.empty() && !may_settle() && !moves()) {
       lock.unlock();
       may_prepare = engine->prepare();
       lock.lock();
@@ -95,7 +111,11 @@ void LiveSession::Impl::run(const std::stop_token& closing, RehearsalSetup setup
     // Of a hand that goes on moving the next picture is wanted, and a Settle under way would hold it up.
     constexpr std::chrono::milliseconds rest_of_a_hand(150);
     is_stepping = is_settling = waiting.empty();
-    if (waiting.empty() && settles == 0) {
+    if (waiting.empty() && moves()) {
+      changed.wait_until(lock, next_step, [&] { return closing.stop_requested() || !waiting.empty(); });
+      if (closing.stop_requested()) return;
+      if (waiting.empty()) waiting.push_back(Wait{});
+    } else if (waiting.empty() && settles == 0) {
       changed.wait_for(lock, rest_of_a_hand, [&] { return closing.stop_requested() || !waiting.empty(); });
       if (closing.stop_requested()) return;
     }
@@ -107,10 +127,13 @@ void LiveSession::Impl::run(const std::stop_token& closing, RehearsalSetup setup
       waiting.pop_front();
       settles = 0;
     }
-    is_settling = std::holds_alternative<Settle>(command);
+    const bool waits = std::holds_alternative<Wait>(command);
+    is_settling = waits || std::holds_alternative<Settle>(command);
     is_stepping = true;
     settling = std::stop_source();
-    const Progress given_up({}, settling.get_token());
+    const Progress given_up = waits ? Progress() : Progress({}, settling.get_token());
+    next_step = std::chrono::steady_clock::now() +
+                std::chrono::duration_cast<std::chrono::steady_clock::duration>(std::chrono::duration<double>(step_s));
     lock.unlock();
     engine->step(command, given_up, [this](std::shared_ptr<const SessionState> on_the_way) {
       const std::lock_guard told(mutex);
@@ -121,7 +144,8 @@ void LiveSession::Impl::run(const std::stop_token& closing, RehearsalSetup setup
     if (engine->shared_state() == latest) continue;  // a Settle that was given up
     latest = engine->shared_state();
     may_prepare = true;
-    recording.emplace_back(std::move(command), latest->digest);
+    may_go_on = latest->refused.empty() || !waits;
+    if (may_go_on) record(command, latest->digest, recording);
   }
 }
 

@@ -1,6 +1,7 @@
 // Recordings of a session as JSON. Numbers are written so that they read back to the same bits.
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/json_reading.h"
 #include "base/json_value.h"
@@ -160,9 +161,18 @@ mechanics::CutStrip strip_from(const Json& json) {
   return {surface_from(json), vector_under(json, "from_mm", "the cut"), vector_under(json, "to_mm", "the cut")};
 }
 
+Wait wait_from(const Json& json) {
+  const double steps = number_in(json, "wait_steps");
+  if (!(steps >= 1 && steps <= SessionEngine::most_waited_steps && steps == std::floor(steps))) {
+    refuse_at("wait_steps", "{0} must be a whole number from 1 to {1}.",
+              {std::to_string(SessionEngine::most_waited_steps)});
+  }
+  return {static_cast<int>(steps)};
+}
+
 std::pair<SessionCommand, std::string> command_from(const Json& json) {
-  check_keys(json, {"hold", "release", "undo", "settle", "cut", "compare", "digest"});
-  const auto commands = {"hold", "release", "undo", "settle", "cut", "compare"};
+  check_keys(json, {"hold", "release", "undo", "settle", "cut", "compare", "wait_steps", "digest"});
+  const auto commands = {"hold", "release", "undo", "settle", "cut", "compare", "wait_steps"};
   if (std::count_if(commands.begin(), commands.end(), [&](const char* one) { return json.contains(one); }) != 1)
     refuse_at("it", "{0} must say one thing to do.");
   const std::string digest = json.contains("digest") ? text_in(json["digest"], "digest") : std::string();
@@ -170,6 +180,7 @@ std::pair<SessionCommand, std::string> command_from(const Json& json) {
   if (json.contains("release")) return {ReleaseTool{text_in(json["release"], "release")}, digest};
   if (json.contains("settle")) return {Settle{}, digest};
   if (json.contains("compare")) return {Compare{}, digest};
+  if (json.contains("wait_steps")) return {wait_from(json["wait_steps"]), digest};
   if (json.contains("cut")) return {AdvanceCut{strip_from(json["cut"])}, digest};
   return {Undo{}, digest};
 }
@@ -186,6 +197,8 @@ std::string recording_text(const Recording& recording) {
       json["release"] = release->id;
     } else if (const auto* advance = std::get_if<AdvanceCut>(&command)) {
       json["cut"] = json_of(advance->strip);
+    } else if (const auto* wait = std::get_if<Wait>(&command)) {
+      json["wait_steps"] = wait->steps;
     } else {
       json[std::holds_alternative<Settle>(command)    ? "settle"
            : std::holds_alternative<Compare>(command) ? "compare"
@@ -206,7 +219,7 @@ Result<Recording> parse_recording(std::string_view json, const std::filesystem::
               GLISSON_TEXT("{0} of the session cannot be read: {1}."),
               {which, why},
               GLISSON_TEXT("A command is {\"hold\": {...}}, {\"release\": id}, {\"cut\": {...}}, {\"undo\": true}, "
-                           "{\"settle\": true} or {\"compare\": true}."),
+                           "{\"settle\": true}, {\"compare\": true} or {\"wait_steps\": n}."),
               file});
   };
   const Json* commands = value_in(*document, "commands");

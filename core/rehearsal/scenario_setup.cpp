@@ -11,7 +11,6 @@ Result<RehearsalSetup> rehearsal_setup(geometry::TetMesh mesh, const mechanics::
                          GLISSON_TEXT("Leave it out; tools are taken by the session's commands."),
                          {}});
   };
-  if (scenario.motion) return not_here("motion");
   if (!scenario.cuts.empty()) return not_here("cuts");
   if (!scenario.tools.empty()) return not_here("tools");
   auto youngs_kPa = mechanics::youngs_modulus_of_cells(mesh, scenario);
@@ -27,6 +26,8 @@ Result<RehearsalSetup> rehearsal_setup(geometry::TetMesh mesh, const mechanics::
   setup.options.capsule = scenario.capsule;
   setup.options.anisotropy = scenario.anisotropy;
   setup.law = {scenario.material, scenario.strain_stiffening};
+  setup.motion = scenario.motion;
+  setup.relaxation = scenario.relaxation;
   if (scenario.engine == mechanics::Engine::meshfree) setup.meshfree = scenario.meshfree;
   return setup;
 }

@@ -11,8 +11,23 @@ namespace glisson::rehearsal {
 using Eigen::Vector3d;
 using mechanics::ContactTool;
 
+namespace {
+
+Result<void> check_motion(const RehearsalSetup& setup) {
+  if (!setup.motion || !setup.meshfree) return {};
+  return failure(Error{"not-available",
+                       GLISSON_TEXT("A session in motion is by finite elements."),
+                       {},
+                       GLISSON_TEXT("Take the engine \"fem\", or no motion."),
+                       {}});
+}
+
+}  // namespace
+
 Result<SessionEngine> SessionEngine::create(RehearsalSetup setup, const Progress& progress, WithReference reference) {
+  if (auto checked = check_motion(setup); !checked) return failure(std::move(checked.error()));
   auto parts = std::make_shared<Impl>();
+  parts->in_motion = setup.motion.has_value();
   auto places = mechanics::locate_landmarks(setup.mesh, setup.landmarks, setup.landmark_tolerance_mm);
   if (!places) return failure(std::move(places.error()));
   std::vector<mechanics::PointInMesh> watched = *places;
@@ -24,7 +39,7 @@ Result<SessionEngine> SessionEngine::create(RehearsalSetup setup, const Progress
     watched.insert(watched.end(), in_mesh.begin(), in_mesh.end());
     parts->structures.push_back(std::move(structure));
   }
-  const bool at_once = setup.reference_youngs_kPa && reference == WithReference::at_once;
+  const bool at_once = setup.reference_youngs_kPa && (reference == WithReference::at_once || parts->in_motion);
   auto models = rehearsal_models(setup, progress.part(0.0, at_once ? 0.5 : 1.0));
   if (!models) return failure(std::move(models.error()));
   parts->law = law_of_patient(setup);
@@ -43,6 +58,7 @@ Result<SessionEngine> SessionEngine::create(RehearsalSetup setup, const Progress
     untouched.elements = body->untouched();
     untouched.elements_body = std::move(*body);
   }
+  setup.relaxation.clear();  // the reference body is elastic
   if ((*models)->reference) {
     parts->reference_maker = [reference = *(*models)->reference, setup = std::move(setup), watched = std::move(watched),
                               judged = parts->landmarks.size()](const Progress& told) -> Result<SessionBody> {
@@ -97,6 +113,7 @@ const SessionState& SessionEngine::step(const SessionCommand& command, const Pro
     refused = parts.begin_to_compare();
   } else if (refused.empty() && !std::holds_alternative<Undo>(command)) {
     const bool settles = std::holds_alternative<Settle>(command);
+    const auto* wait = std::get_if<Wait>(&command);
     const auto* advance = std::get_if<AdvanceCut>(&command);
     const Moment& now = parts.moments.back();
     const auto tell = [&](const Moment& moment, int moves) {
@@ -108,13 +125,15 @@ const SessionState& SessionEngine::step(const SessionCommand& command, const Pro
     };
     const Impl::OnTheWay on_the_way = told ? Impl::OnTheWay(tell) : Impl::OnTheWay();
     auto moment = settles              ? parts.nearer_to_rest(now, progress)
+                  : wait != nullptr    ? parts.later(now, wait->steps, progress)
                   : advance != nullptr ? parts.cut(now, advance->strip)
                                        : parts.moved(now, tools, on_the_way);
-    if (!moment && settles && progress.cancelled()) return *parts.latest;
+    const bool stays = settles || wait != nullptr;  // what undo goes back to
+    if (!moment && stays && progress.cancelled()) return *parts.latest;
     if (!moment) {
       refused = moment.error().message();
       refusal = moment.error();
-    } else if (settles) {
+    } else if (stays) {
       parts.moments.back() = std::move(*moment);
     } else {
       parts.go_on_to(std::move(*moment));

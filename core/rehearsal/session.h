@@ -13,13 +13,19 @@
 // A meshfree session (RehearsalSetup::meshfree) is of small strain. Beside its patient the same stands by finite
 // elements, under the same tools and cut alike, so that each state says how far they are apart.
 //
+// A session in motion (RehearsalSetup::motion, mechanics/dynamics/moving_body.h, moving_live_body.h) is by finite
+// elements and uncut. A command of a tool passes as many steps of time as it has small moves, one at least. Wait passes
+// more. Undo gives back what moved before a command, with its speed. The reference body moves beside the patient from
+// the beginning. A LiveSession waits by itself while anything moves, never faster than the clock, and records that it
+// did.
+//
 // A LiveSession answers of the patient alone while the reference body is still being made, and then compares.
 //
 // The phases, and what can be asked in each. A session is `preparing` while there is nothing to show yet, and `failed`
 // where it never came to be, and says why. `ready` means that the latest state is of all that was asked, and stays.
-// `settling` means that it is of all that was asked, and is brought nearer to rest. `comparing` means that it is of all
-// that was asked, and of the patient alone: the reference body is on its way. `stepping` means that it is of what came
-// before. A force without a tool, a tool without a pose or a state before the model cannot be said.
+// `settling` means that it is of all that was asked, and is brought nearer to rest, or still moves. `comparing` means
+// that it is of all that was asked, and of the patient alone: the reference body is on its way. `stepping` means that
+// it is of what came before. A force without a tool, a tool without a pose or a state before the model cannot be said.
 
 #include <cstdint>
 #include <filesystem>
@@ -56,7 +62,11 @@ struct Settle {};
 // The reference body comes under the tools where they are, in a session that began without it. What undo goes back to
 // stays, and is compared too.
 struct Compare {};
-using SessionCommand = std::variant<HoldTool, ReleaseTool, Undo, Settle, AdvanceCut, Compare>;
+// So many steps of time pass, in motion, with the tools as they are. What undo goes back to stays.
+struct Wait {
+  int steps = 1;
+};
+using SessionCommand = std::variant<HoldTool, ReleaseTool, Undo, Settle, AdvanceCut, Compare, Wait>;
 
 // When the reference body comes into a session, where there is one.
 enum class WithReference { at_once, when_asked };
@@ -67,6 +77,13 @@ struct SessionStep {
   Eigen::Vector3d torque_mNmm{0, 0, 0};  // of the tools on the body, each about its own place, all together
   std::optional<double> error_bound_mm;  // at large strain: of the landmarks, against where they come to rest
   bool settled = true;
+};
+
+// Of a session in motion.
+struct SessionMotion {
+  double time_s = 0;              // since the session began
+  double largest_speed_mm_s = 0;  // of any place of the patient's body
+  bool moves = false;             // either body
 };
 
 // The patient by the meshfree engine and by finite elements, under the same tools: what a few hundred nodes cost, and
@@ -88,6 +105,7 @@ struct SessionState {
   mechanics::Validity validity = {};  // of the patient's body, its strain by the corners of cells
   std::optional<SessionStep> reference_step;
   std::shared_ptr<const SessionCut> cut;  // nullptr: nothing is cut
+  std::optional<SessionMotion> motion;    // absent: this is at rest
   // Of a meshfree session, where finite elements found a shape too.
   std::optional<BesideElements> beside_elements;
   std::optional<double> error_bound_mm;         // the larger of both bodies'
@@ -106,7 +124,8 @@ struct SessionState {
 
 class SessionEngine {
  public:
-  // Failures: those of StaticRehearsal::create and of LiveBody::create.
+  // Failures: those of StaticRehearsal::create, of LiveBody::create and of MovingBody::create; "not-available" (a
+  // meshfree motion).
   static Result<SessionEngine> create(RehearsalSetup setup, const Progress& progress = {},
                                       WithReference reference = WithReference::at_once);
 
@@ -117,12 +136,13 @@ class SessionEngine {
 
   // A bound beyond which a state says that it is still settling.
   static constexpr double shown_mm = 0.5;
+  static constexpr int most_waited_steps = 10000;  // of one command
   // Settle commands after which a state that has not come to rest will not.
   static constexpr int most_settles = 24;
 
   // One step. Large moves are made in small ones, which only the last shows. Undo reaches back over 10,000 steps, at
-  // large strain over 100. A Settle that is cancelled has never been: state, number and digest are as before.
-  // `told`, at large strain, gets the states on the way.
+  // large strain and in motion over 100. A Settle or Wait that is cancelled has never been: state, number and digest
+  // are as before. `told`, at large strain and in motion, gets the states on the way.
   using Told = std::function<void(std::shared_ptr<const SessionState>)>;
   const SessionState& step(const SessionCommand& command, const Progress& progress = {}, const Told& told = {});
   // The present state at rest, as Settle after Settle makes it; the session stays where it is.
@@ -170,8 +190,8 @@ class LiveSession {
 };
 
 // A recording as JSON, "glisson-session/1": {"commands": [{"hold": {...}} | {"release": id} | {"undo": true} |
-// {"settle": true} | {"compare": true}], each with "digest" where it was recorded}. Failures of reading:
-// "session-invalid" (which command, and what about it).
+// {"settle": true} | {"compare": true} | {"wait_steps": n}], each with "digest" where it was recorded}. Failures of
+// reading: "session-invalid" (which command, and what about it).
 using Recording = std::vector<std::pair<SessionCommand, std::string>>;
 [[nodiscard]] std::string recording_text(const Recording& recording);
 Result<Recording> parse_recording(std::string_view json, const std::filesystem::path& file = {});

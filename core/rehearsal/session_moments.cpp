@@ -90,7 +90,8 @@ SessionEngine::Impl::Next SessionEngine::Impl::way_to(const Tools& from, const T
 }
 
 Result<Moment> SessionEngine::Impl::moved(const Moment& from, const Tools& tools, const OnTheWay& told) const {
-  if (!told || law.law == mechanics::MaterialLaw::linear) return both(from, tools, way_to(from.tools, tools));
+  if (!told || (law.law == mechanics::MaterialLaw::linear && !in_motion))
+    return both(from, tools, way_to(from.tools, tools));
   const int moves = small_moves(from.tools, tools);
   Moment moment = from;
   for (int move = 1; move <= moves; ++move) {
@@ -100,6 +101,18 @@ Result<Moment> SessionEngine::Impl::moved(const Moment& from, const Tools& tools
     if (!next) return next;
     moment = std::move(*next);
     if (move < moves) told(moment, move);
+  }
+  return moment;
+}
+
+Result<Moment> SessionEngine::Impl::later(const Moment& from, int steps, const Progress& progress) const {
+  Moment moment = from;
+  for (int step = 0; step < steps && in_motion; ++step) {
+    if (progress.cancelled()) return cancelled();
+    auto next = both(moment, from.tools,
+                     [&](const SessionBody& body, const BodyState& before) { return body.moved(before, from.tools); });
+    if (!next) return next;
+    moment = std::move(*next);
   }
   return moment;
 }
@@ -180,14 +193,14 @@ Result<Moment> SessionEngine::Impl::cut(const Moment& from, const mechanics::Cut
   return moved(opened, from.tools);
 }
 
-// A moment at large strain holds every node of both bodies, some 2 MB; the first, untouched, stays.
+// A moment at large strain or in motion holds every node of both bodies, some MB; the first, untouched, stays.
 void SessionEngine::Impl::go_on_to(Moment moment) {
   Moment& before = moments.back();
   before.patient = SessionBody::without_shape(before.patient);
   if (before.reference) before.reference = SessionBody::without_shape(*before.reference);
   if (before.elements) before.elements = SessionBody::without_shape(*before.elements);
   moments.push_back(std::move(moment));
-  const std::size_t most = law.law == mechanics::MaterialLaw::linear ? 10001 : 101;
+  const std::size_t most = law.law == mechanics::MaterialLaw::linear && !in_motion ? 10001 : 101;
   if (moments.size() > most) moments.erase(moments.begin() + 1);
 }
 
@@ -256,6 +269,9 @@ SessionState SessionEngine::Impl::state_of(const Moment& moment) const {
           std::max(state.max_difference_mm, (state.patient.surface_mm[p] - state.reference->surface_mm[p]).norm());
     }
   }
+  state.motion = motion_of(moment.patient);
+  if (state.motion && moment.reference)
+    state.motion->moves = state.motion->moves || motion_of(*moment.reference)->moves;
   state.beside_elements = beside_elements(moment);
   state.digest = digest_of(moment, landmarks.size());
   return state;

@@ -42,6 +42,12 @@ struct RehearsalSetup {
   // How soon the patient stiffens with strain, where that was found (Veronda and Westmann's c2): at large strain that
   // is the patient's law in place of a neo-Hookean one. The reference body keeps `law`.
   std::optional<double> patient_stiffening = std::nullopt;
+  // A session moves in steps of that many seconds, with that damping (session.h); its `steps` are not read. Absent:
+  // every state is at rest.
+  std::optional<mechanics::Motion> motion = std::nullopt;
+  // In motion at small strain, how the patient's tissue relaxes to its moduli, which are those after long. The
+  // reference body is elastic.
+  mechanics::Relaxation relaxation = {};
   // By the meshfree engine, at small strain alone; absent: by finite elements.
   std::optional<mechanics::MeshfreeOptions> meshfree = std::nullopt;
   // Of this very setup, where they were made before: seconds and a factor each are spared.
@@ -58,7 +64,8 @@ struct RehearsalSetup {
 [[nodiscard]] RehearsalSetup by_meshfree(RehearsalSetup setup, const mechanics::MeshfreeOptions& options);
 
 // A mesh with what a scenario says of it, without a reference body; its loads stand, and tissue that relaxes has done
-// so. Failures: "not-available" (what no session knows: cuts, motion, tools), those of youngs_modulus_of_cells.
+// so. A scenario's motion is the session's. Failures: "not-available" (what no session knows: cuts, tools), those of
+// youngs_modulus_of_cells.
 Result<RehearsalSetup> rehearsal_setup(geometry::TetMesh mesh, const mechanics::Scenario& scenario);
 
 // The patient's mesh and supports with one modulus and no fibre direction. It is factorised when somebody first asks

@@ -158,6 +158,44 @@ TEST(Creep, ThatAPalpationShowsIsAcceptedAndTheMotionCreepsByItsClosedForm) {
       EXPECT_LT((u_mm - crept * elastic[l]).norm(), 0.02 * elastic[l].norm()) << landmarks[l].id << ", " << time_s;
     }
   }
+
+  // In the hand: jaws pull for as long and let go. What a session at rest shows is what is left after long.
+  scenario.erase("loads");
+  scenario["relaxation"] = asked.at("relaxation");
+  ASSERT_TRUE(write_text_file(file("in-motion.json"), scenario.dump()));
+  scenario.erase("motion");
+  ASSERT_TRUE(write_text_file(file("at-rest.json"), scenario.dump()));
+  Json commands = Json::array();
+  commands.push_back({{"hold",
+                       {{"id", "jaws"},
+                        {"grasp", {{"at_rest_mm", {30, 30, 30}}, {"radius_mm", 12}}},
+                        {"pull_mN", 150},
+                        {"direction", {1, 0, 0.5}}}}});
+  for (const int steps : {24, 25, 50, 100, 100}) commands.push_back({{"wait_steps", steps}});
+  commands.push_back({{"release", "jaws"}});
+  for (const int steps : {49, 100}) commands.push_back({{"wait_steps", steps}});
+  ASSERT_TRUE(write_text_file(file("pull.json"), Json{{"format", "glisson-session/1"}, {"commands", commands}}.dump()));
+  const auto session = [&](const char* by) {
+    return answer({"session", "--mesh", file("pad.vtu"), "--scenario", file(by), "--commands", file("pull.json")});
+  };
+  const Json rest = session("at-rest.json"), moving = session("in-motion.json");
+  const auto pulled_mm = [](const Json& frame) {
+    const Json& at = frame.at("landmarks")[0].at("displaced_mm");
+    return at[0].get<double>() - 30;
+  };
+  const auto crept = [](double time_s) { return 1 + amplitude * (1 - std::exp(-time_s / delay_s)); };
+  const double elastic_mm = pulled_mm(rest.at("frames")[0]) / (1 + amplitude);
+  ASSERT_GT(elastic_mm, 0.5);
+  for (std::size_t frame = 1; frame < 9; ++frame) {
+    const Json& shown = moving.at("frames")[frame];
+    const double time_s = shown.at("motion").at("time_s");
+    const double expected = frame < 6 ? crept(time_s) : crept(time_s) - crept(time_s - 6);
+    if (frame == 6) continue;  // it has just been let go
+    EXPECT_NEAR(pulled_mm(shown), expected * elastic_mm, 0.02 * elastic_mm) << time_s;
+  }
+  EXPECT_EQ(moving.at("motion").at("steps"), 450);
+  EXPECT_GT(moving.at("motion").at("steps_per_s").get<double>(), 0);
+  EXPECT_FALSE(rest.contains("motion"));
 }
 
 }  // namespace

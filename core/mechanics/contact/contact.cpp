@@ -54,6 +54,24 @@ Result<ContactState> ContactBody::solve(const ContactState& from, const std::vec
   return search.begin_from(from).and_then([&] { return search.run(); });
 }
 
+Result<ContactState> ContactBody::solve(const ContactState& from, const std::vector<ContactTool>& tools,
+                                        const StepInTime& step, const ContactOptions& options) const {
+  GLISSON_ASSERT(opening() == nullptr);
+  const SurfaceResponses responses = impl_->responses.within_step(step.rest_mm, step.taken_mm);
+  ContactSearch search(responses, impl_->walls, tools, options);
+  return search.begin_from(from).and_then([&] { return search.run(); });
+}
+
+void ContactBody::show(const Eigen::VectorXd& u_mm, ContactState& state) const {
+  const SurfaceResponses& responses = impl_->responses;
+  const SurfaceResponses::Seen seen = responses.seen_of(u_mm);
+  state.surface_mm = responses.surface_mm(seen);
+  state.watched_mm = responses.watched_mm(seen);
+  const StrainRange strains = responses.strain_range(responses.mesh_points_mm(seen), {});
+  state.report.largest_strain = strains.largest_strain;
+  state.report.inverted_cells = strains.inverted_cells;
+}
+
 Result<ContactBody> ContactBody::opened(const CutStrip& strip) const {
   auto responses = impl_->responses.opened(strip, impl_->standing_loads);
   if (!responses) return failure(std::move(responses.error()));
@@ -100,7 +118,7 @@ ContactState ContactBody::without_shape(ContactState state) {
 }
 
 Result<ContactState> ContactBody::with_shape(ContactState state) const {
-  return show(impl_->responses, state).map([&](const StrainRange&) { return std::move(state); });
+  return mechanics::show(impl_->responses, state).map([&](const StrainRange&) { return std::move(state); });
 }
 
 Result<StaticResult> ContactBody::whole_result(const ContactState& state) const {

@@ -104,6 +104,13 @@ struct ContactState {
   ContactReport report;
 };
 
+// A step in time of all nodes (mm, 3 a node). Without tools it would take the body to `taken_mm`. Jaws count from where
+// it rests, `rest_mm`.
+struct StepInTime {
+  const Eigen::VectorXd& rest_mm;
+  const Eigen::VectorXd& taken_mm;
+};
+
 class ContactBody {
  public:
   // The model's mutual points are those on walls of cuts (points_on), which slide along each other and do not pass
@@ -123,6 +130,12 @@ class ContactBody {
   // point. Fails with "not-converged" (a solve that may not be used) or "not-available" (a force spread over a patch).
   [[nodiscard]] Result<ContactState> solve(const ContactState& from, const std::vector<ContactTool>& tools,
                                            const ContactOptions& options = {}) const;
+
+  // The same within a step in time, of which the model's answers are (dynamics/moving_body.h): without a cut.
+  [[nodiscard]] Result<ContactState> solve(const ContactState& from, const std::vector<ContactTool>& tools,
+                                           const StepInTime& step, const ContactOptions& options) const;
+  // Where a state's body lies when its nodes do so (mm, 3 a node): displacements, and the report's strain.
+  void show(const Eigen::VectorXd& u_mm, ContactState& state) const;
 
   // The body with a cut opened further (opening.h), whose walls do not pass through each other. What was solved for is
   // shared. Its states begin from any of this one's. Failures: those of Opening::advanced; "not-available" where the

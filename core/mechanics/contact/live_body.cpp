@@ -3,6 +3,7 @@
 #include "mechanics/contact/internal/live_step.h"
 #include "mechanics/cutting/opened_surface.h"
 #include "mechanics/elements/shape_functions.h"
+#include "mechanics/potentials/quadratic.h"
 #include "mechanics/potentials/total_potential.h"
 #include "mechanics/statics/displacements.h"
 #include "mechanics/statics/equilibrium.h"
@@ -34,7 +35,8 @@ struct LiveBody::Impl {
 };
 
 Result<LiveBody> LiveBody::create(StaticModel model, const ChosenLaw& law, const std::vector<Support>& supports,
-                                  const Loads& standing_loads, std::vector<PointInMesh> watched, std::size_t judged) {
+                                  const Loads& standing_loads, std::vector<PointInMesh> watched, std::size_t judged,
+                                  const Eigen::VectorXd& inertia_mN_mm) {
   const StaticOptions options = model.options();
   const bool known = law.law == MaterialLaw::neo_hookean || law.law == MaterialLaw::veronda_westmann;
   if (!known || options.anisotropy || options.order != ElementOrder::quadratic) {
@@ -50,6 +52,13 @@ Result<LiveBody> LiveBody::create(StaticModel model, const ChosenLaw& law, const
   parts.standing_loads = standing_loads;
   parts.standing = std::move(*loads);
   parts.around = boundary_potentials(parts.body, parts.standing.follower_pressure_kPa);
+  Potentials inertia;
+  if (inertia_mN_mm.size() > 0) {
+    parts.inertia_mN_mm = Eigen::SparseMatrix<double>(inertia_mN_mm.asDiagonal());
+    inertia.push_back(
+        std::make_shared<QuadraticPotential>(1.0, parts.inertia_mN_mm, VectorXd::Zero(inertia_mN_mm.size())));
+    parts.around.push_back(inertia.back());
+  }
   parts.surface = geometry::boundary_surface(parts.body.mesh);
   for (const double p : geometry::find_field(parts.surface.point_fields, "mesh_point")->values) {
     parts.node_of_point.push_back(parts.body.layout.node_of_point[static_cast<std::size_t>(p)]);
@@ -67,7 +76,8 @@ Result<LiveBody> LiveBody::create(StaticModel model, const ChosenLaw& law, const
   }
   // Under the standing loads, put on in parts where all of them at once find no rest.
   const VectorXd rest_mm = VectorXd::Zero(parts.unknowns());
-  const TotalPotential potential(parts.body, static_potentials(parts.body, parts.materials, parts.standing));
+  const TotalPotential potential =
+      TotalPotential(parts.body, static_potentials(parts.body, parts.materials, parts.standing)).with(inertia);
   if (!parts.levels.refresh(potential.tangent(rest_mm, Tangent::positive))) {
     return failure("not-converged", GLISSON_TEXT("The body has no rest under its standing loads."));
   }
@@ -83,7 +93,10 @@ Result<LiveBody> LiveBody::create(StaticModel model, const ChosenLaw& law, const
     parts.levels.refresh(potential.tangent(standing.u_mm, Tangent::positive));
   }
   const std::vector<ContactTool> no_tools;
-  const LiveOptions usual;
+  LiveOptions usual;
+  if (!inertia.empty()) {
+    usual.besides_mN = std::make_shared<const VectorXd>(inertia_mN_mm.cwiseProduct(standing.u_mm));
+  }
   auto untouched = LiveStep(parts, nullptr, standing, no_tools, usual, {}).run(standing, Until::settled);
   if (!untouched) return failure(std::move(untouched.error()));
   if (!untouched->settled) {

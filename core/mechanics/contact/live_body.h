@@ -61,6 +61,7 @@ struct LiveOptions {
   double settled_mm = 0.01;         // what the weighted residual leaves at the judged places when it has come to rest
   double relative_residual = 1e-3;  // of all forces, then
   double penetration_tolerance_mm = 0.05, movement_tolerance_mm = 0.05;
+  std::shared_ptr<const Eigen::VectorXd> besides_mN = nullptr;  // in motion: what acts on the nodes in this step, too
 };
 
 // A place of the surface that a tool is near (internal/contact_points.h), with the multiplier found so far.
@@ -106,8 +107,11 @@ class LiveBody {
   // ligaments. It gives the answers that errors are weighted by. The bound is of the first `judged` of the watched
   // places. Failures: "not-available" (another law, linear cells, an anisotropic body), "not-converged" (the standing
   // loads alone find no rest), those of applied_loads.
+  // In motion (dynamics/moving_live_body.h) `inertia_mN_mm`, a diagonal over the nodes' displacements, resists as a
+  // stiffness does, and the model is that of a step.
   static Result<LiveBody> create(StaticModel model, const ChosenLaw& law, const std::vector<Support>& supports,
-                                 const Loads& standing_loads, std::vector<PointInMesh> watched, std::size_t judged);
+                                 const Loads& standing_loads, std::vector<PointInMesh> watched, std::size_t judged,
+                                 const Eigen::VectorXd& inertia_mN_mm = {});
 
   // Under the standing loads alone, at rest; of a body that was cut, before it was.
   [[nodiscard]] const LiveState& untouched() const;

@@ -1,6 +1,6 @@
 #pragma once
-// One of a session's two bodies, at small strain (mechanics/contact/contact.h) or at large (mechanics/contact/
-// live_body.h): a state and tools give the next state.
+// One of a session's two bodies, at small strain (mechanics/contact/contact.h), at large (mechanics/contact/
+// live_body.h) or in motion (mechanics/dynamics/moving_body.h): a state and tools give the next state.
 
 #include <memory>
 #include <variant>
@@ -8,24 +8,28 @@
 
 #include "mechanics/contact/contact.h"
 #include "mechanics/contact/live_body.h"
+#include "mechanics/dynamics/moving_body.h"
+#include "mechanics/dynamics/moving_live_body.h"
 #include "rehearsal/session.h"
 
 namespace glisson::rehearsal {
 
 // Never empty.
 using BodyState =
-    std::variant<std::shared_ptr<const mechanics::ContactState>, std::shared_ptr<const mechanics::LiveState>>;
+    std::variant<std::shared_ptr<const mechanics::ContactState>, std::shared_ptr<const mechanics::LiveState>,
+                 std::shared_ptr<const mechanics::MovingState>, std::shared_ptr<const mechanics::MovingLiveState>>;
 
 class SessionBody {
  public:
-  // At small strain where the law is linear. The first `judged` watched places are those that a bound is of. Failures:
-  // those of ContactBody and LiveBody.
+  // In motion where the setup says one, at small strain where the law is linear. The first `judged` watched places are
+  // those that a bound is of. Failures: those of ContactBody, LiveBody and MovingBody.
   static Result<SessionBody> create(const mechanics::StaticModel& model, const mechanics::ChosenLaw& law,
                                     const RehearsalSetup& setup, const std::vector<mechanics::PointInMesh>& watched,
                                     std::size_t judged);
 
   [[nodiscard]] BodyState untouched() const;
-  // A small move of the tools, to a state that is shown or one that only leads to the next. Failures: "not-converged"
+  // A small move of the tools, to a state that is shown or one that only leads to the next; in motion a step in time.
+  // Failures: "not-converged"
   // and those of the tools.
   enum class Shown { yes, no };
   [[nodiscard]] Result<BodyState> moved(const BodyState& from, const std::vector<mechanics::ContactTool>& tools,
@@ -36,7 +40,7 @@ class SessionBody {
   // What is kept of a state that is shown no more, and that state again, to the bit. Failure: "not-converged".
   [[nodiscard]] static BodyState without_shape(const BodyState& state);
   [[nodiscard]] Result<BodyState> with_shape(const BodyState& state) const;
-  // With a cut opened further. Failures: those of ContactBody::opened and LiveBody::opened.
+  // With a cut opened further. Failures: those of ContactBody::opened and LiveBody::opened; "cut-in-motion".
   [[nodiscard]] Result<SessionBody> opened(const mechanics::CutStrip& strip) const;
   [[nodiscard]] Result<bool> prepare(const mechanics::CutStrip& ahead) const;  // as ContactBody's
   // ContactBody::prepare_touch; at large strain there is nothing to do.
@@ -50,7 +54,9 @@ class SessionBody {
   [[nodiscard]] const geometry::Surface& surface() const;
 
  private:
-  using Body = std::variant<mechanics::ContactBody, mechanics::LiveBody>;
+  using Body =
+      std::variant<mechanics::ContactBody, mechanics::LiveBody, mechanics::MovingBody, mechanics::MovingLiveBody>;
+  [[nodiscard]] const mechanics::Opening* opening() const;
   explicit SessionBody(Body body) : body_(std::move(body)) {}
   Body body_;
 };
@@ -60,7 +66,9 @@ class SessionBody {
 // Of the tools where they are: forces, torques about their own places, the bound.
 [[nodiscard]] SessionStep step_of(const BodyState& state, const std::vector<mechanics::ContactTool>& tools,
                                   const geometry::Surface& surface);
-// Displacements and forces, bit for bit; at small strain those of the surface and the `judged` places.
+[[nodiscard]] std::optional<SessionMotion> motion_of(const BodyState& state);
+// Displacements and forces, bit for bit; at small strain those of the surface and the `judged` places. In motion speeds
+// too.
 [[nodiscard]] std::string bits_of(const BodyState& state, std::size_t judged);
 
 }  // namespace glisson::rehearsal

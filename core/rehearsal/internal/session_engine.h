@@ -35,6 +35,7 @@ struct SessionEngine::Impl {
   std::uint64_t commands = 0, settles = 0;
   std::shared_ptr<const SessionState> latest;
   bool compares = false;  // every moment has its reference body
+  bool in_motion = false;
 
   // Made once, whoever asks first; the others wait.
   std::function<Result<SessionBody>(const Progress&)> reference_maker;  // none: there is no reference body
@@ -55,9 +56,11 @@ struct SessionEngine::Impl {
   // The tools go from there to there, in so many small moves.
   [[nodiscard]] int small_moves(const Tools& from, const Tools& tools) const;
   [[nodiscard]] Next way_to(const Tools& from, const Tools& tools) const;
-  // At large strain `told` gets each moment on the way, and how many moves led to it.
+  // At large strain and in motion `told` gets each moment on the way, and how many moves led to it.
   using OnTheWay = std::function<void(const Moment&, int)>;
   [[nodiscard]] Result<Moment> moved(const Moment& from, const Tools& tools, const OnTheWay& told = {}) const;
+  // So many steps of time later; the same at rest. Failures: "cancelled", those of SessionBody::moved.
+  [[nodiscard]] Result<Moment> later(const Moment& from, int steps, const Progress& progress) const;
   [[nodiscard]] Result<Moment> nearer_to_rest(const Moment& from, const Progress& progress = {}) const;
   [[nodiscard]] Result<Moment> cut(const Moment& from, const mechanics::CutStrip& strip) const;
   void go_on_to(Moment moment);

@@ -29,7 +29,8 @@ struct LiveParts {
   std::vector<Material> materials;
   Loads standing_loads;
   AppliedLoads standing;
-  Potentials around;  // what stands around the body
+  Potentials around;                          // what stands around the body, and inertia
+  Eigen::SparseMatrix<double> inertia_mN_mm;  // of a body in motion; diagonal
   QuadraticCells cells;
   SplineLevels levels;
   geometry::Surface surface;
@@ -85,6 +86,7 @@ class LiveStep {
         n_(parts.unknowns() + (cut == nullptr ? 0 : 3 * Eigen::Index{cut->open.jumps()})),
         dead_mN_(n_) {
     dead_mN_.head(parts.unknowns()) = parts.standing.dead_mN;
+    if (options.besides_mN) dead_mN_.head(parts.unknowns()) += *options.besides_mN;
     if (cut != nullptr) dead_mN_.tail(n_ - parts.unknowns()) = cut->standing_mN;
     state_.u_mm = Eigen::VectorXd::Zero(n_);  // what opens now has not moved apart yet
     state_.u_mm.head(from.u_mm.size()) = from.u_mm;

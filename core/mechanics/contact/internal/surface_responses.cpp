@@ -32,6 +32,7 @@ SurfaceResponses::SurfaceResponses(StaticModel model, const StaticResult& standi
   }
   see_nodes(judged);
   standing_seen_mm_ = seen_part(nodal_displacements(model_.nodes(), standing));
+  standing_surface_mm_ = standing_seen_mm_.head(surface_values());
 
   mutual_of_point_.assign(mesh_point_.size(), -1);
   for (const int p : model_.mutual_points()) {
@@ -175,6 +176,13 @@ Result<SurfaceResponses> SurfaceResponses::opened(const CutStrip& strip, const L
   next.opening_ = std::move(*advanced);
   next.open_cells_ = next.opening_->cells();
   return next;
+}
+
+SurfaceResponses SurfaceResponses::within_step(const VectorXd& rest_mm, const VectorXd& taken_mm) const {
+  SurfaceResponses step = *this;
+  step.standing_seen_mm_ = seen_part(taken_mm);
+  step.standing_surface_mm_ = seen_part(rest_mm).topRows(surface_values());
+  return step;
 }
 
 VectorXd SurfaceResponses::amplitudes_under(const PointForces& force_mN, const WallForces& wall_mN) const {

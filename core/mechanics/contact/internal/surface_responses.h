@@ -67,8 +67,12 @@ class SurfaceResponses {
   // Between all mutual points, 3 a point, in their order.
   [[nodiscard]] const Eigen::MatrixXd& mutual_compliance() const { return mutual_compliance_; }
 
+  // The same body in a step in time (all nodes, mm, 3 a node), which without tools takes it to `taken_mm`. It rests at
+  // `rest_mm`. What is remembered is shared.
+  [[nodiscard]] SurfaceResponses within_step(const Eigen::VectorXd& rest_mm, const Eigen::VectorXd& taken_mm) const;
+
   // The surface under the standing loads, of the whole body (mm, 3 a point).
-  [[nodiscard]] auto standing_surface_mm() const { return standing_seen_mm_.head(surface_values()); }
+  [[nodiscard]] const Eigen::VectorXd& standing_surface_mm() const { return standing_surface_mm_; }
   // Of the opening, the amplitudes (mm) and the jumps (mm, 3 a point) under such forces; none: without values.
   [[nodiscard]] Eigen::VectorXd amplitudes_under(const PointForces& force_mN, const WallForces& wall_mN) const;
   [[nodiscard]] Eigen::VectorXd jumps_under(const PointForces& force_mN, const WallForces& wall_mN) const;
@@ -83,6 +87,8 @@ class SurfaceResponses {
     Eigen::VectorXd nodes_mm, by_cut_mm, jumps_mm;
   };
   [[nodiscard]] Result<Seen> all_under(const PointForces& force_mN, const WallForces& wall_mN) const;
+  // Of a body without a cut whose nodes lie so (mm, 3 a node).
+  [[nodiscard]] Seen seen_of(const Eigen::VectorXd& u_mm) const { return {seen_part(u_mm), {}, {}}; }
   // Of it, displacements of the surface's points, the watched places and the mesh's points.
   [[nodiscard]] std::vector<Eigen::Vector3d> surface_mm(const Seen& seen) const;
   [[nodiscard]] std::vector<Eigen::Vector3d> watched_mm(const Seen& seen) const;
@@ -123,7 +129,8 @@ class SurfaceResponses {
   std::vector<int> seen_nodes_, seen_of_node_;                    // -1: not seen
   Eigen::Index judged_values_ = 0;                                // rows of the surface and the judged places
   Eigen::SparseMatrix<double, Eigen::RowMajor> watched_of_seen_;  // shape functions: a row a place, a column a node
-  Eigen::VectorXd standing_seen_mm_;
+  Eigen::VectorXd standing_seen_mm_;                              // where all but the tools takes it
+  Eigen::VectorXd standing_surface_mm_;
   std::vector<std::vector<int>> groups_;  // of points of the surface
   std::vector<int> group_of_point_;
   std::vector<int> mutual_points_;
