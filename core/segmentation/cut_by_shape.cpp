@@ -166,17 +166,21 @@ std::vector<float> ratio_about(const imaging::Volume& image, const Mask& start, 
 }
 
 Mask main_piece(Mask mask, const std::vector<Vector3d>& seeds_mm) {
-  const imaging::ConnectedVoxels pieces = imaging::connected_voxels(mask, imaging::Neighbours::faces);
+  // A rim of what lies outside shows which holes are closed.
+  const Part part = part_around(mask, 1);
+  Mask held = cut_out(mask, part);
+  const imaging::ConnectedVoxels pieces = imaging::connected_voxels(held, imaging::Neighbours::faces);
   std::vector<std::uint8_t> kept(pieces.sizes.size());
   const std::uint32_t largest = pieces.largest();
   if (largest == 0) return mask;
   kept[largest] = 1;
   for (const Vector3d& seed_mm : seeds_mm) {
-    const auto held = nearest_voxel(seed_mm, GrowOptions{}.sample_radius_mm, mask);
-    if (held) kept[pieces.piece[*held]] = 1;
+    const auto nearest = nearest_voxel(seed_mm, GrowOptions{}.sample_radius_mm, held);
+    if (nearest) kept[pieces.piece[*nearest]] = 1;
   }
-  for (std::size_t voxel = 0; voxel < mask.values.size(); ++voxel) mask.values[voxel] = kept[pieces.piece[voxel]];
-  return imaging::fill_holes(mask);
+  for (std::size_t voxel = 0; voxel < held.values.size(); ++voxel) held.values[voxel] = kept[pieces.piece[voxel]];
+  put_back(imaging::fill_holes(held), part, mask);
+  return mask;
 }
 
 ExpectedBorder around_seeds(ExpectedBorder expected, const std::vector<Vector3d>& seeds_mm, double radius_mm) {

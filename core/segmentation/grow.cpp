@@ -12,6 +12,7 @@
 #include "base/upper_median.h"
 #include "imaging/filters.h"
 #include "segmentation/edit.h"
+#include "segmentation/grid_part.h"
 #include "segmentation/internal/growth_doubts.h"
 #include "segmentation/internal/outline_border.h"
 #include "segmentation/internal/seeds.h"
@@ -234,24 +235,37 @@ Region region_of(const Mask& tissue, const std::vector<Seed>& seeds, const GrowO
 Mask finished(const Region& region, const Grid& grid, const std::array<int, 3>& block, const GrowOptions& options) {
   Mask closed = with_margin(with_margin(region.whole, options.closing_radius_mm), -options.closing_radius_mm);
   closed = fill_holes(closed);
-  const Grid& coarse = closed.grid;
-  closed = smooth(std::move(closed), 0.7 * coarse.spacing_mm.maxCoeff());
+  const double spacing_mm = closed.grid.spacing_mm.maxCoeff();
+  closed = smooth(std::move(closed), 0.7 * spacing_mm);
 
-  const imaging::Image<float> level{coarse, std::vector<float>(closed.values.begin(), closed.values.end())};
-  const std::vector<float> fine = interpolated(level, grid, block);
+  // A rim of blocks outside, so that the level falls to 0 within.
+  const Part held = part_around(closed, 1);
+  const Mask blocks = cut_out(closed, held);
+  Part part{{}, grid};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    part.first[axis] = held.first[axis] * block[axis];
+    part.grid.size[axis] = std::min(blocks.grid.size[axis] * block[axis], grid.size[axis] - part.first[axis]);
+  }
+  part.grid.origin_mm = grid.position_mm(part.first[0], part.first[1], part.first[2]);
+  const imaging::Image<float> level{blocks.grid, std::vector<float>(blocks.values.begin(), blocks.values.end())};
+  const std::vector<float> fine = interpolated(level, part.grid, block);
+  Mask piece{part.grid, std::vector<std::uint8_t>(fine.size())};
+  for (std::size_t voxel = 0; voxel < fine.size(); ++voxel) piece.values[voxel] = fine[voxel] >= 0.5F ? 1 : 0;
   Mask mask{grid, std::vector<std::uint8_t>(grid.voxels())};
-  for (std::size_t voxel = 0; voxel < fine.size(); ++voxel) mask.values[voxel] = fine[voxel] >= 0.5F ? 1 : 0;
-
+  put_back(piece, part, mask);
   return mask;
 }
 
 // Crumbs that smoothing broke off go; pieces that hold seeds of their own stay.
 Mask without_crumbs(Mask mask) {
-  const imaging::ConnectedVoxels connected = imaging::connected_voxels(mask, imaging::Neighbours::faces);
+  const Part part = part_around(mask, 0);
+  Mask held = cut_out(mask, part);
+  const imaging::ConnectedVoxels connected = imaging::connected_voxels(held, imaging::Neighbours::faces);
   const std::size_t crumb = connected.sizes[connected.largest()] / 100;
-  for (std::size_t voxel = 0; voxel < mask.values.size(); ++voxel) {
-    if (connected.sizes[connected.piece[voxel]] <= crumb) mask.values[voxel] = 0;
+  for (std::size_t voxel = 0; voxel < held.values.size(); ++voxel) {
+    if (connected.sizes[connected.piece[voxel]] <= crumb) held.values[voxel] = 0;
   }
+  put_back(held, part, mask);
   return mask;
 }
 

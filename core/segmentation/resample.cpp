@@ -1,5 +1,6 @@
 #include "segmentation/resample.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/parallel.h"
@@ -26,6 +27,61 @@ void for_each_voxel(const imaging::Grid& from, const imaging::Grid& to, const At
       }
     }
   });
+}
+
+// Whether both grids' axes run alike, so that each axis can be gone along by itself.
+bool alike_turned(const imaging::Grid& a, const imaging::Grid& b) {
+  return (a.direction - b.direction).cwiseAbs().maxCoeff() < 1e-12;
+}
+
+// Between which two voxels of an axis a place lies, and how far along.
+struct Stretch {
+  int low, high;
+  double along;
+};
+
+std::vector<Stretch> stretches(std::size_t axis, const imaging::Grid& from, const imaging::Grid& to) {
+  const auto a = static_cast<Eigen::Index>(axis);
+  const double start = from.index_of(to.origin_mm)[a], step = to.spacing_mm[a] / from.spacing_mm[a];
+  std::vector<Stretch> found(static_cast<std::size_t>(to.size[axis]));
+  for (std::size_t n = 0; n < found.size(); ++n) {
+    const double at = std::clamp(start + step * static_cast<double>(n), 0.0, from.size[axis] - 1.0);
+    const int low = static_cast<int>(at);
+    found[n] = {low, std::min(low + 1, from.size[axis] - 1), at - low};
+  }
+  return found;
+}
+
+// What value_between() gives at each voxel.
+imaging::Image<float> resampled_along_axes(const imaging::Image<float>& image, const imaging::Grid& grid) {
+  const auto at_i = stretches(0, image.grid, grid), at_j = stretches(1, image.grid, grid),
+             at_k = stretches(2, image.grid, grid);
+  imaging::Image<float> resampled{grid, std::vector<float>(grid.voxels())};
+  parallel_for(at_k.size(), 1, [&](std::size_t begin, std::size_t end) {
+    std::vector<double> row(static_cast<std::size_t>(image.grid.size[0]));  // of the old grid, where the new one's lies
+    for (std::size_t k = begin; k < end; ++k) {
+      for (std::size_t j = 0; j < at_j.size(); ++j) {
+        std::fill(row.begin(), row.end(), 0.0);
+        for (const int corner : {0, 1, 2, 3}) {
+          const bool higher_j = (corner & 1) != 0, higher_k = (corner & 2) != 0;
+          const double weight =
+              (higher_j ? at_j[j].along : 1 - at_j[j].along) * (higher_k ? at_k[k].along : 1 - at_k[k].along);
+          if (!(weight > 0)) continue;
+          const float* const from = &image.values[image.grid.offset(0, higher_j ? at_j[j].high : at_j[j].low,
+                                                                    higher_k ? at_k[k].high : at_k[k].low)];
+          for (std::size_t i = 0; i < row.size(); ++i) row[i] += weight * static_cast<double>(from[i]);
+        }
+        float* const to = &resampled.values[grid.offset(0, static_cast<int>(j), static_cast<int>(k))];
+        for (std::size_t i = 0; i < at_i.size(); ++i) {
+          const auto& [low, high, along] = at_i[i];
+          const double before = row[static_cast<std::size_t>(low)];
+          to[i] = static_cast<float>(along > 0 ? (1 - along) * before + along * row[static_cast<std::size_t>(high)]
+                                               : before);
+        }
+      }
+    }
+  });
+  return resampled;
 }
 
 }  // namespace
@@ -66,6 +122,7 @@ double value_between(const imaging::Image<float>& image, const Eigen::Vector3d& 
 
 imaging::Image<float> resample(const imaging::Image<float>& image, const imaging::Grid& grid) {
   if (imaging::same_grid(image.grid, grid)) return image;
+  if (alike_turned(image.grid, grid)) return resampled_along_axes(image, grid);
   imaging::Image<float> resampled{grid, std::vector<float>(grid.voxels())};
   for_each_voxel(image.grid, grid, [&](std::size_t voxel, const Eigen::Vector3d& source) {
     resampled.values[voxel] = static_cast<float>(value_between(image, source));

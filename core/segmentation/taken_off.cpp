@@ -13,7 +13,6 @@
 #include "segmentation/internal/relaxed_cut.h"
 #include "segmentation/internal/seeds.h"
 #include "segmentation/internal/tissue_model.h"
-#include "segmentation/signed_distance.h"
 #include "segmentation/working_grid.h"
 
 namespace glisson::segmentation {
@@ -63,10 +62,11 @@ Mask taken_off(Mask outline, const imaging::Volume& image, const GivenPoints& po
   for (const Vector3d& point_mm : points.outside_mm) {
     const auto clicked = nearest_voxel(point_mm, outline.grid.spacing_mm.maxCoeff(), outline);
     if (!clicked) continue;
-    const Part all = part_around(outline, 1);
-    const Mask held = cut_out(outline, all);
-    const std::size_t middle = *nearest_voxel(point_mm, outline.grid.spacing_mm.maxCoeff(), held);
-    const double depth_mm = -static_cast<double>(signed_distances_mm(held)[middle]);
+    // As far as a depth still counts.
+    const double reach_mm = largest_mm / past_border + 2 * outline.grid.spacing_mm.maxCoeff();
+    const Mask near = cut_out(outline, part_around({point_mm}, reach_mm, outline.grid));
+    const std::size_t middle = *nearest_voxel(point_mm, outline.grid.spacing_mm.maxCoeff(), near);
+    const double depth_mm = std::sqrt(static_cast<double>(imaging::squared_depths_mm2(near)[middle]));
     const double radius_mm = std::clamp(past_border * depth_mm, smallest_mm, largest_mm);
     // Enough of the organ to know its brightness by.
     const Part part = part_around({point_mm}, 2 * radius_mm + 20, outline.grid);
@@ -146,10 +146,12 @@ std::vector<float> costs(const Near& near, double radius_mm) {
 }
 
 Mask without_cut_off(Mask outline, const Vector3d& middle_mm, double radius_mm, const std::vector<Vector3d>& kept_mm) {
-  const imaging::ConnectedVoxels pieces = imaging::connected_voxels(outline, imaging::Neighbours::faces);
+  const Part part = part_around(outline, 0);
+  Mask held = cut_out(outline, part);
+  const imaging::ConnectedVoxels pieces = imaging::connected_voxels(held, imaging::Neighbours::faces);
   std::vector<std::uint8_t> goes(pieces.sizes.size());
   std::uint32_t largest = 0;
-  for (const std::size_t voxel : voxels_around(middle_mm, radius_mm, outline.grid)) {
+  for (const std::size_t voxel : voxels_around(middle_mm, radius_mm, held.grid)) {
     const std::uint32_t piece = pieces.piece[voxel];
     if (piece == 0) continue;
     goes[piece] = 1;
@@ -157,12 +159,13 @@ Mask without_cut_off(Mask outline, const Vector3d& middle_mm, double radius_mm, 
   }
   goes[largest] = 0;
   for (const Vector3d& point_mm : kept_mm) {
-    const auto held = nearest_voxel(point_mm, outline.grid.spacing_mm.maxCoeff(), outline);
-    if (held) goes[pieces.piece[*held]] = 0;
+    const auto at = nearest_voxel(point_mm, outline.grid.spacing_mm.maxCoeff(), held);
+    if (at) goes[pieces.piece[*at]] = 0;
   }
-  for (std::size_t voxel = 0; voxel < outline.values.size(); ++voxel) {
-    if (goes[pieces.piece[voxel]] != 0) outline.values[voxel] = 0;
+  for (std::size_t voxel = 0; voxel < held.values.size(); ++voxel) {
+    if (goes[pieces.piece[voxel]] != 0) held.values[voxel] = 0;
   }
+  put_back(held, part, outline);
   return outline;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <Eigen/Cholesky>
 
+#include "base/parallel.h"
 #include "geometry/nearest.h"
 
 namespace glisson::shapes {
@@ -51,21 +52,29 @@ std::vector<Pair> pairs_of(const Surface& model, const Surface& seen, const std:
                            const std::vector<std::size_t>& some, double farthest_mm) {
   const geometry::SurfaceDistance distance(model);
   const std::vector<Vector3d> normals = geometry::point_normals(model);
-  std::vector<Pair> pairs;
-  for (const std::size_t point : some) {
-    const auto closest = distance.closest(seen.points_mm[point]);
-    if (closest.distance_mm > farthest_mm) continue;
-    Pair pair;
-    pair.points = model.triangles[static_cast<std::size_t>(closest.triangle)];
-    pair.weights = weights_in(model, pair.points, closest.point_mm);
-    pair.seen_mm = seen.points_mm[point];
-    pair.normal = Vector3d::Zero();
-    for (int c = 0; c < 3; ++c) {
-      pair.normal += pair.weights[c] * normals[static_cast<std::size_t>(pair.points[static_cast<std::size_t>(c)])];
+  std::vector<Pair> pairs(some.size());
+  std::vector<std::uint8_t> alike(some.size());
+  parallel_for(some.size(), 64, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n) {
+      const auto closest = distance.closest(seen.points_mm[some[n]]);
+      if (closest.distance_mm > farthest_mm) continue;
+      Pair& pair = pairs[n];
+      pair.points = model.triangles[static_cast<std::size_t>(closest.triangle)];
+      pair.weights = weights_in(model, pair.points, closest.point_mm);
+      pair.seen_mm = seen.points_mm[some[n]];
+      pair.normal = Vector3d::Zero();
+      for (int c = 0; c < 3; ++c) {
+        pair.normal += pair.weights[c] * normals[static_cast<std::size_t>(pair.points[static_cast<std::size_t>(c)])];
+      }
+      pair.normal.normalize();
+      alike[n] = pair.normal.dot(seen_normals[some[n]]) > 0.5 ? 1 : 0;
     }
-    pair.normal.normalize();
-    if (pair.normal.dot(seen_normals[point]) > 0.5) pairs.push_back(pair);
+  });
+  std::size_t kept = 0;
+  for (std::size_t n = 0; n < pairs.size(); ++n) {
+    if (alike[n] != 0) pairs[kept++] = pairs[n];
   }
+  pairs.resize(kept);
   return pairs;
 }
 
@@ -97,25 +106,28 @@ class Fitting {
     const Index unknowns = model_.rank() + motions;
     MatrixXd whitened(3 * static_cast<Index>(pairs.size()), unknowns);
     VectorXd right(whitened.rows());
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-      const Pair& pair = pairs[i];
-      MatrixXd rows = MatrixXd::Zero(3, unknowns);
-      Vector3d mean = Vector3d::Zero();
-      double rest = 0;
-      for (std::size_t c = 0; c < 3; ++c) {
-        const double weight = pair.weights[static_cast<Index>(c)];
-        const auto point = static_cast<std::size_t>(pair.points[c]);
-        rows += weight * rows_of(pair.points[c], pose, about_mm, placed.points_mm[point]);
-        mean += weight * (pose * model_.mean.points_mm[point]);
-        rest += weight * model_.residual_sd_mm[pair.points[c]];
+    parallel_for(pairs.size(), 32, [&](std::size_t begin, std::size_t end) {
+      MatrixXd rows(3, unknowns);
+      for (std::size_t i = begin; i < end; ++i) {
+        const Pair& pair = pairs[i];
+        rows.setZero();
+        Vector3d mean = Vector3d::Zero();
+        double rest = 0;
+        for (std::size_t c = 0; c < 3; ++c) {
+          const double weight = pair.weights[static_cast<Index>(c)];
+          const auto point = static_cast<std::size_t>(pair.points[c]);
+          rows += weight * rows_of(pair.points[c], pose, about_mm, placed.points_mm[point]);
+          mean += weight * (pose * model_.mean.points_mm[point]);
+          rest += weight * model_.residual_sd_mm[pair.points[c]];
+        }
+        // Across the surface the noise is that of the places and of what no mode follows; along it, wider.
+        const double across = std::hypot(noise_mm, rest), along = std::hypot(options_.along_mm, rest);
+        const Matrix3d flat = pair.normal * pair.normal.transpose();
+        const Matrix3d whiten = std::sqrt(count_as) * (flat / across + (Matrix3d::Identity() - flat) / along);
+        whitened.middleRows(3 * static_cast<Index>(i), 3) = whiten * rows;
+        right.segment<3>(3 * static_cast<Index>(i)) = whiten * (pair.seen_mm - mean);
       }
-      // Across the surface the noise is that of the places and of what no mode follows; along it, wider.
-      const double across = std::hypot(noise_mm, rest), along = std::hypot(options_.along_mm, rest);
-      const Matrix3d flat = pair.normal * pair.normal.transpose();
-      const Matrix3d whiten = std::sqrt(count_as) * (flat / across + (Matrix3d::Identity() - flat) / along);
-      whitened.middleRows(3 * static_cast<Index>(i), 3) = whiten * rows;
-      right.segment<3>(3 * static_cast<Index>(i)) = whiten * (pair.seen_mm - mean);
-    }
+    });
     MatrixXd precision = whitened.transpose() * whitened;
     precision.diagonal().array() += 1;
     const Eigen::LLT<MatrixXd> factor(precision);
@@ -192,16 +204,23 @@ Result<ShapeFit> fit_model(const ShapeModel& model, const Surface& seen, const F
     const Vector3d share = (at(b) - at(a)).cross(at(c) - at(a)) / 6;
     for (const int point : {a, b, c}) outward_mm2[static_cast<std::size_t>(point)] += share;
   }
+  const std::size_t points = placed.points_mm.size();
+  const auto rows_at = [&](std::size_t p) {
+    return fitting.rows_of(static_cast<int>(p), fit.pose, about_mm, placed.points_mm[p]);
+  };
   Eigen::RowVectorXd volume_row = Eigen::RowVectorXd::Zero(model.rank() + motions);
-  for (std::size_t p = 0; p < placed.points_mm.size(); ++p) {
-    const MatrixXd rows = fitting.rows_of(static_cast<int>(p), fit.pose, about_mm, placed.points_mm[p]);
-    volume_row += outward_mm2[p].transpose() * rows;
-    const double rest = model.residual_sd_mm[static_cast<Index>(p)];
-    Matrix3d covariance = rows * posterior.covariance * rows.transpose();
-    covariance.diagonal().array() += rest * rest;
-    fit.covariance_mm2.push_back(covariance);
-    fit.sd_mm.push_back(std::sqrt(covariance.trace() / 3));
-  }
+  for (std::size_t p = 0; p < points; ++p) volume_row += outward_mm2[p].transpose() * rows_at(p);
+  fit.covariance_mm2.resize(points);
+  fit.sd_mm.resize(points);
+  parallel_for(points, 64, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t p = begin; p < end; ++p) {
+      const MatrixXd rows = rows_at(p);
+      const double rest = model.residual_sd_mm[static_cast<Index>(p)];
+      fit.covariance_mm2[p] = rows * posterior.covariance * rows.transpose();
+      fit.covariance_mm2[p].diagonal().array() += rest * rest;
+      fit.sd_mm[p] = std::sqrt(fit.covariance_mm2[p].trace() / 3);
+    }
+  });
   fit.volume_ml = geometry::volume_mm3(placed) / 1000;
   fit.volume_sd_ml = std::sqrt((volume_row * posterior.covariance * volume_row.transpose()).value()) / 1000;
   const geometry::SurfaceDistance distance(placed);

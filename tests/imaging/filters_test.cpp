@@ -125,5 +125,29 @@ TEST(ConnectedVoxels, AreThoseWithinReachOfEachOther) {
   EXPECT_EQ(connected_voxels(scattered_mask(0, 0.0), Neighbours::all).largest(), 0U);
 }
 
+TEST(FillHoles, FillsWhatDoesNotReachTheGridsBorder) {
+  for (unsigned seed = 0; seed < 5; ++seed) {
+    const Mask mask = scattered_mask(seed, 0.4 + 0.1 * seed);
+    Mask outside = mask;
+    for (std::uint8_t& value : outside.values) value = value == 0 ? 1 : 0;
+    const std::vector<std::uint32_t> number = smallest_number_within_reach(outside, Neighbours::faces);
+    std::vector<std::uint8_t> reaches(number.size() + 1, 0);
+    for_each_voxel(mask.grid, [&](int i, int j, int k) {
+      const auto& [nx, ny, nz] = mask.grid.size;
+      if (i == 0 || j == 0 || k == 0 || i + 1 == nx || j + 1 == ny || k + 1 == nz) {
+        reaches[number[mask.grid.offset(i, j, k)]] = 1;
+      }
+    });
+    reaches[0] = 0;
+    const Mask filled = fill_holes(mask);
+    std::size_t gained = 0;
+    for (std::size_t voxel = 0; voxel < number.size(); ++voxel) {
+      ASSERT_EQ(filled.values[voxel], reaches[number[voxel]] != 0 ? 0 : 1) << seed;
+      gained += filled.values[voxel] != mask.values[voxel] ? 1U : 0U;
+    }
+    EXPECT_GT(gained, 0U);
+  }
+}
+
 }  // namespace
 }  // namespace glisson::imaging

@@ -5,6 +5,7 @@
 
 #include <gmock/gmock.h>
 #include <cstdlib>
+#include <map>
 
 #include "../segmentation/deepest.h"
 #include "imaging/read_series.h"
@@ -34,6 +35,12 @@ const ShapeModel& chosen_model() {
     return shapes == "simulated" ? smooth_model().value() : read_model(shapes).value();
   }(std::getenv("GLISSON_SHAPE_MODEL"));
   return made;
+}
+
+// Of the noise and the neighbours in simulated contrasts: GLISSON_SIMULATED_SEED, for a judgement.
+unsigned first_number() {
+  const char* asked = std::getenv("GLISSON_SIMULATED_SEED");
+  return asked != nullptr ? static_cast<unsigned>(std::stoul(asked)) : 200;
 }
 
 double dice(const Mask& a, const Mask& b) { return segmentation::dice(a, b).value(); }
@@ -147,6 +154,39 @@ void simulated_around_every_fourth(bool for_tuning) {
   print_summary("two clicks more", two_more);
   print_summary("no point", none);
 }
+// Each contrast around the same livers of a half, every eighth from the third on.
+void simulated_contrasts(bool for_tuning) {
+  GLISSON_NEEDS_DATA("livers_couinaud");
+  if (!has_model()) GTEST_SKIP() << "set GLISSON_SHAPE_MODEL";
+  using test::Looks;
+  std::map<Looks, std::vector<double>> grown, seed, two_more, none;
+  unsigned number = 0;
+  for (const studies::ShapesLiver& liver : studies::shapes_livers(test::shared_data() / "livers_couinaud")) {
+    if (liver.for_tuning != for_tuning || number++ % 8 != 2) continue;
+    const auto outline = outline_of(imaging::read_labels_file(liver.file).value());
+    if (!outline || outline->cut_off_at != nullptr) continue;
+    for (const Looks looks : {Looks::portal_ct, Looks::native_ct, Looks::low_dose_ct, Looks::t1_mr, Looks::t2_mr,
+                              Looks::in_phase_mr, Looks::opposed_phase_mr, Looks::fatty_opposed_mr}) {
+      const auto made = test::simulated_abdomen(outline->surface, looks, first_number() + number);
+      const Scores scores = judged(made.image, made.liver);
+      print(liver.id + " " + test::name_of(looks), scores);
+      grown[looks].push_back(scores.grown);
+      seed[looks].push_back(scores.seed);
+      two_more[looks].push_back(scores.two_more);
+      none[looks].push_back(scores.none);
+    }
+  }
+  for (const auto& [looks, values] : seed) {
+    const std::string name = test::name_of(looks);
+    print_summary((name + ", grown").c_str(), grown[looks]);
+    print_summary((name + ", one point").c_str(), values);
+    print_summary((name + ", two clicks more").c_str(), two_more[looks]);
+    print_summary((name + ", no point").c_str(), none[looks]);
+  }
+}
+TEST(JudgedImages, SimulatedContrasts) { simulated_contrasts(false); }
+TEST(TuningImages, SimulatedContrasts) { simulated_contrasts(true); }
+
 TEST(JudgedImages, SimulatedAroundRealLivers) { simulated_around_every_fourth(false); }
 TEST(TuningImages, SimulatedAroundRealLivers) { simulated_around_every_fourth(true); }
 

@@ -1,25 +1,32 @@
 #include "segmentation/internal/half_step.h"
 
+#include <array>
 #include <cmath>
 #include <limits>
 
 #include "imaging/filters.h"
 #include "segmentation/grid_part.h"
 #include "segmentation/signed_distance.h"
+#include "segmentation/working_grid.h"
 
 namespace glisson::segmentation {
 
 std::vector<float> local_mean(const imaging::Image<float>& image, const std::vector<float>& counts, double sd_mm) {
-  std::vector<float> sum(counts.size());
-  for (std::size_t voxel = 0; voxel < sum.size(); ++voxel) {
-    sum[voxel] = counts[voxel] > 0 ? counts[voxel] * image.values[voxel] : 0.0F;
+  // Means over much more than a voxel are smooth: they are worked out in blocks.
+  const std::array<int, 3> block = blocks_of(image.grid, sd_mm / 2);
+  std::vector<float> counted(counts.size());
+  for (std::size_t voxel = 0; voxel < counted.size(); ++voxel) {
+    counted[voxel] = counts[voxel] > 0 ? counts[voxel] * image.values[voxel] : 0.0F;
   }
-  sum = imaging::gaussian_blur(std::move(sum), image.grid, sd_mm);
-  const std::vector<float> weight = imaging::gaussian_blur(counts, image.grid, sd_mm);
-  for (std::size_t voxel = 0; voxel < sum.size(); ++voxel) {
-    sum[voxel] = weight[voxel] > 1e-4F ? sum[voxel] / weight[voxel] : std::numeric_limits<float>::quiet_NaN();
+  imaging::Image<float> sum = block_means(image.grid, counted, block);
+  std::vector<float> weight = block_means(image.grid, counts, block).values;
+  sum.values = imaging::gaussian_blur(std::move(sum.values), sum.grid, sd_mm);
+  weight = imaging::gaussian_blur(std::move(weight), sum.grid, sd_mm);
+  for (std::size_t voxel = 0; voxel < weight.size(); ++voxel) {
+    float& value = sum.values[voxel];
+    value = weight[voxel] > 1e-4F ? value / weight[voxel] : std::numeric_limits<float>::quiet_NaN();
   }
-  return sum;
+  return interpolated(sum, image.grid, block);
 }
 
 imaging::Mask at_half_step(imaging::Mask outline, const imaging::Volume& image, double organ_sd) {

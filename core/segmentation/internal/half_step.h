@@ -7,7 +7,8 @@
 
 namespace glisson::segmentation {
 
-// The mean of the values that count, in Gaussian surroundings; NaN where none is near. One count, 0 to 1, a voxel.
+// The mean of the values that count, in Gaussian surroundings; NaN where none is near. One count, 0 to 1, a voxel. In
+// voxels much smaller than the deviation it is worked out in blocks of half of that, and read between them.
 [[nodiscard]] std::vector<float> local_mean(const imaging::Image<float>& image, const std::vector<float>& counts,
                                             double sd_mm);
 
