@@ -7339,6 +7339,10 @@
         <source>Take the engine &quot;fem&quot;, or no motion.</source>
         <translation>Nehmen Sie das Verfahren &quot;fem&quot;, oder keine Bewegung.</translation>
     </message>
+    <message>
+        <source>Bent by {0} mm (rms), the organ still lies {1} mm off what was seen, where the noise explains {2} mm: it is another patient&apos;s, or the noise is larger than stated.</source>
+        <translation>Um {0} mm (quadratisches Mittel) verbogen liegt das Organ noch {1} mm neben dem, was gesehen wurde, wo das Rauschen {2} mm erklärt: Es gehört einem anderen Patienten, oder das Rauschen ist größer als angegeben.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

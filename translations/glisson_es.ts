@@ -7339,6 +7339,10 @@
         <source>Take the engine &quot;fem&quot;, or no motion.</source>
         <translation>Tome el método &quot;fem&quot;, o ningún movimiento.</translation>
     </message>
+    <message>
+        <source>Bent by {0} mm (rms), the organ still lies {1} mm off what was seen, where the noise explains {2} mm: it is another patient&apos;s, or the noise is larger than stated.</source>
+        <translation>Deformado en {0} mm (media cuadrática), el órgano queda aún a {1} mm de lo que se vio, donde el ruido explica {2} mm: es de otro paciente, o el ruido es mayor que el indicado.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

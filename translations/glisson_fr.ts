@@ -7339,6 +7339,10 @@
         <source>Take the engine &quot;fem&quot;, or no motion.</source>
         <translation>Prenez la méthode &quot;fem&quot;, ou pas de mouvement.</translation>
     </message>
+    <message>
+        <source>Bent by {0} mm (rms), the organ still lies {1} mm off what was seen, where the noise explains {2} mm: it is another patient&apos;s, or the noise is larger than stated.</source>
+        <translation>Déformé de {0} mm (moyenne quadratique), l’organe reste à {1} mm de ce qui a été vu, là où le bruit explique {2} mm : c’est celui d’un autre patient, ou le bruit est plus grand qu’indiqué.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AblationControls</name>

@@ -27,8 +27,10 @@ struct RegistrationOptions {
   std::size_t maximum_points = 1200;  // of the cloud; more are thinned at random
   double guess_sd_mm = 12;            // of a pose that is given: shift and turn of the truth from it
   double guess_sd_deg = 8;
-  double largest_rms_mm = 10;  // that forces may displace the surface by, in the mean
-  double most_bent_mm = 15;    // that a free organ is believed to be displaced by (rms): else nothing is answered
+  double largest_rms_mm = 10;       // that forces may displace the surface by, in the mean
+  double most_bent_mm = 15;         // that a free organ is believed to be displaced by (rms): else nothing is answered
+  double strange_when_bent_mm = 4;  // from here on, a surface that lies off by more than its noise is another organ's:
+  double most_strange = 2.1;        // the share of most_bent_mm plus the residual over the stated noise
   double independent_spacing_mm = 16;  // points of a cloud nearer than this repeat each other: the mesh errs alike
   double surface_error_mm = 0.3;       // of a surface of triangles, beside the noise
   double touched_by_unseen = 0.01;     // variance of forces where the surface is seen, beside those elsewhere

@@ -185,6 +185,36 @@ TEST(Guidance, AFeatureOfAnotherLiverIsNotAnswered) {
   EXPECT_THAT(answered.frames[0].placement.why_not.message(), ::testing::HasSubstr("from the organ at rest"));
 }
 
+// The cloud of one, begun where its liver lies, on the model of another: no feature says that they differ. Each of
+// these is bent by less than what no liver is believed to be bent by.
+TEST(Guidance, AnotherPatientsLiverIsToldThoughItCanBeBentIntoTheCloud) {
+  GLISSON_NEEDS_DATA("guidance_examples");
+  const auto example = [](const std::string& name) {
+    return read_guidance(test::shared_data() / "guidance_examples" / name / "guidance.json").value();
+  };
+  const auto middle = [](const GuidanceCase& of) {
+    Vector3d sum(0, 0, 0);
+    for (const Vector3d& point : of.mesh.points_mm) sum += point;
+    return Vector3d(sum / static_cast<double>(of.mesh.points_mm.size()));
+  };
+  struct Confused {
+    const char *seen, *declared;
+    std::size_t frame;
+  };
+  for (const auto& [seen, declared, frame] : {Confused{"example-d", "example-c", 0}, {"example-a", "example-b", 1}}) {
+    GuidanceCase guidance = example(declared);
+    const GuidanceCase right = example(seen);
+    guidance.frames = {right.frames[frame]};
+    SeenFrame& only = guidance.frames[0];
+    only.curves.clear();
+    only.pose_guess = only.pose_guess->translate(middle(right) - middle(guidance));
+    const auto answered = answer(guidance).value();
+    EXPECT_FALSE(answered.frames[0].placement.converged) << seen << " on " << declared;
+    EXPECT_THAT(answered.frames[0].placement.why_not.message(), ::testing::HasSubstr("another patient's"));
+    EXPECT_TRUE(answer_json(guidance, answered)["frames"][0]["targets"].empty());
+  }
+}
+
 TEST_F(BadGuidance, AMirroringPoseAnUnknownFeatureAndAFrameWithoutAnyHintAreRefused) {
   Json mirrored = document();
   mirrored["frames"][0]["pose_guess"][0] = -1;

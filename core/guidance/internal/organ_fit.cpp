@@ -178,8 +178,9 @@ ElasticPlacement OrganFit::outcome(const std::vector<mechanics::PointInMesh>& ta
     const auto columns = columns_at(place);
     const double posterior_mm = std::sqrt((columns * covariance * columns.transpose()).trace() / 3);
     const double depth_mm = std::sqrt(cloud.nearest(here_mm).squared_distance_mm2);
+    const double elastic_share = rule.elastic_share + rule.elastic_share_of_depth * depth_mm;
     placed.target_sd_mm.push_back(std::hypot(rule.posterior_factor * posterior_mm,
-                                             rule.elastic_share * placed.elastic_rms_mm,
+                                             elastic_share * placed.elastic_rms_mm,
                                              rule.smallest_sd_mm + rule.share_of_depth * depth_mm));
   }
   for (std::size_t t = 0; t < asked.tools.size(); ++t) {

@@ -22,9 +22,10 @@ constexpr double tool_sd_mN = 10e3;  // of each component of a force that is ask
 // their squares. From bodies that were not judged (docs/guidance.md).
 struct SpreadRule {
   double posterior_factor = 1;
-  double elastic_share = 0.3;    // of the displacement over the surface (rms), that the model gets wrong
-  double smallest_sd_mm = 0.25;  // what is left of a rigid organ at its surface
-  double share_of_depth = 0;     // added to that, of the distance from what was seen
+  double elastic_share = 0.3;         // of the displacement over the surface (rms), that the model gets wrong
+  double elastic_share_of_depth = 0;  // added to that share, a mm from what was seen
+  double smallest_sd_mm = 0.25;       // what is left of a rigid organ at its surface
+  double share_of_depth = 0;          // added to that, of the distance from what was seen
 };
 
 // Which tools' forces were asked for: three of the further amounts each, from the first.
