@@ -8088,6 +8088,38 @@
         <source>Meshfree, as you chose: %1 ms, finite elements %2 ms. Landmarks are %3 mm apart at most, the surface %4 mm.</source>
         <translation>Netzfrei, wie Sie wählten: %1 ms, finite Elemente %2 ms. Landmarken liegen höchstens %3 mm auseinander, die Oberfläche %4 mm.</translation>
     </message>
+    <message>
+        <source>Small, in motion</source>
+        <translation>Kleine, in Bewegung</translation>
+    </message>
+    <message>
+        <source>A linear liver that takes its time, under rigid tools: what is let go swings and comes to rest, and tissue that creeps gives way under a held tool and comes back slowly. It is not cut.</source>
+        <translation>Eine lineare Leber, die Zeit braucht, unter starren Instrumenten: Was losgelassen wird, schwingt und kommt zur Ruhe, und Gewebe, das kriecht, gibt unter einem gehaltenen Instrument nach und kommt langsam zurück. Sie wird nicht geschnitten.</translation>
+    </message>
+    <message>
+        <source>The liver is being prepared to move.</source>
+        <translation>Die Leber wird für die Bewegung vorbereitet.</translation>
+    </message>
+    <message>
+        <source>Its tissue creeps, as evidence showed.</source>
+        <translation>Ihr Gewebe kriecht, wie Belege gezeigt haben.</translation>
+    </message>
+    <message>
+        <source>Its tissue is elastic: no accepted evidence shows that it creeps.</source>
+        <translation>Ihr Gewebe ist elastisch: Kein angenommener Beleg zeigt, dass es kriecht.</translation>
+    </message>
+    <message>
+        <source>In motion, as you chose.</source>
+        <translation>In Bewegung, wie gewählt.</translation>
+    </message>
+    <message>
+        <source>In motion, as you chose: %1 mm/s at most.</source>
+        <translation>In Bewegung, wie gewählt: höchstens %1 mm/s.</translation>
+    </message>
+    <message>
+        <source>In motion, as you chose: it has come to rest.</source>
+        <translation>In Bewegung, wie gewählt: Sie ist zur Ruhe gekommen.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::DiaryWindow</name>
@@ -12319,6 +12351,10 @@ sicher %</translation>
     <message>
         <source>This picture is not at rest, and the liver may slip farther than is shown. Press less, or move the tool a little.</source>
         <translation>Dieses Bild ist nicht in Ruhe, und die Leber kann weiter gleiten, als gezeigt ist. Drücken Sie weniger, oder bewegen Sie das Instrument ein wenig.</translation>
+    </message>
+    <message>
+        <source>◐ Moving</source>
+        <translation>◐ In Bewegung</translation>
     </message>
 </context>
 <context>

@@ -8088,6 +8088,38 @@
         <source>Meshfree, as you chose: %1 ms, finite elements %2 ms. Landmarks are %3 mm apart at most, the surface %4 mm.</source>
         <translation>Sin malla, como eligió: %1 ms, elementos finitos %2 ms. Los puntos de referencia distan %3 mm como mucho, la superficie %4 mm.</translation>
     </message>
+    <message>
+        <source>Small, in motion</source>
+        <translation>Pequeñas, en movimiento</translation>
+    </message>
+    <message>
+        <source>A linear liver that takes its time, under rigid tools: what is let go swings and comes to rest, and tissue that creeps gives way under a held tool and comes back slowly. It is not cut.</source>
+        <translation>Un hígado lineal que se toma su tiempo, bajo instrumentos rígidos: lo que se suelta oscila y llega al reposo, y el tejido que fluye cede bajo un instrumento sujeto y vuelve despacio. No se corta.</translation>
+    </message>
+    <message>
+        <source>The liver is being prepared to move.</source>
+        <translation>Se está preparando el hígado para moverse.</translation>
+    </message>
+    <message>
+        <source>Its tissue creeps, as evidence showed.</source>
+        <translation>Su tejido fluye, como mostraron las pruebas.</translation>
+    </message>
+    <message>
+        <source>Its tissue is elastic: no accepted evidence shows that it creeps.</source>
+        <translation>Su tejido es elástico: ninguna prueba aceptada muestra que fluya.</translation>
+    </message>
+    <message>
+        <source>In motion, as you chose.</source>
+        <translation>En movimiento, como eligió.</translation>
+    </message>
+    <message>
+        <source>In motion, as you chose: %1 mm/s at most.</source>
+        <translation>En movimiento, como eligió: %1 mm/s como mucho.</translation>
+    </message>
+    <message>
+        <source>In motion, as you chose: it has come to rest.</source>
+        <translation>En movimiento, como eligió: ha llegado al reposo.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::DiaryWindow</name>
@@ -12322,6 +12354,10 @@ seguro %</translation>
     <message>
         <source>This picture is not at rest, and the liver may slip farther than is shown. Press less, or move the tool a little.</source>
         <translation>Esta imagen no está en reposo, y el hígado puede deslizarse más de lo que se muestra. Presione menos, o mueva un poco el instrumento.</translation>
+    </message>
+    <message>
+        <source>◐ Moving</source>
+        <translation>◐ En movimiento</translation>
     </message>
 </context>
 <context>

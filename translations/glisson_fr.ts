@@ -8088,6 +8088,38 @@
         <source>Meshfree, as you chose: %1 ms, finite elements %2 ms. Landmarks are %3 mm apart at most, the surface %4 mm.</source>
         <translation>Sans maillage, comme vous l&apos;avez choisi : %1 ms, éléments finis %2 ms. Les repères s&apos;écartent de %3 mm au plus, la surface de %4 mm.</translation>
     </message>
+    <message>
+        <source>Small, in motion</source>
+        <translation>Petites, en mouvement</translation>
+    </message>
+    <message>
+        <source>A linear liver that takes its time, under rigid tools: what is let go swings and comes to rest, and tissue that creeps gives way under a held tool and comes back slowly. It is not cut.</source>
+        <translation>Un foie linéaire qui prend son temps, sous des instruments rigides : ce qui est lâché oscille et vient au repos, et un tissu qui flue cède sous un instrument tenu et revient lentement. Il n’est pas coupé.</translation>
+    </message>
+    <message>
+        <source>The liver is being prepared to move.</source>
+        <translation>Le foie est préparé pour bouger.</translation>
+    </message>
+    <message>
+        <source>Its tissue creeps, as evidence showed.</source>
+        <translation>Son tissu flue, comme les preuves l’ont montré.</translation>
+    </message>
+    <message>
+        <source>Its tissue is elastic: no accepted evidence shows that it creeps.</source>
+        <translation>Son tissu est élastique : aucune preuve acceptée ne montre qu’il flue.</translation>
+    </message>
+    <message>
+        <source>In motion, as you chose.</source>
+        <translation>En mouvement, comme vous l’avez choisi.</translation>
+    </message>
+    <message>
+        <source>In motion, as you chose: %1 mm/s at most.</source>
+        <translation>En mouvement, comme vous l’avez choisi : %1 mm/s au plus.</translation>
+    </message>
+    <message>
+        <source>In motion, as you chose: it has come to rest.</source>
+        <translation>En mouvement, comme vous l’avez choisi : il est venu au repos.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::DiaryWindow</name>
@@ -12322,6 +12354,10 @@ sûr %</translation>
     <message>
         <source>This picture is not at rest, and the liver may slip farther than is shown. Press less, or move the tool a little.</source>
         <translation>Cette image n’est pas au repos, et le foie peut glisser plus loin qu’il n’est montré. Appuyez moins, ou déplacez un peu l’instrument.</translation>
+    </message>
+    <message>
+        <source>◐ Moving</source>
+        <translation>◐ En mouvement</translation>
     </message>
 </context>
 <context>

@@ -25,7 +25,7 @@ using mechanics::MaterialLaw;
 using std::filesystem::path;
 
 Session session_of(const Case& self, const std::string& material, const std::string& engine,
-                   const py::object& progress) {
+                   const std::optional<double>& step_s, const py::object& progress) {
   using mechanics::Engine;
   const bool meshfree =
       chosen<Engine>("engine", engine, {{"fem", Engine::fem}, {"meshfree", Engine::meshfree}}) == Engine::meshfree;
@@ -38,6 +38,7 @@ Session session_of(const Case& self, const std::string& material, const std::str
                       return read_model(self).and_then([&](PatientModel model) {
                         auto setup = rehearsal::with_law(live_rehearsal_setup(std::move(model)).setup, law);
                         if (meshfree) setup.meshfree.emplace();
+                        if (step_s) setup.motion.emplace().step_s = *step_s;
                         return rehearsal::SessionEngine::create(std::move(setup), told,
                                                                 rehearsal::WithReference::when_asked);
                       });
@@ -74,11 +75,12 @@ py::object guide(const Case& self, const path& sequence, const std::optional<Num
 void add_rehearsals(py::class_<Case>& bound) {
   bound
       .def("session", &session_of, py::kw_only(), py::arg("material") = "linear", py::arg("engine") = "fem",
-           py::arg("progress") = py::none(),
+           py::arg("step_s") = py::none(), py::arg("progress") = py::none(),
            R"(A Session of this patient as the window rehearses, so that its recordings replay to the bit.
 
 material  "linear" (small strain), "neo-hookean" or "corotational" (large)
 engine    "fem", or "meshfree": linear alone, with finite elements beside it (SessionState.beside_elements)
+step_s    in motion, by steps of so many seconds: linear, by "fem" and uncut; tissue that creeps does so
 
 The reference body, where there is one, comes with the command {"compare": True}.
 Raises glisson.Error: case-lacks-entry before there is a model; choice-unknown; not-available.)")

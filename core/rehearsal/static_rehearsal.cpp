@@ -102,6 +102,14 @@ RehearsalSetup with_law(RehearsalSetup setup, const mechanics::ChosenLaw& law) {
   return setup;
 }
 
+RehearsalSetup in_motion(RehearsalSetup setup, double step_s) {
+  setup = with_law(std::move(setup), mechanics::MaterialLaw::linear);
+  if (setup.meshfree) setup.models = std::move(setup.elements);
+  setup.meshfree.reset();
+  setup.motion.emplace().step_s = step_s;
+  return setup;
+}
+
 RehearsalSetup by_meshfree(RehearsalSetup setup, const mechanics::MeshfreeOptions& options) {
   setup = with_law(std::move(setup), mechanics::MaterialLaw::linear);
   if (!setup.meshfree) setup.elements = std::move(setup.models);

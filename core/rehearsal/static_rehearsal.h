@@ -60,6 +60,11 @@ struct RehearsalSetup {
 // The same by another law, with its models where they serve that law.
 [[nodiscard]] RehearsalSetup with_law(RehearsalSetup setup, const mechanics::ChosenLaw& law);
 
+// The same, linear and by finite elements, in motion. On two cores the demo patient and its reference body are shown in
+// slow motion by such steps.
+inline constexpr double step_in_the_hand_s = 0.04;
+[[nodiscard]] RehearsalSetup in_motion(RehearsalSetup setup, double step_s);
+
 // The same, linear, by the meshfree engine, beside its own models.
 [[nodiscard]] RehearsalSetup by_meshfree(RehearsalSetup setup, const mechanics::MeshfreeOptions& options);
 

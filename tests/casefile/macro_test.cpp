@@ -214,7 +214,7 @@ TEST_F(MacroTest, ASessionIsOneCommandHoweverManyStepsItTook) {
     return std::pair<rehearsal::SessionCommand, std::string>{rehearsal::HoldTool{{"tool-0", probe}}, digest};
   };
   rehearsal::Recording recording;
-  const std::map<std::string, std::string> kinds{{"a", "small"}, {"b", "large"}, {"c", "meshfree"}};
+  const std::map<std::string, std::string> kinds{{"a", "small"}, {"b", "large"}, {"c", "meshfree"}, {"d", "moving"}};
   const auto tool_step = [&](double push_mN, const std::string& session) {
     recording.push_back(hold(push_mN, "digest-" + std::to_string(recording.size())));
     const std::string before = history()->value_of("rehearse/tool");
@@ -235,9 +235,11 @@ TEST_F(MacroTest, ASessionIsOneCommandHoweverManyStepsItTook) {
   tool_step(50, "b");
   recording.clear();
   tool_step(70, "c");
+  recording.clear();
+  tool_step(90, "d");
   const auto macro = macro_of(folder_);
   ASSERT_TRUE(macro);
-  ASSERT_EQ(macro->steps.size(), 4u);
+  ASSERT_EQ(macro->steps.size(), 5u);
   EXPECT_TRUE(macro->steps[0].commands.empty());
   EXPECT_EQ(macro->steps[0].told_in, 2);
   EXPECT_THAT(words(), ElementsAre("session {case} --live --material linear --settle last --commands session-2.json "
@@ -245,7 +247,9 @@ TEST_F(MacroTest, ASessionIsOneCommandHoweverManyStepsItTook) {
                                    "session {case} --live --material neo-hookean --settle last --commands "
                                    "session-4.json --out rehearsal-4",
                                    "session {case} --live --material linear --settle last --engine meshfree "
-                                   "--commands session-5.json --out rehearsal-5"));
+                                   "--commands session-5.json --out rehearsal-5",
+                                   "session {case} --live --material linear --settle last --motion 0.04 "
+                                   "--commands session-6.json --out rehearsal-6"));
   const auto again = rehearsal::parse_recording(macro->steps[1].commands.front().document);
   ASSERT_TRUE(again);
   ASSERT_EQ(again->size(), 2u);
@@ -253,6 +257,7 @@ TEST_F(MacroTest, ASessionIsOneCommandHoweverManyStepsItTook) {
   EXPECT_THAT(as_command_line(*macro), HasSubstr("# 1. Tool (in the session of step 2)"));
   EXPECT_THAT(as_python(*macro), HasSubstr("rehearsal_4 = patient.session(material=\"neo-hookean\")"));
   EXPECT_THAT(as_python(*macro), HasSubstr("rehearsal_5 = patient.session(material=\"linear\", engine=\"meshfree\")"));
+  EXPECT_THAT(as_python(*macro), HasSubstr("rehearsal_6 = patient.session(material=\"linear\", step_s=0.04)"));
   // What no step needs any more goes.
   draw("liver", 12);
   EXPECT_NE(recording_beside(folder_, "a"), "");

@@ -26,7 +26,8 @@ DeformationChoice::DeformationChoice(LiveRehearsal& rehearsal, QWidget* parent)
   row->addWidget(name_);
   choice_ = new QComboBox(this);
   choice_->setObjectName("deformations");
-  for (const Deformations kind : {Deformations::small, Deformations::meshfree, Deformations::large}) {
+  for (const Deformations kind :
+       {Deformations::small, Deformations::meshfree, Deformations::large, Deformations::moving}) {
     choice_->addItem({}, static_cast<int>(kind));
   }
   row->addWidget(choice_, 1);
@@ -59,6 +60,12 @@ void DeformationChoice::update_text() {
                           "first picture says how far its landmarks may be from rest, and is brought to rest in the "
                           "background."),
                        Qt::ToolTipRole);
+  choice_->setItemText(3, tr("Small, in motion"));
+  choice_->setItemData(3,
+                       tr("A linear liver that takes its time, under rigid tools: what is let go swings and comes to "
+                          "rest, and tissue that creeps gives way under a held tool and comes back slowly. It is not "
+                          "cut."),
+                       Qt::ToolTipRole);
   offer_->setText(tr("Use large deformations"));
   offer_->setToolTip(tr("The tools stay where they are; what was recorded begins anew"));
   show_state();
@@ -86,6 +93,7 @@ QString DeformationChoice::what_is_at_work() const {
                : tr("Large deformations, as you chose. Strains reach %1 %: small ones would do.").arg(strain);
   }
   if (rehearsal_.deformations() == Deformations::meshfree) return what_meshfree_costs();
+  if (rehearsal_.deformations() == Deformations::moving) return how_it_moves();
   if (rehearsal_.body() != nullptr && rehearsal_.knows_rigid_tools() && !rehearsal_.knows_other_deformations()) {
     return tr("Small deformations: evidence gave this liver a grain, which large ones do not know.");
   }
@@ -93,6 +101,18 @@ QString DeformationChoice::what_is_at_work() const {
   return is_beyond_small(*state)
              ? tr("Small deformations, but strains reach %1 %: beyond 20 % take large ones.").arg(strain)
              : tr("Small deformations: enough, since strains reach %1 % only.").arg(strain);
+}
+
+QString DeformationChoice::how_it_moves() const {
+  if (rehearsal_.preparing()) return tr("The liver is being prepared to move.");
+  const QString tissue = rehearsal_.creeps() ? tr("Its tissue creeps, as evidence showed.")
+                                             : tr("Its tissue is elastic: no accepted evidence shows that it creeps.");
+  const rehearsal::SessionState* contact = rehearsal_.contact();
+  if (contact == nullptr || !contact->motion) return tr("In motion, as you chose.") + ' ' + tissue;
+  return (contact->motion->moves
+              ? tr("In motion, as you chose: %1 mm/s at most.").arg(contact->motion->largest_speed_mm_s, 0, 'f', 1)
+              : tr("In motion, as you chose: it has come to rest.")) +
+         ' ' + tissue;
 }
 
 QString DeformationChoice::what_meshfree_costs() const {

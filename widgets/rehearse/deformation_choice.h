@@ -1,6 +1,7 @@
 #pragma once
 // How far the liver may be strained: small deformations (at once, up to 20 % strain) or large ones (beyond that too,
-// and settling). Says which is at work and why, and offers the large ones where strains ask for them.
+// and settling); at rest, or in motion. Says which is at work and why, and offers the large ones where strains ask for
+// them.
 
 #include <QComboBox>
 #include <QLabel>
@@ -22,6 +23,7 @@ class DeformationChoice : public QWidget {
   void show_state();
   [[nodiscard]] QString what_is_at_work() const;
   [[nodiscard]] QString what_meshfree_costs() const;
+  [[nodiscard]] QString how_it_moves() const;
 
   LiveRehearsal& rehearsal_;
   QLabel* name_;

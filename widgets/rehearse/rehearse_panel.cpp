@@ -292,7 +292,8 @@ void RehearsePanel::tell_cap() {
 // There where steps are recorded, or some are kept.
 void RehearsePanel::show_orders_fold() {
   const bool recorded = !rehearsal_.session_name().empty();
-  orders_->allow_keeping(recorded && rehearsal_.deformations() != Deformations::meshfree);
+  const Deformations kind = rehearsal_.deformations();
+  orders_->allow_keeping(recorded && kind != Deformations::meshfree && kind != Deformations::moving);
   orders_fold_->setVisible(recorded || !orders_->empty());
 }
 

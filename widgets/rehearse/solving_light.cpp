@@ -88,7 +88,9 @@ void SolvingLight::show_sign() {
       colour = "warning";
       break;
     case Solving::settling:
-      if (is_near_rest(rehearsal_)) {
+      if (rehearsal_.deformations() == Deformations::moving) {
+        words = tr("◐ Moving");
+      } else if (is_near_rest(rehearsal_)) {
         solved();
       } else {
         words = tr("◐ Settling");

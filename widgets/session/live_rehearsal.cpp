@@ -10,6 +10,10 @@ namespace {
 
 constexpr int look_every_ms = 15;
 
+bool has_rigid_tools_alone(Deformations deformations) {
+  return deformations == Deformations::meshfree || deformations == Deformations::moving;
+}
+
 std::string session_id(int number) { return "tool-" + std::to_string(number); }
 
 // Near enough to be shown as it is; one that was settled to no end is not.
@@ -93,7 +97,7 @@ void LiveRehearsal::exchange_body(std::shared_ptr<const rehearsal::StaticRehears
 void LiveRehearsal::set_touch(Touch touch) {
   if (touch == touch_ || (touch == Touch::rigid && !setup_)) return;
   touch_ = touch;
-  if (touch == Touch::patch && deformations_ == Deformations::meshfree) deformations_ = Deformations::small;
+  if (touch == Touch::patch && has_rigid_tools_alone(deformations_)) deformations_ = Deformations::small;
   const std::optional<PlacedTool> current = tools_.empty() ? std::nullopt : std::optional(tools_.back());
   start_anew();
   if (current) hold(*current);
@@ -102,7 +106,7 @@ void LiveRehearsal::set_touch(Touch touch) {
 void LiveRehearsal::set_deformations(Deformations deformations) {
   if (deformations == deformations_ || (deformations != Deformations::small && !knows_other_deformations())) return;
   deformations_ = deformations;
-  if (deformations == Deformations::meshfree) touch_ = Touch::rigid;
+  if (has_rigid_tools_alone(deformations)) touch_ = Touch::rigid;
   const std::vector<PlacedTool> tools = tools_;
   start_anew();
   hold_all(tools);
@@ -110,6 +114,7 @@ void LiveRehearsal::set_deformations(Deformations deformations) {
 
 rehearsal::RehearsalSetup LiveRehearsal::session_setup() const {
   if (deformations_ == Deformations::meshfree) return rehearsal::by_meshfree(*setup_, {});
+  if (deformations_ == Deformations::moving) return rehearsal::in_motion(*setup_, rehearsal::step_in_the_hand_s);
   const bool large = deformations_ == Deformations::large;
   return rehearsal::with_law(*setup_, large ? mechanics::MaterialLaw::neo_hookean : mechanics::MaterialLaw::linear);
 }
@@ -226,7 +231,9 @@ void LiveRehearsal::take_tool_away() {
   cuts_since_tool_ = 0;
   tools_.pop_back();
   numbers_.pop_back();
-  if (tools_.empty()) {
+  if (tools_.empty() && deformations_ == Deformations::moving) {
+    set_solving(Solving::solving);  // what was let go comes back
+  } else if (tools_.empty()) {
     state_.reset();
     set_solving(Solving::no_tool);
   } else {

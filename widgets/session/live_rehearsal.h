@@ -24,8 +24,9 @@
 
 namespace glisson::widgets {
 
-// Meshfree: small ones by the meshfree engine, with finite elements beside it to be held against.
-enum class Deformations { small, large, meshfree };
+// Meshfree: small ones by the meshfree engine, with finite elements beside it to be held against. Moving: small ones in
+// motion.
+enum class Deformations { small, large, meshfree, moving };
 // Settling: what was asked is answered, and is being brought to rest. Unsettled: it did not come there.
 enum class Solving { no_tool, solving, settling, solved, unsettled, refused };
 
@@ -50,11 +51,14 @@ class LiveRehearsal : public QObject {
   void set_touch(Touch touch);
   [[nodiscard]] Touch touch() const { return touch_; }
 
-  // The liver linear, or neo-Hookean with the same stiffness. Starts anew with the same tools; meshfree ones are rigid.
+  // The liver linear, or neo-Hookean with the same stiffness. Starts anew with the same tools; meshfree and moving ones
+  // are rigid.
   void set_deformations(Deformations deformations);
   [[nodiscard]] Deformations deformations() const { return deformations_; }
   // Anisotropic tissue is known at small ones by finite elements alone.
   [[nodiscard]] bool knows_other_deformations() const { return setup_ && !setup_->options.anisotropy; }
+  // In motion the patient's tissue does, as accepted evidence says.
+  [[nodiscard]] bool creeps() const { return setup_ && !setup_->relaxation.empty(); }
 
   // Puts the tool there. A later call supersedes this one: of several on the way, only the last is solved for.
   void hold(const PlacedTool& tool);

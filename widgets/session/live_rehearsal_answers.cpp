@@ -21,6 +21,7 @@ bool is_a_first_answer(const rehearsal::PlacedTool& placed, const rehearsal::Sta
 Solving how_it_stands(const rehearsal::SessionState& state, rehearsal::SessionPhase phase) {
   using rehearsal::SessionPhase;
   if (phase == SessionPhase::stepping || phase == SessionPhase::comparing) return Solving::solving;
+  if (state.motion && state.motion->moves) return Solving::settling;
   if (state.settled) return Solving::solved;
   return phase == SessionPhase::settling ? Solving::settling : Solving::unsettled;
 }
@@ -156,12 +157,13 @@ void LiveRehearsal::look_for_contact() {
     if (!state->refused.empty() && cuts_since_tool_ > 0 && steps == cut_steps_) --cuts_since_tool_;
     cut_steps_ = steps;
   }
-  const bool holds_something = !tools_.empty() || state->cut;
+  const bool comes_back = state->motion && (state->motion->moves || !state->tools.empty());
+  const bool holds_something = !tools_.empty() || state->cut || comes_back;
   if (is_new && holds_something && state->refused.empty() && state->on_the_way == 0) record(state);
   if (shown_moment_) return;
   if (!holds_something) {
     if (!state_) return;
-    state_.reset();  // the cut was taken back, and nothing holds the liver
+    state_.reset();  // the cut was taken back or all has come back, and nothing holds the liver
     set_solving(Solving::no_tool);
     Q_EMIT state_changed();
     return;

@@ -12,7 +12,7 @@ constexpr int rest_ms = 400;
 constexpr const char* key = "rehearse/tool";
 constexpr const char* rigid = "rigid";
 constexpr const char* deformations = "deformations";
-constexpr std::array<const char*, 3> kinds{"small", "large", "meshfree"};  // of Deformations
+constexpr std::array<const char*, 4> kinds{"small", "large", "meshfree", "moving"};  // of Deformations
 constexpr const char* cut_key = "cut";
 // What answered it, and after how many of its commands; of no matter for how things stand.
 constexpr const char* session_key = "session";
@@ -97,7 +97,10 @@ RehearsalUndo::RehearsalUndo(LiveRehearsal& rehearsal, Undo& undo, QObject* pare
   rest_.setSingleShot(true);
   rest_.setInterval(rest_ms);
   connect(&rest_, &QTimer::timeout, this, &RehearsalUndo::note);
-  connect(&rehearsal_, &LiveRehearsal::state_changed, this, [this] { rest_.start(); });
+  connect(&rehearsal_, &LiveRehearsal::state_changed, this, [this] {
+    const bool never_rests = rehearsal_.deformations() == Deformations::moving;
+    if (!never_rests || !rest_.isActive()) rest_.start();
+  });
   undo_.keep(key, [this](const QJsonValue& now) { apply(now); });
 }
 

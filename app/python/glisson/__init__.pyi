@@ -179,11 +179,12 @@ class Case:
         progress(fraction, stage) is told how far it is; KeyboardInterrupt cancels.
         Raises glisson.Error: choice-unknown, structure-unknown, vessels-no-organ, vessels-none, vessels-seed-off."""
 
-    def session(self, *, material: str = ..., engine: str = ..., progress: Optional[Callable[[float, str], Any]] = ...) -> Session:
+    def session(self, *, material: str = ..., engine: str = ..., step_s: Optional[float] = ..., progress: Optional[Callable[[float, str], Any]] = ...) -> Session:
         """A Session of this patient as the window rehearses, so that its recordings replay to the bit.
 
         material  "linear" (small strain), "neo-hookean" or "corotational" (large)
         engine    "fem", or "meshfree": linear alone, with finite elements beside it (SessionState.beside_elements)
+        step_s    in motion, by steps of so many seconds: linear, by "fem" and uncut; tissue that creeps does so
 
         The reference body, where there is one, comes with the command {"compare": True}.
         Raises glisson.Error: case-lacks-entry before there is a model; choice-unknown; not-available."""

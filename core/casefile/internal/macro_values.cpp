@@ -112,6 +112,11 @@ std::optional<Command> session_command(const fs::path& case_folder, const Json& 
       words.insert(words.end(), {"--engine", kind});
       how += ", engine=" + in_python(kind);
     }
+    if (kind == "moving") {
+      const std::string step_s = fmt::format("{:g}", rehearsal::step_in_the_hand_s);
+      words.insert(words.end(), {"--motion", step_s});
+      how += ", step_s=" + step_s;
+    }
     words.insert(words.end(), {"--commands", file, "--out", out});
     return Command{std::move(words),
                    fmt::format("rehearsal_{0} = patient.session({1})\n"
