@@ -21,6 +21,7 @@ bool is_a_first_answer(const rehearsal::PlacedTool& placed, const rehearsal::Sta
 Solving how_it_stands(const rehearsal::SessionState& state, rehearsal::SessionPhase phase) {
   using rehearsal::SessionPhase;
   if (phase == SessionPhase::stepping || phase == SessionPhase::comparing) return Solving::solving;
+  if (state.motion && state.motion->moves) return Solving::settling;
   if (state.settled) return Solving::solved;
   return phase == SessionPhase::settling ? Solving::settling : Solving::unsettled;
 }
