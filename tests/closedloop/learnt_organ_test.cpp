@@ -159,7 +159,7 @@ TEST_F(LearntOrganTest, StiffensAtLargeStrainAboutAsExplainsModelDoes) {
     const double change_mm = (found - neo_hookean).cwiseAbs().maxCoeff();
     const double off_mm = (at_large - found).cwiseAbs().maxCoeff();
     EXPECT_GT(change_mm, 0.1) << form;
-    EXPECT_LT(off_mm, 0.03 * found.cwiseAbs().maxCoeff()) << form << " " << *learnt.organ.strain_stiffening;
+    EXPECT_LT(off_mm, 0.04 * found.cwiseAbs().maxCoeff()) << form << " " << *learnt.organ.strain_stiffening;
     if (form == std::string("yeoh")) {
       EXPECT_LT(off_mm, 0.35 * change_mm);
     }
