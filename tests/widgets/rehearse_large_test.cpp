@@ -138,7 +138,7 @@ class RehearseLargeTest : public QObject {
     const std::vector<PlacedTool> tools = rehearsal().tools();
     auto* choice = child<QComboBox>("deformations");
     choice->setFocus();
-    QTest::keyClick(choice, Qt::Key_End);
+    QTest::keyClick(choice, Qt::Key_L);  // the one entry that begins with it
     QCOMPARE(rehearsal().deformations(), Deformations::large);
     QCOMPARE(rehearsal().touch(), Touch::rigid);
     QCOMPARE(rehearsal().tools(), tools);
