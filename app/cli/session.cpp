@@ -340,8 +340,7 @@ void add_session(CLI::App& app, Action& chosen) {
   command
       ->add_option("--commands", options->commands_files,
                    "\"glisson-session/1\" (JSON): hold, release, cut, undo, settle and wait_steps; a digest that "
-                   "stands there must "
-                   "come out again. Several files are orders of steps, which are compared")
+                   "stands there must come out again. Several files are orders of steps, which are compared")
       ->required();
   CLI::Option* engine =
       command
@@ -370,8 +369,7 @@ void add_session(CLI::App& app, Action& chosen) {
       command
           ->add_option("--motion", options->source.step_s,
                        "In motion by steps of so many seconds: each small move of a tool passes one, wait_steps more; "
-                       "tissue that "
-                       "creeps does so at small strain. Default: what the scenario says, of a case at rest")
+                       "tissue that creeps does so at small strain. Default: what the scenario says, of a case at rest")
           ->check(CLI::PositiveNumber);
   command
       ->add_option("--mass-damping", options->source.mass_damping_per_s,

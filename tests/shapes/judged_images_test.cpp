@@ -128,54 +128,60 @@ TEST(TuningImages, DicomCt) {
         judged(image, segmentation::resample(segmentation::mask_of_label(labels, liver_label), image.grid)));
 }
 
+// Calls of_liver(id, surface, number) for each `every`th liver of a half, from number `first` (0 is the half's first)
+// on, that lies whole in its image. `number` counts the half's livers from 1.
+template <typename OfLiver>
+void for_every(unsigned every, unsigned first, bool for_tuning, const OfLiver& of_liver) {
+  unsigned number = 0;
+  for (const studies::ShapesLiver& liver : studies::shapes_livers(test::shared_data() / "livers_couinaud")) {
+    if (liver.for_tuning != for_tuning || number++ % every != first) continue;
+    const auto outline = outline_of(imaging::read_labels_file(liver.file).value());
+    if (outline && outline->cut_off_at == nullptr) of_liver(liver.id, outline->surface, number);
+  }
+}
+
 // Every fourth liver of a half, from the first on; the looks take turns.
 void simulated_around_every_fourth(bool for_tuning) {
   GLISSON_NEEDS_DATA("livers_couinaud");
   if (!has_model()) GTEST_SKIP() << "set GLISSON_SHAPE_MODEL";
   std::vector<double> grown, seed, one_more, two_more, none;
-  unsigned number = 0;
-  for (const studies::ShapesLiver& liver : studies::shapes_livers(test::shared_data() / "livers_couinaud")) {
-    if (liver.for_tuning != for_tuning || number++ % 4 != 0) continue;
-    const auto outline = outline_of(imaging::read_labels_file(liver.file).value());
-    if (!outline || outline->cut_off_at != nullptr) continue;
+  for_every(4, 0, for_tuning, [&](const std::string& id, const auto& surface, unsigned number) {
     const auto looks = static_cast<test::Looks>(number / 4 % 4);
-    const auto made = test::simulated_abdomen(outline->surface, looks, 100 + number);
+    const auto made = test::simulated_abdomen(surface, looks, 100 + number);
     const Scores scores = judged(made.image, made.liver);
-    print(liver.id + " " + test::name_of(looks), scores);
+    print(id + " " + test::name_of(looks), scores);
     grown.push_back(scores.grown);
     seed.push_back(scores.seed);
     one_more.push_back(scores.one_more);
     two_more.push_back(scores.two_more);
     none.push_back(scores.none);
-  }
+  });
   print_summary("grown from one point", grown);
   print_summary("one point", seed);
   print_summary("a click more", one_more);
   print_summary("two clicks more", two_more);
   print_summary("no point", none);
 }
+
 // Each contrast around the same livers of a half, every eighth from the third on.
 void simulated_contrasts(bool for_tuning) {
   GLISSON_NEEDS_DATA("livers_couinaud");
   if (!has_model()) GTEST_SKIP() << "set GLISSON_SHAPE_MODEL";
   using test::Looks;
   std::map<Looks, std::vector<double>> grown, seed, two_more, none;
-  unsigned number = 0;
-  for (const studies::ShapesLiver& liver : studies::shapes_livers(test::shared_data() / "livers_couinaud")) {
-    if (liver.for_tuning != for_tuning || number++ % 8 != 2) continue;
-    const auto outline = outline_of(imaging::read_labels_file(liver.file).value());
-    if (!outline || outline->cut_off_at != nullptr) continue;
+  for_every(8, 2, for_tuning, [&](const std::string& id, const auto& surface, unsigned number) {
     for (const Looks looks : {Looks::portal_ct, Looks::native_ct, Looks::low_dose_ct, Looks::t1_mr, Looks::t2_mr,
                               Looks::in_phase_mr, Looks::opposed_phase_mr, Looks::fatty_opposed_mr}) {
-      const auto made = test::simulated_abdomen(outline->surface, looks, first_number() + number);
+      const auto made = test::simulated_abdomen(surface, looks, first_number() + number);
       const Scores scores = judged(made.image, made.liver);
-      print(liver.id + " " + test::name_of(looks), scores);
+      print(id + " " + test::name_of(looks), scores);
       grown[looks].push_back(scores.grown);
       seed[looks].push_back(scores.seed);
       two_more[looks].push_back(scores.two_more);
       none[looks].push_back(scores.none);
     }
-  }
+  });
+  EXPECT_EQ(seed.size(), 8U) << "not every contrast was judged";
   for (const auto& [looks, values] : seed) {
     const std::string name = test::name_of(looks);
     print_summary((name + ", grown").c_str(), grown[looks]);

@@ -14,7 +14,8 @@ namespace {
 
 // One tool, pulled or pressed. Its error is square x^2 + cube x^3 with x the share of its largest load.
 struct Branch {
-  Eigen::Index load = 0;  // the solver's column
+  Eigen::Index load = 0;  // the declared solver's column
+  Eigen::Index tool = 0;  // the finer solver's
   double largest_mN = 0;  // with its sign
 };
 struct Polynomial {
@@ -26,8 +27,9 @@ std::vector<Branch> branches_of(const std::vector<FaceLoad>& tools, const std::v
   constexpr double counts = 0.1;  // of the other side's load: less is what an idle load cell reads
   for (std::size_t t = 0; t < tools.size(); ++t) {
     const auto& [pulled_mN, pressed_mN] = ranges[t];
-    if (-pulled_mN > counts * pressed_mN) branches.push_back({tools[t].load, pulled_mN});
-    if (pressed_mN > -counts * pulled_mN) branches.push_back({tools[t].load, pressed_mN});
+    const auto tool = static_cast<Eigen::Index>(t);
+    if (-pulled_mN > counts * pressed_mN) branches.push_back({tools[t].load, tool, pulled_mN});
+    if (pressed_mN > -counts * pulled_mN) branches.push_back({tools[t].load, tool, pressed_mN});
   }
   return branches;
 }
@@ -38,15 +40,15 @@ struct Linear {
   Eigen::MatrixXd forces_mN, u_mm;
 };
 Linear linear_response(const PalpationSolver& solver, const PalpationSolver::Solution& solution,
-                       const std::vector<Branch>& branches, const std::vector<Eigen::Index>& columns) {
+                       const std::vector<Branch>& branches, Eigen::Index Branch::*column) {
   const auto count = static_cast<Eigen::Index>(branches.size());
   Linear linear{Eigen::MatrixXd(solver.loads_mN().rows(), 2 * count),
                 Eigen::MatrixXd(solver.loads_mN().rows(), 2 * count)};
   for (Eigen::Index b = 0; b < 2 * count; ++b) {
     const auto branch = static_cast<std::size_t>(b % count);
     const double load_mN = (b < count ? 0.5 : 1.0) * branches[branch].largest_mN;
-    linear.forces_mN.col(b) = load_mN * solver.loads_mN().col(columns[branch]);
-    linear.u_mm.col(b) = load_mN * solution.u_mm.col(columns[branch]);
+    linear.forces_mN.col(b) = load_mN * solver.loads_mN().col(branches[branch].*column);
+    linear.u_mm.col(b) = load_mN * solution.u_mm.col(branches[branch].*column);
   }
   return linear;
 }
@@ -155,17 +157,10 @@ std::shared_ptr<const ErrorAtStrain::Fine::Polynomials> ErrorAtStrain::Fine::at(
 ErrorAtStrain::Fine::Polynomials ErrorAtStrain::Fine::solved_at(const Stiffening& stiffening) {
   const auto finer = refined();
   if (!finer) return {};
-  std::vector<Eigen::Index> coarse_columns, fine_columns;
-  for (const Branch& branch : branches) {
-    coarse_columns.push_back(branch.load);
-    const auto tool =
-        std::find_if(tools.begin(), tools.end(), [&](const FaceLoad& t) { return t.load == branch.load; });
-    fine_columns.push_back(tool - tools.begin());
-  }
   const auto solution = declared.solution({}), fine_solution = finer->solver.solution({});
   if (!solution || !fine_solution) return {};
-  const Linear coarse = linear_response(declared, **solution, branches, coarse_columns);
-  const Linear fine = linear_response(finer->solver, **fine_solution, branches, fine_columns);
+  const Linear coarse = linear_response(declared, **solution, branches, &Branch::load);
+  const Linear fine = linear_response(finer->solver, **fine_solution, branches, &Branch::tool);
   constexpr double tolerance = 3e-4;  // of the load: far below what a mesh's error matters
   const auto coarse_mm =
       stiffened_equilibria(declared.specimen(), **solution, stiffening, coarse.forces_mN, coarse.u_mm, tolerance);

@@ -125,28 +125,26 @@ Eigen::SparseMatrix<double> stiffness(const SpecimenBody& specimen, const Struct
 
   const bool soft = gives_way(structure);
   const std::vector<mechanics::FoundationFace> none;
-  auto lower = mechanics::assemble_blocks(
-      body.layout, body.boundary, soft ? none : body.resolved.foundations, [&](std::size_t cell, int b) {
-        // Moving node b by e changes the gradient by e g_b^T: the stress follows by these 9x3, the force on a by its
-        // g_a.
-        std::array<Eigen::Matrix<double, 9, 3>, Elements::points_per_cell> stress_by_b;
-        const Elements::Point* points = &elements.points[cell * Elements::points_per_cell];
-        for (std::size_t q = 0; q < stress_by_b.size(); ++q) {
-          const double modulus = body.youngs_kPa[cell] * factors[cell * Elements::points_per_cell + q];
-          const Eigen::Vector3d g = points[q].gradients.col(b);
-          stress_by_b[q] =
-              modulus * points[q].volume_mm3 *
-              (g[0] * tangent.middleCols<3>(0) + g[1] * tangent.middleCols<3>(3) + g[2] * tangent.middleCols<3>(6));
-        }
-        return [stress_by_b, points](int a) {
-          Eigen::Matrix3d block = Eigen::Matrix3d::Zero();
-          for (std::size_t q = 0; q < stress_by_b.size(); ++q) {
-            for (int d = 0; d < 3; ++d)
-              block += points[q].gradients(d, a) * stress_by_b[q].template middleRows<3>(3 * d);
-          }
-          return block;
-        };
-      });
+  const auto& declared = soft ? none : body.resolved.foundations;
+  auto lower = mechanics::assemble_blocks(body.layout, body.boundary, declared, [&](std::size_t cell, int b) {
+    // Moving node b by e changes the gradient by e g_b^T: the stress follows by these 9x3, the force on a by its g_a.
+    std::array<Eigen::Matrix<double, 9, 3>, Elements::points_per_cell> stress_by_b;
+    const Elements::Point* points = &elements.points[cell * Elements::points_per_cell];
+    for (std::size_t q = 0; q < stress_by_b.size(); ++q) {
+      const double modulus = body.youngs_kPa[cell] * factors[cell * Elements::points_per_cell + q];
+      const Eigen::Vector3d g = points[q].gradients.col(b);
+      stress_by_b[q] =
+          modulus * points[q].volume_mm3 *
+          (g[0] * tangent.middleCols<3>(0) + g[1] * tangent.middleCols<3>(3) + g[2] * tangent.middleCols<3>(6));
+    }
+    return [stress_by_b, points](int a) {
+      Eigen::Matrix3d block = Eigen::Matrix3d::Zero();
+      for (std::size_t q = 0; q < stress_by_b.size(); ++q) {
+        for (int d = 0; d < 3; ++d) block += points[q].gradients(d, a) * stress_by_b[q].template middleRows<3>(3 * d);
+      }
+      return block;
+    };
+  });
   if (soft) add_springs(body, soft_springs(specimen, structure), lower);
   if (structure.attachment) add_springs(body, springs_of(body, *structure.attachment), lower);
   if (structure.capsule_mN_per_mm != 0) {
